@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "engine/core/progress.h"
+#include "engine/mesh/build.h"
+#include "engine/mesh/model.h"
+#include "engine/mesh/soup.h"
+
+namespace mesher {
+
+struct ReadOptions {
+  /// Whether the `e` lines of an OBJ count vertices from 0 or 1; unset: decided by which base makes
+  /// every listed pair an edge, 0 where both do.
+  std::optional<int> crease_index_base;
+  bool keep_isolated_vertices = false;
+  Progress* progress = nullptr;
+};
+
+/// The polygons of a file, unrepaired: OBJ by our own reader, PLY, STL, OFF, glTF, GLB through
+/// assimp. The format is the extension's, in any case.
+/// Throws InputError with file, line (where the format has lines) and reason; Cancelled.
+Soup read_soup(const std::filesystem::path& file, const ReadOptions& options = {});
+
+/// Reads a file and builds the mesh. Throws as read_soup.
+Model read_model(const std::filesystem::path& file, const ReadOptions& options = {});
+
+}  // namespace mesher

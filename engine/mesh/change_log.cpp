@@ -1,0 +1,62 @@
+#include "engine/mesh/change_log.h"
+
+#include <algorithm>
+
+namespace mesher {
+
+void ChangeLog::note(GpuArray array, std::uint32_t first, std::uint32_t count) {
+  const std::size_t i = index(array);
+  if (count == 0 || whole_[i]) return;
+  std::vector<ChangedRange>& ranges = ranges_[i];
+  if (!ranges.empty()) {
+    ChangedRange& last = ranges.back();
+    if (first >= last.begin && first <= last.end) {
+      last.end = std::max(last.end, first + count);
+      return;
+    }
+  }
+  if (ranges.size() == kMaxRanges) {
+    whole_[i] = true;
+    ranges.clear();
+    return;
+  }
+  ranges.push_back({first, first + count});
+}
+
+void ChangeLog::note_all() {
+  for (std::size_t i = 0; i < kGpuArrayCount; ++i) {
+    whole_[i] = true;
+    ranges_[i].clear();
+  }
+}
+
+void ChangeLog::clear() {
+  for (std::size_t i = 0; i < kGpuArrayCount; ++i) {
+    whole_[i] = false;
+    ranges_[i].clear();
+  }
+}
+
+bool ChangeLog::is_empty() const {
+  for (std::size_t i = 0; i < kGpuArrayCount; ++i) {
+    if (whole_[i] || !ranges_[i].empty()) return false;
+  }
+  return true;
+}
+
+std::vector<ChangedRange> ChangeLog::merged(GpuArray array, std::uint32_t gap) const {
+  std::vector<ChangedRange> sorted = ranges_[index(array)];
+  std::sort(sorted.begin(), sorted.end(),
+            [](ChangedRange a, ChangedRange b) { return a.begin < b.begin; });
+  std::vector<ChangedRange> joined;
+  for (const ChangedRange range : sorted) {
+    if (!joined.empty() && range.begin <= joined.back().end + gap) {
+      joined.back().end = std::max(joined.back().end, range.end);
+    } else {
+      joined.push_back(range);
+    }
+  }
+  return joined;
+}
+
+}  // namespace mesher

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace mesher {
+
+/// The arrays of a mesh that have a mirror on the GPU.
+enum class GpuArray : std::uint8_t {
+  position,    ///< one element a vertex
+  origin,      ///< one element a half-edge: the index buffer
+  edge_class,  ///< one element a half-edge: boundary, crease or ordinary, from twin and sharpness
+};
+inline constexpr std::size_t kGpuArrayCount = 3;
+
+/// Elements [begin, end) of one array.
+struct ChangedRange {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+  friend bool operator==(const ChangedRange&, const ChangedRange&) = default;
+};
+
+/// Which elements of which GPU arrays edits have touched since the log was last cleared. Noting is
+/// O(1); a range that continues or repeats the one noted before it is merged at once. Past
+/// kMaxRanges ranges an array counts as changed whole: one plain copy is then cheaper.
+class ChangeLog {
+ public:
+  static constexpr std::size_t kMaxRanges = 10'000;
+
+  void note(GpuArray array, std::uint32_t first, std::uint32_t count = 1);
+  /// Everything may differ (a new mesh in the same place).
+  void note_all();
+  void clear();
+
+  bool is_empty() const;
+  /// True where the array must be copied whole.
+  bool is_whole(GpuArray array) const { return whole_[index(array)]; }
+  /// The noted ranges, sorted, disjoint, and joined where fewer than `gap` elements lie between.
+  /// O(n log n) in their number. Empty where `is_whole`.
+  std::vector<ChangedRange> merged(GpuArray array, std::uint32_t gap = 0) const;
+
+ private:
+  static std::size_t index(GpuArray array) { return static_cast<std::size_t>(array); }
+
+  std::array<std::vector<ChangedRange>, kGpuArrayCount> ranges_;
+  std::array<bool, kGpuArrayCount> whole_{};
+};
+
+}  // namespace mesher

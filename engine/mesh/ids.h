@@ -1,0 +1,45 @@
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+namespace mesher {
+
+/// The index that means "none" in every id type; also the limit on counts: arrays hold at most
+/// `kNone` entries, so that ids fit in 32 bits.
+inline constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
+/// A 32-bit index with a type of its own: a Vertex cannot be passed where a Face is meant. An array
+/// of ids is, byte for byte, an array of `uint32_t`: the index buffer that the GPU reads.
+template <class Tag>
+class Id {
+ public:
+  constexpr Id() = default;
+  constexpr explicit Id(std::uint32_t index) : index_(index) {}
+
+  constexpr std::uint32_t index() const { return index_; }
+  constexpr bool is_valid() const { return index_ != kNone; }
+
+  friend constexpr auto operator<=>(Id, Id) = default;
+
+ private:
+  std::uint32_t index_ = kNone;
+};
+
+using Vertex = Id<struct VertexTag>;
+/// Half-edge `h = 3*face + corner`, directed from the vertex of its corner to that of the next.
+using Halfedge = Id<struct HalfedgeTag>;
+/// An undirected edge, named by the lower of its half-edges (so ids of edges have gaps).
+using Edge = Id<struct EdgeTag>;
+using Face = Id<struct FaceTag>;
+
+static_assert(sizeof(Vertex) == 4 && sizeof(Halfedge) == 4);
+
+}  // namespace mesher
+
+template <class Tag>
+struct std::hash<mesher::Id<Tag>> {
+  std::size_t operator()(mesher::Id<Tag> id) const noexcept { return id.index(); }
+};
