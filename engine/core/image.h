@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/core/array.h"
+
+namespace mesher {
+
+/// 8-bit RGBA picture, sRGB-encoded, top row first, rows without padding.
+struct Image {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  Array<std::uint8_t> rgba;  ///< 4 * width * height
+
+  const std::uint8_t* pixel(std::uint32_t x, std::uint32_t y) const {
+    return rgba.data() + 4 * (static_cast<std::size_t>(y) * width + x);
+  }
+};
+
+}  // namespace mesher
