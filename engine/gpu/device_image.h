@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/core/image.h"
+#include "engine/gpu/memory.h"
+
+namespace mesher::gpu {
+
+struct DeviceImageOptions {
+  VkFormat format = VK_FORMAT_R8G8B8A8_UNORM;
+  VkExtent2D extent{};
+  VkImageUsageFlags usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+};
+
+/// A two-dimensional image of one level with memory and a view of its own.
+class DeviceImage {
+ public:
+  DeviceImage() = default;
+  /// Throws DeviceError.
+  DeviceImage(Device& device, const DeviceImageOptions& options);
+
+  VkImage handle() const { return image_.get(); }
+  VkImageView view() const { return view_.get(); }
+  VkFormat format() const { return format_; }
+  VkExtent2D extent() const { return extent_; }
+  explicit operator bool() const { return static_cast<bool>(image_); }
+
+ private:
+  Memory memory_;
+  UniqueImage image_;
+  UniqueImageView view_;
+  VkFormat format_ = VK_FORMAT_UNDEFINED;
+  VkExtent2D extent_{};
+};
+
+/// Where an image is in a frame, and what used it last: both ends of a barrier.
+struct ImageState {
+  VkImageLayout layout;
+  VkPipelineStageFlags2 stage;
+  VkAccessFlags2 access;
+};
+inline constexpr ImageState kUndefined{VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_NONE, 0};
+inline constexpr ImageState kColorAttachment{
+    VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+    VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT};
+inline constexpr ImageState kDepthAttachment{
+    VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
+    VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
+    VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT};
+inline constexpr ImageState kTransferSource{VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                                            VK_PIPELINE_STAGE_2_TRANSFER_BIT,
+                                            VK_ACCESS_2_TRANSFER_READ_BIT};
+inline constexpr ImageState kTransferTarget{VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                            VK_PIPELINE_STAGE_2_TRANSFER_BIT,
+                                            VK_ACCESS_2_TRANSFER_WRITE_BIT};
+inline constexpr ImageState kPresent{VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, VK_PIPELINE_STAGE_2_NONE, 0};
+
+/// Records a barrier between two uses of an image. Coming from kUndefined the content is lost, and
+/// the barrier waits for whatever used the image at `to`'s stage before.
+void transition(VkCommandBuffer commands, VkImage image, ImageState from, ImageState to,
+                VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT);
+
+/// Fetches an 8-bit RGBA or BGRA image that the last submission left in `state` (it stays there) as
+/// RGBA, alpha as it is; waits for the GPU. Needs VK_IMAGE_USAGE_TRANSFER_SRC_BIT. Throws
+/// DeviceError.
+mesher::Image read_image(Device& device, const DeviceImage& image, ImageState state);
+
+}  // namespace mesher::gpu

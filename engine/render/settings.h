@@ -1,0 +1,41 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+namespace mesher::render {
+
+enum class Shading {
+  none,     ///< no surface: with `wireframe`, lines alone, hidden ones faintly
+  flat,     ///< one normal a face
+  gouraud,  ///< normals interpolated between corners
+};
+
+enum class Background { light, dark };
+
+/// An sRGB color, components 0 to 1: as color pickers and CSS give them.
+using Color = glm::vec3;
+
+/// How a scene is drawn. Plain values: compare, copy, keep in a file.
+struct Settings {
+  Shading shading = Shading::flat;
+  /// Edges: ordinary ones thin and faded where dense, creases yellow, boundaries thick and red.
+  bool wireframe = false;
+  /// Gouraud normals split where faces meet at more than this (180: only at tagged creases).
+  float crease_angle_deg = 180.0F;
+  Background background = Background::light;
+  Color front{0.80F, 0.78F, 0.74F};
+  Color back{0.32F, 0.47F, 0.86F};  ///< blue: a surface turned inside out is seen at once
+  Color crease{1.00F, 0.80F, 0.00F};
+  Color boundary{0.90F, 0.05F, 0.05F};
+  /// Samples a pixel, 1 or 4.
+  unsigned samples = 4;
+
+  friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+/// The color behind the model.
+Color background_color(Background background);
+/// The color of ordinary edges: over a surface dark; alone, whatever reads on the background.
+Color edge_color(const Settings& settings);
+
+}  // namespace mesher::render
