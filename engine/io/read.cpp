@@ -1,1 +1,44 @@
 #include "engine/io/read.h"
+
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "engine/core/error.h"
+#include "engine/io/format.h"
+#include "engine/io/mapped_file.h"
+#include "engine/io/obj_read.h"
+
+namespace mesher {
+namespace {
+
+Soup read_format(Format format, const std::filesystem::path& file, const ReadOptions& options) {
+  const MappedFile bytes(file);
+  if (bytes.size() == 0) throw InputError(bytes.name(), 0, "is empty");
+  switch (format) {
+    case Format::obj:
+      return read_obj(bytes, options);
+    default:
+      throw InputError(bytes.name(), 0, "cannot be read yet");
+  }
+}
+
+}  // namespace
+
+Soup read_soup(const std::filesystem::path& file, const ReadOptions& options) {
+  const std::string name = file.string();
+  const std::optional<Format> format = format_of(file);
+  if (!format) {
+    throw InputError(name, 0, "unknown kind of file; known are " + std::string(kFormatNames));
+  }
+  begin_stage(options.progress, "reading " + file.filename().string());
+  try {
+    return read_format(*format, file, options);
+  } catch (const std::bad_alloc&) {
+    throw DeviceError(name + ": not enough memory");
+  } catch (const std::length_error&) {
+    throw DeviceError(name + ": not enough memory");
+  }
+}
+
+}  // namespace mesher

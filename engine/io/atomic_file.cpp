@@ -1,0 +1,90 @@
+#include "engine/io/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <system_error>
+
+#include "engine/core/error.h"
+
+namespace mesher {
+namespace {
+
+/// One write(2) moves at most 2 GB; smaller pieces also keep the page cache flowing.
+constexpr std::size_t kLargestWrite = std::size_t{1} << 26;
+
+}  // namespace
+
+AtomicFile::AtomicFile(const std::filesystem::path& target)
+    : name_(target.string()), target_(target) {
+  struct stat status = {};
+  const bool exists = ::stat(target.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) throw OutputError(name_, "is a directory");
+  if (exists && ::access(target.c_str(), W_OK) != 0) fail("cannot write");
+  if (exists && !S_ISREG(status.st_mode)) {
+    descriptor_ = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail("cannot write");
+    return;
+  }
+  if (exists && std::filesystem::is_symlink(target)) target_ = std::filesystem::canonical(target);
+  open_temporary();
+  // Some file systems know no permissions; the file is as good without.
+  if (exists) static_cast<void>(::fchmod(descriptor_, status.st_mode & 07777));
+}
+
+AtomicFile::~AtomicFile() {
+  discard();
+}
+
+void AtomicFile::open_temporary() {
+  static std::atomic<unsigned> counter{0};
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    // Not made of the target's name, which may be as long as names can be.
+    temporary_ = target_.parent_path() / (".mesher-" + std::to_string(::getpid()) + "-" +
+                                          std::to_string(counter++) + ".tmp");
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ >= 0) return;
+    if (errno != EEXIST) break;
+  }
+  temporary_.clear();
+  fail("cannot write");
+}
+
+void AtomicFile::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t done = ::write(descriptor_, bytes.data(), std::min(bytes.size(), kLargestWrite));
+    if (done < 0 && errno == EINTR) continue;
+    if (done < 0) fail("cannot write");
+    bytes.remove_prefix(static_cast<std::size_t>(done));
+    size_ += static_cast<std::uint64_t>(done);
+  }
+}
+
+void AtomicFile::commit() {
+  const int descriptor = descriptor_;
+  descriptor_ = -1;
+  // Full disks on the network are reported this late.
+  if (::close(descriptor) != 0) fail("cannot write");
+  if (temporary_.empty()) return;
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot write");
+  temporary_.clear();
+}
+
+void AtomicFile::discard() noexcept {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  descriptor_ = -1;
+  temporary_.clear();
+}
+
+void AtomicFile::fail(const char* action) {
+  const int error = errno;
+  discard();
+  throw OutputError(name_, std::string(action) + ": " + std::generic_category().message(error));
+}
+
+}  // namespace mesher

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace mesher {
+
+/// A file that appears whole or not at all: written under a temporary name in the target's folder
+/// and renamed by `commit`. Destroyed without `commit`, it leaves nothing behind, and whatever
+/// stood at the target stays. A link is followed, an existing file's permissions are kept. A target
+/// that is no regular file (a pipe, `/dev/stdout`) cannot be renamed over and is written directly.
+class AtomicFile {
+ public:
+  /// Throws OutputError where the target is a directory or its folder cannot be written.
+  explicit AtomicFile(const std::filesystem::path& target);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /// Appends; nothing is buffered, so write in large pieces. Throws OutputError.
+  void write(std::string_view bytes);
+  /// Bytes written so far.
+  std::uint64_t size() const { return size_; }
+  /// Closes the file and gives it its name. Throws OutputError; the temporary file is gone then.
+  void commit();
+
+ private:
+  void open_temporary();
+  void discard() noexcept;
+  [[noreturn]] void fail(const char* action);
+
+  std::string name_;  ///< as the caller spelt it, for messages
+  std::filesystem::path target_;
+  std::filesystem::path temporary_;  ///< empty where the target is written directly
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+};
+
+}  // namespace mesher

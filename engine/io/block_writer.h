@@ -1,0 +1,89 @@
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/array.h"
+#include "engine/core/assert.h"
+#include "engine/core/parallel.h"
+#include "engine/io/atomic_file.h"
+
+namespace mesher {
+
+/// Text or binary data that grows. `need` makes room; appending itself does not check.
+class Appender {
+ public:
+  void clear() { size_ = 0; }
+  /// Makes room for `bytes` more.
+  void need(std::size_t bytes) {
+    if (storage_.size() - size_ < bytes) storage_.resize(2 * storage_.size() + bytes);
+  }
+  std::string_view text() const { return {storage_.data(), size_}; }
+
+  Appender& operator<<(char c) {
+    *put(1) = c;
+    return *this;
+  }
+  Appender& operator<<(std::string_view text) {
+    std::memcpy(put(text.size()), text.data(), text.size());
+    return *this;
+  }
+  /// At most 10 characters.
+  Appender& operator<<(std::uint32_t value) { return number(value, 10); }
+  /// The shortest decimal that reads back as the same float: at most 15 characters.
+  Appender& operator<<(float value) { return number(value, 15); }
+  /// The bytes of a number as they lie in memory (little-endian on the machines we build for).
+  template <class T>
+  Appender& raw(const T& value) {
+    std::memcpy(put(sizeof value), &value, sizeof value);
+    return *this;
+  }
+
+ private:
+  char* put(std::size_t bytes) {
+    MESHER_ASSERT(bytes <= storage_.size() - size_);
+    size_ += bytes;
+    return storage_.data() + size_ - bytes;
+  }
+  template <class T>
+  Appender& number(T value, std::size_t most) {
+    char* const p = storage_.data() + size_;
+    MESHER_ASSERT(most <= storage_.size() - size_);
+    size_ += static_cast<std::size_t>(std::to_chars(p, p + most, value).ptr - p);
+    return *this;
+  }
+
+  Array<char> storage_;
+  std::size_t size_ = 0;
+};
+
+/// Writes `count` elements in order: they are formatted in parallel, a block at a time, so memory
+/// stays at a few megabytes whatever the count. `format(appender, i)` appends element i; room for
+/// `most_bytes` is made before, and it may ask for more. The bytes do not depend on the number of
+/// threads.
+template <class Format>
+void write_elements(AtomicFile& file, std::size_t count, std::size_t most_bytes, Format&& format) {
+  constexpr std::size_t kBlock = std::size_t{1} << 13;
+  constexpr std::size_t kBlocksAtOnce = 16;
+  std::vector<Appender> blocks(std::min(kBlocksAtOnce, chunk_count(count, kBlock)));
+  for (std::size_t begin = 0; begin < count; begin += kBlock * kBlocksAtOnce) {
+    const std::size_t elements = std::min(count - begin, kBlock * kBlocksAtOnce);
+    parallel_chunks(elements, kBlock, [&](std::size_t block, IndexRange range) {
+      Appender& out = blocks[block];
+      out.clear();
+      for (std::size_t i = range.begin; i < range.end; ++i) {
+        out.need(most_bytes);
+        format(out, begin + i);
+      }
+    });
+    for (std::size_t block = 0; block < chunk_count(elements, kBlock); ++block) {
+      file.write(blocks[block].text());
+    }
+  }
+}
+
+}  // namespace mesher

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "engine/core/array.h"
+
+namespace mesher {
+
+/// A whole file, read-only, as one span of bytes: mapped where it is a regular file, read block by
+/// block where it is a pipe or a device (so `/dev/stdin` works). Sizes are 64-bit. Whoever cuts a
+/// regular file short while it is mapped ends the program; that is the price of not copying it.
+class MappedFile {
+ public:
+  /// So many zero bytes may be read past the end: scanners that look a word ahead, or for the
+  /// character that ends a number, need no check of their own.
+  static constexpr std::size_t kPadding = 64;
+
+  /// Throws InputError where the file is missing, unreadable or a directory.
+  explicit MappedFile(const std::filesystem::path& file);
+  ~MappedFile();
+  MappedFile(const MappedFile&) = delete;
+  MappedFile& operator=(const MappedFile&) = delete;
+
+  const std::string& name() const { return name_; }
+  const char* begin() const { return data_; }
+  const char* end() const { return data_ + size_; }
+  std::size_t size() const { return size_; }
+  std::string_view bytes() const { return {data_, size_}; }
+
+  /// Number of the line that holds `where`, counted from 1; a line ends at its newline. O(size),
+  /// meant for error messages. Pre: begin() <= where <= end().
+  std::uint64_t line_of(const char* where) const;
+
+ private:
+  void map(int descriptor, std::size_t size);
+  void read_blocks(int descriptor);
+  [[noreturn]] void fail(const char* action) const;
+
+  std::string name_;
+  const char* data_ = nullptr;
+  std::size_t size_ = 0;
+  std::size_t mapped_bytes_ = 0;  ///< 0: the bytes lie in copy_
+  Array<char> copy_;
+};
+
+}  // namespace mesher

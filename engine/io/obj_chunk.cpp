@@ -1,0 +1,377 @@
+#include "engine/io/obj_chunk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "engine/io/scan.h"
+#include "engine/mesh/ids.h"
+
+namespace mesher {
+namespace {
+
+using scan::is_blank;
+using scan::is_digit;
+
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
+
+/// Length of a backslash and the line end, or the end of the file, that it hides; 0 where there is
+/// none. (A zero byte inside the file is then met next, and refused.)
+std::size_t continuation(const char* p) {
+  if (p[0] != '\\') return 0;
+  if (p[1] == '\n') return 2;
+  if (p[1] == '\0') return 1;
+  return p[1] == '\r' && p[2] == '\n' ? 3 : 0;
+}
+
+const char* skip_blanks(const char* p) {
+  for (;;) {
+    if (*p == ' ') ++p;
+    if (static_cast<unsigned char>(*p) > ' ' && *p != '\\') return p;
+    p = scan::skip_blanks(p);
+    const std::size_t hidden = continuation(p);
+    if (hidden == 0) return p;
+    p += hidden;
+  }
+}
+
+std::uint8_t color_byte(float value) {
+  return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
+}
+
+/// Each `statement` function gets the text behind its keyword and returns the start of the next
+/// line, or null after an error.
+class Parser {
+ public:
+  Parser(const char* end, const ObjBounds (&bounds)[kObjKinds], ObjChunk& chunk)
+      : end_(end), bounds_(bounds), chunk_(chunk) {}
+
+  void run(const char* p) {
+    while (p != nullptr && p < end_)
+      p = line(skip_blanks(p));
+  }
+
+ private:
+  const char* fail(const char* where, const char* reason) {
+    chunk_.error = reason;
+    chunk_.error_at = where;
+    return nullptr;
+  }
+
+  bool at_end(const char* p) const { return *p == '\n' || *p == '#' || p >= end_; }
+
+  const char* line(const char* p) {
+    switch (*p) {
+      case 'v':
+        if (ends_keyword(p[1])) return position(p + 1);
+        if (p[1] == 'n' && ends_keyword(p[2])) return normal(p + 2);
+        if (p[1] == 't' && ends_keyword(p[2])) return texcoord(p + 2);
+        break;
+      case 'f':
+        if (ends_keyword(p[1])) return face(p + 1);
+        break;
+      case 'e':
+        if (ends_keyword(p[1])) return edge(p + 1);
+        break;
+      case 't':
+        if (ends_keyword(p[1])) return tag(p + 1);
+        break;
+      case 'g':
+      case 'o':
+        if (ends_keyword(p[1])) return name(p[0], p + 1);
+        break;
+      case 'u':
+        if (std::strncmp(p, "usemtl", 6) == 0 && ends_keyword(p[6])) return name('u', p + 6);
+        break;
+      default:
+        break;
+    }
+    return *p == '#' ? past_line(p) : past_statement(p);
+  }
+
+  bool ends_keyword(char c) const { return is_blank(c) || c == '\n' || c == '\\' || c == '\0'; }
+
+  /// Comments are not continued: a backslash may well end a path in one.
+  const char* past_line(const char* p) const {
+    if (p >= end_) return end_;
+    const void* const newline = std::memchr(p, '\n', static_cast<std::size_t>(end_ - p));
+    return newline == nullptr ? end_ : static_cast<const char*>(newline) + 1;
+  }
+
+  const char* past_statement(const char* p) const {
+    return p >= end_ ? end_ : next_obj_line(p, p + 1, end_);
+  }
+
+  const char* number(const char* p, float& value, const char* too_few) {
+    p = skip_blanks(p);
+    const char* const next = scan::read_float(p, value);
+    if (next != nullptr) return next;
+    return fail(p, at_end(p) ? too_few : "not a number");
+  }
+
+  const char* vector3(const char* p, glm::vec3& v, const char* too_few) {
+    for (int i = 0; i < 3 && p != nullptr; ++i)
+      p = number(p, v[i], too_few);
+    return p;
+  }
+
+  const char* position(const char* p) {
+    glm::vec3 v;
+    p = vector3(p, v, "a vertex needs three coordinates");
+    if (p == nullptr) return nullptr;
+    chunk_.positions.push(v);
+    if (*p == '\n' && chunk_.colors.empty()) return p + 1;
+    return vertex_color(skip_blanks(p));
+  }
+
+  /// Behind the coordinates: nothing, a weight, or a colour of three or four parts.
+  const char* vertex_color(const char* p) {
+    float extra[4];
+    int count = 0;
+    while (!at_end(p)) {
+      float value = 0.0F;
+      const char* const next = scan::read_float(p, value);
+      if (next == nullptr) return fail(p, "not a number");
+      if (count < 4) extra[count] = value;
+      ++count;
+      p = skip_blanks(next);
+    }
+    constexpr glm::u8vec4 kWhite(255);
+    if (count == 3 || count == 4) {
+      chunk_.colors.fill_up(chunk_.positions.size() - 1, kWhite);
+      chunk_.colors.push({color_byte(extra[0]), color_byte(extra[1]), color_byte(extra[2]),
+                          count == 4 ? color_byte(extra[3]) : std::uint8_t{255}});
+    } else if (!chunk_.colors.empty()) {
+      chunk_.colors.push(kWhite);
+    }
+    return past_line(p);
+  }
+
+  const char* normal(const char* p) {
+    glm::vec3 n;
+    p = vector3(p, n, "a normal needs three components");
+    if (p == nullptr) return nullptr;
+    chunk_.normals.push(n);
+    return *p == '\n' ? p + 1 : past_statement(p);
+  }
+
+  const char* texcoord(const char* p) {
+    glm::vec2 t(0.0F);
+    p = number(p, t.x, "a texture coordinate needs a number");
+    if (p == nullptr) return nullptr;
+    p = skip_blanks(p);
+    if (!at_end(p)) p = number(p, t.y, "");
+    if (p == nullptr) return nullptr;
+    chunk_.texcoords.push(t);
+    return *p == '\n' ? p + 1 : past_statement(p);
+  }
+
+  std::size_t count_so_far(ObjKind kind) const {
+    switch (kind) {
+      case kObjVertex:
+        return chunk_.positions.size();
+      case kObjTexcoord:
+        return chunk_.texcoords.size();
+      default:
+        return chunk_.normals.size();
+    }
+  }
+
+  const char* face(const char* p) {
+    const std::size_t first = chunk_.corner_count();
+    for (;;) {
+      p = skip_blanks(p);
+      if (at_end(p)) break;
+      p = index(p, kObjVertex);
+      if (p == nullptr) return nullptr;
+      if (*p == '/') {
+        p = corner_attributes(p);
+        if (p == nullptr) return nullptr;
+      }
+      if (!scan::ends_token(*p)) return fail(p, "not a face corner");
+    }
+    end_face(first);
+    return *p == '\n' ? p + 1 : past_line(p);
+  }
+
+  void end_face(std::size_t first) {
+    const std::size_t corners = chunk_.corner_count();
+    for (ObjKind kind : {kObjTexcoord, kObjNormal}) {
+      Scratch<std::uint32_t>& indices = chunk_.indices[kind].index;
+      if (!indices.empty()) indices.fill_up(corners, kNone);
+    }
+    if (corners - first != 3) chunk_.all_triangles = false;
+    chunk_.face_end.push(static_cast<std::uint32_t>(corners));
+  }
+
+  /// Reads "/t", "//n" or "/t/n" of the corner that was pushed last.
+  const char* corner_attributes(const char* p) {
+    for (ObjKind kind : {kObjTexcoord, kObjNormal}) {
+      if (*p != '/') break;
+      ++p;
+      if (!is_digit(*p) && *p != '-') continue;
+      chunk_.indices[kind].index.fill_up(chunk_.corner_count() - 1, kNone);
+      p = index(p, kind);
+      if (p == nullptr) return nullptr;
+    }
+    return p;
+  }
+
+  const char* index(const char* p, ObjKind kind) {
+    if (!is_digit(*p)) return relative_index(p, kind);
+    ObjIndices& indices = chunk_.indices[kind];
+    std::uint32_t value = 0;
+    const char* const next = scan::read_digits(p, value);
+    if (value == 0) return fail(p, "index 0: OBJ counts from 1");
+    if (value > bounds_[kind].count) return fail(p, out_of_range(kind));
+    indices.largest = std::max(indices.largest, value);
+    indices.index.push(value - 1);
+    return next;
+  }
+
+  const char* relative_index(const char* p, ObjKind kind) {
+    if (p[0] != '-' || !is_digit(p[1])) return fail(p, "not a face corner");
+    ObjIndices& indices = chunk_.indices[kind];
+    std::uint32_t back = 0;
+    const char* const next = scan::read_digits(p + 1, back);
+    const std::size_t here = count_so_far(kind);
+    if (back == 0) return fail(p, "index 0: OBJ counts from 1");
+    if (back > here + bounds_[kind].before) return fail(p, out_of_range(kind));
+    if (back > here) indices.reach_back = std::max<std::uint64_t>(indices.reach_back, back - here);
+    indices.relative.push_back(static_cast<std::uint32_t>(indices.index.size()));
+    indices.index.push(static_cast<std::uint32_t>(here - back));
+    return next;
+  }
+
+  static const char* out_of_range(ObjKind kind) {
+    switch (kind) {
+      case kObjVertex:
+        return "vertex index out of range";
+      case kObjTexcoord:
+        return "texture coordinate index out of range";
+      default:
+        return "normal index out of range";
+    }
+  }
+
+  const char* name(char kind, const char* p) {
+    p = scan::skip_blanks(p);
+    const char* const next = past_line(p);
+    const char* last = next;
+    while (last > p && static_cast<unsigned char>(last[-1]) <= ' ')
+      --last;
+    chunk_.names.push_back({kind, static_cast<std::uint32_t>(chunk_.face_end.size()),
+                            std::string_view(p, static_cast<std::size_t>(last - p))});
+    return next;
+  }
+
+  const char* vertex_number(const char* p, std::uint32_t& value) {
+    p = skip_blanks(p);
+    if (!is_digit(*p)) return fail(p, "a crease needs vertex numbers");
+    const char* const next = scan::read_digits(p, value);
+    return scan::ends_token(*next) ? next : fail(p, "a crease needs vertex numbers");
+  }
+
+  /// `e a b [sharpness]`
+  const char* edge(const char* p) {
+    ObjTag found{.is_based_on_zero = false, .sharpness = kInfinite, .where = p};
+    p = vertex_number(p, found.a);
+    if (p != nullptr) p = vertex_number(p, found.b);
+    if (p == nullptr) return nullptr;
+    p = skip_blanks(p);
+    if (!at_end(p)) p = number(p, found.sharpness, "");
+    if (p == nullptr) return nullptr;
+    chunk_.tags.push_back(found);
+    return past_line(p);
+  }
+
+  /// `t crease i/f/s i0 i1 .. f0 ..` (a chain of edges) and `t corner i/f/s i0 .. f0 ..`, with one
+  /// sharpness for all or one for each; other tags are none of ours.
+  const char* tag(const char* p) {
+    const char* const where = p = skip_blanks(p);
+    const bool is_corner = std::strncmp(p, "corner", 6) == 0 && ends_keyword(p[6]);
+    const bool is_crease = std::strncmp(p, "crease", 6) == 0 && ends_keyword(p[6]);
+    if (!is_corner && !is_crease) return past_statement(p);
+    std::uint32_t counts[3] = {};
+    p = tag_counts(skip_blanks(p + 6), counts);
+    if (p == nullptr) return nullptr;
+    std::vector<std::uint32_t> vertices;
+    for (std::uint32_t i = 0; i < counts[0] && p != nullptr; ++i) {
+      p = vertex_number(p, vertices.emplace_back());
+    }
+    std::vector<float> sharpness;
+    for (std::uint32_t i = 0; i < counts[1] && p != nullptr; ++i) {
+      p = number(p, sharpness.emplace_back(), "a tag has fewer numbers than it says");
+    }
+    if (p == nullptr) return nullptr;
+    const std::size_t tags =
+        is_corner ? vertices.size() : vertices.size() - (vertices.empty() ? 0 : 1);
+    if (sharpness.size() != 1 && sharpness.size() != tags) {
+      return fail(where, "a tag needs one sharpness, or one for each");
+    }
+    for (std::size_t i = 0; i < tags; ++i) {
+      chunk_.tags.push_back({is_corner, true, vertices[i], is_corner ? 0 : vertices[i + 1],
+                             sharpness.size() == 1 ? sharpness[0] : sharpness[i], where});
+    }
+    return past_statement(p);
+  }
+
+  const char* tag_counts(const char* p, std::uint32_t (&counts)[3]) {
+    for (int i = 0; i < 3; ++i) {
+      if (i > 0 && *p++ != '/') return fail(p - 1, "a tag needs counts like 2/1/0");
+      if (!is_digit(*p)) return fail(p, "a tag needs counts like 2/1/0");
+      p = scan::read_digits(p, counts[i]);
+    }
+    return p;
+  }
+
+  const char* const end_;
+  const ObjBounds (&bounds_)[kObjKinds];
+  ObjChunk& chunk_;
+};
+
+/// Makes room for the most that so many bytes can say: a corner takes at least two ("1 "), a face
+/// two ("f\n"), a position and a normal eight ("v 1 1 1\n"), a texture coordinate four ("vt 1\n").
+void start(ObjChunk& chunk, std::size_t bytes) {
+  chunk.positions.start(bytes / 6 + 1);
+  chunk.colors.start(bytes / 6 + 1);
+  chunk.normals.start(bytes / 6 + 1);
+  chunk.texcoords.start(bytes / 4 + 1);
+  for (ObjIndices& indices : chunk.indices) {
+    indices.index.start(bytes / 2 + 1);
+    indices.relative.clear();
+    indices.largest = 0;
+    indices.reach_back = 0;
+  }
+  chunk.face_end.start(bytes / 2 + 1);
+  chunk.all_triangles = true;
+  chunk.names.clear();
+  chunk.tags.clear();
+  chunk.error = chunk.error_at = nullptr;
+}
+
+}  // namespace
+
+void parse_obj_chunk(const char* begin, const char* end, const ObjBounds (&bounds)[kObjKinds],
+                     ObjChunk& chunk) {
+  start(chunk, static_cast<std::size_t>(end - begin));
+  Parser(end, bounds, chunk).run(begin);
+}
+
+const char* next_obj_line(const char* text_begin, const char* from, const char* end) {
+  // The newline that ends the line before `from` may stand right before it.
+  const char* p = from > text_begin ? from - 1 : from;
+  for (;;) {
+    if (p >= end) return end;
+    const char* const newline =
+        static_cast<const char*>(std::memchr(p, '\n', static_cast<std::size_t>(end - p)));
+    if (newline == nullptr) return end;
+    const char* before = newline;
+    if (before > text_begin && before[-1] == '\r') --before;
+    if (before == text_begin || before[-1] != '\\') return newline + 1;
+    p = newline + 1;
+  }
+}
+
+}  // namespace mesher

@@ -1,0 +1,330 @@
+#include "engine/io/obj_read.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <unordered_map>
+
+#include "engine/core/error.h"
+#include "engine/core/parallel.h"
+#include "engine/io/obj_chunk.h"
+#include "engine/io/obj_creases.h"
+
+namespace mesher {
+namespace {
+
+/// Text of a chunk. Small enough to stay in a core's cache together with what it says.
+constexpr std::size_t kChunkBytes = std::size_t{1} << 18;
+/// Chunks that are parsed before their contents are put together.
+constexpr std::size_t kWave = 16;
+/// Elements that one thread gathers at a time.
+constexpr std::size_t kGrain = std::size_t{1} << 15;
+
+/// Where a chunk lies and what came before it: enough to find an error's line later.
+struct ChunkPlace {
+  const char* begin;
+  const char* end;
+  std::size_t before[kObjKinds];
+};
+
+/// Which part of the file a wave is: shares of its bytes.
+struct Stretch {
+  double begin;
+  double end;
+};
+
+/// Makes an array longer by what a wave brings. Where that needs new memory, the rest of the file
+/// is expected to say as much a byte as this wave, so that an array moves once or twice at most.
+/// (Pages that are reserved and never reached cost nothing.)
+template <class T>
+void grow(Array<T>& array, std::size_t size, Stretch wave) {
+  if (size > array.capacity()) {
+    const double rate = static_cast<double>(size - array.size()) / (wave.end - wave.begin);
+    const double expected = 1.02 * rate * (1.0 - wave.end);
+    array.reserve(size + static_cast<std::size_t>(expected));
+  }
+  array.resize(size);
+}
+
+/// Puts chunks together in the order of the file.
+class ObjAssembly {
+ public:
+  ObjAssembly(const MappedFile& file, const ReadOptions& options)
+      : file_(file), options_(options) {}
+
+  Soup run() {
+    const char* const text = file_.begin();
+    const char* p = text + (file_.bytes().substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0);
+    std::vector<ObjChunk> wave(kWave);
+    while (p < file_.end()) {
+      std::vector<ChunkPlace> places;
+      while (places.size() < kWave && p < file_.end()) {
+        const std::size_t left = static_cast<std::size_t>(file_.end() - p);
+        const char* const end =
+            left <= kChunkBytes ? file_.end() : next_obj_line(p, p + kChunkBytes, file_.end());
+        places.push_back({p, end, {}});
+        p = end;
+      }
+      parse(places, wave);
+      append(places, wave);
+      report(options_.progress, static_cast<float>(share(p)));
+    }
+    return finish();
+  }
+
+ private:
+  double share(const char* p) const {
+    return static_cast<double>(p - file_.begin()) / static_cast<double>(file_.size());
+  }
+
+  [[noreturn]] void fail(const char* where, std::string_view reason) const {
+    throw InputError(file_.name(), file_.line_of(where), reason);
+  }
+
+  void parse(const std::vector<ChunkPlace>& places, std::vector<ObjChunk>& wave) const {
+    static constexpr ObjBounds kAnything[kObjKinds] = {};
+    parallel_chunks(places.size(), 1, [&](std::size_t i, IndexRange) {
+      parse_obj_chunk(places[i].begin, places[i].end, kAnything, wave[i]);
+    });
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (wave[i].error != nullptr) fail(wave[i].error_at, wave[i].error);
+    }
+  }
+
+  void append(std::vector<ChunkPlace>& places, const std::vector<ObjChunk>& wave) {
+    const std::size_t first_face = face_count_;
+    const std::size_t first_corner = corner_count_;
+    std::vector<std::size_t> corner_at(places.size());
+    std::vector<std::size_t> face_at(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      std::copy_n(count_, kObjKinds, places[i].before);
+      corner_at[i] = corner_count_;
+      face_at[i] = face_count_;
+      count(wave[i], places[i]);
+    }
+    make_room(first_corner, first_face, {share(places.front().begin), share(places.back().end)});
+    parallel_chunks(places.size(), 1, [&](std::size_t i, IndexRange) {
+      copy_chunk(wave[i], places[i], corner_at[i], face_at[i]);
+    });
+  }
+
+  /// Adds up what a chunk brings, and takes over what is rare.
+  void count(const ObjChunk& chunk, const ChunkPlace& place) {
+    for (const ObjName& name : chunk.names) {
+      rename(name, static_cast<std::uint32_t>(face_count_ + name.face));
+    }
+    tags_.insert(tags_.end(), chunk.tags.begin(), chunk.tags.end());
+    bool reaches_too_far = false;
+    for (int kind = 0; kind < kObjKinds; ++kind) {
+      const ObjIndices& indices = chunk.indices[kind];
+      has_[kind] = has_[kind] || !indices.index.empty();
+      reaches_too_far = reaches_too_far || indices.reach_back > count_[kind];
+      if (indices.largest > largest_[kind]) {
+        largest_[kind] = indices.largest;
+        largest_at_[kind] = place;
+      }
+    }
+    if (reaches_too_far) fail_in(place, false);
+    count_[kObjVertex] += chunk.positions.size();
+    count_[kObjTexcoord] += chunk.texcoords.size();
+    count_[kObjNormal] += chunk.normals.size();
+    corner_count_ += chunk.corner_count();
+    face_count_ += chunk.face_end.size();
+    has_colors_ = has_colors_ || !chunk.colors.empty();
+    all_triangles_ = all_triangles_ && chunk.all_triangles;
+    constexpr std::size_t kMost = kNone - 1;
+    if (std::max({corner_count_, face_count_, count_[0], count_[1], count_[2]}) > kMost) {
+      throw InputError(file_.name(), 0, "more than 32-bit ids can count");
+    }
+  }
+
+  void make_room(std::size_t first_corner, std::size_t first_face, Stretch wave) {
+    grow(soup_.positions, count_[kObjVertex], wave);
+    if (has_colors_) grow_filled(colors_, count_[kObjVertex], glm::u8vec4(255), wave);
+    grow(texcoords_, count_[kObjTexcoord], wave);
+    grow(normals_, count_[kObjNormal], wave);
+    grow(soup_.corners, corner_count_, wave);
+    for (ObjKind kind : {kObjTexcoord, kObjNormal}) {
+      if (!has_[kind]) continue;
+      if (index_[kind].empty()) index_[kind].assign(first_corner, kNone);
+      grow(index_[kind], corner_count_, wave);
+    }
+    if (all_triangles_) return;
+    if (soup_.face_start.empty()) {
+      soup_.face_start.resize(first_face + 1);
+      for (std::size_t f = 0; f <= first_face; ++f) {
+        soup_.face_start[f] = static_cast<std::uint32_t>(3 * f);
+      }
+    }
+    grow(soup_.face_start, face_count_ + 1, wave);
+  }
+
+  template <class T>
+  static void grow_filled(Array<T>& array, std::size_t size, const T& value, Stretch wave) {
+    const std::size_t before = array.size();
+    grow(array, size, wave);
+    std::fill(array.begin() + static_cast<std::ptrdiff_t>(before), array.end(), value);
+  }
+
+  void copy_chunk(const ObjChunk& chunk, const ChunkPlace& place, std::size_t corner_at,
+                  std::size_t face_at) {
+    const auto copy = [](const auto& from, auto& to, std::size_t at) {
+      std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(at));
+    };
+    copy(chunk.positions, soup_.positions, place.before[kObjVertex]);
+    copy(chunk.texcoords, texcoords_, place.before[kObjTexcoord]);
+    copy(chunk.normals, normals_, place.before[kObjNormal]);
+    if (has_colors_) copy(chunk.colors, colors_, place.before[kObjVertex]);
+    copy_indices(chunk.indices[kObjVertex], place.before[kObjVertex], soup_.corners, corner_at);
+    for (ObjKind kind : {kObjTexcoord, kObjNormal}) {
+      if (!has_[kind]) continue;
+      if (chunk.indices[kind].index.empty()) {
+        std::fill_n(index_[kind].begin() + static_cast<std::ptrdiff_t>(corner_at),
+                    chunk.corner_count(), kNone);
+      } else {
+        copy_indices(chunk.indices[kind], place.before[kind], index_[kind], corner_at);
+      }
+    }
+    if (all_triangles_) return;
+    std::uint32_t* face_start = soup_.face_start.data() + face_at + 1;
+    for (const std::uint32_t end : chunk.face_end) {
+      *face_start++ = static_cast<std::uint32_t>(corner_at + end);
+    }
+  }
+
+  static void copy_indices(const ObjIndices& from, std::size_t before, Array<std::uint32_t>& to,
+                           std::size_t at) {
+    std::copy(from.index.begin(), from.index.end(), to.begin() + static_cast<std::ptrdiff_t>(at));
+    for (const std::uint32_t corner : from.relative) {
+      to[at + corner] += static_cast<std::uint32_t>(before);
+    }
+  }
+
+  void rename(const ObjName& name, std::uint32_t face) {
+    (name.kind == 'o' ? object_ : name.kind == 'g' ? group_ : material_) = name.name;
+    std::string joined(object_);
+    for (const std::string_view part : {group_, material_}) {
+      if (part.empty()) continue;
+      if (!joined.empty()) joined += '/';
+      joined += part;
+    }
+    const auto [entry, is_new] =
+        group_ids_.try_emplace(joined, static_cast<std::uint32_t>(group_ids_.size()));
+    if (is_new) group_names_.push_back(joined);
+    group_changes_.push_back({face, entry->second});
+  }
+
+  Soup finish() {
+    for (int kind = 0; kind < kObjKinds; ++kind) {
+      if (largest_[kind] > count_[kind]) fail_in(largest_at_[kind], true);
+    }
+    if (soup_.positions.empty()) throw InputError(file_.name(), 0, "no vertices");
+    gather_texcoords();
+    gather_normals();
+    gather_colors();
+    gather_groups();
+    add_obj_tags(file_, options_.crease_index_base, tags_, soup_);
+    return std::move(soup_);
+  }
+
+  /// Parses a chunk that is known to have an index out of range once more, now knowing the range.
+  [[noreturn]] void fail_in(const ChunkPlace& place, bool is_whole_file_read) const {
+    ObjBounds bounds[kObjKinds];
+    for (int kind = 0; kind < kObjKinds; ++kind) {
+      // While chunks are still to come, how far forward an index may point is not known.
+      if (is_whole_file_read) bounds[kind].count = count_[kind];
+      bounds[kind].before = place.before[kind];
+    }
+    ObjChunk chunk;
+    parse_obj_chunk(place.begin, place.end, bounds, chunk);
+    fail(chunk.error != nullptr ? chunk.error_at : place.begin,
+         chunk.error != nullptr ? chunk.error : "index out of range");
+  }
+
+  void gather_texcoords() {
+    if (!has_[kObjTexcoord]) return;
+    gather(index_[kObjTexcoord], texcoords_, glm::vec2(std::numeric_limits<float>::quiet_NaN()),
+           soup_.attributes.texcoord);
+    index_[kObjTexcoord] = {};
+  }
+
+  void gather_normals() {
+    if (!has_[kObjNormal]) return;
+    gather(index_[kObjNormal], normals_, glm::vec3(std::numeric_limits<float>::quiet_NaN()),
+           soup_.attributes.normal);
+    index_[kObjNormal] = {};
+  }
+
+  void gather_colors() {
+    if (has_colors_) gather(soup_.corners, colors_, glm::u8vec4(255), soup_.attributes.color);
+  }
+
+  template <class T>
+  static void gather(const Array<std::uint32_t>& index, const Array<T>& values, const T& absent,
+                     Array<T>& out) {
+    out.resize(index.size());
+    parallel_for(index.size(), kGrain, [&](IndexRange range) {
+      for (std::size_t c = range.begin; c < range.end; ++c) {
+        out[c] = index[c] == kNone ? absent : values[index[c]];
+      }
+    });
+  }
+
+  /// Groups are kept where faces are in more than one. Names are numbered by first face.
+  void gather_groups() {
+    group_changes_.insert(group_changes_.begin(), GroupChange{0, kNone});
+    group_changes_.push_back({static_cast<std::uint32_t>(face_count_), kNone});
+    Array<std::uint32_t> group(face_count_);
+    std::vector<std::uint32_t> renumbered(group_names_.size() + 1, kNone);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i + 1 < group_changes_.size(); ++i) {
+      const std::uint32_t begin = group_changes_[i].face;
+      const std::uint32_t end = group_changes_[i + 1].face;
+      if (begin == end) continue;
+      const std::uint32_t id = group_changes_[i].group;
+      std::uint32_t& number = renumbered[id == kNone ? group_names_.size() : id];
+      if (number == kNone) {
+        number = static_cast<std::uint32_t>(names.size());
+        names.push_back(id == kNone ? std::string() : group_names_[id]);
+      }
+      std::fill(group.begin() + begin, group.begin() + end, number);
+    }
+    if (names.size() < 2) return;
+    soup_.attributes.group = std::move(group);
+    soup_.attributes.group_names = std::move(names);
+  }
+
+  struct GroupChange {
+    std::uint32_t face;
+    std::uint32_t group;  ///< kNone before the first name
+  };
+
+  const MappedFile& file_;
+  const ReadOptions& options_;
+  Soup soup_;
+  std::size_t count_[kObjKinds] = {};  ///< vertices, texture coordinates, normals so far
+  std::size_t corner_count_ = 0;
+  std::size_t face_count_ = 0;
+  bool has_[kObjKinds] = {};  ///< whether any corner has an index of the kind
+  bool has_colors_ = false;
+  bool all_triangles_ = true;
+  std::uint32_t largest_[kObjKinds] = {};
+  ChunkPlace largest_at_[kObjKinds] = {};
+  Array<std::uint32_t> index_[kObjKinds];  ///< the vertices' are soup_.corners
+  Array<glm::vec2> texcoords_;
+  Array<glm::vec3> normals_;
+  Array<glm::u8vec4> colors_;
+  std::vector<ObjTag> tags_;
+  std::string_view object_, group_, material_;
+  std::unordered_map<std::string, std::uint32_t> group_ids_;
+  std::vector<std::string> group_names_;
+  std::vector<GroupChange> group_changes_;
+};
+
+}  // namespace
+
+Soup read_obj(const MappedFile& file, const ReadOptions& options) {
+  return ObjAssembly(file, options).run();
+}
+
+}  // namespace mesher

@@ -1,0 +1,128 @@
+#include "engine/io/obj_write.h"
+
+#include <cmath>
+#include <string>
+
+#include "engine/io/block_writer.h"
+#include "engine/io/vertex_colors.h"
+#include "engine/io/weld.h"
+
+namespace mesher {
+namespace {
+
+constexpr std::size_t kNumber = 16;  ///< a float and the blank before it
+constexpr std::size_t kIndex = 11;   ///< an index and what separates it
+
+/// Distinct values of a corner attribute; corners without one have kNone.
+template <class T>
+struct Values {
+  Weld weld;
+  Array<std::uint32_t>
+      number;  ///< for each distinct value, its index in the file from 1; kNone: NaN
+
+  bool empty() const { return weld.index.empty(); }
+  std::uint32_t of(std::size_t corner) const { return number[weld.index[corner]]; }
+};
+
+template <class T>
+bool is_present(const T& value) {
+  for (int i = 0; i < T::length(); ++i) {
+    if (std::isnan(value[i])) return false;
+  }
+  return true;
+}
+
+/// Writes each distinct value once.
+template <class T>
+Values<T> write_values(AtomicFile& file, std::string_view keyword, const Array<T>& attribute) {
+  Values<T> values;
+  if (attribute.empty()) return values;
+  values.weld = weld(reinterpret_cast<const std::uint32_t*>(attribute.data()),
+                     static_cast<std::size_t>(T::length()), attribute.size());
+  Array<std::uint32_t> present;
+  for (const std::uint32_t corner : values.weld.first) {
+    const bool is_value = is_present(attribute[corner]);
+    if (is_value) present.push_back(corner);
+    values.number.push_back(is_value ? static_cast<std::uint32_t>(present.size()) : kNone);
+  }
+  write_elements(file, present.size(), keyword.size() + T::length() * kNumber + 1,
+                 [&](Appender& out, std::size_t i) {
+                   out << keyword;
+                   for (int k = 0; k < T::length(); ++k)
+                     out << ' ' << attribute[present[i]][k];
+                   out << '\n';
+                 });
+  return values;
+}
+
+void write_positions(AtomicFile& file, const Mesh& mesh, const Attributes& attributes) {
+  const Array<glm::u8vec4> colors = vertex_colors(mesh, attributes);
+  write_elements(file, mesh.vertex_count(), 2 + 7 * kNumber, [&](Appender& out, std::size_t v) {
+    const glm::vec3& p = mesh.positions()[v];
+    out << 'v' << ' ' << p.x << ' ' << p.y << ' ' << p.z;
+    if (!colors.empty()) {
+      for (int k = 0; k < (colors[v].a == 255 ? 3 : 4); ++k) {
+        out << ' ' << static_cast<float>(colors[v][k]) / 255.0F;
+      }
+    }
+    out << '\n';
+  });
+}
+
+void write_faces(AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
+                 const Values<glm::vec2>& texcoords, const Values<glm::vec3>& normals) {
+  const auto& group = attributes.group;
+  write_elements(file, mesh.face_count(), 4 + 9 * kIndex, [&](Appender& out, std::size_t f) {
+    if (!group.empty() && (f == 0 || group[f] != group[f - 1])) {
+      const std::string& name = attributes.group_names[group[f]];
+      out.need(name.size() + 4 + 9 * kIndex);
+      out << "g " << name << '\n';
+    }
+    out << 'f';
+    for (std::size_t h = 3 * f; h < 3 * f + 3; ++h) {
+      out << ' ' << mesh.origins()[h].index() + 1;
+      const std::uint32_t texcoord = texcoords.empty() ? kNone : texcoords.of(h);
+      const std::uint32_t normal = normals.empty() ? kNone : normals.of(h);
+      if (texcoord != kNone || normal != kNone) out << '/';
+      if (texcoord != kNone) out << texcoord;
+      if (normal != kNone) out << '/' << normal;
+    }
+    out << '\n';
+  });
+}
+
+std::string sharpness_text(float sharpness) {
+  char text[16];
+  return {text, std::to_chars(text, text + sizeof text, sharpness).ptr};
+}
+
+void write_creases(AtomicFile& file, const Mesh& mesh) {
+  std::string text;
+  for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
+    const Halfedge h(i);
+    if (!(mesh.sharpness(h) > 0.0F) || mesh.halfedge(mesh.edge(h)) != h) continue;
+    if (text.empty()) text = "# Creases: e lines count vertices from 0, unlike f lines.\n";
+    text += "e " + std::to_string(mesh.origin(h).index()) + " " +
+            std::to_string(mesh.target(h).index()) + " " + sharpness_text(mesh.sharpness(h)) + "\n";
+  }
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    const float sharpness = mesh.sharpness(Vertex(v));
+    if (!(sharpness > 0.0F)) continue;
+    text += "t corner 1/1/0 " + std::to_string(v) + " " + sharpness_text(sharpness) + "\n";
+  }
+  file.write(text);
+}
+
+}  // namespace
+
+void write_obj(AtomicFile& file, const Mesh& mesh, const Attributes& attributes) {
+  file.write("# mesher: " + std::to_string(mesh.vertex_count()) + " vertices, " +
+             std::to_string(mesh.face_count()) + " faces\n");
+  write_positions(file, mesh, attributes);
+  const Values<glm::vec2> texcoords = write_values(file, "vt", attributes.texcoord);
+  const Values<glm::vec3> normals = write_values(file, "vn", attributes.normal);
+  write_faces(file, mesh, attributes, texcoords, normals);
+  write_creases(file, mesh);
+}
+
+}  // namespace mesher

@@ -1,0 +1,135 @@
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fcntl.h>
+#include <string>
+#include <thread>
+
+#include "engine/core/error.h"
+#include "engine/io/atomic_file.h"
+#include "engine/io/mapped_file.h"
+#include "tests/support/temp_folder.h"
+
+namespace mesher {
+namespace {
+
+using test::read_bytes;
+using test::TempFolder;
+
+TEST(MappedFile, HoldsTheBytesAndZerosBehindThem) {
+  const TempFolder folder;
+  for (const std::size_t size : {1U, 4095U, 4096U, 4097U, 100000U}) {
+    std::string text(size, 'x');
+    text[size / 2] = '\n';
+    const MappedFile file(folder.write("f", text));
+    EXPECT_EQ(file.bytes(), text);
+    for (std::size_t i = 0; i < MappedFile::kPadding; ++i)
+      EXPECT_EQ(file.end()[i], '\0');
+    EXPECT_EQ(file.line_of(file.begin()), 1U);
+    EXPECT_EQ(file.line_of(file.end()), 2U);
+  }
+}
+
+TEST(MappedFile, AnEmptyFileIsEmpty) {
+  const TempFolder folder;
+  EXPECT_EQ(MappedFile(folder.write("f", "")).size(), 0U);
+}
+
+TEST(MappedFile, ReadsPipes) {
+  const TempFolder folder;
+  const std::string pipe = (folder / "pipe").string();
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::string text(3 << 20, 'y');
+  std::thread writer([&] {
+    const int fd = open(pipe.c_str(), O_WRONLY);
+    for (std::size_t done = 0; done < text.size();) {
+      const ssize_t n = write(fd, text.data() + done, text.size() - done);
+      if (n <= 0) break;
+      done += static_cast<std::size_t>(n);
+    }
+    close(fd);
+  });
+  const MappedFile file(pipe);
+  writer.join();
+  EXPECT_EQ(file.bytes(), text);
+  EXPECT_EQ(file.end()[0], '\0');
+}
+
+TEST(MappedFile, ReadsFilesThatHideTheirSize) {
+  EXPECT_GT(MappedFile("/proc/self/status").size(), 0U);
+}
+
+TEST(MappedFile, RefusesWhatIsNoFile) {
+  const TempFolder folder;
+  EXPECT_THROW(MappedFile(folder / "missing"), InputError);
+  EXPECT_THROW(MappedFile{folder.path()}, InputError);
+}
+
+TEST(AtomicFile, AppearsOnCommit) {
+  const TempFolder folder;
+  AtomicFile file(folder / "out");
+  file.write("hello ");
+  file.write("world");
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  file.commit();
+  EXPECT_EQ(read_bytes(folder / "out"), "hello world");
+  EXPECT_EQ(folder.count_files(), 1U);
+}
+
+TEST(AtomicFile, LeavesNothingWithoutCommit) {
+  const TempFolder folder;
+  folder.write("out", "old");
+  {
+    AtomicFile file(folder / "out");
+    file.write("new");
+  }
+  EXPECT_EQ(read_bytes(folder / "out"), "old");
+  EXPECT_EQ(folder.count_files(), 1U);
+}
+
+TEST(AtomicFile, KeepsPermissionsAndFollowsLinks) {
+  const TempFolder folder;
+  folder.write("real", "old");
+  ASSERT_EQ(chmod((folder / "real").c_str(), 0640), 0);
+  std::filesystem::create_symlink("real", folder / "link");
+  AtomicFile file(folder / "link");
+  file.write("new");
+  file.commit();
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+  EXPECT_EQ(read_bytes(folder / "real"), "new");
+  struct stat status = {};
+  ASSERT_EQ(stat((folder / "real").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777U, 0640U);
+}
+
+TEST(AtomicFile, TakesTheLongestNames) {
+  const TempFolder folder;
+  const std::string name(255, 'n');
+  AtomicFile file(folder / name);
+  file.commit();
+  EXPECT_TRUE(std::filesystem::exists(folder / name));
+}
+
+TEST(AtomicFile, RefusesFoldersAndMissingOnes) {
+  const TempFolder folder;
+  EXPECT_THROW(AtomicFile{folder.path()}, OutputError);
+  EXPECT_THROW(AtomicFile(folder / "missing/out"), OutputError);
+  EXPECT_EQ(folder.count_files(), 0U);
+}
+
+TEST(AtomicFile, ReportsAFullDevice) {
+  AtomicFile file("/dev/full");
+  EXPECT_THROW(file.write("x"), OutputError);
+  EXPECT_TRUE(std::filesystem::exists("/dev/full"));
+}
+
+TEST(AtomicFile, WritesDevicesDirectly) {
+  AtomicFile file("/dev/null");
+  file.write("x");
+  file.commit();
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+}  // namespace
+}  // namespace mesher
