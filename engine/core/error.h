@@ -10,10 +10,10 @@ namespace mesher {
 /// What the program's exit code says when an error ends it.
 enum class ExitCode : int {
   done = 0,
-  usage = 1,           ///< the command line makes no sense
-  bad_input = 2,       ///< an input file cannot be used
-  machine_lacks = 3,   ///< no Vulkan device, no memory
-  output_failed = 4,   ///< a result cannot be written
+  usage = 1,          ///< the command line makes no sense
+  bad_input = 2,      ///< an input file cannot be used
+  machine_lacks = 3,  ///< no Vulkan device, no memory
+  output_failed = 4,  ///< a result cannot be written
 };
 
 /// The world failed: a file, a driver, the caller's words. Never a caller's bug (that is

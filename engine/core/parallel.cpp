@@ -10,22 +10,27 @@ namespace mesher {
 unsigned thread_count() {
   const auto limit =
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  return static_cast<unsigned>(
-      std::max<std::size_t>(1, std::min<std::size_t>(limit, tbb::this_task_arena::max_concurrency())));
+  return static_cast<unsigned>(std::max<std::size_t>(
+      1, std::min<std::size_t>(limit, tbb::this_task_arena::max_concurrency())));
 }
 
 ThreadLimit::ThreadLimit(unsigned count)
-    : control_(count == 0 ? nullptr
-                          : new tbb::global_control(
-                                tbb::global_control::max_allowed_parallelism, count)) {}
+    : control_(count == 0
+                   ? nullptr
+                   : new tbb::global_control(tbb::global_control::max_allowed_parallelism, count)) {
+}
 
-ThreadLimit::~ThreadLimit() { delete static_cast<tbb::global_control*>(control_); }
+ThreadLimit::~ThreadLimit() {
+  delete static_cast<tbb::global_control*>(control_);
+}
 
 void parallel_for(std::size_t n, std::size_t grain, const std::function<void(IndexRange)>& body) {
   if (n == 0) return;
   if (n <= grain || thread_count() == 1) return body({0, n});
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
-                    [&](const tbb::blocked_range<std::size_t>& r) { body({r.begin(), r.end()}); });
+                    [&](const tbb::blocked_range<std::size_t>& r) {
+                      body({r.begin(), r.end()});
+                    });
 }
 
 void parallel_chunks(std::size_t n, std::size_t chunk,
@@ -33,7 +38,8 @@ void parallel_chunks(std::size_t n, std::size_t chunk,
   const std::size_t chunks = chunk_count(n, chunk);
   const auto run = [&](std::size_t i) { body(i, {i * chunk, std::min(n, (i + 1) * chunk)}); };
   if (chunks <= 1 || thread_count() == 1) {
-    for (std::size_t i = 0; i < chunks; ++i) run(i);
+    for (std::size_t i = 0; i < chunks; ++i)
+      run(i);
     return;
   }
   tbb::parallel_for(std::size_t{0}, chunks, run);

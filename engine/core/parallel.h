@@ -51,7 +51,8 @@ T parallel_sum(std::size_t n, std::size_t chunk, Map&& map) {
   std::vector<T> partial(chunk_count(n, chunk));
   parallel_chunks(n, chunk, [&](std::size_t i, IndexRange range) { partial[i] = map(range); });
   T total{};
-  for (const T& part : partial) total += part;
+  for (const T& part : partial)
+    total += part;
   return total;
 }
 

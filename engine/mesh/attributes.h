@@ -17,8 +17,8 @@ namespace mesher {
 struct Attributes {
   Array<glm::vec2> texcoord;
   Array<glm::vec3> normal;
-  Array<glm::u8vec4> color;          ///< RGBA, 255 is full
-  Array<std::uint32_t> group;        ///< one a face (F, or empty): index into `group_names`
+  Array<glm::u8vec4> color;    ///< RGBA, 255 is full
+  Array<std::uint32_t> group;  ///< one a face (F, or empty): index into `group_names`
   std::vector<std::string> group_names;
 
   bool is_empty() const {

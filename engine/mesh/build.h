@@ -27,14 +27,14 @@ struct BuildResult {
 /// repaired. In order: polygons are triangulated (`triangulate`); faces that are degenerate, use a
 /// non-finite vertex or repeat an earlier face are dropped; neighbours that disagree in orientation
 /// are turned to agree with the majority of their component; an edge of more than two faces is cut
-/// apart, its faces paired again around the edge where they bound the same solid (A. Gueziec et al.,
-/// "Converting sets of polygons to manifold surfaces by cutting and stitching", 1998); one-sided
-/// surfaces are cut where they cannot agree; vertices where several fans meet are split.
+/// apart, its faces paired again around the edge where they bound the same solid (A. Gueziec et
+/// al., "Converting sets of polygons to manifold surfaces by cutting and stitching", 1998);
+/// one-sided surfaces are cut where they cannot agree; vertices where several fans meet are split.
 /// A clean soup keeps its order of faces, corners and vertices.
 ///
-/// Time O(F + V) expected (buckets by vertex, no hashing; a bucket of k is sorted in O(k log k)), in
-/// parallel; result the same for any number of threads. Scratch about 14 bytes a face.
-/// Throws InputError where an index is out of range or there are too many faces for 32-bit ids.
+/// Time O(F + V) expected (buckets by vertex, no hashing; a bucket of k is sorted in O(k log k)),
+/// in parallel; result the same for any number of threads. Scratch about 14 bytes a face. Throws
+/// InputError where an index is out of range or there are too many faces for 32-bit ids.
 [[nodiscard]] BuildResult build_mesh(Soup&& soup, const BuildOptions& options = {});
 
 }  // namespace mesher

@@ -7,11 +7,12 @@
 
 namespace mesher {
 
-/// A sweep counter-clockwise around a vertex, from outgoing(v). One template; a projection says what
-/// each step yields. A step is a *spoke*: an edge at the vertex. On a boundary vertex there is one
-/// spoke more than there are faces, and the last is known only by the half-edge that comes in along
-/// it; projections that yield edges or neighbours include it, those that yield faces or outgoing
-/// half-edges end before it. O(1) a step, O(valence) in all. Any edit of the mesh ends the sweep.
+/// A sweep counter-clockwise around a vertex, from outgoing(v). One template; a projection says
+/// what each step yields. A step is a *spoke*: an edge at the vertex. On a boundary vertex there is
+/// one spoke more than there are faces, and the last is known only by the half-edge that comes in
+/// along it; projections that yield edges or neighbours include it, those that yield faces or
+/// outgoing half-edges end before it. O(1) a step, O(valence) in all. Any edit of the mesh ends the
+/// sweep.
 template <class Projection>
 class Around {
  public:
@@ -86,12 +87,20 @@ struct ProjectEdge {
 };
 
 /// Half-edges out of `v`, one a face.
-inline auto halfedges_around(const Mesh& mesh, Vertex v) { return Around<ProjectHalfedge>(mesh, v); }
+inline auto halfedges_around(const Mesh& mesh, Vertex v) {
+  return Around<ProjectHalfedge>(mesh, v);
+}
 /// Faces at `v`.
-inline auto faces_around(const Mesh& mesh, Vertex v) { return Around<ProjectFace>(mesh, v); }
+inline auto faces_around(const Mesh& mesh, Vertex v) {
+  return Around<ProjectFace>(mesh, v);
+}
 /// The one-ring: neighbours of `v`; on a boundary vertex, from one boundary neighbour to the other.
-inline auto vertices_around(const Mesh& mesh, Vertex v) { return Around<ProjectVertex>(mesh, v); }
+inline auto vertices_around(const Mesh& mesh, Vertex v) {
+  return Around<ProjectVertex>(mesh, v);
+}
 /// Edges at `v`, in the order of the one-ring.
-inline auto edges_around(const Mesh& mesh, Vertex v) { return Around<ProjectEdge>(mesh, v); }
+inline auto edges_around(const Mesh& mesh, Vertex v) {
+  return Around<ProjectEdge>(mesh, v);
+}
 
 }  // namespace mesher

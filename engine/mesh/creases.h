@@ -4,8 +4,8 @@
 
 namespace mesher {
 
-/// Marks every edge whose faces meet at more than `angle_rad` as infinitely sharp; leaves the others
-/// as they are. Returns how many were marked. O(F).
+/// Marks every edge whose faces meet at more than `angle_rad` as infinitely sharp; leaves the
+/// others as they are. Returns how many were marked. O(F).
 std::uint32_t tag_creases_by_angle(Mesh& mesh, float angle_rad);
 
 /// Angle between the normals of the two faces at an edge, 0 (flat) to pi (folded); 0 on a boundary.

@@ -6,7 +6,8 @@ namespace mesher {
 
 std::uint32_t Mesh::valence(Vertex v) const {
   std::uint32_t count = 0;
-  for ([[maybe_unused]] const Edge e : edges_around(*this, v)) ++count;
+  for ([[maybe_unused]] const Edge e : edges_around(*this, v))
+    ++count;
   return count;
 }
 
@@ -25,7 +26,8 @@ Edge Mesh::find_edge(Vertex a, Vertex b) const {
 
 std::uint32_t Mesh::count_edges() const {
   std::uint32_t boundary = 0;
-  for (const Halfedge t : twin_) boundary += t.is_valid() ? 0 : 1;
+  for (const Halfedge t : twin_)
+    boundary += t.is_valid() ? 0 : 1;
   return (halfedge_count() - boundary) / 2 + boundary;
 }
 
@@ -70,8 +72,8 @@ Mesh MeshArrays::finish() && {
 }
 
 MeshArrays MeshArrays::take(Mesh&& mesh) {
-  return {std::move(mesh.position_),  std::move(mesh.origin_),    std::move(mesh.twin_),
-          std::move(mesh.outgoing_),  std::move(mesh.sharpness_), std::move(mesh.vertex_sharpness_)};
+  return {std::move(mesh.position_), std::move(mesh.origin_),    std::move(mesh.twin_),
+          std::move(mesh.outgoing_), std::move(mesh.sharpness_), std::move(mesh.vertex_sharpness_)};
 }
 
 }  // namespace mesher

@@ -36,7 +36,8 @@ enum class EdgeClass : std::uint8_t { ordinary = 0, crease = 1, boundary = 2 };
 ///  5. No face is degenerate: its three vertices differ.
 ///  6. No two faces have the same three vertices.
 ///  7. outgoing(v) starts at v, and is none exactly where no face uses v.
-///  8. The faces around a vertex are one fan: one sweep from outgoing(v) meets each of its half-edges.
+///  8. The faces around a vertex are one fan: one sweep from outgoing(v) meets each of its
+///  half-edges.
 ///  9. outgoing(v) of a boundary vertex is the half-edge without twin: the sweep starts there.
 /// 10. No edge has more than two faces: a pair of vertices is joined by at most one half-edge each
 ///     way, and one without a twin has no counterpart.
@@ -89,9 +90,7 @@ class Mesh {
   bool is_boundary(Halfedge h) const { return !twin(h).is_valid(); }
   bool is_boundary(Edge e) const { return is_boundary(halfedge(e)); }
   /// False for an isolated vertex.
-  bool is_boundary(Vertex v) const {
-    return !is_isolated(v) && is_boundary(outgoing(v));
-  }
+  bool is_boundary(Vertex v) const { return !is_isolated(v) && is_boundary(outgoing(v)); }
   bool is_isolated(Vertex v) const { return !outgoing(v).is_valid(); }
   /// Number of edges at `v`. O(valence).
   std::uint32_t valence(Vertex v) const;

@@ -1,1 +1,171 @@
 #include "engine/mesh/normals.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "engine/core/parallel.h"
+#include "engine/mesh/circulators.h"
+
+namespace mesher {
+namespace {
+
+constexpr std::size_t kGrain = 4096;
+constexpr float kPi = 3.14159265F;
+
+// Double throughout: squared lengths of a model 1e-6 units across leave the range of floats.
+glm::dvec3 unit_or_zero(const glm::dvec3& v) {
+  const double length = glm::length(v);
+  return length > 0.0 ? v / length : glm::dvec3(0.0);
+}
+
+struct CornerGeometry {
+  glm::dvec3 cross;  ///< face normal times twice the area
+  double angle;      ///< at the corner
+};
+
+CornerGeometry corner_geometry(const Mesh& mesh, Halfedge h) {
+  const glm::dvec3 at = mesh.position(mesh.origin(h));
+  const glm::dvec3 a = glm::dvec3(mesh.position(mesh.target(h))) - at;
+  const glm::dvec3 b = glm::dvec3(mesh.position(mesh.origin(Mesh::prev(h)))) - at;
+  const glm::dvec3 cross = glm::cross(a, b);
+  return {cross, std::atan2(glm::length(cross), glm::dot(a, b))};
+}
+
+glm::dvec3 weighted_normal(const CornerGeometry& corner, NormalWeight weight) {
+  switch (weight) {
+    case NormalWeight::area:
+      return corner.cross;
+    case NormalWeight::angle:
+      return unit_or_zero(corner.cross) * corner.angle;
+    case NormalWeight::uniform:
+      break;
+  }
+  return unit_or_zero(corner.cross);
+}
+
+/// The corners around one vertex, in order, and between which of them its normals are split.
+class Fan {
+ public:
+  void gather(const Mesh& mesh, Vertex v, const CornerNormalOptions& options) {
+    corners_.clear();
+    for (const Halfedge h : halfedges_around(mesh, v)) {
+      const CornerGeometry geometry = corner_geometry(mesh, h);
+      corners_.push_back(
+          {h, unit_or_zero(geometry.cross), weighted_normal(geometry, options.weight), false});
+    }
+    const double cos_limit = std::cos(static_cast<double>(options.crease_angle_rad));
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      corners_[i].starts_run = is_split_before(mesh, i, options, cos_limit);
+    }
+  }
+
+  void write(Array<glm::vec3>& normals) const {
+    const std::size_t n = corners_.size();
+    std::size_t first = 0;
+    while (first < n && !corners_[first].starts_run)
+      ++first;
+    if (first == n) first = 0;  // no split: one run all around
+    for (std::size_t done = 0; done < n;) {
+      const std::size_t length = run_length(first, n - done);
+      const glm::vec3 normal = run_normal(first, length);
+      for (std::size_t i = 0; i < length; ++i) {
+        normals[corners_[(first + i) % n].h.index()] = normal;
+      }
+      first = (first + length) % n;
+      done += length;
+    }
+  }
+
+ private:
+  struct Corner {
+    Halfedge h;
+    glm::dvec3 unit;
+    glm::dvec3 weighted;
+    bool starts_run;
+  };
+
+  // The edge between corner i-1 and corner i is the one that half-edge i runs along.
+  bool is_split_before(const Mesh& mesh, std::size_t i, const CornerNormalOptions& options,
+                       double cos_limit) const {
+    const Halfedge h = corners_[i].h;
+    if (mesh.is_boundary(h)) return true;
+    if (options.split_at_creases && mesh.sharpness(h) > 0.0F) return true;
+    const glm::dvec3& before = corners_[i == 0 ? corners_.size() - 1 : i - 1].unit;
+    // A face without area has no angle with anything: a sliver must not tear the shading.
+    if (before == glm::dvec3(0.0) || corners_[i].unit == glm::dvec3(0.0)) return false;
+    return options.crease_angle_rad < kPi && glm::dot(before, corners_[i].unit) < cos_limit;
+  }
+
+  std::size_t run_length(std::size_t first, std::size_t most) const {
+    std::size_t length = 1;
+    while (length < most && !corners_[(first + length) % corners_.size()].starts_run)
+      ++length;
+    return length;
+  }
+
+  glm::vec3 run_normal(std::size_t first, std::size_t length) const {
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 0; i < length; ++i)
+      sum += corners_[(first + i) % corners_.size()].weighted;
+    return glm::vec3(unit_or_zero(sum));
+  }
+
+  std::vector<Corner> corners_;
+};
+
+}  // namespace
+
+glm::vec3 face_normal(const Mesh& mesh, Face f) {
+  return glm::vec3(unit_or_zero(corner_geometry(mesh, Mesh::halfedge(f)).cross));
+}
+
+Array<glm::vec3> face_normals(const Mesh& mesh) {
+  Array<glm::vec3> normals(mesh.face_count());
+  parallel_for(mesh.face_count(), kGrain, [&](IndexRange range) {
+    for (std::size_t f = range.begin; f < range.end; ++f) {
+      normals[f] = face_normal(mesh, Face(static_cast<std::uint32_t>(f)));
+    }
+  });
+  return normals;
+}
+
+glm::vec3 vertex_normal(const Mesh& mesh, Vertex v, NormalWeight weight) {
+  glm::dvec3 sum(0.0);
+  for (const Halfedge h : halfedges_around(mesh, v)) {
+    sum += weighted_normal(corner_geometry(mesh, h), weight);
+  }
+  return glm::vec3(unit_or_zero(sum));
+}
+
+Array<glm::vec3> vertex_normals(const Mesh& mesh, NormalWeight weight) {
+  Array<glm::vec3> normals(mesh.vertex_count());
+  parallel_for(mesh.vertex_count(), kGrain, [&](IndexRange range) {
+    for (std::size_t v = range.begin; v < range.end; ++v) {
+      normals[v] = vertex_normal(mesh, Vertex(static_cast<std::uint32_t>(v)), weight);
+    }
+  });
+  return normals;
+}
+
+Array<glm::vec3> corner_normals(const Mesh& mesh, const CornerNormalOptions& options) {
+  Array<glm::vec3> normals(mesh.halfedge_count());
+  parallel_for(mesh.vertex_count(), kGrain, [&](IndexRange range) {
+    Fan fan;
+    for (std::size_t v = range.begin; v < range.end; ++v) {
+      fan.gather(mesh, Vertex(static_cast<std::uint32_t>(v)), options);
+      fan.write(normals);
+    }
+  });
+  return normals;
+}
+
+void update_corner_normals(const Mesh& mesh, Vertex v, const CornerNormalOptions& options,
+                           Array<glm::vec3>& normals) {
+  MESHER_ASSERT(normals.size() == mesh.halfedge_count());
+  Fan fan;
+  fan.gather(mesh, v, options);
+  fan.write(normals);
+}
+
+}  // namespace mesher

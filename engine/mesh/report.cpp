@@ -29,9 +29,13 @@ constexpr std::array<Words, kRepairCount> kWords{{
 
 }  // namespace
 
-std::string_view key(Repair repair) { return kWords[static_cast<std::size_t>(repair)].key; }
+std::string_view key(Repair repair) {
+  return kWords[static_cast<std::size_t>(repair)].key;
+}
 
-std::string_view describe(Repair repair) { return kWords[static_cast<std::size_t>(repair)].text; }
+std::string_view describe(Repair repair) {
+  return kWords[static_cast<std::size_t>(repair)].text;
+}
 
 bool BuildReport::is_clean() const {
   return std::all_of(counts_.begin(), counts_.end(), [](std::uint64_t n) { return n == 0; });

@@ -9,20 +9,20 @@ namespace mesher {
 
 /// What building a mesh from a file's polygons changed or noticed, by kind.
 enum class Repair : std::uint8_t {
-  polygons_triangulated,         ///< faces of four and more corners
-  degenerate_faces_dropped,      ///< a vertex twice, or fewer than three corners
-  duplicate_faces_dropped,       ///< the same three vertices as an earlier face
-  non_finite_vertices_dropped,   ///< a coordinate was NaN or infinite
-  non_finite_faces_dropped,      ///< faces that used one
-  faces_flipped,                 ///< turned around to agree with their neighbours
-  unorientable_edges_cut,        ///< where a one-sided surface (Moebius) cannot agree with itself
-  non_manifold_edges_cut,        ///< edges of three and more faces
-  non_manifold_vertices_cut,     ///< vertices where several fans met
-  isolated_vertices_dropped,     ///< no face used them
-  isolated_vertices_kept,        ///< no face uses them; kept on request
-  creases_on_missing_edges,      ///< a crease between vertices that no edge joins; ignored
-  invalid_sharpness_ignored,     ///< NaN or negative
-  contradictory_creases,         ///< tagged twice with different values; the last counts
+  polygons_triangulated,        ///< faces of four and more corners
+  degenerate_faces_dropped,     ///< a vertex twice, or fewer than three corners
+  duplicate_faces_dropped,      ///< the same three vertices as an earlier face
+  non_finite_vertices_dropped,  ///< a coordinate was NaN or infinite
+  non_finite_faces_dropped,     ///< faces that used one
+  faces_flipped,                ///< turned around to agree with their neighbours
+  unorientable_edges_cut,       ///< where a one-sided surface (Moebius) cannot agree with itself
+  non_manifold_edges_cut,       ///< edges of three and more faces
+  non_manifold_vertices_cut,    ///< vertices where several fans met
+  isolated_vertices_dropped,    ///< no face used them
+  isolated_vertices_kept,       ///< no face uses them; kept on request
+  creases_on_missing_edges,     ///< a crease between vertices that no edge joins; ignored
+  invalid_sharpness_ignored,    ///< NaN or negative
+  contradictory_creases,        ///< tagged twice with different values; the last counts
 };
 inline constexpr std::size_t kRepairCount = 14;
 

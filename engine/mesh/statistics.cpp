@@ -1,1 +1,143 @@
 #include "engine/mesh/statistics.h"
+
+#include <glm/geometric.hpp>
+
+#include "engine/core/parallel.h"
+
+namespace mesher {
+namespace {
+
+constexpr std::size_t kChunk = 1 << 16;
+
+struct Measures {
+  double area = 0.0;
+  double volume = 0.0;
+  std::uint32_t zero_area_faces = 0;
+  std::uint32_t boundary_edges = 0;
+  std::uint32_t crease_halfedges = 0;
+
+  Measures& operator+=(const Measures& other) {
+    area += other.area;
+    volume += other.volume;
+    zero_area_faces += other.zero_area_faces;
+    boundary_edges += other.boundary_edges;
+    crease_halfedges += other.crease_halfedges;
+    return *this;
+  }
+};
+
+/// Volumes are summed about `center`, so that a model far from the origin keeps its digits.
+Measures measure(const Mesh& mesh, IndexRange faces, const glm::dvec3& center) {
+  Measures sum;
+  for (std::size_t f = faces.begin; f < faces.end; ++f) {
+    glm::dvec3 p[3];
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      const Halfedge h = Mesh::halfedge(Face(static_cast<std::uint32_t>(f)), c);
+      p[c] = glm::dvec3(mesh.position(mesh.origin(h))) - center;
+      const EdgeClass edge = mesh.edge_class(h);
+      sum.boundary_edges += edge == EdgeClass::boundary ? 1 : 0;
+      sum.crease_halfedges += edge == EdgeClass::crease ? 1 : 0;
+    }
+    const glm::dvec3 cross = glm::cross(p[1] - p[0], p[2] - p[0]);
+    const double length = glm::length(cross);
+    sum.area += 0.5 * length;
+    sum.volume += glm::dot(p[0], glm::cross(p[1], p[2])) / 6.0;
+    sum.zero_area_faces += length == 0.0 ? 1 : 0;
+  }
+  return sum;
+}
+
+std::uint32_t count_components(const std::vector<std::uint32_t>& component_of_face) {
+  std::uint32_t count = 0;
+  for (const std::uint32_t c : component_of_face)
+    count = std::max(count, c + 1);
+  return count;
+}
+
+}  // namespace
+
+double Box::diagonal() const {
+  return is_empty() ? 0.0 : glm::length(glm::dvec3(max) - glm::dvec3(min));
+}
+
+Box bounding_box(const Mesh& mesh) {
+  const auto positions = mesh.positions();
+  if (positions.empty()) return {};
+  std::vector<Box> partial(chunk_count(positions.size(), kChunk));
+  parallel_chunks(positions.size(), kChunk, [&](std::size_t i, IndexRange range) {
+    Box box{positions[range.begin], positions[range.begin]};
+    for (std::size_t v = range.begin; v < range.end; ++v) {
+      box.min = glm::min(box.min, positions[v]);
+      box.max = glm::max(box.max, positions[v]);
+    }
+    partial[i] = box;
+  });
+  Box box = partial.front();
+  for (const Box& part : partial) {
+    box.min = glm::min(box.min, part.min);
+    box.max = glm::max(box.max, part.max);
+  }
+  return box;
+}
+
+std::vector<std::vector<Halfedge>> boundary_loops(const Mesh& mesh) {
+  std::vector<std::vector<Halfedge>> loops;
+  std::vector<bool> is_done(mesh.halfedge_count(), false);
+  for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
+    const Halfedge start(i);
+    if (!mesh.is_boundary(start) || is_done[i]) continue;
+    std::vector<Halfedge>& loop = loops.emplace_back();
+    for (Halfedge h = start; !is_done[h.index()]; h = mesh.outgoing(mesh.target(h))) {
+      is_done[h.index()] = true;
+      loop.push_back(h);
+    }
+  }
+  return loops;
+}
+
+std::vector<std::uint32_t> face_components(const Mesh& mesh) {
+  std::vector<std::uint32_t> component(mesh.face_count(), kNone);
+  std::vector<Face> pending;
+  std::uint32_t count = 0;
+  for (std::uint32_t seed = 0; seed < mesh.face_count(); ++seed) {
+    if (component[seed] != kNone) continue;
+    component[seed] = count;
+    pending.push_back(Face(seed));
+    while (!pending.empty()) {
+      const Face f = pending.back();
+      pending.pop_back();
+      for (std::uint32_t c = 0; c < 3; ++c) {
+        const Halfedge t = mesh.twin(Mesh::halfedge(f, c));
+        if (!t.is_valid() || component[Mesh::face(t).index()] != kNone) continue;
+        component[Mesh::face(t).index()] = count;
+        pending.push_back(Mesh::face(t));
+      }
+    }
+    ++count;
+  }
+  return component;
+}
+
+Statistics statistics(const Mesh& mesh) {
+  Statistics s;
+  s.box = bounding_box(mesh);
+  const glm::dvec3 center = s.box.is_empty() ? glm::dvec3(0.0) : s.box.center();
+  const auto m = parallel_sum<Measures>(
+      mesh.face_count(), kChunk, [&](IndexRange range) { return measure(mesh, range, center); });
+  s.vertices = mesh.vertex_count();
+  s.faces = mesh.face_count();
+  s.boundary_edges = m.boundary_edges;
+  s.edges = (mesh.halfedge_count() - m.boundary_edges) / 2 + m.boundary_edges;
+  s.crease_edges = m.crease_halfedges / 2;
+  s.zero_area_faces = m.zero_area_faces;
+  s.area = m.area;
+  s.volume = m.volume;
+  for (const Halfedge h : mesh.outgoings())
+    s.isolated_vertices += h.is_valid() ? 0 : 1;
+  s.boundary_loops = static_cast<std::uint32_t>(boundary_loops(mesh).size());
+  s.components = count_components(face_components(mesh));
+  s.euler_characteristic = std::int64_t{s.vertices} - s.isolated_vertices - s.edges + s.faces;
+  return s;
+}
+
+}  // namespace mesher

@@ -36,13 +36,13 @@ struct Statistics {
   std::uint32_t faces = 0;
   std::uint32_t boundary_edges = 0;
   std::uint32_t boundary_loops = 0;
-  std::uint32_t components = 0;         ///< of faces; an isolated vertex is not counted
+  std::uint32_t components = 0;  ///< of faces; an isolated vertex is not counted
   std::uint32_t isolated_vertices = 0;
-  std::uint32_t crease_edges = 0;       ///< sharpness > 0, boundary not counted
+  std::uint32_t crease_edges = 0;  ///< sharpness > 0, boundary not counted
   std::uint32_t zero_area_faces = 0;
   std::int64_t euler_characteristic = 0;  ///< V - E + F, isolated vertices left out
-  double area = 0.0;                    ///< square model units
-  double volume = 0.0;                  ///< signed, cubic model units; meaningful where closed
+  double area = 0.0;                      ///< square model units
+  double volume = 0.0;                    ///< signed, cubic model units; meaningful where closed
   Box box;
 
   bool is_closed() const { return boundary_edges == 0; }

@@ -1,1 +1,190 @@
 #include "engine/mesh/validate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mesher {
+namespace {
+
+class Validator {
+ public:
+  Validator(const Mesh& mesh, std::size_t limit) : mesh_(mesh), limit_(limit) {}
+
+  std::vector<Violation> run() {
+    // Later checks follow indices that the earlier ones have proved to be in range.
+    check_sizes();
+    if (violations_.empty()) check_index_ranges();
+    if (violations_.empty()) {
+      check_twins();
+      check_faces();
+      check_values();
+    }
+    if (violations_.empty()) {
+      check_vertices();
+      check_edges();
+    }
+    return std::move(violations_);
+  }
+
+ private:
+  void fail(int invariant, std::string what) {
+    if (violations_.size() < limit_) violations_.push_back({invariant, std::move(what)});
+  }
+  static std::string name(Halfedge h) { return "half-edge " + std::to_string(h.index()); }
+  static std::string name(Vertex v) { return "vertex " + std::to_string(v.index()); }
+  static std::string name(Face f) { return "face " + std::to_string(f.index()); }
+
+  void check_sizes() {
+    const std::size_t halfedges = mesh_.origins().size();
+    if (halfedges % 3 != 0) fail(1, "origins are not a multiple of three");
+    if (mesh_.twins().size() != halfedges) fail(1, "twins differ in number from origins");
+    if (mesh_.sharpnesses().size() != halfedges) fail(1, "sharpnesses differ from origins");
+    const std::size_t vertices = mesh_.positions().size();
+    if (mesh_.outgoings().size() != vertices) fail(1, "outgoing half-edges differ from positions");
+    const std::size_t own = mesh_.vertex_sharpnesses().size();
+    if (own != 0 && own != vertices) fail(1, "vertex sharpnesses differ from positions");
+  }
+
+  void check_index_ranges() {
+    for (std::uint32_t i = 0; i < mesh_.halfedge_count(); ++i) {
+      const Halfedge h(i);
+      if (mesh_.origin(h).index() >= mesh_.vertex_count())
+        fail(2, name(h) + ": origin out of range");
+      const Halfedge t = mesh_.twin(h);
+      if (t.is_valid() && t.index() >= mesh_.halfedge_count()) {
+        fail(2, name(h) + ": twin out of range");
+      }
+    }
+    for (std::uint32_t i = 0; i < mesh_.vertex_count(); ++i) {
+      const Halfedge h = mesh_.outgoing(Vertex(i));
+      if (h.is_valid() && h.index() >= mesh_.halfedge_count()) {
+        fail(2, name(Vertex(i)) + ": outgoing half-edge out of range");
+      }
+    }
+  }
+
+  void check_twins() {
+    for (std::uint32_t i = 0; i < mesh_.halfedge_count(); ++i) {
+      const Halfedge h(i);
+      const Halfedge t = mesh_.twin(h);
+      if (!t.is_valid()) continue;
+      if (t == h || mesh_.twin(t) != h) fail(3, name(h) + ": twin is not mutual");
+      if (mesh_.origin(t) != mesh_.target(h) || mesh_.target(t) != mesh_.origin(h)) {
+        fail(4, name(h) + ": twin does not run the opposite way");
+      }
+    }
+  }
+
+  void check_faces() {
+    std::vector<std::array<std::uint32_t, 3>> triples(mesh_.face_count());
+    for (std::uint32_t i = 0; i < mesh_.face_count(); ++i) {
+      std::array<std::uint32_t, 3>& t = triples[i];
+      for (std::uint32_t c = 0; c < 3; ++c) {
+        t[c] = mesh_.origin(Mesh::halfedge(Face(i), c)).index();
+      }
+      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) fail(5, name(Face(i)) + " is degenerate");
+      std::sort(t.begin(), t.end());
+    }
+    std::sort(triples.begin(), triples.end());
+    const auto twice = std::adjacent_find(triples.begin(), triples.end());
+    if (twice != triples.end()) {
+      fail(6, "two faces share vertices " + std::to_string((*twice)[0]) + ", " +
+                  std::to_string((*twice)[1]) + ", " + std::to_string((*twice)[2]));
+    }
+  }
+
+  void check_vertices() {
+    std::vector<std::uint32_t> degree(mesh_.vertex_count(), 0);
+    for (const Vertex v : mesh_.origins())
+      ++degree[v.index()];
+    for (std::uint32_t i = 0; i < mesh_.vertex_count(); ++i) {
+      const Vertex v(i);
+      const Halfedge start = mesh_.outgoing(v);
+      if (start.is_valid() != (degree[i] > 0)) {
+        fail(7, name(v) + ": outgoing half-edge is none, and faces use it (or the reverse)");
+        continue;
+      }
+      if (!start.is_valid()) continue;
+      if (mesh_.origin(start) != v) {
+        fail(7, name(v) + ": outgoing half-edge starts elsewhere");
+        continue;
+      }
+      check_fan(v, start, degree[i]);
+    }
+  }
+
+  void check_fan(Vertex v, Halfedge start, std::uint32_t degree) {
+    std::uint32_t met = 0;
+    bool is_open = false;
+    Halfedge h = start;
+    do {
+      ++met;
+      h = mesh_.rotate_ccw(h);
+      is_open = !h.is_valid();
+    } while (!is_open && h != start && met <= degree);
+    if (met != degree) {
+      fail(8, name(v) + ": a sweep meets " + std::to_string(met) + " of " + std::to_string(degree) +
+                  " half-edges");
+    }
+    if (is_open && mesh_.twin(start).is_valid()) {
+      fail(9, name(v) + ": the sweep does not start at the boundary");
+    }
+  }
+
+  void check_edges() {
+    struct Entry {
+      std::uint32_t low, high, h;
+      auto operator<=>(const Entry&) const = default;
+    };
+    std::vector<Entry> entries;
+    entries.reserve(mesh_.halfedge_count());
+    for (std::uint32_t i = 0; i < mesh_.halfedge_count(); ++i) {
+      const std::uint32_t a = mesh_.origin(Halfedge(i)).index();
+      const std::uint32_t b = mesh_.target(Halfedge(i)).index();
+      entries.push_back({std::min(a, b), std::max(a, b), i});
+    }
+    std::sort(entries.begin(), entries.end());
+    for (std::size_t i = 1; i < entries.size(); ++i) {
+      const Entry& a = entries[i - 1];
+      const Entry& b = entries[i];
+      if (a.low == b.low && a.high == b.high && mesh_.twin(Halfedge(a.h)) != Halfedge(b.h)) {
+        fail(10, "vertices " + std::to_string(a.low) + " and " + std::to_string(a.high) +
+                     " are joined by more than one edge");
+      }
+    }
+  }
+
+  void check_values() {
+    for (std::uint32_t i = 0; i < mesh_.halfedge_count(); ++i) {
+      const Halfedge h(i);
+      const float s = mesh_.sharpness(h);
+      if (!(s >= 0.0F)) fail(11, name(h) + ": sharpness is negative or not a number");
+      const Halfedge t = mesh_.twin(h);
+      if (t.is_valid() && t.index() < mesh_.halfedge_count() && mesh_.sharpness(t) != s) {
+        fail(11, name(h) + ": sharpness differs from its twin's");
+      }
+    }
+    for (const float s : mesh_.vertex_sharpnesses()) {
+      if (!(s >= 0.0F)) fail(11, "a vertex sharpness is negative or not a number");
+    }
+    for (std::uint32_t i = 0; i < mesh_.vertex_count(); ++i) {
+      const glm::vec3& p = mesh_.position(Vertex(i));
+      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+        fail(12, name(Vertex(i)) + ": position is not finite");
+      }
+    }
+  }
+
+  const Mesh& mesh_;
+  std::size_t limit_;
+  std::vector<Violation> violations_;
+};
+
+}  // namespace
+
+std::vector<Violation> validate(const Mesh& mesh, std::size_t limit) {
+  return Validator(mesh, limit).run();
+}
+
+}  // namespace mesher

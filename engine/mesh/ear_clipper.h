@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <queue>
+#include <span>
+#include <vector>
+
+namespace mesher {
+
+/// Cuts one outline into triangles by clipping ears, best shape first. Internal to triangulate.cpp.
+/// Corners form a doubly linked ring; candidates wait in a heap by shape; reflex corners, the only
+/// ones that can block an ear, are found through a grid. A budget bounds the point tests, so that a
+/// hostile outline ends in near-linear time too (with triangles that may then overlap).
+class EarClipper {
+ public:
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  explicit EarClipper(std::span<const glm::vec3> polygon);
+  /// Appends n-2 triangles.
+  void run(std::vector<Triangle>& triangles);
+
+ private:
+  struct Candidate {
+    double shape;
+    std::uint32_t corner;
+    std::uint32_t version;
+    // Best shape on top; equal shapes by lowest corner, so that the order is total.
+    bool operator<(const Candidate& other) const {
+      return shape != other.shape ? shape < other.shape : corner > other.corner;
+    }
+  };
+
+  /// Takes `cost` point tests off the budget; false, and nothing left, where it is too much.
+  bool spend(std::uint64_t cost);
+  void project();
+  void build_grid();
+  std::array<std::uint32_t, 2> cell_of(const glm::dvec2& p) const;
+  double turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
+  bool is_convex(std::uint32_t i) const { return turn(prev_[i], i, next_[i]) > 0.0; }
+  bool blocks(std::uint32_t i, std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
+  bool is_ear(std::uint32_t i);
+  std::array<std::uint32_t, 2> columns_in_row(const std::array<glm::dvec2, 3>& t,
+                                              std::uint32_t row) const;
+  double shape(std::uint32_t i) const;
+  void push(std::uint32_t i);
+  void clip(std::uint32_t i, std::vector<Triangle>& triangles);
+  void refill();
+  std::uint32_t best_of_the_bad() const;
+
+  std::span<const glm::vec3> polygon_;
+  std::vector<glm::dvec2> point_;
+  std::vector<std::uint32_t> prev_;
+  std::vector<std::uint32_t> next_;
+  std::vector<std::uint32_t> version_;
+  std::vector<bool> is_alive_;
+  std::priority_queue<Candidate> candidates_;
+  std::uint32_t remaining_;
+  std::uint32_t some_corner_ = 0;
+  std::uint64_t budget_;
+
+  glm::dvec2 grid_min_{0.0};
+  glm::dvec2 cell_size_{1.0};
+  std::uint32_t grid_side_ = 1;
+  std::vector<std::uint32_t> cell_start_;
+  std::vector<std::uint32_t> cell_corner_;
+};
+
+}  // namespace mesher

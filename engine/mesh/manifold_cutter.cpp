@@ -1,0 +1,205 @@
+#include "engine/mesh/manifold_cutter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "engine/core/error.h"
+#include "engine/core/parallel.h"
+
+namespace mesher {
+
+/// A half-edge of a crowded edge, by the vertices that its ends have after splitting.
+struct CrowdEntry {
+  Vertex low, high;
+  std::uint32_t h;
+  friend auto operator<=>(const CrowdEntry&, const CrowdEntry&) = default;
+  bool joins_same(const CrowdEntry& other) const { return low == other.low && high == other.high; }
+};
+
+void ManifoldCutter::run(EdgeMatching&& matching) {
+  matching_ = std::move(matching);
+  mesh_.twin = std::move(matching_.twin);
+  original_vertices_ = mesh_.position.size();
+  cut_disagreeing(matching_.disagreeing_edges);
+  report_[Repair::non_manifold_edges_cut] += matching_.crowd_count();
+  pair_crowds();
+  fill_outgoing();
+  if (has_single_fans() && matching_.crowd_count() == 0) return;
+  split_vertices();
+  if (cut_parallel_crowds()) {
+    undo_splits();
+    split_vertices();
+    for (const std::size_t i : cut_crowds_)
+      stitch(matching_.crowd(i));
+  }
+  report_[Repair::non_manifold_vertices_cut] += mesh_.position.size() - original_vertices_;
+  fill_outgoing();
+}
+
+void ManifoldCutter::cut_disagreeing(std::uint64_t expected) {
+  if (expected == 0) return;
+  report_[Repair::unorientable_edges_cut] += expected;
+  for (std::uint32_t h = 0; h < mesh_.origin.size(); ++h) {
+    const Halfedge t = mesh_.twin[h];
+    if (!t.is_valid() || mesh_.origin[h] != mesh_.origin[t.index()]) continue;
+    mesh_.twin[h] = mesh_.twin[t.index()] = Halfedge{};
+  }
+}
+
+void ManifoldCutter::pair_crowds() {
+  for (std::size_t i = 0; i < matching_.crowd_count(); ++i)
+    pair_crowd(matching_.crowd(i));
+}
+
+// Faces are sorted by angle around the edge, from its lower to its upper vertex. One whose
+// half-edge runs up has its inside (the side its normal turns away from) towards lower angles, one
+// that runs down towards higher angles: a "down" and the next "up" bound a wedge of solid and are
+// paired, like brackets, so that solids that touch along an edge come apart whole.
+void ManifoldCutter::pair_crowd(std::span<const std::uint32_t> crowd) {
+  const Vertex low = std::min(mesh_.origin[crowd[0]], target(crowd[0]));
+  const Vertex high = std::max(mesh_.origin[crowd[0]], target(crowd[0]));
+  const glm::dvec3 base = mesh_.position[low.index()];
+  const glm::dvec3 axis = glm::dvec3(mesh_.position[high.index()]) - base;
+  const glm::dvec3 aside =
+      std::abs(axis.x) <= std::abs(axis.y) && std::abs(axis.x) <= std::abs(axis.z)
+          ? glm::dvec3(1, 0, 0)
+      : std::abs(axis.y) <= std::abs(axis.z) ? glm::dvec3(0, 1, 0)
+                                             : glm::dvec3(0, 0, 1);
+  const glm::dvec3 u = glm::cross(axis, aside);
+  const glm::dvec3 v = glm::cross(axis, u) / std::max(glm::length(axis), 1e-300);
+  std::vector<std::pair<double, std::uint32_t>> by_angle;
+  for (const std::uint32_t h : crowd) {
+    const Vertex apex = mesh_.origin[Mesh::prev(Halfedge(h)).index()];
+    const glm::dvec3 d = glm::dvec3(mesh_.position[apex.index()]) - base;
+    by_angle.emplace_back(std::atan2(glm::dot(d, v), glm::dot(d, u)), h);
+  }
+  std::sort(by_angle.begin(), by_angle.end());
+  std::vector<std::uint32_t> open;
+  for (int round = 0; round < 2; ++round) {
+    for (const auto& [angle, h] : by_angle) {
+      if (mesh_.twin[h].is_valid()) continue;
+      const bool runs_up = mesh_.origin[h] == low;
+      if (!runs_up && round == 0) open.push_back(h);
+      if (!runs_up || open.empty()) continue;
+      mesh_.twin[h] = Halfedge(open.back());
+      mesh_.twin[open.back()] = Halfedge(h);
+      open.pop_back();
+    }
+  }
+}
+
+void ManifoldCutter::fill_outgoing() {
+  mesh_.outgoing.assign(mesh_.position.size(), Halfedge{});
+  const auto halfedges = static_cast<std::uint32_t>(mesh_.origin.size());
+  for (std::uint32_t h = halfedges; h-- > 0;) {
+    Halfedge& outgoing = mesh_.outgoing[mesh_.origin[h].index()];
+    const bool keeps_boundary =
+        outgoing.is_valid() && !mesh_.twin[outgoing.index()].is_valid() && mesh_.twin[h].is_valid();
+    if (!keeps_boundary) outgoing = Halfedge(h);
+  }
+}
+
+bool ManifoldCutter::has_single_fans() const {
+  const auto met = parallel_sum<std::uint64_t>(
+      mesh_.outgoing.size(), std::size_t{1} << 14, [&](IndexRange range) {
+        std::uint64_t count = 0;
+        for (std::size_t v = range.begin; v < range.end; ++v) {
+          const Halfedge start = mesh_.outgoing[v];
+          Halfedge h = start;
+          while (h.is_valid()) {
+            ++count;
+            h = mesh_.twin[Mesh::prev(h).index()];
+            if (h == start) break;
+          }
+        }
+        return count;
+      });
+  // No half-edge belongs to two fans, so all are met only where each vertex has one.
+  return met == mesh_.origin.size();
+}
+
+void ManifoldCutter::split_vertices() {
+  std::vector<bool> is_done(mesh_.origin.size(), false);
+  std::vector<bool> is_taken(original_vertices_, false);
+  for (std::uint32_t i = 0; i < mesh_.origin.size(); ++i) {
+    if (is_done[i]) continue;
+    Halfedge start(i);
+    for (Halfedge t = mesh_.twin[i]; t.is_valid(); t = mesh_.twin[start.index()]) {
+      start = Mesh::next(t);
+      if (start.index() == i) break;
+    }
+    const Vertex v = mesh_.origin[i];
+    Vertex name = v;
+    if (is_taken[v.index()]) {
+      if (mesh_.position.size() >= kNone) throw InputError("too many vertices for 32-bit ids");
+      name = Vertex(static_cast<std::uint32_t>(mesh_.position.size()));
+      mesh_.position.push_back(glm::vec3(mesh_.position[v.index()]));
+      vertex_source_.push_back(std::uint32_t{vertex_source_[v.index()]});
+      split_from_.push_back(v);
+    }
+    is_taken[v.index()] = true;
+    for (Halfedge h = start; h.is_valid() && !is_done[h.index()];
+         h = mesh_.twin[Mesh::prev(h).index()]) {
+      is_done[h.index()] = true;
+      mesh_.origin[h.index()] = name;
+    }
+  }
+}
+
+std::vector<CrowdEntry> ManifoldCutter::sorted_by_ends(std::span<const std::uint32_t> crowd) const {
+  std::vector<CrowdEntry> entries;
+  for (const std::uint32_t h : crowd) {
+    const auto [low, high] = std::minmax({mesh_.origin[h], target(h)});
+    entries.push_back({low, high, h});
+  }
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
+bool ManifoldCutter::has_parallel_edges(std::span<const std::uint32_t> crowd) const {
+  const std::vector<CrowdEntry> entries = sorted_by_ends(crowd);
+  for (std::size_t i = 1; i < entries.size(); ++i) {
+    if (entries[i].joins_same(entries[i - 1]) &&
+        mesh_.twin[entries[i].h] != Halfedge(entries[i - 1].h)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Pairing can leave two edges between the same two vertices, where the fans at both ends lead from
+// one to the other. Such a crowd is cut altogether: then at most one half-edge each way can remain
+// between a fan's copy of one end and a fan's copy of the other, and those are stitched.
+bool ManifoldCutter::cut_parallel_crowds() {
+  for (std::size_t i = 0; i < matching_.crowd_count(); ++i) {
+    if (has_parallel_edges(matching_.crowd(i))) cut_crowds_.push_back(i);
+  }
+  for (const std::size_t i : cut_crowds_) {
+    for (const std::uint32_t h : matching_.crowd(i))
+      mesh_.twin[h] = Halfedge{};
+  }
+  return !cut_crowds_.empty();
+}
+
+void ManifoldCutter::undo_splits() {
+  for (Vertex& v : mesh_.origin) {
+    if (v.index() >= original_vertices_) v = split_from_[v.index() - original_vertices_];
+  }
+  mesh_.position.resize(original_vertices_);
+  vertex_source_.resize(original_vertices_);
+  split_from_.clear();
+}
+
+void ManifoldCutter::stitch(std::span<const std::uint32_t> crowd) {
+  const std::vector<CrowdEntry> entries = sorted_by_ends(crowd);
+  for (std::size_t i = 1; i < entries.size(); ++i) {
+    const std::uint32_t a = entries[i - 1].h;
+    const std::uint32_t b = entries[i].h;
+    if (!entries[i].joins_same(entries[i - 1]) || mesh_.origin[a] == mesh_.origin[b]) continue;
+    mesh_.twin[a] = Halfedge(b);
+    mesh_.twin[b] = Halfedge(a);
+  }
+}
+
+}  // namespace mesher

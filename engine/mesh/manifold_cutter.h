@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/core/array.h"
+#include "engine/mesh/edge_matching.h"
+#include "engine/mesh/mesh.h"
+#include "engine/mesh/report.h"
+
+namespace mesher {
+
+struct CrowdEntry;
+
+/// Turns matched triangles into a manifold. Internal to building; expects duplicate faces gone and
+/// orientation settled. Crowded edges are paired around the edge and vertices where several fans
+/// meet are split, so that the invariants of Mesh hold.
+class ManifoldCutter {
+ public:
+  /// `mesh` has positions and origins. `vertex_source` names, for each vertex, where it came from;
+  /// copies made by splitting are appended to both.
+  ManifoldCutter(MeshArrays& mesh, Array<std::uint32_t>& vertex_source, BuildReport& report)
+      : mesh_(mesh), vertex_source_(vertex_source), report_(report) {}
+
+  /// Fills mesh.twin and mesh.outgoing. O(F + V), plus O(k log k) for each edge of k faces.
+  void run(EdgeMatching&& matching);
+
+ private:
+  void cut_disagreeing(std::uint64_t expected);
+  void pair_crowds();
+  void pair_crowd(std::span<const std::uint32_t> crowd);
+  void fill_outgoing();
+  bool has_single_fans() const;
+  void split_vertices();
+  bool has_parallel_edges(std::span<const std::uint32_t> crowd) const;
+  bool cut_parallel_crowds();
+  void undo_splits();
+  void stitch(std::span<const std::uint32_t> crowd);
+  std::vector<CrowdEntry> sorted_by_ends(std::span<const std::uint32_t> crowd) const;
+  Vertex target(std::uint32_t h) const { return mesh_.origin[Mesh::next(Halfedge(h)).index()]; }
+
+  MeshArrays& mesh_;
+  Array<std::uint32_t>& vertex_source_;
+  BuildReport& report_;
+  EdgeMatching matching_;
+  std::size_t original_vertices_ = 0;
+  std::vector<Vertex> split_from_;  ///< for each vertex past the original ones
+  std::vector<std::size_t> cut_crowds_;
+};
+
+}  // namespace mesher

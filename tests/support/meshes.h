@@ -1,0 +1,144 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <initializer_list>
+#include <vector>
+
+#include "engine/mesh/build.h"
+#include "engine/mesh/validate.h"
+
+namespace mesher::test {
+
+inline Soup soup_of(std::initializer_list<glm::vec3> positions,
+                    std::initializer_list<std::uint32_t> corners) {
+  Soup soup;
+  soup.positions.assign(positions);
+  soup.corners.assign(corners);
+  return soup;
+}
+
+inline Soup tetrahedron() {
+  return soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                 {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3});
+}
+
+/// The unit cube around the origin: 8 vertices, 12 triangles, outward.
+inline Soup cube() {
+  return soup_of({{-.5F, -.5F, -.5F},
+                  {.5F, -.5F, -.5F},
+                  {.5F, .5F, -.5F},
+                  {-.5F, .5F, -.5F},
+                  {-.5F, -.5F, .5F},
+                  {.5F, -.5F, .5F},
+                  {.5F, .5F, .5F},
+                  {-.5F, .5F, .5F}},
+                 {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
+                  1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7});
+}
+
+/// A flat sheet of n x n squares in the plane z = 0.
+inline Soup grid(std::uint32_t n) {
+  Soup soup;
+  for (std::uint32_t y = 0; y <= n; ++y) {
+    for (std::uint32_t x = 0; x <= n; ++x)
+      soup.positions.push_back({float(x), float(y), 0.0F});
+  }
+  for (std::uint32_t y = 0; y < n; ++y) {
+    for (std::uint32_t x = 0; x < n; ++x) {
+      const std::uint32_t a = y * (n + 1) + x;
+      for (const std::uint32_t v : {a, a + 1, a + n + 2, a, a + n + 2, a + n + 1}) {
+        soup.corners.push_back(v);
+      }
+    }
+  }
+  return soup;
+}
+
+/// A torus of n x m squares.
+inline Soup torus(std::uint32_t n, std::uint32_t m) {
+  Soup soup;
+  const double tau = 2.0 * std::acos(-1.0);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t k = 0; k < m; ++k) {
+      const double u = tau * i / n;
+      const double v = tau * k / m;
+      const double r = 2.0 + std::cos(v);
+      soup.positions.push_back(
+          glm::vec3(glm::dvec3(r * std::cos(u), r * std::sin(u), std::sin(v))));
+    }
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t k = 0; k < m; ++k) {
+      const auto at = [&](std::uint32_t x, std::uint32_t y) { return (x % n) * m + y % m; };
+      for (const std::uint32_t v :
+           {at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k), at(i + 1, k + 1), at(i, k + 1)}) {
+        soup.corners.push_back(v);
+      }
+    }
+  }
+  return soup;
+}
+
+/// A band of n squares, closed with a half turn.
+inline Soup moebius(std::uint32_t n) {
+  Soup soup;
+  const double tau = 2.0 * std::acos(-1.0);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double u = tau * i / n;
+    for (const double side : {-0.3, 0.3}) {
+      const double r = 1.0 + side * std::cos(u / 2);
+      soup.positions.push_back(
+          glm::vec3(glm::dvec3(r * std::cos(u), r * std::sin(u), side * std::sin(u / 2))));
+    }
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t a = 2 * i;
+    const std::uint32_t b = 2 * i + 1;
+    const std::uint32_t c = i + 1 < n ? 2 * i + 2 : 1;
+    const std::uint32_t d = i + 1 < n ? 2 * i + 3 : 0;
+    for (const std::uint32_t v : {a, c, d, a, d, b})
+      soup.corners.push_back(v);
+  }
+  return soup;
+}
+
+/// The disjoint union; `second` is moved by `offset`.
+inline Soup join(Soup first, const Soup& second, const glm::vec3& offset = glm::vec3(0.0F)) {
+  const auto base = static_cast<std::uint32_t>(first.positions.size());
+  for (const glm::vec3& p : second.positions)
+    first.positions.push_back(p + offset);
+  for (const std::uint32_t v : second.corners)
+    first.corners.push_back(base + v);
+  return first;
+}
+
+/// Fails the test with the first violations where `mesh` breaks an invariant.
+inline void expect_valid(const Mesh& mesh) {
+  for (const Violation& v : validate(mesh)) {
+    ADD_FAILURE() << "invariant " << v.invariant << ": " << v.what;
+  }
+}
+
+/// Builds and validates.
+inline BuildResult built(Soup soup, const BuildOptions& options = {}) {
+  BuildResult result = build_mesh(std::move(soup), options);
+  expect_valid(result.mesh);
+  return result;
+}
+
+/// Fails where a repair was counted that `expected` does not list.
+inline void expect_report(const BuildReport& report,
+                          std::initializer_list<std::pair<Repair, std::uint64_t>> expected) {
+  BuildReport wanted;
+  for (const auto& [repair, count] : expected)
+    wanted[repair] = count;
+  for (std::size_t i = 0; i < kRepairCount; ++i) {
+    const auto repair = static_cast<Repair>(i);
+    EXPECT_EQ(report[repair], wanted[repair]) << describe(repair);
+  }
+}
+
+}  // namespace mesher::test
