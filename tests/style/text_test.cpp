@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +14,7 @@ namespace {
 
 std::vector<SourceFile> everything() {
   return source_files({"engine", "app", "shaders", "tests", "docs", "scripts", "assets"},
-                      {".h", ".cpp", ".txt", ".md", ".glsl", ".vert", ".frag", ".comp", ".py"});
+                      {".h", ".cpp", ".txt", ".md", ".glsl", ".vert", ".frag", ".comp", ""});
 }
 
 /// First line of the file that holds `word`, from 1; 0: none does.
@@ -63,6 +66,46 @@ TEST(Text, FilesStayReadable) {
     const std::size_t limit = file.path.ends_with(".h") ? 300 : 500;
     EXPECT_LE(file.lines.size(), limit) << file.path << " is longer than " << limit << " lines";
   }
+}
+
+/// Names in the lists of scripts/bootstrap: the first word of each line of `*_packages="..."`.
+std::vector<std::string> packages_installed() {
+  std::ifstream script(std::string(MESHER_SOURCE_DIR) + "/scripts/bootstrap");
+  std::vector<std::string> names;
+  bool is_list = false;
+  for (std::string line; std::getline(script, line);) {
+    std::istringstream words(line);
+    std::string name;
+    if (is_list && words >> name) names.push_back(name);
+    if (line.ends_with("_packages=\"")) {
+      is_list = true;
+    } else if (line.ends_with('"')) {
+      is_list = false;
+    }
+  }
+  return names;
+}
+
+/// Names in the first column of the README's table of dependencies.
+std::set<std::string> packages_explained() {
+  std::ifstream readme(std::string(MESHER_SOURCE_DIR) + "/README.md");
+  std::set<std::string> names;
+  for (std::string line; std::getline(readme, line);) {
+    if (!line.starts_with("| ")) continue;
+    std::istringstream column(line.substr(2, line.find('|', 2) - 2));
+    for (std::string name; column >> name;) {
+      names.insert(name.ends_with(',') ? name.substr(0, name.size() - 1) : name);
+    }
+  }
+  return names;
+}
+
+TEST(Text, EveryPackageThatIsInstalledHasItsReasonInTheReadme) {
+  const std::set<std::string> explained = packages_explained();
+  const std::vector<std::string> installed = packages_installed();
+  EXPECT_GT(installed.size(), 20U);
+  for (const std::string& name : installed)
+    EXPECT_TRUE(explained.contains(name)) << name;
 }
 
 TEST(Text, TheSearchItselfFinds) {
