@@ -43,10 +43,11 @@ class Presenter {
   /// anew twice in a row: wait for events and try again. `size` is the framebuffer's, in pixels;
   /// the swapchain follows it. Throws DeviceError (a lost device or surface).
   std::optional<Frame> begin(VkExtent2D size);
-  /// Ends recording, submits and presents. Pre: the image is in COLOR_ATTACHMENT_OPTIMAL.
+  /// Ends recording, submits and presents: due for every frame that was begun. Pre: the image is in
+  /// COLOR_ATTACHMENT_OPTIMAL.
   void end(const Frame& frame);
 
-  VkFormat format() const { return format_; }
+  VkFormat format() const { return format_.format; }
   std::uint32_t image_count() const { return static_cast<std::uint32_t>(images_.size()); }
   /// Grows by one whenever images and views are new: framebuffers made of the old ones are stale.
   std::uint64_t generation() const { return generation_; }
@@ -67,14 +68,14 @@ class Presenter {
   };
 
   bool recreate(VkExtent2D size);
-  void create_images(VkExtent2D extent);
+  void create_images();
   Frame record(std::uint32_t image_index);
 
   Device& device_;
   VkSurfaceKHR surface_;
-  VkFormat format_ = VK_FORMAT_UNDEFINED;
-  VkColorSpaceKHR color_space_ = VK_COLOR_SPACE_SRGB_NONLINEAR_KHR;
+  VkSurfaceFormatKHR format_{};
   VkExtent2D extent_{};
+  VkExtent2D requested_{};  ///< what the window said when the swapchain was made
   UniqueSwapchain swapchain_;
   std::vector<SwapchainImage> images_;
   std::array<FrameSlot, kFramesInFlight> slots_;

@@ -1,0 +1,128 @@
+#include "engine/render/gpu_normals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/trigonometric.hpp>
+#include <optional>
+#include <vector>
+
+#include "engine/core/parallel.h"
+#include "engine/mesh/circulators.h"
+
+namespace mesher::render {
+namespace {
+
+constexpr std::size_t kGrain = 1U << 14;
+
+CornerNormalOptions corner_options(float crease_angle_deg) {
+  return {.crease_angle_rad = glm::radians(crease_angle_deg)};
+}
+
+GpuNormals::Mode wanted_mode(const Settings& settings, bool has_creases) {
+  if (settings.shading != Shading::gouraud) return GpuNormals::Mode::none;
+  const bool can_split = has_creases || settings.crease_angle_deg < 180.0F;
+  return can_split ? GpuNormals::Mode::corner : GpuNormals::Mode::vertex;
+}
+
+/// Vertices whose normals the changes may have touched, sorted; none where that is most of them.
+std::optional<std::vector<Vertex>> touched_vertices(const Mesh& mesh) {
+  const ChangeLog& changes = mesh.changes();
+  std::vector<Vertex> touched;
+  const auto add_ring = [&](Vertex v) {
+    touched.push_back(v);
+    for (const Vertex neighbour : vertices_around(mesh, v))
+      touched.push_back(neighbour);
+  };
+  for (const GpuArray array : {GpuArray::position, GpuArray::origin, GpuArray::edge_class}) {
+    if (changes.is_whole(array)) return std::nullopt;
+    for (const ChangedRange range : changes.merged(array)) {
+      if (touched.size() > mesh.vertex_count()) return std::nullopt;
+      for (std::uint32_t i = range.begin; i < range.end; ++i) {
+        add_ring(array == GpuArray::position ? Vertex(i) : mesh.origin(Halfedge(i)));
+      }
+    }
+  }
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  return touched;
+}
+
+}  // namespace
+
+std::uint32_t encode_normal(const glm::vec3& normal) {
+  const float sum = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
+  if (!(sum > 0.0F)) return 0;
+  float x = normal.x / sum;
+  float y = normal.y / sum;
+  if (normal.z < 0.0F) {
+    const float folded_x = std::copysign(1.0F - std::abs(y), normal.x);
+    y = std::copysign(1.0F - std::abs(x), normal.y);
+    x = folded_x;
+  }
+  const auto pack = [](float value) {
+    const auto rounded = static_cast<std::int32_t>(std::lround(value * 32767.0F));
+    return static_cast<std::uint32_t>(rounded) & 0xFFFFU;
+  };
+  return pack(x) | pack(y) << 16U;
+}
+
+void GpuNormals::update(const Mesh& mesh, const Settings& settings, bool has_creases,
+                        bool is_new_mesh, UploadStats& stats) {
+  const Mode wanted = wanted_mode(settings, has_creases);
+  const bool is_same = !is_new_mesh && wanted == mode_ &&
+                       (wanted != Mode::corner || settings.crease_angle_deg == crease_angle_deg_);
+  mode_ = wanted;
+  crease_angle_deg_ = settings.crease_angle_deg;
+  if (mode_ == Mode::none) {
+    corner_ = {};
+    packed_ = {};
+    buffer_ = {};
+  } else if (!is_same) {
+    build(mesh, stats);
+  } else if (!mesh.changes().is_empty()) {
+    update_changed(mesh, stats);
+  }
+}
+
+void GpuNormals::build(const Mesh& mesh, UploadStats& stats) {
+  corner_ = {};
+  Array<glm::vec3> normals = mode_ == Mode::vertex
+                                 ? vertex_normals(mesh)
+                                 : corner_normals(mesh, corner_options(crease_angle_deg_));
+  packed_.resize(normals.size());
+  parallel_for(normals.size(), kGrain, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      packed_[i] = encode_normal(normals[i]);
+  });
+  if (mode_ == Mode::corner) corner_ = std::move(normals);
+  upload_whole(device_, buffer_, std::as_bytes(std::span(packed_)),
+               VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, stats);
+}
+
+void GpuNormals::update_changed(const Mesh& mesh, UploadStats& stats) {
+  const std::optional<std::vector<Vertex>> touched = touched_vertices(mesh);
+  if (!touched) return build(mesh, stats);
+  ChangeLog log;  // sorts and joins; what it counts here are normals
+  const auto store = [&](std::uint32_t i, const glm::vec3& normal) {
+    packed_[i] = encode_normal(normal);
+    log.note(GpuArray::position, i);
+  };
+  for (const Vertex v : *touched) {
+    if (mode_ == Mode::vertex) {
+      store(v.index(), vertex_normal(mesh, v));
+      continue;
+    }
+    update_corner_normals(mesh, v, corner_options(crease_angle_deg_), corner_);
+    for (const Halfedge h : halfedges_around(mesh, v))
+      store(h.index(), corner_[h.index()]);
+  }
+  const auto bytes = std::as_bytes(std::span(packed_));
+  if (log.is_whole(GpuArray::position)) {
+    return upload_whole(device_, buffer_, bytes, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, stats);
+  }
+  upload_ranges(device_, buffer_, bytes,
+                log.merged(GpuArray::position, worthwhile_gap(sizeof(std::uint32_t))),
+                sizeof(std::uint32_t), stats);
+}
+
+}  // namespace mesher::render

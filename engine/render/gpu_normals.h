@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "engine/gpu/buffer.h"
+#include "engine/mesh/mesh.h"
+#include "engine/mesh/normals.h"
+#include "engine/render/settings.h"
+#include "engine/render/upload.h"
+
+namespace mesher::render {
+
+/// A unit vector as two signed 16-bit numbers, x in the low half: an octahedron unfolded to a
+/// square (Q. Meyer et al., "On floating-point normal vectors", 2010). Off by less than 0.002
+/// degrees. The zero vector becomes +z.
+std::uint32_t encode_normal(const glm::vec3& normal);
+
+/// The normals of a GPU mesh: none unless shading interpolates them; one a vertex where nothing can
+/// split them (no tagged crease, threshold 180 degrees), otherwise one a half-edge.
+class GpuNormals {
+ public:
+  enum class Mode { none, vertex, corner };
+
+  explicit GpuNormals(gpu::Device& device) : device_(device) {}
+
+  /// Makes what `settings` want, whole where anything but `mesh.changes()` differs from before.
+  void update(const Mesh& mesh, const Settings& settings, bool has_creases, bool is_new_mesh,
+              UploadStats& stats);
+
+  Mode mode() const { return mode_; }
+  const gpu::Buffer& buffer() const { return buffer_; }
+
+ private:
+  void build(const Mesh& mesh, UploadStats& stats);
+  void update_changed(const Mesh& mesh, UploadStats& stats);
+
+  gpu::Device& device_;
+  Mode mode_ = Mode::none;
+  float crease_angle_deg_ = 0.0F;
+  Array<glm::vec3> corner_;      ///< in corner mode, what `packed_` was made of
+  Array<std::uint32_t> packed_;  ///< what `buffer_` holds
+  gpu::Buffer buffer_;
+};
+
+}  // namespace mesher::render

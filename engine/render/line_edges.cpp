@@ -1,0 +1,62 @@
+#include "engine/render/line_edges.h"
+
+#include <algorithm>
+
+#include "engine/core/parallel.h"
+
+namespace mesher::render {
+namespace {
+
+void append(const Mesh& mesh, IndexRange range, LineEdges& edges) {
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    const Halfedge h(static_cast<std::uint32_t>(i));
+    const EdgeClass edge_class = mesh.edge_class(h);
+    if (edge_class == EdgeClass::ordinary || Mesh::halfedge(mesh.edge(h)) != h) continue;
+    (edge_class == EdgeClass::crease ? edges.creases : edges.boundaries).push_back(h);
+  }
+}
+
+void append(const std::vector<Halfedge>& from, std::vector<Halfedge>& to) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+/// `sorted` without what lies in `changed`, with `fresh` (all of which does) in its place.
+std::vector<Halfedge> replace(const std::vector<Halfedge>& sorted,
+                              std::span<const ChangedRange> changed,
+                              const std::vector<Halfedge>& fresh) {
+  std::vector<Halfedge> kept;
+  auto range = changed.begin();
+  for (const Halfedge h : sorted) {
+    while (range != changed.end() && range->end <= h.index())
+      ++range;
+    if (range == changed.end() || h.index() < range->begin) kept.push_back(h);
+  }
+  std::vector<Halfedge> result(kept.size() + fresh.size());
+  std::merge(kept.begin(), kept.end(), fresh.begin(), fresh.end(), result.begin());
+  return result;
+}
+
+}  // namespace
+
+LineEdges find_line_edges(const Mesh& mesh) {
+  constexpr std::size_t kChunk = 1U << 18;
+  std::vector<LineEdges> parts(chunk_count(mesh.halfedge_count(), kChunk));
+  parallel_chunks(mesh.halfedge_count(), kChunk,
+                  [&](std::size_t chunk, IndexRange range) { append(mesh, range, parts[chunk]); });
+  LineEdges all;
+  for (const LineEdges& part : parts) {
+    append(part.creases, all.creases);
+    append(part.boundaries, all.boundaries);
+  }
+  return all;
+}
+
+void update_line_edges(const Mesh& mesh, std::span<const ChangedRange> changed, LineEdges& edges) {
+  LineEdges fresh;
+  for (const ChangedRange range : changed)
+    append(mesh, {range.begin, range.end}, fresh);
+  edges.creases = replace(edges.creases, changed, fresh.creases);
+  edges.boundaries = replace(edges.boundaries, changed, fresh.boundaries);
+}
+
+}  // namespace mesher::render

@@ -1,0 +1,225 @@
+#include "engine/render/renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/packing.hpp>
+#include <glm/vec4.hpp>
+
+#include "shaders/shared/constants.h"
+
+namespace mesher::render {
+namespace {
+
+/// Lines are as wide as asked in a picture this high, and grow with the square root.
+constexpr float kReferenceHeight = 600.0F;
+constexpr float kEdgeWidth = 1.1F;
+constexpr float kCreaseWidth = 2.6F;
+constexpr float kBoundaryWidth = 3.6F;
+constexpr float kEdgeStrength = 0.85F;
+/// What shows through where lines are drawn with no surface.
+constexpr float kHiddenStrength = 0.16F;
+
+glm::vec3 linear(const Color& color) {
+  const auto decode = [](float c) {
+    return c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F);
+  };
+  return {decode(color.x), decode(color.y), decode(color.z)};
+}
+
+std::uint32_t pack(const Color& color, float alpha = 1.0F) {
+  return glm::packUnorm4x8(glm::vec4(glm::sqrt(linear(color)), alpha));
+}
+
+float line_scale(VkExtent2D extent) {
+  return std::clamp(std::sqrt(static_cast<float>(extent.height) / kReferenceHeight), 0.75F, 3.0F);
+}
+
+shared::ViewConstants view_constants(const ViewTransform& view) {
+  return {.row_x = {view.rows[0], view.offset.x},
+          .row_y = {view.rows[1], view.offset.y},
+          .row_z = {view.rows[2], view.offset.z},
+          // Vulkan's clip space has y down.
+          .projection = {view.scale.x, -view.scale.y, view.depth_scale, view.depth_offset},
+          .origin = view.origin,
+          .perspective = view.perspective ? 1.0F : 0.0F};
+}
+
+VkRenderingAttachmentInfo attachment(const gpu::DeviceImage& image, VkImageLayout layout,
+                                     VkAttachmentStoreOp store) {
+  VkRenderingAttachmentInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
+  info.imageView = image.view();
+  info.imageLayout = layout;
+  info.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+  info.storeOp = store;
+  return info;
+}
+
+/// The drawing of one frame.
+class Recording {
+ public:
+  Recording(VkCommandBuffer commands, ScenePipelines& pipelines, const SceneTarget& target,
+            const GpuMesh& mesh, const Camera& camera)
+      : commands_(commands),
+        pipelines_(pipelines),
+        target_(target),
+        mesh_(mesh),
+        view_(view_constants(camera.transform(
+            static_cast<double>(target.extent().width) / target.extent().height, mesh.box()))) {}
+
+  void begin(const Color& background);
+  void end();
+  void surface(Pass pass, const Settings& settings, float line_strength = kEdgeStrength);
+  void lines(Pass pass, const Settings& settings, float strength);
+
+ private:
+  void bind(Pass pass) {
+    vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.get(pass, target_));
+  }
+  template <class Constants>
+  void push(const Constants& constants) {
+    vkCmdPushConstants(commands_, pipelines_.layout(),
+                       VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
+                       sizeof(constants), &constants);
+  }
+  void draw_lines(std::uint32_t first, std::uint32_t count, const Color& color, float width,
+                  float strength);
+
+  VkCommandBuffer commands_;
+  ScenePipelines& pipelines_;
+  const SceneTarget& target_;
+  const GpuMesh& mesh_;
+  shared::ViewConstants view_;
+};
+
+void Recording::begin(const Color& background) {
+  const bool resolves = static_cast<bool>(target_.multisampled());
+  const gpu::DeviceImage& drawn = resolves ? target_.multisampled() : target_.color();
+  gpu::transition(commands_, target_.color().handle(), gpu::kUndefined, gpu::kColorAttachment);
+  if (resolves) {
+    gpu::transition(commands_, drawn.handle(), gpu::kUndefined, gpu::kColorAttachment);
+  }
+  gpu::transition(commands_, target_.depth().handle(), gpu::kUndefined, gpu::kDepthAttachment,
+                  VK_IMAGE_ASPECT_DEPTH_BIT);
+
+  VkRenderingAttachmentInfo color =
+      attachment(drawn, gpu::kColorAttachment.layout,
+                 resolves ? VK_ATTACHMENT_STORE_OP_DONT_CARE : VK_ATTACHMENT_STORE_OP_STORE);
+  const glm::vec3 clear = linear(background);
+  color.clearValue.color = {{clear.x, clear.y, clear.z, 1.0F}};
+  if (resolves) {
+    color.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
+    color.resolveImageView = target_.color().view();
+    color.resolveImageLayout = gpu::kColorAttachment.layout;
+  }
+  VkRenderingAttachmentInfo depth =
+      attachment(target_.depth(), gpu::kDepthAttachment.layout, VK_ATTACHMENT_STORE_OP_DONT_CARE);
+  depth.clearValue.depthStencil = {0.0F, 0};
+
+  const VkExtent2D extent = target_.extent();
+  VkRenderingInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
+  info.renderArea.extent = extent;
+  info.layerCount = 1;
+  info.colorAttachmentCount = 1;
+  info.pColorAttachments = &color;
+  info.pDepthAttachment = &depth;
+  vkCmdBeginRendering(commands_, &info);
+  const VkViewport viewport{
+      0.0F, 0.0F, static_cast<float>(extent.width), static_cast<float>(extent.height), 0.0F, 1.0F};
+  vkCmdSetViewport(commands_, 0, 1, &viewport);
+  vkCmdSetScissor(commands_, 0, 1, &info.renderArea);
+}
+
+void Recording::end() {
+  vkCmdEndRendering(commands_);
+  gpu::transition(commands_, target_.color().handle(), gpu::kColorAttachment, gpu::kTransferSource);
+}
+
+void Recording::surface(Pass pass, const Settings& settings, float line_strength) {
+  bind(pass);
+  push(shared::SurfaceConstants{.view = view_,
+                                .positions = mesh_.positions().address(),
+                                .indices = mesh_.indices().address(),
+                                .classes = mesh_.classes().address(),
+                                .normals = mesh_.normals().buffer().address(),
+                                .front = pack(settings.front),
+                                .back = pack(settings.back),
+                                .line = pack(edge_color(settings), line_strength),
+                                .line_width = kEdgeWidth * line_scale(target_.extent())});
+  if (!is_indexed(pass)) {
+    vkCmdDraw(commands_, mesh_.halfedge_count(), 1, 0, 0);
+    return;
+  }
+  const std::array buffers{mesh_.positions().handle(), mesh_.normals().buffer().handle()};
+  constexpr std::array<VkDeviceSize, 2> kOffsets{};
+  vkCmdBindVertexBuffers(commands_, 0, pass == Pass::gouraud ? 2 : 1, buffers.data(),
+                         kOffsets.data());
+  vkCmdBindIndexBuffer(commands_, mesh_.indices().handle(), 0, VK_INDEX_TYPE_UINT32);
+  vkCmdDrawIndexed(commands_, mesh_.halfedge_count(), 1, 0, 0, 0);
+}
+
+void Recording::lines(Pass pass, const Settings& settings, float strength) {
+  if (mesh_.crease_count() + mesh_.boundary_count() == 0) return;
+  bind(pass);
+  draw_lines(0, mesh_.crease_count(), settings.crease, kCreaseWidth, strength);
+  draw_lines(mesh_.crease_count(), mesh_.boundary_count(), settings.boundary, kBoundaryWidth,
+             strength);
+}
+
+void Recording::draw_lines(std::uint32_t first, std::uint32_t count, const Color& color,
+                           float width, float strength) {
+  if (count == 0) return;
+  const VkExtent2D extent = target_.extent();
+  constexpr std::uint32_t kVerticesAnEdge = 6;
+  push(shared::LineConstants{
+      .view = view_,
+      .positions = mesh_.positions().address(),
+      .indices = mesh_.indices().address(),
+      .edges = mesh_.lines().address() + std::uint64_t{first} * sizeof(Halfedge),
+      .color = pack(color, strength),
+      .half_width = 0.5F * width * line_scale(extent),
+      .viewport = {static_cast<float>(extent.width), static_cast<float>(extent.height)}});
+  vkCmdDraw(commands_, kVerticesAnEdge * count, 1, 0, 0);
+}
+
+Pass surface_pass(const GpuMesh& mesh, const Settings& settings) {
+  const GpuNormals::Mode normals = mesh.normals().mode();
+  if (settings.shading == Shading::flat || normals == GpuNormals::Mode::none) {
+    return settings.wireframe ? Pass::flat_wire : Pass::flat;
+  }
+  if (normals == GpuNormals::Mode::corner) {
+    return settings.wireframe ? Pass::gouraud_corner_wire : Pass::gouraud_corner;
+  }
+  return settings.wireframe ? Pass::gouraud_wire : Pass::gouraud;
+}
+
+}  // namespace
+
+void Renderer::draw(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
+                    const Camera& camera, const Settings& settings) {
+  Recording recording(commands, pipelines_, target, mesh, camera);
+  recording.begin(background_color(settings.background));
+  if (mesh.face_count() > 0 && settings.shading == Shading::none) {
+    recording.surface(Pass::depth, settings);
+    recording.surface(Pass::wire_hidden, settings, kHiddenStrength);
+    recording.lines(Pass::line_hidden, settings, 2.0F * kHiddenStrength);
+    recording.surface(Pass::wire_visible, settings);
+    recording.lines(Pass::line_visible, settings, 1.0F);
+  } else if (mesh.face_count() > 0) {
+    recording.surface(surface_pass(mesh, settings), settings);
+    if (settings.wireframe) recording.lines(Pass::line_visible, settings, 1.0F);
+  }
+  recording.end();
+}
+
+void Renderer::draw_bare(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
+                         const Camera& camera, const Settings& settings) {
+  Recording recording(commands, pipelines_, target, mesh, camera);
+  recording.begin(background_color(settings.background));
+  if (mesh.face_count() > 0) recording.surface(Pass::bare, settings);
+  recording.end();
+}
+
+}  // namespace mesher::render

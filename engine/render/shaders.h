@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+/// SPIR-V of the shaders in shaders/, compiled by the build. One entry a variant.
+namespace mesher::render::shaders {
+
+using Words = std::span<const std::uint32_t>;
+
+extern const Words kFlatVert;           ///< indexed vertices
+extern const Words kGouraudVert;        ///< indexed vertices, a normal each
+extern const Words kFlatPulledVert;     ///< by half-edge, with barycentric coordinates
+extern const Words kGouraudPulledVert;  ///< by half-edge, a normal a vertex
+extern const Words kGouraudCornerVert;  ///< by half-edge, a normal a half-edge
+extern const Words kFlatFrag;
+extern const Words kGouraudFrag;
+extern const Words kFlatWireFrag;
+extern const Words kGouraudWireFrag;
+extern const Words kWireAloneFrag;
+extern const Words kLineVert;
+extern const Words kLineFrag;
+extern const Words kBareVert;
+extern const Words kBareFrag;
+
+}  // namespace mesher::render::shaders

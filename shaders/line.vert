@@ -1,0 +1,65 @@
+// Edges as quads in the window: six vertices an edge, wide enough for anti-aliased borders and round
+// ends, which make joints look like one line.
+#version 460
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_buffer_reference_uvec2 : require
+#extension GL_GOOGLE_include_directive : require
+#include "view.glsl"
+
+layout(push_constant) uniform Constants { LineConstants constants; };
+
+layout(location = 0) out vec2 out_place;   // along and across, pixels from the first end
+layout(location = 1) out float out_length;  // pixels
+
+// Shortens the segment to what is in front of the near plane; false where nothing is.
+bool clip_to_near(inout vec3 a, inout vec3 b) {
+  if (constants.view.perspective == 0.0) return true;
+  const float near = constants.view.projection.w / (1.0 + constants.view.projection.z);
+  const float a_depth = -a.z - near;
+  const float b_depth = -b.z - near;
+  if (a_depth < 0.0 && b_depth < 0.0) return false;
+  if (a_depth < 0.0) {
+    a = mix(b, a, b_depth / (b_depth - a_depth));
+  } else if (b_depth < 0.0) {
+    b = mix(a, b, a_depth / (a_depth - b_depth));
+  }
+  return true;
+}
+
+// Window position in pixels from the middle, and depth. Lifted by a pixel's width toward the viewer:
+// what lies on a surface must win against it across the line's width.
+vec3 to_window(vec3 p) {
+  const float w = constants.view.perspective != 0.0 ? -p.z : 1.0;
+  const float pixel = 2.0 * w / (abs(constants.view.projection.y) * constants.viewport.y);
+  const vec4 flat_clip = to_clip(constants.view, p);
+  const vec4 clip = to_clip(constants.view, vec3(p.xy, p.z + min(pixel, 0.5 * w)));
+  return vec3(0.5 * constants.viewport * flat_clip.xy / flat_clip.w, min(clip.z / clip.w, 1.0));
+}
+
+void main() {
+  const uint h = Uints(constants.edges).at[gl_VertexIndex / 6];
+  Uints indices = Uints(constants.indices);
+  vec3 a = to_view(constants.view, fetch_position(constants.positions, indices.at[h]));
+  vec3 b = to_view(constants.view,
+                   fetch_position(constants.positions, indices.at[next_halfedge(h)]));
+  if (!clip_to_near(a, b)) {
+    gl_Position = vec4(0.0, 0.0, 0.0, 1.0);  // six times the same place: nothing is drawn
+    out_place = vec2(0.0);
+    out_length = 0.0;
+    return;
+  }
+  const vec3 from = to_window(a);
+  const vec3 to = to_window(b);
+  const vec2 between = to.xy - from.xy;
+  out_length = length(between);
+  const vec2 along = out_length > 1e-6 ? between / out_length : vec2(1.0, 0.0);
+  const vec2 across = vec2(-along.y, along.x);
+
+  const uint corner = gl_VertexIndex % 6;
+  const bool is_end = corner == 1 || corner == 2 || corner == 4;
+  const bool is_left = corner >= 2 && corner != 3;
+  const float reach = constants.half_width + 1.0;
+  out_place = vec2(is_end ? out_length + reach : -reach, is_left ? reach : -reach);
+  const vec2 place = from.xy + along * out_place.x + across * out_place.y;
+  gl_Position = vec4(2.0 * place / constants.viewport, is_end ? to.z : from.z, 1.0);
+}

@@ -1,0 +1,54 @@
+// A surface's pixels. Variants: GOURAUD (interpolated normals; otherwise the face's own), WIRE
+// (ordinary edges drawn on it), WIRE_ALONE (nothing but those).
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "light.glsl"
+#include "shared/constants.h"
+
+layout(push_constant) uniform Constants { SurfaceConstants constants; };
+
+#ifndef WIRE_ALONE
+layout(location = 0) in vec3 in_view;
+#endif
+#ifdef GOURAUD
+layout(location = 1) in vec3 in_normal;
+#endif
+#if defined(WIRE) || defined(WIRE_ALONE)
+layout(location = 2) in vec3 in_barycentric;
+#endif
+
+layout(location = 0) out vec4 out_color;
+
+#if defined(WIRE) || defined(WIRE_ALONE)
+// How much of the pixel ordinary edges cover. Lines closer together than a few pixels fade, since
+// drawn in full they would say nothing but "dark".
+float line_coverage() {
+  const vec3 dx = dFdx(in_barycentric);
+  const vec3 dy = dFdy(in_barycentric);
+  const vec3 altitude = inversesqrt(max(dx * dx + dy * dy, 1e-12));  // pixels from edge to corner
+  const vec3 covered = clamp(0.5 * constants.line_width + 0.5 - abs(in_barycentric) * altitude, 0.0, 1.0);
+  const float spacing = min(altitude.x, min(altitude.y, altitude.z));
+  const float fade = clamp((spacing - 1.0) / 9.0, 0.0, 1.0);
+  return max(covered.x, max(covered.y, covered.z)) * mix(0.10, 1.0, fade);
+}
+#endif
+
+void main() {
+#ifdef WIRE_ALONE
+  const float alpha = line_coverage() * unpackUnorm4x8(constants.line).a;
+  out_color = vec4(alpha * decode_color(constants.line), alpha);
+#else
+#ifdef GOURAUD
+  const vec3 n = normalize(gl_FrontFacing ? in_normal : -in_normal);
+#else
+  // Window y runs down, so this order of factors faces the viewer, whichever way the face winds.
+  const vec3 n = normalize(cross(dFdy(in_view), dFdx(in_view)));
+#endif
+  vec3 color = shade(n, decode_color(gl_FrontFacing ? constants.front : constants.back));
+#ifdef WIRE
+  color = mix(color, decode_color(constants.line),
+              line_coverage() * unpackUnorm4x8(constants.line).a);
+#endif
+  out_color = vec4(color, 1.0);
+#endif
+}
