@@ -26,13 +26,16 @@ bool clip_to_near(inout vec3 a, inout vec3 b) {
   return true;
 }
 
-// Window position in pixels from the middle, and depth. Lifted by a pixel's width toward the viewer:
-// what lies on a surface must win against it across the line's width.
+// Window position in pixels from the middle, and depth. Lifted toward the viewer by more than the
+// line's half width, so that across its width it wins against the surface it lies on, up to a slope
+// of 1.5. (A depth bias on the surface instead would let back faces shine through at silhouettes,
+// where slopes have no end.)
 vec3 to_window(vec3 p) {
   const float w = constants.view.perspective != 0.0 ? -p.z : 1.0;
   const float pixel = 2.0 * w / (abs(constants.view.projection.y) * constants.viewport.y);
   const vec4 flat_clip = to_clip(constants.view, p);
-  const vec4 clip = to_clip(constants.view, vec3(p.xy, p.z + min(pixel, 0.5 * w)));
+  const float lift = 1.5 * (constants.half_width + 0.5) * pixel;
+  const vec4 clip = to_clip(constants.view, vec3(p.xy, p.z + min(lift, 0.5 * w)));
   return vec3(0.5 * constants.viewport * flat_clip.xy / flat_clip.w, min(clip.z / clip.w, 1.0));
 }
 

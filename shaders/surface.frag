@@ -28,7 +28,7 @@ float line_coverage() {
   const vec3 altitude = inversesqrt(max(dx * dx + dy * dy, 1e-12));  // pixels from edge to corner
   const vec3 covered = clamp(0.5 * constants.line_width + 0.5 - abs(in_barycentric) * altitude, 0.0, 1.0);
   const float spacing = min(altitude.x, min(altitude.y, altitude.z));
-  const float fade = clamp((spacing - 1.0) / 9.0, 0.0, 1.0);
+  const float fade = clamp((spacing - 1.0) / 7.0, 0.0, 1.0);
   return max(covered.x, max(covered.y, covered.z)) * mix(0.10, 1.0, fade);
 }
 #endif

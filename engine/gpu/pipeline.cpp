@@ -61,16 +61,12 @@ VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits which, VkShaderModul
           .pSpecializationInfo = nullptr};
 }
 
-VkPipelineRasterizationStateCreateInfo rasterization(const PipelineOptions& options) {
+VkPipelineRasterizationStateCreateInfo rasterization() {
   VkPipelineRasterizationStateCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO;
   info.polygonMode = VK_POLYGON_MODE_FILL;
   info.cullMode = VK_CULL_MODE_NONE;
   info.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
-  info.depthBiasEnable = options.depth_bias != 0.0F || options.depth_bias_slope != 0.0F;
-  // Away from the eye is down in reversed depth.
-  info.depthBiasConstantFactor = -options.depth_bias;
-  info.depthBiasSlopeFactor = -options.depth_bias_slope;
   info.lineWidth = 1.0F;
   return info;
 }
@@ -124,7 +120,7 @@ UniquePipeline create_pipeline(Device& device, VkPipelineLayout layout,
     stages.push_back(stage(VK_SHADER_STAGE_FRAGMENT_BIT, fragment.get()));
   }
   const VertexInput input(options.vertex_arrays);
-  const auto raster = rasterization(options);
+  const auto raster = rasterization();
   const auto depth = depth_state(options);
   VkPipelineColorBlendAttachmentState blend = blend_state(options.blends);
   if (!draws_color) blend.colorWriteMask = 0;

@@ -20,9 +20,6 @@ struct PipelineOptions {
   bool blends = false;  ///< premultiplied alpha over what is there
   bool writes_depth = true;
   VkCompareOp depth_test = VK_COMPARE_OP_GREATER_OR_EQUAL;  ///< depth is reversed
-  /// Pushes surfaces away from the eye, so that lines on them win: constant and slope factor.
-  float depth_bias = 0.0F;
-  float depth_bias_slope = 0.0F;
 };
 
 /// A layout without descriptors: shaders reach their data by address, from push constants of

@@ -129,6 +129,7 @@ std::vector<Candidate> list_candidates(VkInstance instance, VkSurfaceKHR surface
   std::vector<VkPhysicalDevice> devices(count);
   check(vkEnumeratePhysicalDevices(instance, &count, devices.data()), "vkEnumeratePhysicalDevices");
   std::vector<Candidate> candidates;
+  candidates.reserve(count);
   for (const VkPhysicalDevice device : devices)
     candidates.push_back(describe(device, surface));
   return candidates;

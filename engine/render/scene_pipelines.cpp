@@ -63,8 +63,7 @@ gpu::PipelineOptions options_of(Pass pass) {
       options.writes_depth = false;
       break;
     default:
-      options.depth_bias = 1.0F;
-      options.depth_bias_slope = 1.0F;
+      break;
   }
   return options;
 }
