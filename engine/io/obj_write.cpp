@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/io/block_writer.h"
-#include "engine/io/vertex_colors.h"
+#include "engine/io/vertex_attributes.h"
 #include "engine/io/weld.h"
 
 namespace mesher {
@@ -56,7 +56,8 @@ Values<T> write_values(AtomicFile& file, std::string_view keyword, const Array<T
 }
 
 void write_positions(AtomicFile& file, const Mesh& mesh, const Attributes& attributes) {
-  const Array<glm::u8vec4> colors = vertex_colors(mesh, attributes);
+  const Array<glm::u8vec4> colors =
+      gather_to_vertices(mesh.origins(), mesh.vertex_count(), attributes.color, glm::u8vec4(255));
   write_elements(file, mesh.vertex_count(), 2 + 7 * kNumber, [&](Appender& out, std::size_t v) {
     const glm::vec3& p = mesh.positions()[v];
     out << 'v' << ' ' << p.x << ' ' << p.y << ' ' << p.z;

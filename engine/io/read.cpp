@@ -8,6 +8,9 @@
 #include "engine/io/format.h"
 #include "engine/io/mapped_file.h"
 #include "engine/io/obj_read.h"
+#include "engine/io/off_read.h"
+#include "engine/io/ply_read.h"
+#include "engine/io/stl_read.h"
 
 namespace mesher {
 namespace {
@@ -18,6 +21,12 @@ Soup read_format(Format format, const std::filesystem::path& file, const ReadOpt
   switch (format) {
     case Format::obj:
       return read_obj(bytes, options);
+    case Format::ply:
+      return read_ply(bytes);
+    case Format::stl:
+      return read_stl(bytes);
+    case Format::off:
+      return read_off(bytes);
     default:
       throw InputError(bytes.name(), 0, "cannot be read yet");
   }

@@ -1,0 +1,362 @@
+#include "engine/io/ply_read.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "engine/core/error.h"
+#include "engine/io/ply_header.h"
+#include "engine/io/soup_faces.h"
+#include "engine/io/text_cursor.h"
+#include "engine/io/vertex_attributes.h"
+
+namespace mesher {
+namespace {
+
+/// Values one after another out of a text file.
+class TextValues {
+ public:
+  TextValues(const MappedFile& file, const char* data) : text_(file, data) {}
+  static constexpr std::size_t least_bytes(PlyType) { return 1; }
+
+  /// Values that may still follow, at most.
+  std::size_t bytes_left() const { return text_.bytes_left() / 2 + 1; }
+  float next_float(PlyType) { return text_.number(); }
+  double next(PlyType) { return text_.wide_number(); }
+  std::int64_t next_whole(PlyType) { return text_.integer(); }
+  void skip(PlyType) { text_.word(); }
+  [[noreturn]] void fail(std::string_view reason) { text_.fail(reason); }
+
+ private:
+  TextCursor text_;
+};
+
+/// Values out of a binary file; `kSwapped` where its byte order is not the machine's.
+template <bool kSwapped>
+class BinaryValues {
+ public:
+  BinaryValues(const MappedFile& file, const char* data) : file_(file), p_(data) {}
+  static std::size_t least_bytes(PlyType type) { return size_of(type); }
+
+  std::size_t bytes_left() const { return static_cast<std::size_t>(file_.end() - p_); }
+  float next_float(PlyType type) {
+    return type == PlyType::float32 ? take<float>() : static_cast<float>(next(type));
+  }
+  double next(PlyType type) {
+    switch (type) {
+      case PlyType::float32:
+        return static_cast<double>(take<float>());
+      case PlyType::float64:
+        return take<double>();
+      default:
+        return static_cast<double>(next_whole(type));
+    }
+  }
+  std::int64_t next_whole(PlyType type) {
+    switch (type) {
+      case PlyType::int8:
+        return take<std::int8_t>();
+      case PlyType::uint8:
+        return take<std::uint8_t>();
+      case PlyType::int16:
+        return take<std::int16_t>();
+      case PlyType::uint16:
+        return take<std::uint16_t>();
+      case PlyType::int32:
+        return take<std::int32_t>();
+      case PlyType::uint32:
+        return take<std::uint32_t>();
+      default:
+        fail("indices must be whole numbers");
+    }
+  }
+  void skip(PlyType type) { need(size_of(type)), p_ += size_of(type); }
+  [[noreturn]] void fail(std::string_view reason) { throw InputError(file_.name(), 0, reason); }
+
+ private:
+  void need(std::size_t bytes) {
+    if (bytes_left() < bytes) fail("the file ends too early");
+  }
+  template <class T>
+  T take() {
+    need(sizeof(T));
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, p_, sizeof(T));
+    if constexpr (kSwapped) std::reverse(bytes, bytes + sizeof(T));
+    p_ += sizeof(T);
+    T value;
+    std::memcpy(&value, bytes, sizeof(T));
+    return value;
+  }
+
+  const MappedFile& file_;
+  const char* p_;
+};
+
+/// What a property of a vertex is to us.
+enum class Role { none, position, normal, texcoord, color };
+struct Slot {
+  Role role = Role::none;
+  int component = 0;
+};
+
+Slot slot_of(std::string_view name) {
+  static constexpr struct {
+    std::string_view name;
+    Slot slot;
+  } kSlots[] = {{"x", {Role::position, 0}},         {"y", {Role::position, 1}},
+                {"z", {Role::position, 2}},         {"nx", {Role::normal, 0}},
+                {"ny", {Role::normal, 1}},          {"nz", {Role::normal, 2}},
+                {"s", {Role::texcoord, 0}},         {"t", {Role::texcoord, 1}},
+                {"u", {Role::texcoord, 0}},         {"v", {Role::texcoord, 1}},
+                {"texture_u", {Role::texcoord, 0}}, {"texture_v", {Role::texcoord, 1}},
+                {"red", {Role::color, 0}},          {"green", {Role::color, 1}},
+                {"blue", {Role::color, 2}},         {"alpha", {Role::color, 3}},
+                {"diffuse_red", {Role::color, 0}},  {"diffuse_green", {Role::color, 1}},
+                {"diffuse_blue", {Role::color, 2}}};
+  for (const auto& known : kSlots) {
+    if (known.name == name) return known.slot;
+  }
+  return {};
+}
+
+/// A colour part as a byte: fractions are 0..1, whole numbers fill their type.
+std::uint8_t color_byte(double value, PlyType type) {
+  if (!is_whole(type)) value *= 255.0;
+  if (type == PlyType::uint16) value /= 257.0;
+  return std::isnan(value) ? std::uint8_t{0}
+                           : static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+}
+
+template <class Values>
+class PlyReader {
+ public:
+  PlyReader(const MappedFile& file, const PlyHeader& header)
+      : header_(header), values_(file, header.data) {}
+
+  Soup run() {
+    find_vertices();
+    soup_.face_start.push_back(0);
+    for (const PlyElement& element : header_.elements) {
+      check_count(element);
+      if (element.name == "vertex") {
+        read_vertices(element);
+      } else if (element.properties.empty()) {
+        continue;  // however many there are, they take no bytes
+      } else if (element.name == "face") {
+        for (std::uint64_t i = 0; i < element.count; ++i)
+          read_face(element);
+      } else if (element.name == "tristrips") {
+        for (std::uint64_t i = 0; i < element.count; ++i)
+          read_strips(element);
+      } else {
+        for (std::uint64_t i = 0; i < element.count; ++i)
+          skip_row(element);
+      }
+    }
+    return finish();
+  }
+
+ private:
+  void find_vertices() {
+    for (const PlyElement& element : header_.elements) {
+      if (element.name == "vertex") vertex_count_ = element.count;
+    }
+    if (vertex_count_ == 0) values_.fail("no vertices");
+    if (vertex_count_ >= kNone) values_.fail("more than 32-bit ids can count");
+  }
+
+  /// Refuses counts that the rest of the file cannot hold, before anything is allocated.
+  void check_count(const PlyElement& element) {
+    std::size_t row = 0;
+    for (const PlyProperty& property : element.properties) {
+      row += Values::least_bytes(property.count_type.value_or(property.type));
+    }
+    if (row != 0 && element.count > values_.bytes_left() / row) {
+      values_.fail("the file is too short for its " + element.name + " elements");
+    }
+  }
+
+  void skip_property(const PlyProperty& property) {
+    if (!property.count_type) return values_.skip(property.type);
+    for (std::size_t left = list_size(property); left > 0; --left)
+      values_.skip(property.type);
+  }
+
+  void skip_row(const PlyElement& element) {
+    for (const PlyProperty& property : element.properties)
+      skip_property(property);
+  }
+
+  std::size_t list_size(const PlyProperty& property) {
+    const std::int64_t size = values_.next_whole(*property.count_type);
+    if (size < 0) values_.fail("a list with a count below zero");
+    if (static_cast<std::uint64_t>(size) >
+        values_.bytes_left() / Values::least_bytes(property.type)) {
+      values_.fail("the file is too short for a list");
+    }
+    return static_cast<std::size_t>(size);
+  }
+
+  void read_vertices(const PlyElement& element) {
+    std::vector<Slot> slots;
+    bool has[5] = {};
+    int coordinates = 0;
+    for (const PlyProperty& property : element.properties) {
+      slots.push_back(property.count_type ? Slot{} : slot_of(property.name));
+      has[static_cast<int>(slots.back().role)] = true;
+      if (slots.back().role == Role::position) coordinates |= 1 << slots.back().component;
+    }
+    if (coordinates != 7) values_.fail("vertices need x, y and z");
+    const auto count = static_cast<std::size_t>(element.count);
+    soup_.positions.resize(count);
+    if (has[static_cast<int>(Role::normal)]) normals_.assign(count, glm::vec3(0.0F));
+    if (has[static_cast<int>(Role::texcoord)]) texcoords_.assign(count, glm::vec2(0.0F));
+    if (has[static_cast<int>(Role::color)]) colors_.assign(count, glm::u8vec4(255));
+    for (std::size_t v = 0; v < count; ++v) {
+      for (std::size_t i = 0; i < slots.size(); ++i)
+        read_value(element.properties[i], slots[i], v);
+    }
+  }
+
+  void read_value(const PlyProperty& property, Slot slot, std::size_t v) {
+    switch (slot.role) {
+      case Role::position:
+        soup_.positions[v][slot.component] = values_.next_float(property.type);
+        break;
+      case Role::normal:
+        normals_[v][slot.component] = values_.next_float(property.type);
+        break;
+      case Role::texcoord:
+        texcoords_[v][slot.component] = values_.next_float(property.type);
+        break;
+      case Role::color:
+        colors_[v][slot.component] = color_byte(values_.next(property.type), property.type);
+        break;
+      case Role::none:
+        skip_property(property);
+        break;
+    }
+  }
+
+  std::uint32_t check_index(std::int64_t index) {
+    if (index < 0 || static_cast<std::uint64_t>(index) >= vertex_count_) {
+      values_.fail("vertex index out of range");
+    }
+    return static_cast<std::uint32_t>(index);
+  }
+
+  static bool lists_vertices(const PlyProperty& property) {
+    return property.count_type &&
+           (property.name == "vertex_indices" || property.name == "vertex_index");
+  }
+
+  void end_face() {
+    if (soup_.corners.size() >= kNone) values_.fail("more than 32-bit ids can count");
+    soup_.face_start.push_back(static_cast<std::uint32_t>(soup_.corners.size()));
+  }
+
+  void read_face(const PlyElement& element) {
+    const std::size_t first = soup_.corners.size();
+    corner_texcoords_.clear();
+    for (const PlyProperty& property : element.properties) {
+      if (lists_vertices(property)) {
+        for (std::size_t left = list_size(property); left > 0; --left) {
+          soup_.corners.push_back(check_index(values_.next_whole(property.type)));
+        }
+      } else if (property.count_type && property.name == "texcoord") {
+        for (std::size_t left = list_size(property); left > 0; --left) {
+          corner_texcoords_.push_back(values_.next_float(property.type));
+        }
+      } else {
+        skip_property(property);
+      }
+    }
+    end_face();
+    keep_corner_texcoords(first);
+  }
+
+  void keep_corner_texcoords(std::size_t first) {
+    if (corner_texcoords_.empty() && soup_.attributes.texcoord.empty()) return;
+    constexpr float kAbsent = std::numeric_limits<float>::quiet_NaN();
+    const std::size_t corners = soup_.corners.size() - first;
+    soup_.attributes.texcoord.resize(first, glm::vec2(kAbsent));
+    const bool is_complete = corner_texcoords_.size() == 2 * corners;
+    for (std::size_t c = 0; c < corners; ++c) {
+      soup_.attributes.texcoord.push_back(
+          is_complete ? glm::vec2(corner_texcoords_[2 * c], corner_texcoords_[2 * c + 1])
+                      : glm::vec2(kAbsent));
+    }
+  }
+
+  /// Each further index makes a triangle with the two before it, turned every other time; -1 begins
+  /// a new strip.
+  void read_strips(const PlyElement& element) {
+    for (const PlyProperty& property : element.properties) {
+      if (!lists_vertices(property)) {
+        skip_property(property);
+        continue;
+      }
+      std::uint32_t before[2] = {};
+      std::size_t length = 0;
+      for (std::size_t left = list_size(property); left > 0; --left) {
+        const std::int64_t index = values_.next_whole(property.type);
+        if (index == -1) {
+          length = 0;
+          continue;
+        }
+        const std::uint32_t v = check_index(index);
+        if (length >= 2) {
+          const bool is_turned = length % 2 == 1;
+          soup_.corners.insert(soup_.corners.end(), {before[is_turned], before[!is_turned], v});
+          end_face();
+        }
+        before[0] = before[1];
+        before[1] = v;
+        ++length;
+      }
+    }
+  }
+
+  Soup finish() {
+    forget_triangle_starts(soup_);
+    if (soup_.attributes.texcoord.empty()) {
+      soup_.attributes.texcoord = spread_to_corners<glm::vec2>(soup_.corners, texcoords_);
+    } else {
+      soup_.attributes.texcoord.resize(soup_.corners.size(),
+                                       glm::vec2(std::numeric_limits<float>::quiet_NaN()));
+    }
+    soup_.attributes.normal = spread_to_corners<glm::vec3>(soup_.corners, normals_);
+    soup_.attributes.color = spread_to_corners<glm::u8vec4>(soup_.corners, colors_);
+    return std::move(soup_);
+  }
+
+  const PlyHeader& header_;
+  Values values_;
+  std::uint64_t vertex_count_ = 0;
+  Soup soup_;
+  Array<glm::vec3> normals_;
+  Array<glm::vec2> texcoords_;
+  Array<glm::u8vec4> colors_;
+  std::vector<float> corner_texcoords_;  ///< of the face that is being read
+};
+
+}  // namespace
+
+Soup read_ply(const MappedFile& file) {
+  const PlyHeader header = read_ply_header(file);
+  switch (header.encoding) {
+    case PlyEncoding::text:
+      return PlyReader<TextValues>(file, header).run();
+    case PlyEncoding::little_endian:
+      return PlyReader<BinaryValues<std::endian::native != std::endian::little>>(file, header)
+          .run();
+    default:
+      return PlyReader<BinaryValues<std::endian::native != std::endian::big>>(file, header).run();
+  }
+}
+
+}  // namespace mesher

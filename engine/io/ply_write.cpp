@@ -1,0 +1,103 @@
+#include <bit>
+#include <string>
+
+#include "engine/io/block_writer.h"
+#include "engine/io/polygon_write.h"
+#include "engine/io/vertex_attributes.h"
+
+namespace mesher {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "binary PLY is written as it lies here");
+
+/// Appends values in the encoding of the file: blanks between them, or as they lie in memory.
+class PlyValues {
+ public:
+  PlyValues(Appender& out, bool ascii) : out_(out), ascii_(ascii) {}
+
+  template <class T>
+  void value(T value) {
+    if (!ascii_) {
+      out_.raw(value);
+      return;
+    }
+    if (!is_first_) out_ << ' ';
+    is_first_ = false;
+    if constexpr (sizeof(T) == 1) {
+      out_ << static_cast<std::uint32_t>(value);
+    } else {
+      out_ << value;
+    }
+  }
+  template <class Vector>
+  void vector(const Vector& v) {
+    for (int i = 0; i < Vector::length(); ++i)
+      value(v[i]);
+  }
+  void end_row() {
+    if (ascii_) out_ << '\n';
+  }
+
+ private:
+  Appender& out_;
+  bool ascii_;
+  bool is_first_ = true;
+};
+
+struct VertexValues {
+  Array<glm::vec3> normal;
+  Array<glm::vec2> texcoord;
+  Array<glm::u8vec4> color;
+};
+
+std::string header(const Mesh& mesh, const VertexValues& values, bool has_seams, bool ascii) {
+  std::string text = ascii ? "ply\nformat ascii 1.0\n" : "ply\nformat binary_little_endian 1.0\n";
+  text += "comment written by mesher\nelement vertex " + std::to_string(mesh.vertex_count()) +
+          "\nproperty float x\nproperty float y\nproperty float z\n";
+  if (!values.normal.empty()) text += "property float nx\nproperty float ny\nproperty float nz\n";
+  if (!values.texcoord.empty()) text += "property float s\nproperty float t\n";
+  if (!values.color.empty()) {
+    text += "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n";
+  }
+  text += "element face " + std::to_string(mesh.face_count()) +
+          "\nproperty list uchar int vertex_indices\n";
+  if (has_seams) text += "property list uchar float texcoord\n";
+  return text + "end_header\n";
+}
+
+}  // namespace
+
+void write_ply(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool ascii) {
+  const auto at_vertices = [&](const auto& of_corners, const auto& unused) {
+    return gather_to_vertices(mesh.origins(), mesh.vertex_count(), of_corners, unused);
+  };
+  const VertexValues values{.normal = at_vertices(attributes.normal, glm::vec3(0.0F)),
+                            .texcoord = at_vertices(attributes.texcoord, glm::vec2(0.0F)),
+                            .color = at_vertices(attributes.color, glm::u8vec4(255))};
+  const bool has_seams = !attributes.texcoord.empty() && values.texcoord.empty();
+  file.write(header(mesh, values, has_seams, ascii));
+  constexpr std::size_t kMostVertexBytes = 8 * 16 + 4 * 11 + 1;
+  write_elements(file, mesh.vertex_count(), kMostVertexBytes, [&](Appender& out, std::size_t v) {
+    PlyValues row(out, ascii);
+    row.vector(mesh.positions()[v]);
+    if (!values.normal.empty()) row.vector(values.normal[v]);
+    if (!values.texcoord.empty()) row.vector(values.texcoord[v]);
+    if (!values.color.empty()) row.vector(values.color[v]);
+    row.end_row();
+  });
+  constexpr std::size_t kMostFaceBytes = 5 * 11 + 6 * 16 + 1;
+  write_elements(file, mesh.face_count(), kMostFaceBytes, [&](Appender& out, std::size_t f) {
+    PlyValues row(out, ascii);
+    row.value(std::uint8_t{3});
+    for (std::size_t h = 3 * f; h < 3 * f + 3; ++h)
+      row.value(mesh.origins()[h].index());
+    if (has_seams) {
+      row.value(std::uint8_t{6});
+      for (std::size_t h = 3 * f; h < 3 * f + 3; ++h)
+        row.vector(attributes.texcoord[h]);
+    }
+    row.end_row();
+  });
+}
+
+}  // namespace mesher

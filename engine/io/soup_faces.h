@@ -1,0 +1,15 @@
+#pragma once
+
+#include "engine/mesh/soup.h"
+
+namespace mesher {
+
+/// Drops `face_start` where it says no more than that every face is a triangle. O(F).
+inline void forget_triangle_starts(Soup& soup) {
+  for (std::size_t f = 0; f < soup.face_start.size(); ++f) {
+    if (soup.face_start[f] != 3 * f) return;
+  }
+  soup.face_start = {};
+}
+
+}  // namespace mesher

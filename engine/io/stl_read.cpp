@@ -1,0 +1,115 @@
+#include "engine/io/stl_read.h"
+
+#include <cstring>
+#include <string>
+
+#include "engine/core/error.h"
+#include "engine/core/parallel.h"
+#include "engine/io/scan.h"
+#include "engine/io/text_cursor.h"
+#include "engine/io/weld.h"
+
+namespace mesher {
+namespace {
+
+constexpr std::size_t kHeaderBytes = 84;
+constexpr std::size_t kFacetBytes = 50;
+
+std::uint32_t claimed_facets(const MappedFile& file) {
+  std::uint32_t count = 0;
+  if (file.size() >= kHeaderBytes) std::memcpy(&count, file.begin() + 80, sizeof count);
+  return count;
+}
+
+bool starts_as_text(const MappedFile& file) {
+  const char* p = file.begin();
+  while (scan::is_blank(*p) || *p == '\n')
+    ++p;
+  return std::strncmp(p, "solid", 5) == 0;
+}
+
+Array<glm::vec3> read_binary(const MappedFile& file, std::size_t facets) {
+  Array<glm::vec3> positions(3 * facets);
+  parallel_for(facets, std::size_t{1} << 13, [&](IndexRange range) {
+    for (std::size_t f = range.begin; f < range.end; ++f) {
+      const char* const corners = file.begin() + kHeaderBytes + f * kFacetBytes + sizeof(glm::vec3);
+      std::memcpy(static_cast<void*>(&positions[3 * f]), corners, 3 * sizeof(glm::vec3));
+    }
+  });
+  return positions;
+}
+
+void expect(TextCursor& text, std::string_view word) {
+  if (text.word() != word) text.fail("expected \"" + std::string(word) + "\"");
+}
+
+glm::vec3 read_vector(TextCursor& text) {
+  glm::vec3 v;
+  for (int i = 0; i < 3; ++i)
+    v[i] = text.number();
+  return v;
+}
+
+Array<glm::vec3> read_text(const MappedFile& file) {
+  Array<glm::vec3> positions;
+  TextCursor text(file, file.begin());
+  while (!text.at_end()) {  // a file may hold several solids
+    expect(text, "solid");
+    text.skip_line();
+    for (;;) {
+      const std::string_view word = text.word();
+      if (word == "endsolid") break;
+      if (word != "facet") text.fail("expected \"facet\" or \"endsolid\"");
+      expect(text, "normal");
+      read_vector(text);
+      expect(text, "outer");
+      expect(text, "loop");
+      for (int corner = 0; corner < 3; ++corner) {
+        expect(text, "vertex");
+        positions.push_back(read_vector(text));
+      }
+      expect(text, "endloop");
+      expect(text, "endfacet");
+    }
+    text.skip_line();
+  }
+  return positions;
+}
+
+Soup connect(Array<glm::vec3> positions) {
+  // -0 and 0 are one place; adding 0 turns the one into the other.
+  for (glm::vec3& p : positions)
+    p += 0.0F;
+  Weld welded = weld(reinterpret_cast<const std::uint32_t*>(positions.data()), 3, positions.size());
+  Soup soup;
+  soup.positions.resize(welded.first.size());
+  for (std::size_t v = 0; v < welded.first.size(); ++v) {
+    soup.positions[v] = positions[welded.first[v]];
+  }
+  soup.corners = std::move(welded.index);
+  return soup;
+}
+
+}  // namespace
+
+Soup read_stl(const MappedFile& file) {
+  const std::size_t facets = claimed_facets(file);
+  const bool fits = file.size() >= kHeaderBytes &&
+                    (file.size() - kHeaderBytes) / kFacetBytes >= facets && facets > 0;
+  const bool fits_exactly = fits && file.size() == kHeaderBytes + facets * kFacetBytes;
+  // Binary files whose free header begins with "solid" exist; what the count says is surer.
+  const bool is_text = !fits_exactly && starts_as_text(file);
+  if (!is_text && !fits) {
+    throw InputError(file.name(), 0,
+                     facets == 0 ? "neither text nor binary STL with facets"
+                                 : "the file ends too early for the facets it announces");
+  }
+  if (!is_text && facets > kNone / 3) {
+    throw InputError(file.name(), 0, "more than 32-bit ids can count");
+  }
+  Array<glm::vec3> positions = is_text ? read_text(file) : read_binary(file, facets);
+  if (positions.empty()) throw InputError(file.name(), 0, "no facets");
+  return connect(std::move(positions));
+}
+
+}  // namespace mesher

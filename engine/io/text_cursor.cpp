@@ -1,0 +1,74 @@
+#include "engine/io/text_cursor.h"
+
+#include <cstring>
+
+#include "engine/core/error.h"
+#include "engine/io/scan.h"
+
+namespace mesher {
+
+bool TextCursor::at_end() {
+  for (;;) {
+    if (!at_line_end()) return false;
+    if (p_ >= file_.end()) return true;
+    skip_line();
+  }
+}
+
+bool TextCursor::at_line_end() {
+  p_ = scan::skip_blanks(p_);
+  return *p_ == '\n' || *p_ == '#' || p_ >= file_.end();
+}
+
+void TextCursor::skip_line() {
+  if (p_ >= file_.end()) return;
+  const void* const newline = std::memchr(p_, '\n', bytes_left());
+  p_ = newline == nullptr ? file_.end() : static_cast<const char*>(newline) + 1;
+}
+
+std::string_view TextCursor::word() {
+  expect_more();
+  while (p_ < file_.end() && static_cast<unsigned char>(*p_) > ' ')
+    ++p_;
+  if (p_ == last_) fail("a character that is no text");
+  return {last_, static_cast<std::size_t>(p_ - last_)};
+}
+
+float TextCursor::number() {
+  expect_more();
+  float value = 0.0F;
+  const char* const next = scan::read_float(p_, value);
+  if (next == nullptr) fail("not a number");
+  p_ = next;
+  return value;
+}
+
+double TextCursor::wide_number() {
+  expect_more();
+  double value = 0.0;
+  const char* const next = scan::read_double(p_, value);
+  if (next == nullptr) fail("not a number");
+  p_ = next;
+  return value;
+}
+
+std::int64_t TextCursor::integer() {
+  expect_more();
+  std::int64_t value = 0;
+  const char* const next = scan::read_integer(p_, value);
+  if (next == nullptr) fail("not a whole number");
+  p_ = next;
+  return value;
+}
+
+void TextCursor::expect_more() {
+  const bool is_end = at_end();
+  last_ = p_;
+  if (is_end) fail("the file ends too early");
+}
+
+void TextCursor::fail(std::string_view reason) const {
+  throw InputError(file_.name(), file_.line_of(last_), reason);
+}
+
+}  // namespace mesher
