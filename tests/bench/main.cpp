@@ -1,4 +1,5 @@
-// bench_engine FOLDER OBJ_BYTES TORUS_SIZE [Google Benchmark's flags]; see scripts/bench.
+// bench_engine FOLDER OBJ_BYTES TORUS_SIZE FRAME_TORUS_SIZE [Google Benchmark's flags]; see
+// scripts/bench.
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
@@ -9,20 +10,24 @@
 
 int main(int argc, char** argv) {
   using namespace mesher::bench;
-  if (argc < 4) {
-    std::fprintf(stderr, "usage: bench_engine FOLDER OBJ_BYTES TORUS_SIZE [benchmark flags]\n");
+  if (argc < 5) {
+    std::fprintf(
+        stderr,
+        "usage: bench_engine FOLDER OBJ_BYTES TORUS_SIZE FRAME_TORUS_SIZE [benchmark flags]\n");
     return 1;
   }
   try {
     const Settings settings{.folder = argv[1],
                             .obj_bytes = std::stoull(argv[2]),
-                            .torus_size = static_cast<std::uint32_t>(std::stoul(argv[3]))};
+                            .torus_size = static_cast<std::uint32_t>(std::stoul(argv[3])),
+                            .frame_torus_size = static_cast<std::uint32_t>(std::stoul(argv[4]))};
     register_obj(settings);
     register_build(settings);
     register_normals(settings);
-    argv[3] = argv[0];
-    argc -= 3;
-    benchmark::Initialize(&argc, argv + 3);
+    register_frame(settings);
+    argv[4] = argv[0];
+    argc -= 4;
+    benchmark::Initialize(&argc, argv + 4);
     benchmark::RunSpecifiedBenchmarks();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_engine: %s\n", error.what());
