@@ -1,5 +1,6 @@
 // Edges as quads in the window: six vertices an edge, wide enough for anti-aliased borders and round
-// ends, which make joints look like one line.
+// ends, which make joints look like one line. Variant ORDINARY: the ordinary edges of the mesh, out
+// of all its half-edges.
 #version 460
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require
@@ -10,6 +11,7 @@ layout(push_constant) uniform Constants { LineConstants constants; };
 
 layout(location = 0) out vec2 out_place;   // along and across, pixels from the first end
 layout(location = 1) out float out_length;  // pixels
+layout(location = 2) out float out_strength;
 
 // Shortens the segment to what is in front of the near plane; false where nothing is.
 bool clip_to_near(inout vec3 a, inout vec3 b) {
@@ -39,16 +41,36 @@ vec3 to_window(vec3 p) {
   return vec3(0.5 * constants.viewport * flat_clip.xy / flat_clip.w, min(clip.z / clip.w, 1.0));
 }
 
+#ifdef ORDINARY
+uint halfedge(uint line) { return line; }
+
+// Of two half-edges the one that runs to the higher vertex stands for the edge.
+bool is_drawn(uint h, uint from, uint to) {
+  const uint edge_class = (Uints(constants.classes).at[h >> 4] >> (2 * (h & 15))) & 3;
+  return edge_class == 0 && from < to;
+}
+#else
+uint halfedge(uint line) { return Uints(constants.edges).at[line]; }
+
+bool is_drawn(uint h, uint from, uint to) { return true; }
+#endif
+
+// Six times the same place: nothing is drawn.
+void draw_nothing() {
+  gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
+  out_place = vec2(0.0);
+  out_length = 0.0;
+  out_strength = 0.0;
+}
+
 void main() {
-  const uint h = Uints(constants.edges).at[gl_VertexIndex / 6];
-  Uints indices = Uints(constants.indices);
-  vec3 a = to_view(constants.view, fetch_position(constants.positions, indices.at[h]));
-  vec3 b = to_view(constants.view,
-                   fetch_position(constants.positions, indices.at[next_halfedge(h)]));
-  if (!clip_to_near(a, b)) {
-    gl_Position = vec4(0.0, 0.0, 0.0, 1.0);  // six times the same place: nothing is drawn
-    out_place = vec2(0.0);
-    out_length = 0.0;
+  const uint h = halfedge(gl_VertexIndex / 6);
+  const uint first = Uints(constants.indices).at[h];
+  const uint second = Uints(constants.indices).at[next_halfedge(h)];
+  vec3 a = to_view(constants.view, fetch_position(constants.positions, first));
+  vec3 b = to_view(constants.view, fetch_position(constants.positions, second));
+  if (!is_drawn(h, first, second) || !clip_to_near(a, b)) {
+    draw_nothing();
     return;
   }
   const vec3 from = to_window(a);
@@ -57,6 +79,12 @@ void main() {
   out_length = length(between);
   const vec2 along = out_length > 1e-6 ? between / out_length : vec2(1.0, 0.0);
   const vec2 across = vec2(-along.y, along.x);
+
+#ifdef ORDINARY
+  out_strength = clamp((out_length - 1.0) / 7.0, 0.08, 1.0);  // as in surface.frag
+#else
+  out_strength = 1.0;
+#endif
 
   const uint corner = gl_VertexIndex % 6;
   const bool is_end = corner == 1 || corner == 2 || corner == 4;

@@ -26,10 +26,13 @@ float line_coverage() {
   const vec3 dx = dFdx(in_barycentric);
   const vec3 dy = dFdy(in_barycentric);
   const vec3 altitude = inversesqrt(max(dx * dx + dy * dy, 1e-12));  // pixels from edge to corner
-  const vec3 covered = clamp(0.5 * constants.line_width + 0.5 - abs(in_barycentric) * altitude, 0.0, 1.0);
-  const float spacing = min(altitude.x, min(altitude.y, altitude.z));
-  const float fade = clamp((spacing - 1.0) / 7.0, 0.0, 1.0);
-  return max(covered.x, max(covered.y, covered.z)) * mix(0.10, 1.0, fade);
+  const vec3 away = abs(in_barycentric) * altitude;
+  const vec3 covered = clamp(0.5 * constants.line_width + 0.5 - away, 0.0, 1.0);
+  // The side of a square twice as large as the triangle, of whichever two coordinates vary.
+  const vec3 inverse_area = abs(cross(dx, dy));
+  const float spacing =
+      inversesqrt(max(max(inverse_area.x, max(inverse_area.y, inverse_area.z)), 1e-12));
+  return max(covered.x, max(covered.y, covered.z)) * clamp((spacing - 1.0) / 7.0, 0.08, 1.0);
 }
 #endif
 

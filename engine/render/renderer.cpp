@@ -14,11 +14,15 @@ namespace {
 /// Lines are as wide as asked in a picture this high, and grow with the square root.
 constexpr float kReferenceHeight = 600.0F;
 constexpr float kEdgeWidth = 1.1F;
+/// Up to so many faces, edges alone are drawn as quads: drawn by their faces, those on the outline
+/// have one face there, and half a width. Beyond, edges are so dense that it does not matter, and
+/// quads cost three times as much.
+constexpr std::uint32_t kQuadFaces = 50'000;
 constexpr float kCreaseWidth = 2.6F;
 constexpr float kBoundaryWidth = 3.6F;
 constexpr float kEdgeStrength = 0.85F;
 /// What shows through where lines are drawn with no surface.
-constexpr float kHiddenStrength = 0.16F;
+constexpr float kHiddenStrength = 0.25F;
 
 glm::vec3 linear(const Color& color) {
   const auto decode = [](float c) {
@@ -71,9 +75,16 @@ class Recording {
   void begin(const Color& background);
   void end();
   void surface(Pass pass, const Settings& settings, float line_strength = kEdgeStrength);
+  void edges(Pass pass, const Settings& settings, float strength);
   void lines(Pass pass, const Settings& settings, float strength);
+  void wire_alone(const Settings& settings);
 
  private:
+  struct LineRange {
+    std::uint32_t first;
+    std::uint32_t count;
+  };
+
   void bind(Pass pass) {
     vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.get(pass, target_));
   }
@@ -83,8 +94,7 @@ class Recording {
                        VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
                        sizeof(constants), &constants);
   }
-  void draw_lines(std::uint32_t first, std::uint32_t count, const Color& color, float width,
-                  float strength);
+  void draw_lines(LineRange range, const Color& color, float width, float strength);
 
   VkCommandBuffer commands_;
   ScenePipelines& pipelines_;
@@ -160,28 +170,53 @@ void Recording::surface(Pass pass, const Settings& settings, float line_strength
   vkCmdDrawIndexed(commands_, mesh_.halfedge_count(), 1, 0, 0, 0);
 }
 
-void Recording::lines(Pass pass, const Settings& settings, float strength) {
-  if (mesh_.crease_count() + mesh_.boundary_count() == 0) return;
+void Recording::edges(Pass pass, const Settings& settings, float strength) {
   bind(pass);
-  draw_lines(0, mesh_.crease_count(), settings.crease, kCreaseWidth, strength);
-  draw_lines(mesh_.crease_count(), mesh_.boundary_count(), settings.boundary, kBoundaryWidth,
+  draw_lines({.first = 0, .count = mesh_.halfedge_count()}, edge_color(settings), kEdgeWidth,
              strength);
 }
 
-void Recording::draw_lines(std::uint32_t first, std::uint32_t count, const Color& color,
-                           float width, float strength) {
-  if (count == 0) return;
+void Recording::lines(Pass pass, const Settings& settings, float strength) {
+  const std::uint32_t creases = mesh_.crease_count();
+  const std::uint32_t boundaries = mesh_.boundary_count();
+  if (creases + boundaries == 0) return;
+  bind(pass);
+  draw_lines({.first = 0, .count = creases}, settings.crease, kCreaseWidth, strength);
+  draw_lines({.first = creases, .count = boundaries}, settings.boundary, kBoundaryWidth, strength);
+}
+
+void Recording::draw_lines(LineRange range, const Color& color, float width, float strength) {
+  if (range.count == 0) return;
   const VkExtent2D extent = target_.extent();
-  constexpr std::uint32_t kVerticesAnEdge = 6;
+  constexpr std::uint32_t kVerticesALine = 6;
   push(shared::LineConstants{
       .view = view_,
       .positions = mesh_.positions().address(),
       .indices = mesh_.indices().address(),
-      .edges = mesh_.lines().address() + std::uint64_t{first} * sizeof(Halfedge),
+      .edges = mesh_.lines().address() + std::uint64_t{range.first} * sizeof(Halfedge),
+      .classes = mesh_.classes().address(),
       .color = pack(color, strength),
       .half_width = 0.5F * width * line_scale(extent),
       .viewport = {static_cast<float>(extent.width), static_cast<float>(extent.height)}});
-  vkCmdDraw(commands_, kVerticesAnEdge * count, 1, 0, 0);
+  vkCmdDraw(commands_, kVerticesALine * range.count, 1, 0, 0);
+}
+
+/// What a surface would hide is drawn too, but faintly: one sees through without mistaking the back
+/// for the front.
+void Recording::wire_alone(const Settings& settings) {
+  surface(Pass::depth, settings);
+  const bool as_quads = mesh_.face_count() <= kQuadFaces;
+  const auto ordinary = [&](Pass by_quads, Pass by_faces, float strength) {
+    if (as_quads) {
+      edges(by_quads, settings, strength);
+    } else {
+      surface(by_faces, settings, strength);
+    }
+  };
+  ordinary(Pass::edge_hidden, Pass::wire_hidden, kHiddenStrength);
+  lines(Pass::line_hidden, settings, 1.5F * kHiddenStrength);
+  ordinary(Pass::edge_visible, Pass::wire_visible, 1.0F);
+  lines(Pass::line_visible, settings, 1.0F);
 }
 
 Pass surface_pass(const GpuMesh& mesh, const Settings& settings) {
@@ -202,11 +237,7 @@ void Renderer::draw(VkCommandBuffer commands, const SceneTarget& target, const G
   Recording recording(commands, pipelines_, target, mesh, camera);
   recording.begin(background_color(settings.background));
   if (mesh.face_count() > 0 && settings.shading == Shading::none) {
-    recording.surface(Pass::depth, settings);
-    recording.surface(Pass::wire_hidden, settings, kHiddenStrength);
-    recording.lines(Pass::line_hidden, settings, 2.0F * kHiddenStrength);
-    recording.surface(Pass::wire_visible, settings);
-    recording.lines(Pass::line_visible, settings, 1.0F);
+    recording.wire_alone(settings);
   } else if (mesh.face_count() > 0) {
     recording.surface(surface_pass(mesh, settings), settings);
     if (settings.wireframe) recording.lines(Pass::line_visible, settings, 1.0F);

@@ -35,6 +35,9 @@ PassShaders shaders_of(Pass pass) {
     case Pass::wire_hidden:
     case Pass::wire_visible:
       return {shaders::kFlatPulledVert, shaders::kWireAloneFrag};
+    case Pass::edge_hidden:
+    case Pass::edge_visible:
+      return {shaders::kEdgeVert, shaders::kLineFrag};
     case Pass::line_hidden:
     case Pass::line_visible:
       return {shaders::kLineVert, shaders::kLineFrag};
@@ -54,10 +57,12 @@ gpu::PipelineOptions options_of(Pass pass) {
   }
   switch (pass) {
     case Pass::wire_hidden:
+    case Pass::edge_hidden:
     case Pass::line_hidden:
       options.depth_test = VK_COMPARE_OP_LESS;
       [[fallthrough]];
     case Pass::wire_visible:
+    case Pass::edge_visible:
     case Pass::line_visible:
       options.blends = true;
       options.writes_depth = false;

@@ -19,12 +19,14 @@ enum class Pass : std::uint8_t {
   flat_wire,            ///< by half-edge, with ordinary edges
   gouraud_wire,         ///< by half-edge, with ordinary edges, a normal a vertex
   gouraud_corner_wire,  ///< the same, a normal a half-edge
-  wire_hidden,          ///< ordinary edges alone, behind `depth`
-  wire_visible,         ///< ordinary edges alone, not behind it
+  wire_hidden,          ///< ordinary edges alone, drawn by their faces, behind `depth`
+  wire_visible,         ///< the same, not behind it
+  edge_hidden,          ///< ordinary edges alone, as quads, behind `depth`
+  edge_visible,         ///< the same, not behind it
   line_hidden,          ///< quads of crease and boundary edges, behind what is drawn
   line_visible,         ///< the same, not behind it
 };
-inline constexpr std::size_t kPassCount = 12;
+inline constexpr std::size_t kPassCount = 14;
 
 /// Whether a pass takes indexed vertices (positions, and normals where it is `gouraud`) or pulls
 /// them by half-edge number.

@@ -18,7 +18,8 @@ extern const Words kGouraudFrag;
 extern const Words kFlatWireFrag;
 extern const Words kGouraudWireFrag;
 extern const Words kWireAloneFrag;
-extern const Words kLineVert;
+extern const Words kLineVert;  ///< listed edges as quads
+extern const Words kEdgeVert;  ///< every ordinary edge as a quad
 extern const Words kLineFrag;
 extern const Words kBareVert;
 extern const Words kBareFrag;

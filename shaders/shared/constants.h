@@ -47,7 +47,8 @@ struct LineConstants {
   ViewConstants view;
   Address positions;
   Address indices;
-  Address edges;  // a half-edge of each edge to draw
+  Address edges;    // a half-edge of each edge to draw
+  Address classes;  // as above
   uint color;
   float half_width;  // pixels
   vec2 viewport;     // pixels
@@ -55,7 +56,7 @@ struct LineConstants {
 
 #ifdef __cplusplus
 static_assert(sizeof(ViewConstants) == 80);
-static_assert(sizeof(SurfaceConstants) == 128 && sizeof(LineConstants) == 120);
+static_assert(sizeof(SurfaceConstants) == 128 && sizeof(LineConstants) == 128);
 }  // namespace mesher::render::shared
 #endif
 
