@@ -85,6 +85,8 @@ class Camera {
   /// Near and far planes are laid around `box`. `aspect` is width / height.
   ViewTransform transform(double aspect, const Box& box) const;
 
+  friend bool operator==(const Camera&, const Camera&) = default;
+
  private:
   glm::dvec3 plane_offset(const glm::dvec2& delta, const glm::dvec2& window) const;
 

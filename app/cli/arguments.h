@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace mesher::app {
+
+/// Brings a command line into the one form that the parser knows. The assignment's spellings (one
+/// dash, long name: `-input bunny.obj -size 500 -gouraud`) get their second dash; without a command
+/// word, `view` is meant.
+std::vector<std::string> normalized_arguments(std::vector<std::string> arguments,
+                                              const std::vector<std::string>& commands);
+
+}  // namespace mesher::app

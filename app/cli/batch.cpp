@@ -1,0 +1,123 @@
+#include "app/cli/batch.h"
+
+#include <cstdio>
+#include <iostream>
+
+#include "app/cli/progress_line.h"
+#include "app/json.h"
+#include "app/paths.h"
+#include "app/scripted_session.h"
+#include "engine/core/error.h"
+#include "engine/io/png.h"
+#include "engine/io/read.h"
+#include "engine/io/write.h"
+
+namespace mesher::app {
+namespace {
+
+void print(const char* label, const std::string& value) {
+  std::printf("%-18s %s\n", label, value.c_str());
+}
+
+void print(const char* label, std::int64_t value) {
+  print(label, std::to_string(value));
+}
+
+std::string short_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string size_text(const Box& box) {
+  if (box.is_empty()) return "empty";
+  const glm::dvec3 size = glm::dvec3(box.max) - glm::dvec3(box.min);
+  return short_number(size.x) + " x " + short_number(size.y) + " x " + short_number(size.z) +
+         ", diagonal " + short_number(box.diagonal());
+}
+
+void print_statistics(const Statistics& s) {
+  print("vertices", s.vertices);
+  print("edges", s.edges);
+  print("faces", s.faces);
+  print("boundary edges", s.boundary_edges);
+  print("boundary loops", s.boundary_loops);
+  print("components", s.components);
+  print("Euler char.", s.euler_characteristic);
+  print("crease edges", s.crease_edges);
+  if (s.isolated_vertices > 0) print("isolated vertices", s.isolated_vertices);
+  if (s.zero_area_faces > 0) print("zero-area faces", s.zero_area_faces);
+  print("size", size_text(s.box));
+  print("area", short_number(s.area));
+  if (s.is_closed()) print("volume", short_number(s.volume));
+}
+
+void say_repairs(const BuildReport& report) {
+  for (std::size_t i = 0; i < kRepairCount; ++i) {
+    const auto repair = static_cast<Repair>(i);
+    if (report[repair] == 0) continue;
+    std::cerr << "mesher: " << report[repair] << ' ' << describe(repair) << '\n';
+  }
+}
+
+void print_json(const Json& json) {
+  std::cout << json.dump(2) << '\n';
+}
+
+}  // namespace
+
+LoadedModel load(const InputOptions& input, const CommonOptions& common) {
+  ProgressLine line(!common.quiet);
+  const std::filesystem::path file = find_model(input.model);
+  LoadedModel loaded{read_model(file, {.crease_index_base = input.crease_index_base,
+                                       .keep_isolated_vertices = input.keep_isolated,
+                                       .progress = line.progress()}),
+                     {},
+                     file};
+  loaded.statistics = statistics(loaded.model.mesh);
+  if (!common.quiet) say_repairs(loaded.model.report);
+  return loaded;
+}
+
+void run_info(const InputOptions& input, const CommonOptions& common) {
+  const LoadedModel loaded = load(input, common);
+  if (common.json) return print_json(to_json(loaded.model, loaded.statistics, loaded.file));
+  print("file", loaded.file.string());
+  print_statistics(loaded.statistics);
+  if (loaded.model.report.is_clean()) print("repairs", "none needed");
+}
+
+void run_convert(const InputOptions& input, const std::string& output, bool ascii,
+                 const CommonOptions& common) {
+  const LoadedModel loaded = load(input, common);
+  write_model(output, loaded.model.mesh, loaded.model.attributes, {.ascii = ascii});
+  if (common.json) {
+    Json json = to_json(loaded.model, loaded.statistics, loaded.file);
+    json["output"] = output;
+    print_json(json);
+  } else if (!common.quiet) {
+    std::cerr << "mesher: " << output << ": " << loaded.statistics.vertices << " vertices, "
+              << loaded.statistics.faces << " faces\n";
+  }
+}
+
+void run_render(const InputOptions& input, const std::string& output, const LookOptions& look,
+                const CommonOptions& common) {
+  const Size size = parse_size(look.size.empty() ? "800x600" : look.size);
+  if (!look.camera.empty()) parse_camera(look.camera);  // refuse before the work, not after it
+  LoadedModel loaded = load(input, common);
+  Session session;
+  session.window = {size.width, size.height};
+  show_model(session, std::move(loaded.model), loaded.statistics, loaded.file);
+  apply_look(session, look);
+  ScriptedSession script(session, {.device = look.device, .validation = look.validation});
+  write_png(output, script.picture());
+  script.expect_no_messages();
+  if (common.json) {
+    Json json = to_json(session);
+    json["output"] = output;
+    print_json(json);
+  }
+}
+
+}  // namespace mesher::app

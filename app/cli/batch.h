@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "app/cli/options.h"
+#include "app/load_job.h"
+
+namespace mesher::app {
+
+/// Counts, topology, measures and repairs of a model.
+void run_info(const InputOptions& input, const CommonOptions& common);
+
+/// Reads one format and writes another; says what was repaired on the way.
+void run_convert(const InputOptions& input, const std::string& output, bool ascii,
+                 const CommonOptions& common);
+
+/// Draws one picture of a model without a window.
+void run_render(const InputOptions& input, const std::string& output, const LookOptions& look,
+                const CommonOptions& common);
+
+/// Reads a model as the options say, with progress on a terminal, and says on stderr what was
+/// repaired unless `common.quiet`. Throws InputError.
+LoadedModel load(const InputOptions& input, const CommonOptions& common);
+
+}  // namespace mesher::app

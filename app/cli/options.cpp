@@ -1,0 +1,96 @@
+#include "app/cli/options.h"
+
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include "engine/core/error.h"
+
+namespace mesher::app {
+namespace {
+
+constexpr std::uint32_t kMaxSide = 16384;
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts{""};
+  for (const char c : text) {
+    if (c == separator) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+std::optional<double> number(const std::string& text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
+  return value;
+}
+
+std::uint32_t parse_side(const std::string& side, const std::string& text) {
+  const auto value = number(side);
+  if (!value || *value < 1 || *value > kMaxSide || *value != std::floor(*value)) {
+    throw UsageError("--size: '" + text + "' is not N or WxH with sides from 1 to " +
+                     std::to_string(kMaxSide));
+  }
+  return static_cast<std::uint32_t>(*value);
+}
+
+void apply_shading(render::Settings& settings, const LookOptions& look) {
+  settings.wireframe = look.wireframe;
+  if (look.gouraud) settings.shading = render::Shading::gouraud;
+  if (look.shading == "flat") settings.shading = render::Shading::flat;
+  if (look.shading == "gouraud") settings.shading = render::Shading::gouraud;
+  if (look.shading == "none") {
+    settings.shading = render::Shading::none;
+    settings.wireframe = true;
+  }
+  settings.background = look.dark ? render::Background::dark : render::Background::light;
+  if (look.crease_angle_deg) settings.crease_angle_deg = *look.crease_angle_deg;
+  settings.samples = look.samples;
+}
+
+}  // namespace
+
+Size parse_size(const std::string& text) {
+  const std::vector<std::string> parts = split(text, 'x');
+  if (parts.size() > 2) parse_side("", text);
+  const std::uint32_t width = parse_side(parts[0], text);
+  return {width, parts.size() == 2 ? parse_side(parts[1], text) : width};
+}
+
+CameraAngles parse_camera(const std::string& text) {
+  constexpr double kDegree = 3.14159265358979323846 / 180.0;
+  const std::vector<std::string> parts = split(text, ',');
+  std::vector<double> values;
+  for (const std::string& part : parts) {
+    if (const auto value = number(part)) values.push_back(*value);
+  }
+  if (values.size() != parts.size() || values.size() < 2 || values.size() > 3 ||
+      (values.size() == 3 && values[2] <= 0.0)) {
+    throw UsageError("--camera: '" + text + "' is not YAW,PITCH or YAW,PITCH,ZOOM (zoom above 0)");
+  }
+  return {values[0] * kDegree, values[1] * kDegree, values.size() == 3 ? values[2] : 1.0};
+}
+
+void apply_look(Session& session, const LookOptions& look) {
+  apply_shading(session.settings, look);
+  set_default_view(session.camera);
+  double zoom = 1.0;
+  if (look.view == "front") session.camera.set_view(render::View::front);
+  if (look.view == "right") session.camera.set_view(render::View::right);
+  if (look.view == "top") session.camera.set_view(render::View::top);
+  if (!look.camera.empty()) {
+    const CameraAngles angles = parse_camera(look.camera);
+    session.camera.set_angles(angles.yaw_rad, angles.pitch_rad);
+    zoom = angles.zoom;
+  }
+  session.camera.set_orthographic(look.orthographic);
+  session.camera.frame(session.statistics.box, session.aspect());
+  session.camera.zoom(zoom);
+}
+
+}  // namespace mesher::app

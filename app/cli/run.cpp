@@ -1,0 +1,169 @@
+#include "app/cli/run.h"
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <iostream>
+#include <new>
+
+#include "app/cli/arguments.h"
+#include "app/cli/batch.h"
+#include "app/cli/view.h"
+#include "engine/core/error.h"
+#include "engine/core/parallel.h"
+
+namespace mesher::app {
+namespace {
+
+constexpr const char* kDefaultModel = "bunny.obj";
+
+/// The command line's grammar, and what it was filled with.
+class CommandLine {
+ public:
+  CommandLine() {
+    app_.require_subcommand(1);
+    app_.set_version_flag("--version", "mesher " MESHER_VERSION);
+    app_.footer(
+        "Without a command, `view` is meant: mesher bunny.obj\n"
+        "One dash will do: mesher -input bunny.obj -size 500 -gouraud\n"
+        "A model named without a folder is also looked for in assets/.\n"
+        "Exit codes: 0 done; 1 usage; 2 input cannot be used; 3 the machine lacks something;\n"
+        "4 output cannot be written.");
+    add_view();
+    add_render();
+    add_info();
+    add_convert();
+  }
+
+  void parse(int argc, const char* const* argv) {
+    std::vector<std::string> commands;
+    for (const CLI::App* command : app_.get_subcommands({})) {
+      commands.push_back(command->get_name());
+    }
+    std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+    arguments = normalized_arguments(std::move(arguments), commands);
+    std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+    app_.parse(std::move(arguments));
+  }
+
+  void run() {
+    const ThreadLimit limit(common_.threads);
+    action_();
+  }
+
+  int explain(const CLI::ParseError& error) const {
+    const bool is_help = app_.exit(error, std::cout, std::cerr) == 0;
+    return static_cast<int>(is_help ? ExitCode::done : ExitCode::usage);
+  }
+
+ private:
+  CLI::App* add_command(const char* name, const char* what, std::function<void()> action) {
+    CLI::App* command = app_.add_subcommand(name, what);
+    command->add_flag("--json", common_.json, "one JSON object on stdout");
+    command->add_flag("--quiet", common_.quiet, "no words on stderr but errors");
+    command->add_option("--threads", common_.threads, "threads to use (0: all)")
+        ->check(CLI::Range(0U, 1024U));
+    command->callback([this, action = std::move(action)] { action_ = action; });
+    return command;
+  }
+
+  CLI::Option* add_input(CLI::App* command) {
+    command
+        ->add_option(
+            "--crease-index-base", input_.crease_index_base,
+            "`e` lines of an OBJ count vertices from 0 or 1 (default: decided by what fits)")
+        ->check(CLI::IsMember({0, 1}));
+    command->add_flag("--keep-isolated", input_.keep_isolated, "keep vertices that no face uses");
+    return command->add_option("MODEL,--input", input_.model, "obj, ply, stl, off, gltf or glb");
+  }
+
+  void add_look(CLI::App* command) {
+    command->add_option("--size", look_.size, "N or WxH, in pixels");
+    command->add_flag("--wireframe", look_.wireframe, "draw the edges");
+    command->add_flag("--gouraud", look_.gouraud, "smooth shading (short for --shading gouraud)");
+    command->add_option("--shading", look_.shading, "flat (default), gouraud, or none: edges alone")
+        ->check(CLI::IsMember({"flat", "gouraud", "none"}));
+    command
+        ->add_option("--crease-angle", look_.crease_angle_deg,
+                     "degrees: Gouraud normals split where faces meet at more (default: 180)")
+        ->check(CLI::Range(0.0F, 180.0F));
+    command->add_option("--camera", look_.camera, "YAW,PITCH[,ZOOM]: degrees, and a factor");
+    command->add_option("--view", look_.view, "front, right or top")
+        ->check(CLI::IsMember({"front", "right", "top"}));
+    command->add_flag("--orthographic", look_.orthographic, "no perspective");
+    command->add_flag("--dark", look_.dark, "dark background");
+    command->add_option("--samples", look_.samples, "samples a pixel: 1 or 4 (default)")
+        ->check(CLI::IsMember({1U, 4U}));
+    command->add_option("--device", look_.device, "GPU: its number or a part of its name");
+    command->add_flag("--validation", look_.validation,
+                      "run under the Vulkan validation layer; a message is an error");
+  }
+
+  void add_view() {
+    CLI::App* command = add_command("view", "show a model in a window", [this] {
+      if (input_.model.empty()) input_.model = kDefaultModel;
+      run_view(input_, look_, view_, common_);
+    });
+    add_input(command);
+    add_look(command);
+    command->add_option("--keys", view_.keys, "keys to press first: \"w g 1 shift+w\"");
+    command->add_option("--screenshot", view_.screenshot,
+                        "press the keys without a window and write this PNG");
+    command->add_option("--state-log", view_.state_log,
+                        "append the viewer's state to this file, a line of JSON a change");
+  }
+
+  void add_render() {
+    CLI::App* command = add_command("render", "draw a picture without a window",
+                                    [this] { run_render(input_, output_, look_, common_); });
+    add_input(command)->required();
+    command->add_option("-o,--output", output_, "PNG to write")->required();
+    add_look(command);
+  }
+
+  void add_info() {
+    CLI::App* command = add_command("info", "counts, topology, measures and repairs of a model",
+                                    [this] { run_info(input_, common_); });
+    add_input(command)->required();
+  }
+
+  void add_convert() {
+    CLI::App* command = add_command("convert", "read one format, write another",
+                                    [this] { run_convert(input_, output_, ascii_, common_); });
+    add_input(command)->required();
+    command->add_option("OUT,-o,--output", output_, "file to write")->required();
+    command->add_flag("--ascii", ascii_, "PLY and STL as text");
+  }
+
+  CLI::App app_{"mesher: mesh levels of detail, interactive and in batch", "mesher"};
+  CommonOptions common_;
+  InputOptions input_;
+  LookOptions look_;
+  ViewOptions view_;
+  std::string output_;
+  bool ascii_ = false;
+  std::function<void()> action_;
+};
+
+int fail(const char* what, ExitCode code) {
+  std::cerr << "mesher: " << what << '\n';
+  return static_cast<int>(code);
+}
+
+}  // namespace
+
+int run(int argc, const char* const* argv) {
+  CommandLine line;
+  try {
+    line.parse(argc, argv);
+    line.run();
+    return static_cast<int>(ExitCode::done);
+  } catch (const CLI::ParseError& error) {
+    return line.explain(error);
+  } catch (const Error& error) {
+    return fail(error.what(), error.exit_code());
+  } catch (const std::bad_alloc&) {
+    return fail("not enough memory", ExitCode::machine_lacks);
+  }
+}
+
+}  // namespace mesher::app

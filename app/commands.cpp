@@ -1,0 +1,118 @@
+#include "app/commands.h"
+
+#include <array>
+
+namespace mesher::app {
+namespace {
+
+constexpr std::array kBindings{
+    Binding{Command::toggle_wireframe, "w", "wireframe on and off"},
+    Binding{Command::toggle_surface, "shift+w", "surface on and off (wireframe alone)"},
+    Binding{Command::toggle_gouraud, "g", "Gouraud or flat shading"},
+    Binding{Command::toggle_background, "b", "light or dark background"},
+    Binding{Command::view_front, "1", "look from the front"},
+    Binding{Command::view_right, "3", "look from the right"},
+    Binding{Command::view_top, "7", "look from above"},
+    Binding{Command::toggle_orthographic, "5", "orthographic or perspective"},
+    Binding{Command::frame_model, "f", "show the whole model"},
+    Binding{Command::toggle_info, "tab", "panel on and off"},
+    Binding{Command::toggle_help, "f1 h shift+/", "this help"},
+    Binding{Command::open_file, "ctrl+o", "open a file (or drop one on the window)"},
+    Binding{Command::screenshot, "f12", "save a picture"},
+    Binding{Command::escape, "escape", "close what is open, then quit"},
+    Binding{Command::quit, "q", "quit"},
+};
+
+void toggle(bool& value) {
+  value = !value;
+}
+
+void toggle_surface(Session& session) {
+  render::Settings& s = session.settings;
+  if (s.shading == render::Shading::none) {
+    s.shading = render::Shading::flat;
+  } else {
+    s.shading = render::Shading::none;
+    s.wireframe = true;  // with neither there would be nothing to see
+  }
+}
+
+void toggle_wireframe(render::Settings& s) {
+  if (s.shading == render::Shading::none) s.shading = render::Shading::flat;
+  toggle(s.wireframe);
+}
+
+// The innermost thing first, as in every program.
+void escape(Session& session) {
+  if (session.shows_open_dialog) {
+    session.shows_open_dialog = false;
+  } else if (session.shows_help) {
+    session.shows_help = false;
+  } else if (!session.error.empty()) {
+    session.error.clear();
+  } else {
+    session.wants_quit = true;
+  }
+}
+
+}  // namespace
+
+std::span<const Binding> bindings() {
+  return kBindings;
+}
+
+std::optional<Command> command_for(const KeyPress& key) {
+  for (const Binding& binding : kBindings) {
+    for (const KeyPress& bound : parse_keys(binding.keys)) {
+      if (bound == key) return binding.command;
+    }
+  }
+  return std::nullopt;
+}
+
+void run(Session& session, Command command) {
+  using render::Background;
+  using render::Shading;
+  using render::View;
+  render::Settings& settings = session.settings;
+  session.notice.clear();
+  switch (command) {
+    case Command::toggle_wireframe:
+      return toggle_wireframe(settings);
+    case Command::toggle_surface:
+      return toggle_surface(session);
+    case Command::toggle_gouraud:
+      settings.shading = settings.shading == Shading::gouraud ? Shading::flat : Shading::gouraud;
+      return;
+    case Command::toggle_background:
+      settings.background =
+          settings.background == Background::light ? Background::dark : Background::light;
+      return;
+    case Command::view_front:
+      return session.camera.set_view(View::front);
+    case Command::view_right:
+      return session.camera.set_view(View::right);
+    case Command::view_top:
+      return session.camera.set_view(View::top);
+    case Command::toggle_orthographic:
+      return session.camera.set_orthographic(!session.camera.is_orthographic());
+    case Command::frame_model:
+      return session.camera.frame(session.statistics.box, session.aspect());
+    case Command::toggle_info:
+      return toggle(session.shows_info);
+    case Command::toggle_help:
+      return toggle(session.shows_help);
+    case Command::open_file:
+      return toggle(session.shows_open_dialog);
+    case Command::screenshot:
+      session.wants_screenshot = true;
+      return;
+    case Command::escape:
+      return escape(session);
+    case Command::quit:
+      session.wants_quit = true;
+      return;
+  }
+}
+
+}  // namespace mesher::app

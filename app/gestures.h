@@ -1,0 +1,40 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "app/session.h"
+
+namespace mesher::app {
+
+enum class MouseButton { left, middle, right };
+
+/// Turns what the mouse does into camera moves. Left drag orbits; right or middle drag, or left
+/// with shift, pans; the wheel zooms toward the cursor; a double click recentres on what is under
+/// it. Positions are in pixels from the top left corner; times in seconds.
+class Gestures {
+ public:
+  static constexpr double kDoubleClickSeconds = 0.35;
+  static constexpr double kDoubleClickPixels = 5.0;
+
+  explicit Gestures(Session& session) : session_(session) {}
+
+  void press(MouseButton button, bool shift, const glm::dvec2& at, double time);
+  void release();
+  /// Returns whether the picture changed.
+  bool move(const glm::dvec2& at);
+  void scroll(double steps, const glm::dvec2& at);
+  bool is_dragging() const { return drag_ != Drag::none; }
+
+ private:
+  enum class Drag { none, orbit, pan };
+
+  void recentre();
+
+  Session& session_;
+  Drag drag_ = Drag::none;
+  glm::dvec2 at_{0.0};
+  glm::dvec2 last_press_at_{-1e9};
+  double last_press_time_ = -1e9;
+};
+
+}  // namespace mesher::app

@@ -1,0 +1,89 @@
+#include "app/json.h"
+
+namespace mesher::app {
+namespace {
+
+Json to_json(const glm::dvec3& v) {
+  return Json::array({v.x, v.y, v.z});
+}
+
+std::string_view name(render::Shading shading) {
+  switch (shading) {
+    case render::Shading::flat:
+      return "flat";
+    case render::Shading::gouraud:
+      return "gouraud";
+    case render::Shading::none:
+      break;
+  }
+  return "none";
+}
+
+Json to_json(const render::Camera& camera) {
+  return {{"pivot", to_json(camera.pivot())},
+          {"distance", camera.distance()},
+          {"yaw_rad", camera.yaw_rad()},
+          {"pitch_rad", camera.pitch_rad()},
+          {"orthographic", camera.is_orthographic()}};
+}
+
+}  // namespace
+
+Json to_json(const Statistics& s) {
+  Json json{{"vertices", s.vertices},
+            {"edges", s.edges},
+            {"faces", s.faces},
+            {"boundary_edges", s.boundary_edges},
+            {"boundary_loops", s.boundary_loops},
+            {"components", s.components},
+            {"euler_characteristic", s.euler_characteristic},
+            {"crease_edges", s.crease_edges},
+            {"isolated_vertices", s.isolated_vertices},
+            {"zero_area_faces", s.zero_area_faces},
+            {"closed", s.is_closed()},
+            {"area", s.area},
+            {"volume", s.volume},
+            {"diagonal", s.box.diagonal()}};
+  if (s.box.is_empty()) {
+    json["box"] = nullptr;
+  } else {
+    json["box"] = {{"min", to_json(glm::dvec3(s.box.min))},
+                   {"max", to_json(glm::dvec3(s.box.max))}};
+  }
+  return json;
+}
+
+Json to_json(const BuildReport& report) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < kRepairCount; ++i) {
+    const auto repair = static_cast<Repair>(i);
+    json[std::string(key(repair))] = report[repair];
+  }
+  return json;
+}
+
+Json to_json(const Model& model, const Statistics& statistics, const std::filesystem::path& file) {
+  return {{"file", file.string()},
+          {"name", model.name},
+          {"statistics", to_json(statistics)},
+          {"repairs", to_json(model.report)}};
+}
+
+Json to_json(const Session& session) {
+  const render::Settings& s = session.settings;
+  return {{"file", session.file.string()},
+          {"faces", session.statistics.faces},
+          {"shading", name(s.shading)},
+          {"wireframe", s.wireframe},
+          {"background", s.background == render::Background::light ? "light" : "dark"},
+          {"crease_angle_deg", s.crease_angle_deg},
+          {"camera", to_json(session.camera)},
+          {"window", {session.window.x, session.window.y}},
+          {"info", session.shows_info},
+          {"help", session.shows_help},
+          {"open_dialog", session.shows_open_dialog},
+          {"error", session.error},
+          {"notice", session.notice}};
+}
+
+}  // namespace mesher::app

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "app/session.h"
+
+namespace mesher::app {
+
+/// Keys in the order in which they were put in.
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Statistics& statistics);
+/// Every kind of repair with its count, zeros too.
+Json to_json(const BuildReport& report);
+/// `{"file", "name", "statistics", "repairs"}`.
+Json to_json(const Model& model, const Statistics& statistics, const std::filesystem::path& file);
+/// What a session shows: for `--json` and the state log.
+Json to_json(const Session& session);
+
+}  // namespace mesher::app

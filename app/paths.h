@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace mesher::app {
+
+/// The file that a person means: the path as given; else the name in the assets folder, also
+/// without its ".obj". Returns the path as given where neither is there, so that the reader says
+/// what is wrong with it.
+std::filesystem::path find_model(const std::string& name);
+
+/// Where the next screenshot goes: XDG_PICTURES_DIR, else ~/Pictures where there is one, else the
+/// current folder; "mesher-bunny.png", or with a number where that exists.
+std::filesystem::path next_screenshot(const std::string& model_name);
+
+/// A path as a person types or pastes it: blanks and quotes around it go, a leading ~ is the home.
+std::filesystem::path typed_path(std::string text);
+
+}  // namespace mesher::app

@@ -1,0 +1,142 @@
+#include <imgui.h>
+
+#include <cinttypes>
+
+#include "app/ui/panels.h"
+
+namespace mesher::app {
+namespace {
+
+void row(const char* label, const char* format, ...) IM_FMTARGS(2);
+
+void row(const char* label, const char* format, ...) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("%s", label);
+  ImGui::TableNextColumn();
+  va_list values;
+  va_start(values, format);
+  ImGui::TextV(format, values);
+  va_end(values);
+}
+
+bool begin_table(const char* name) {
+  if (!ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit)) return false;
+  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, 130.0F);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+  return true;
+}
+
+bool begin_section(const char* name) {
+  return ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
+}
+
+void draw_counts(const Statistics& s) {
+  if (!begin_section("Mesh") || !begin_table("counts")) return;
+  row("vertices", "%" PRIu32, s.vertices);
+  row("edges", "%" PRIu32, s.edges);
+  row("faces", "%" PRIu32, s.faces);
+  row("boundary edges", "%" PRIu32, s.boundary_edges);
+  row("boundary loops", "%" PRIu32, s.boundary_loops);
+  row("components", "%" PRIu32, s.components);
+  row("Euler characteristic", "%" PRIi64, s.euler_characteristic);
+  row("crease edges", "%" PRIu32, s.crease_edges);
+  row("diagonal", "%.6g", s.box.diagonal());
+  row("area", "%.6g", s.area);
+  if (s.is_closed() && s.faces > 0) row("volume", "%.6g", s.volume);
+  ImGui::EndTable();
+}
+
+void draw_repairs(const BuildReport& report) {
+  if (!begin_section("Repairs")) return;
+  if (report.is_clean()) {
+    ImGui::TextDisabled("none needed");
+    return;
+  }
+  for (std::size_t i = 0; i < kRepairCount; ++i) {
+    const auto repair = static_cast<Repair>(i);
+    if (report[repair] == 0) continue;
+    ImGui::TextWrapped("%" PRIu64 " %s", report[repair], std::string(describe(repair)).c_str());
+  }
+}
+
+void draw_shading(render::Settings& settings) {
+  using render::Shading;
+  if (!begin_section("Shading")) return;
+  if (ImGui::RadioButton("flat", settings.shading == Shading::flat)) {
+    settings.shading = Shading::flat;
+  }
+  ImGui::SameLine();
+  if (ImGui::RadioButton("Gouraud", settings.shading == Shading::gouraud)) {
+    settings.shading = Shading::gouraud;
+  }
+  ImGui::SameLine();
+  if (ImGui::RadioButton("none", settings.shading == Shading::none)) {
+    settings.shading = Shading::none;
+    settings.wireframe = true;
+  }
+  ImGui::BeginDisabled(settings.shading == Shading::none);
+  ImGui::Checkbox("wireframe", &settings.wireframe);
+  ImGui::EndDisabled();
+  ImGui::BeginDisabled(settings.shading != Shading::gouraud);
+  ImGui::SetNextItemWidth(120.0F);
+  ImGui::SliderFloat("crease angle", &settings.crease_angle_deg, 0.0F, 180.0F, "%.0f deg",
+                     ImGuiSliderFlags_AlwaysClamp);
+  ImGui::EndDisabled();
+}
+
+void draw_colors(render::Settings& settings) {
+  if (!begin_section("Colors")) return;
+  constexpr ImGuiColorEditFlags kFlags = ImGuiColorEditFlags_NoInputs;
+  ImGui::ColorEdit3("front", &settings.front.x, kFlags);
+  ImGui::SameLine(130.0F);
+  ImGui::ColorEdit3("back", &settings.back.x, kFlags);
+  ImGui::ColorEdit3("crease", &settings.crease.x, kFlags);
+  ImGui::SameLine(130.0F);
+  ImGui::ColorEdit3("boundary", &settings.boundary.x, kFlags);
+  bool is_dark = settings.background == render::Background::dark;
+  if (ImGui::Checkbox("dark background", &is_dark)) {
+    settings.background = is_dark ? render::Background::dark : render::Background::light;
+  }
+  if (ImGui::Button("reset colors")) {
+    const render::Settings fresh;
+    settings.front = fresh.front;
+    settings.back = fresh.back;
+    settings.crease = fresh.crease;
+    settings.boundary = fresh.boundary;
+  }
+}
+
+void draw_gpu(const PanelFacts& facts) {
+  if (!begin_section("GPU") || !begin_table("gpu")) return;
+  if (facts.frame_ms > 0.0) row("frame", "%.1f ms", facts.frame_ms);
+  row("last upload", "%" PRIu64 " of %" PRIu64 " bytes", facts.upload.uploaded_bytes,
+      facts.upload.total_bytes);
+  ImGui::EndTable();
+  ImGui::PushTextWrapPos();
+  ImGui::TextDisabled("%s", facts.device.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+}  // namespace
+
+void draw_info_panel(Session& session, const PanelFacts& facts, PanelAreas& areas) {
+  ImGui::SetNextWindowPos({10.0F, 10.0F}, ImGuiCond_FirstUseEver);
+  const float height = ImGui::GetIO().DisplaySize.y - 20.0F;
+  ImGui::SetNextWindowSizeConstraints({270.0F, 60.0F}, {270.0F, std::max(height, 80.0F)});
+  bool is_open = true;
+  const std::string title = session.model.name + "###info";
+  if (ImGui::Begin(title.c_str(), &is_open, ImGuiWindowFlags_AlwaysAutoResize)) {
+    draw_counts(session.statistics);
+    draw_repairs(session.model.report);
+    draw_shading(session.settings);
+    draw_colors(session.settings);
+    draw_gpu(facts);
+    ImGui::TextDisabled("F1: all keys");
+  }
+  note_area(areas);
+  ImGui::End();
+  session.shows_info = is_open;
+}
+
+}  // namespace mesher::app

@@ -1,0 +1,45 @@
+#include <imgui.h>
+
+#include "app/ui/panels.h"
+
+namespace mesher::app {
+namespace {
+
+void draw_progress(const LoadJob& load, PanelActions& actions) {
+  ImGui::Text("Opening %s", load.file().filename().string().c_str());
+  ImGui::ProgressBar(load.progress().fraction(), {260.0F, 0.0F}, load.progress().stage().c_str());
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel")) actions.cancels_load = true;
+}
+
+void draw_error(Session& session) {
+  ImGui::PushTextWrapPos(ImGui::GetIO().DisplaySize.x * 0.6F);
+  ImGui::TextColored({1.0F, 0.55F, 0.5F, 1.0F}, "%s", session.error.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::SameLine();
+  if (ImGui::Button("OK")) session.error.clear();
+}
+
+}  // namespace
+
+void draw_message_bar(Session& session, const PanelFacts& facts, PanelActions& actions,
+                      PanelAreas& areas) {
+  if (facts.load == nullptr && session.error.empty() && session.notice.empty()) return;
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({size.x / 2, size.y - 16.0F}, ImGuiCond_Always, {0.5F, 1.0F});
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_AlwaysAutoResize |
+                                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoFocusOnAppearing;
+  ImGui::Begin("message", nullptr, kFlags);
+  if (facts.load != nullptr) {
+    draw_progress(*facts.load, actions);
+  } else if (!session.error.empty()) {
+    draw_error(session);
+  } else {
+    ImGui::TextUnformatted(session.notice.c_str());
+  }
+  note_area(areas);
+  ImGui::End();
+}
+
+}  // namespace mesher::app

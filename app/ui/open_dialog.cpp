@@ -1,0 +1,31 @@
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "app/paths.h"
+#include "app/ui/panels.h"
+
+namespace mesher::app {
+
+void draw_open_dialog(Session& session, std::string& typed, PanelActions& actions,
+                      PanelAreas& areas) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({size.x / 2, size.y / 3}, ImGuiCond_Always, {0.5F, 0.5F});
+  bool is_open = true;
+  constexpr ImGuiWindowFlags kFlags =
+      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove;
+  if (ImGui::Begin("Open a model", &is_open, kFlags)) {
+    ImGui::TextDisabled("obj, ply, stl, off, gltf, glb: a path, or a name in assets/");
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(380.0F);
+    bool opens = ImGui::InputText("##path", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::SameLine();
+    opens |= ImGui::Button("Open");
+    const std::filesystem::path path = opens ? typed_path(typed) : std::filesystem::path();
+    if (!path.empty()) actions.open = find_model(path.string());
+  }
+  note_area(areas);
+  ImGui::End();
+  session.shows_open_dialog = is_open && actions.open.empty();
+}
+
+}  // namespace mesher::app

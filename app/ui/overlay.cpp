@@ -1,0 +1,154 @@
+#include "app/ui/overlay.h"
+
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_vulkan.h>
+#include <imgui.h>
+
+#include "app/ui/style.h"
+#include "engine/gpu/result.h"
+
+namespace mesher::app {
+namespace {
+
+void check_imgui(VkResult result) {
+  gpu::check(result, "ImGui");
+}
+
+}  // namespace
+
+Overlay::Overlay(const gpu::Instance& instance, gpu::Device& device, VkFormat format,
+                 GLFWwindow* window)
+    : device_(device), context_(ImGui::CreateContext()), has_window_(window != nullptr) {
+  ImGui::GetIO().IniFilename = nullptr;
+  ImGui::GetIO().LogFilename = nullptr;
+  apply_style();
+  create_render_pass(format);
+  create_descriptor_pool();
+  start_backends(instance, window);
+}
+
+Overlay::~Overlay() {
+  device_.wait_idle();
+  ImGui_ImplVulkan_Shutdown();
+  if (has_window_) ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext(context_);
+}
+
+void Overlay::create_render_pass(VkFormat format) {
+  const VkAttachmentDescription attachment{
+      .flags = 0,
+      .format = format,
+      .samples = VK_SAMPLE_COUNT_1_BIT,
+      .loadOp = VK_ATTACHMENT_LOAD_OP_LOAD,
+      .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+      .stencilLoadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
+      .stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE,
+      .initialLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+      .finalLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+  const VkAttachmentReference reference{0, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+  VkSubpassDescription subpass{};
+  subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
+  subpass.colorAttachmentCount = 1;
+  subpass.pColorAttachments = &reference;
+  // What wrote the image before, a copy, has already been waited for by its barrier.
+  const VkSubpassDependency after_scene{
+      .srcSubpass = VK_SUBPASS_EXTERNAL,
+      .dstSubpass = 0,
+      .srcStageMask = VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT,
+      .dstStageMask = VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT,
+      .srcAccessMask = VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT,
+      .dstAccessMask = VK_ACCESS_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT,
+      .dependencyFlags = 0};
+  VkRenderPassCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO;
+  info.attachmentCount = 1;
+  info.pAttachments = &attachment;
+  info.subpassCount = 1;
+  info.pSubpasses = &subpass;
+  info.dependencyCount = 1;
+  info.pDependencies = &after_scene;
+  VkRenderPass pass = VK_NULL_HANDLE;
+  gpu::check(vkCreateRenderPass(device_.handle(), &info, nullptr, &pass), "vkCreateRenderPass");
+  render_pass_ = {device_, pass};
+}
+
+void Overlay::create_descriptor_pool() {
+  const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 4};
+  VkDescriptorPoolCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+  info.flags = VK_DESCRIPTOR_POOL_CREATE_FREE_DESCRIPTOR_SET_BIT;
+  info.maxSets = 4;
+  info.poolSizeCount = 1;
+  info.pPoolSizes = &size;
+  VkDescriptorPool pool = VK_NULL_HANDLE;
+  gpu::check(vkCreateDescriptorPool(device_.handle(), &info, nullptr, &pool),
+             "vkCreateDescriptorPool");
+  descriptor_pool_ = {device_, pool};
+}
+
+void Overlay::start_backends(const gpu::Instance& instance, GLFWwindow* window) {
+  if (has_window_) ImGui_ImplGlfw_InitForVulkan(window, true);
+  ImGui_ImplVulkan_InitInfo info{};
+  info.Instance = instance.handle();
+  info.PhysicalDevice = device_.physical();
+  info.Device = device_.handle();
+  info.QueueFamily = device_.queue_family();
+  info.Queue = device_.queue();
+  info.DescriptorPool = descriptor_pool_.get();
+  // ImGui cycles through this many vertex buffers: more than there can be frames in flight.
+  info.MinImageCount = 3;
+  info.ImageCount = 3;
+  info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
+  info.CheckVkResultFn = check_imgui;
+  ImGui_ImplVulkan_Init(&info, render_pass_.get());
+  device_.run_once([](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
+  ImGui_ImplVulkan_DestroyFontUploadObjects();
+}
+
+void Overlay::begin(const glm::dvec2& size) {
+  ImGui_ImplVulkan_NewFrame();
+  if (has_window_) {
+    ImGui_ImplGlfw_NewFrame();
+  } else {
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
+    io.DeltaTime = 1.0F / 60.0F;
+  }
+  ImGui::NewFrame();
+}
+
+void Overlay::end() {
+  ImGui::Render();
+}
+
+void Overlay::draw(VkCommandBuffer commands, VkImageView view, VkExtent2D extent) {
+  UniqueFramebuffer& framebuffer = framebuffers_[view];
+  if (!framebuffer) {
+    VkFramebufferCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO;
+    info.renderPass = render_pass_.get();
+    info.attachmentCount = 1;
+    info.pAttachments = &view;
+    info.width = extent.width;
+    info.height = extent.height;
+    info.layers = 1;
+    VkFramebuffer handle = VK_NULL_HANDLE;
+    gpu::check(vkCreateFramebuffer(device_.handle(), &info, nullptr, &handle),
+               "vkCreateFramebuffer");
+    framebuffer = {device_, handle};
+  }
+  VkRenderPassBeginInfo begin{};
+  begin.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO;
+  begin.renderPass = render_pass_.get();
+  begin.framebuffer = framebuffer.get();
+  begin.renderArea.extent = extent;
+  vkCmdBeginRenderPass(commands, &begin, VK_SUBPASS_CONTENTS_INLINE);
+  ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), commands);
+  vkCmdEndRenderPass(commands);
+}
+
+bool Overlay::wants_text() const {
+  return ImGui::GetIO().WantTextInput;
+}
+
+}  // namespace mesher::app

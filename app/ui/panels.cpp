@@ -1,0 +1,36 @@
+#include "app/ui/panels.h"
+
+#include <imgui.h>
+
+namespace mesher::app {
+
+PanelActions Panels::draw(Session& session, const PanelFacts& facts) {
+  PanelActions actions;
+  areas_.clear();
+  if (session.shows_info) draw_info_panel(session, facts, areas_);
+  if (session.shows_help) draw_help_panel(session, areas_);
+  if (session.shows_open_dialog) draw_open_dialog(session, typed_path_, actions, areas_);
+  draw_message_bar(session, facts, actions, areas_);
+  if (ImGui::IsAnyItemActive()) actions.wants_frames = true;
+  return actions;
+}
+
+bool Panels::covers(const glm::dvec2& at) const {
+  // While a slider is dragged or a color picker is open, the mouse is ImGui's wherever it is.
+  if (ImGui::GetIO().WantCaptureMouse && ImGui::IsAnyItemActive()) return true;
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) {
+    return true;
+  }
+  for (const glm::vec4& area : areas_) {
+    if (at.x >= area.x && at.y >= area.y && at.x < area.z && at.y < area.w) return true;
+  }
+  return false;
+}
+
+void note_area(PanelAreas& areas) {
+  const ImVec2 at = ImGui::GetWindowPos();
+  const ImVec2 size = ImGui::GetWindowSize();
+  areas.emplace_back(at.x, at.y, at.x + size.x, at.y + size.y);
+}
+
+}  // namespace mesher::app

@@ -1,0 +1,251 @@
+#include "app/viewer.h"
+
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "app/commands.h"
+#include "app/gestures.h"
+#include "app/load_job.h"
+#include "app/paths.h"
+#include "app/state_log.h"
+#include "app/ui/overlay.h"
+#include "app/ui/panels.h"
+#include "app/window.h"
+#include "engine/gpu/presenter.h"
+#include "engine/io/png.h"
+#include "engine/render/offscreen.h"
+#include "engine/render/renderer.h"
+
+namespace mesher::app {
+namespace {
+
+constexpr double kJobPollSeconds = 0.1;
+constexpr double kCaretBlinkSeconds = 0.4;
+// ImGui settles its layout over a few frames after an event.
+constexpr int kFramesAfterEvent = 3;
+
+class Viewer {
+ public:
+  Viewer(Session& session, const ViewerOptions& options)
+      : session_(session),
+        options_(options),
+        window_(glm::ivec2(session.window), "mesher"),
+        instance_({.extensions = Window::instance_extensions(), .validation = options.validation}),
+        surface_(instance_, window_.create_surface(instance_.handle())),
+        device_(instance_, {.select = options.device, .surface = surface_.handle()}),
+        presenter_(device_, surface_.handle()),
+        renderer_(device_),
+        mesh_(device_),
+        gestures_(session),
+        log_(options.state_log) {
+    window_.set_events(events());
+    overlay_ = std::make_unique<Overlay>(instance_, device_, presenter_.format(), window_.handle());
+  }
+
+  void run(const std::vector<KeyPress>& keys) {
+    for (const KeyPress& key : keys)
+      press_key(key);
+    while (!session_.wants_quit && !window_.should_close()) {
+      wait();
+      finish_job();
+      if (frames_wanted_ > 0) draw();
+      if (session_.wants_screenshot) save_screenshot();
+      log_.note(session_);
+    }
+    device_.wait_idle();
+    if (instance_.messages().count() > 0) {
+      throw DeviceError("validation: " + instance_.messages().list().front());
+    }
+  }
+
+ private:
+  Window::Events events() {
+    return {.key = [this](const KeyPress& key) { press_key(key); },
+            .press =
+                [this](MouseButton button, bool shift, glm::dvec2 at) {
+                  if (!panels_.covers(at)) gestures_.press(button, shift, at, Window::time());
+                  want_frames();
+                },
+            .release =
+                [this] {
+                  gestures_.release();
+                  want_frames();
+                },
+            .move = [this](glm::dvec2 at) { move(at); },
+            .scroll =
+                [this](double steps) {
+                  if (!panels_.covers(cursor_)) gestures_.scroll(steps, cursor_);
+                  want_frames();
+                },
+            .drop =
+                [this](std::vector<std::filesystem::path> files) {
+                  if (!files.empty()) open(files.front());
+                },
+            .changed = [this] { want_frames(); }};
+  }
+
+  void want_frames() { frames_wanted_ = kFramesAfterEvent; }
+
+  // Over the bare picture a move without a drag changes nothing: no need to draw.
+  void move(const glm::dvec2& at) {
+    const bool touches_panel = panels_.covers(at) || panels_.covers(cursor_);
+    cursor_ = at;
+    if (gestures_.move(at) || touches_panel) want_frames();
+  }
+
+  void press_key(const KeyPress& key) {
+    want_frames();
+    if (overlay_->wants_text() && key.name != "escape") return;
+    if (key.name == "escape" && job_) return job_->cancel();
+    if (const auto command = command_for(key)) app::run(session_, *command);
+  }
+
+  void open(const std::filesystem::path& file) {
+    session_.shows_open_dialog = false;
+    session_.error.clear();
+    job_ = std::make_unique<LoadJob>(file, options_.read, Window::wake);
+    want_frames();
+  }
+
+  void wait() {
+    if (frames_wanted_ > 0) return Window::poll_events();
+    if (job_) {
+      want_frames();  // the progress bar
+      return Window::wait_events(kJobPollSeconds);
+    }
+    if (overlay_->wants_text()) {
+      want_frames();  // the caret
+      return Window::wait_events(kCaretBlinkSeconds);
+    }
+    Window::wait_events(-1.0);
+  }
+
+  void finish_job() {
+    if (!job_ || !job_->is_done()) return;
+    const std::unique_ptr<LoadJob> job = std::move(job_);
+    want_frames();
+    try {
+      LoadedModel loaded = job->take();
+      show_model(session_, std::move(loaded.model), loaded.statistics, loaded.file);
+    } catch (const Cancelled&) {
+      session_.notice = "cancelled: " + job->file().string();
+    } catch (const std::exception& error) {
+      session_.error = error.what();
+    }
+  }
+
+  void draw() {
+    --frames_wanted_;
+    const double start = Window::time();
+    const glm::uvec2 size = window_.framebuffer_size();
+    auto frame = presenter_.begin({size.x, size.y});
+    if (!frame) return;
+    session_.window = {frame->extent.width, frame->extent.height};
+    draw_panels(*frame);
+    draw_scene(*frame);
+    target_->copy_to(frame->commands, frame->image);
+    overlay_->draw(frame->commands, frame->view, frame->extent);
+    presenter_.end(*frame);
+    frame_ms_ = 1000.0 * (Window::time() - start);
+    update_title();
+  }
+
+  void draw_panels(const gpu::Frame& frame) {
+    if (presenter_.generation() != framebuffers_of_) overlay_->forget_images();
+    framebuffers_of_ = presenter_.generation();
+    overlay_->begin(session_.window);
+    const PanelActions actions = panels_.draw(
+        session_,
+        {.load = job_.get(), .upload = upload_, .frame_ms = frame_ms_, .device = device_.name()});
+    overlay_->end();
+    static_cast<void>(frame);
+    if (actions.cancels_load && job_) job_->cancel();
+    if (!actions.open.empty()) open(actions.open);
+    if (actions.command) app::run(session_, *actions.command);
+    if (actions.wants_frames) want_frames();
+  }
+
+  void draw_scene(const gpu::Frame& frame) {
+    const unsigned samples = device_.supported_samples(session_.settings.samples);
+    if (!target_ || target_->extent().width != frame.extent.width ||
+        target_->extent().height != frame.extent.height || target_->samples() != samples) {
+      target_.emplace(device_, frame.extent, samples, presenter_.format());
+      drawn_.reset();
+    }
+    if (mesh_generation_ != session_.model_generation) {
+      mesh_.invalidate();
+      drawn_.reset();
+      mesh_generation_ = session_.model_generation;
+    }
+    const render::UploadStats stats = mesh_.apply(session_.model.mesh, session_.settings);
+    if (stats.uploaded_bytes > 0) {
+      upload_ = stats;
+      drawn_.reset();
+    }
+    const Drawn now{session_.settings, session_.camera};
+    if (drawn_ == now) return;  // only the panels changed
+    renderer_.draw(frame.commands, *target_, mesh_, session_.camera, session_.settings);
+    drawn_ = now;
+  }
+
+  void update_title() {
+    const std::string title =
+        session_.model.name + " - " + std::to_string(session_.statistics.faces) + " faces - mesher";
+    if (title != title_) window_.set_title(title);
+    title_ = title;
+  }
+
+  void save_screenshot() {
+    session_.wants_screenshot = false;
+    want_frames();
+    const std::filesystem::path file = next_screenshot(session_.model.name);
+    try {
+      write_png(file,
+                render::render_image(device_, renderer_, mesh_, session_.camera, session_.settings,
+                                     static_cast<std::uint32_t>(session_.window.x),
+                                     static_cast<std::uint32_t>(session_.window.y)));
+      session_.notice = "saved " + file.string();
+    } catch (const Error& error) {
+      session_.error = error.what();
+    }
+  }
+
+  struct Drawn {
+    render::Settings settings;
+    render::Camera camera;
+    friend bool operator==(const Drawn&, const Drawn&) = default;
+  };
+
+  Session& session_;
+  ViewerOptions options_;
+  Window window_;
+  gpu::Instance instance_;
+  gpu::Surface surface_;
+  gpu::Device device_;
+  gpu::Presenter presenter_;
+  render::Renderer renderer_;
+  render::GpuMesh mesh_;
+  std::optional<render::SceneTarget> target_;
+  std::unique_ptr<Overlay> overlay_;
+  Panels panels_;
+  Gestures gestures_;
+  StateLog log_;
+  std::unique_ptr<LoadJob> job_;
+  std::optional<Drawn> drawn_;
+  render::UploadStats upload_;
+  glm::dvec2 cursor_{0.0};
+  std::string title_;
+  std::uint64_t mesh_generation_ = 0;
+  std::uint64_t framebuffers_of_ = 0;
+  double frame_ms_ = 0.0;
+  int frames_wanted_ = kFramesAfterEvent;
+};
+
+}  // namespace
+
+void run_viewer(Session& session, const std::vector<KeyPress>& keys, const ViewerOptions& options) {
+  Viewer(session, options).run(keys);
+}
+
+}  // namespace mesher::app
