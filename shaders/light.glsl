@@ -15,6 +15,8 @@ vec3 shade(vec3 n, vec3 base) {
   const vec3 light = ambient + key * vec3(0.98, 0.96, 0.93) + fill * vec3(0.13, 0.14, 0.16);
   // A wide, weak gloss: shows curvature, hides nothing.
   const vec3 halfway = vec3(-0.2875, 0.3151, 0.9045);  // between the key light and the viewer
-  const float gloss = pow(max(dot(n, halfway), 0.0), 24.0);
-  return base * light + vec3(0.05 * gloss);
+  const float facing = max(dot(n, halfway), 0.0);
+  const float facing_2 = facing * facing;
+  const float facing_8 = facing_2 * facing_2 * facing_2 * facing_2;
+  return base * light + vec3(0.05 * facing_8 * facing_8 * facing_8);
 }

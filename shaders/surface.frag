@@ -7,11 +7,10 @@
 
 layout(push_constant) uniform Constants { SurfaceConstants constants; };
 
-#ifndef WIRE_ALONE
-layout(location = 0) in vec3 in_view;
-#endif
-#ifdef GOURAUD
+#if defined(GOURAUD)
 layout(location = 1) in vec3 in_normal;
+#elif !defined(WIRE_ALONE)
+layout(location = 0) in vec3 in_view;
 #endif
 #if defined(WIRE) || defined(WIRE_ALONE)
 layout(location = 2) in vec3 in_barycentric;

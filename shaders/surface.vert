@@ -16,9 +16,10 @@ layout(location = 1) in vec2 in_normal;
 #endif
 #endif
 
-layout(location = 0) out vec3 out_view;
 #ifdef GOURAUD
 layout(location = 1) out vec3 out_normal;
+#else
+layout(location = 0) out vec3 out_view;
 #endif
 #ifdef PULLED
 layout(location = 2) out vec3 out_barycentric;
@@ -45,13 +46,14 @@ vec3 decode_normal(vec2 e) {
 vec3 barycentric(uint h) {
   const uint corner = h % 3;
   const uint first = h - corner;
+  const uint shift = 2 * (first & 15);
+  uint classes = Uints(constants.classes).at[first >> 4] >> shift;
+  if (shift > 26) classes |= Uints(constants.classes).at[(first + 2) >> 4] << (32 - shift);
   vec3 b = vec3(0.0);
   b[corner] = 1.0;
-  for (uint i = 0; i < 3; ++i) {
-    const uint word = Uints(constants.classes).at[(first + i) >> 4];
-    const uint edge_class = (word >> (2 * ((first + i) & 15))) & 3;
-    if (edge_class != 0) b[(i + 2) % 3] = 1.0;
-  }
+  if ((classes & 3) != 0) b.z = 1.0;
+  if ((classes & 12) != 0) b.x = 1.0;
+  if ((classes & 48) != 0) b.y = 1.0;
   return b;
 }
 #endif
@@ -77,6 +79,9 @@ void main() {
   out_normal = vec3(dot(constants.view.row_x.xyz, n), dot(constants.view.row_y.xyz, n),
                     dot(constants.view.row_z.xyz, n));
 #endif
-  out_view = to_view(constants.view, position);
-  gl_Position = to_clip(constants.view, out_view);
+  const vec3 in_view = to_view(constants.view, position);
+#ifndef GOURAUD
+  out_view = in_view;
+#endif
+  gl_Position = to_clip(constants.view, in_view);
 }

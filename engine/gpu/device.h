@@ -14,7 +14,7 @@ namespace mesher::gpu {
 struct DeviceOptions {
   /// Empty: the best one (discrete, integrated, virtual, CPU). A number: that position in
   /// Instance::devices(). Anything else: the first whose name contains it, in any case.
-  std::string select;
+  std::string select{};
   /// The device must be able to present to it; null for pictures only.
   VkSurfaceKHR surface = VK_NULL_HANDLE;
 };

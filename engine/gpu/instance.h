@@ -25,7 +25,7 @@ class ValidationMessages {
 
 struct InstanceOptions {
   /// What the window system needs (glfwGetRequiredInstanceExtensions); none for pictures only.
-  std::vector<const char*> extensions;
+  std::vector<const char*> extensions{};
   /// Validation with synchronization checks, collected in `Instance::messages`. A machine without
   /// the layer is an error: a test that believes it validates must not pass in silence.
   bool validation = false;

@@ -18,11 +18,18 @@ constexpr float kEdgeWidth = 1.1F;
 /// have one face there, and half a width. Beyond, edges are so dense that it does not matter, and
 /// quads cost three times as much.
 constexpr std::uint32_t kQuadFaces = 50'000;
-constexpr float kCreaseWidth = 2.6F;
-constexpr float kBoundaryWidth = 3.6F;
+constexpr float kCreaseWidth = 3.0F;
+constexpr float kBoundaryWidth = 4.6F;
 constexpr float kEdgeStrength = 0.85F;
-/// What shows through where lines are drawn with no surface.
-constexpr float kHiddenStrength = 0.25F;
+/// How strong lines are without a surface, in sight and where a surface would hide them. Blending
+/// is linear, which makes the same share of light on dark look like much more than of dark on
+/// light.
+struct LoneStrength {
+  float visible;
+  float hidden;
+};
+constexpr LoneStrength kOnLight{1.0F, 0.25F};
+constexpr LoneStrength kOnDark{0.65F, 0.07F};
 
 glm::vec3 linear(const Color& color) {
   const auto decode = [](float c) {
@@ -205,17 +212,18 @@ void Recording::draw_lines(LineRange range, const Color& color, float width, flo
 /// for the front.
 void Recording::wire_alone(const Settings& settings) {
   surface(Pass::depth, settings);
+  const LoneStrength strength = settings.background == Background::light ? kOnLight : kOnDark;
   const bool as_quads = mesh_.face_count() <= kQuadFaces;
-  const auto ordinary = [&](Pass by_quads, Pass by_faces, float strength) {
+  const auto ordinary = [&](Pass by_quads, Pass by_faces, float share) {
     if (as_quads) {
-      edges(by_quads, settings, strength);
+      edges(by_quads, settings, share);
     } else {
-      surface(by_faces, settings, strength);
+      surface(by_faces, settings, share);
     }
   };
-  ordinary(Pass::edge_hidden, Pass::wire_hidden, kHiddenStrength);
-  lines(Pass::line_hidden, settings, 1.5F * kHiddenStrength);
-  ordinary(Pass::edge_visible, Pass::wire_visible, 1.0F);
+  ordinary(Pass::edge_hidden, Pass::wire_hidden, strength.hidden);
+  lines(Pass::line_hidden, settings, 1.5F * strength.hidden);
+  ordinary(Pass::edge_visible, Pass::wire_visible, strength.visible);
   lines(Pass::line_visible, settings, 1.0F);
 }
 

@@ -1,0 +1,202 @@
+// Pictures of small models in every mode against pictures that were looked at and approved
+// (tests/golden). Where driver and vector width are those of tests/golden/driver.txt, every byte
+// must agree; elsewhere a little rounding is allowed.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <glm/trigonometric.hpp>
+#include <string>
+#include <vector>
+
+#include "engine/io/png.h"
+#include "engine/io/read.h"
+#include "engine/render/offscreen.h"
+#include "tests/support/gpu_test.h"
+
+namespace mesher::render {
+namespace {
+
+constexpr std::uint32_t kSize = 320;
+
+const std::filesystem::path kGoldens = MESHER_SOURCE_DIR "/tests/golden";
+const std::filesystem::path kCandidates = MESHER_GOLDEN_CANDIDATES;
+
+struct Scene {
+  std::string name;
+  std::string model;
+  Settings settings;
+  double yaw_deg = 30.0;
+  double pitch_deg = 25.0;
+  bool orthographic = false;
+};
+
+void PrintTo(const Scene& scene, std::ostream* out) {
+  *out << scene.name;
+}
+
+const Settings kFlat{.shading = Shading::flat};
+const Settings kGouraud{.shading = Shading::gouraud};
+const Settings kWire{.shading = Shading::none, .wireframe = true};
+const Settings kFlatWire{.shading = Shading::flat, .wireframe = true};
+const Settings kGouraudWire{.shading = Shading::gouraud, .wireframe = true};
+const Settings kGouraudSplit{.shading = Shading::gouraud, .crease_angle_deg = 40.0F};
+const Settings kGouraudSplitWire{
+    .shading = Shading::gouraud, .wireframe = true, .crease_angle_deg = 40.0F};
+
+Settings dark(Settings settings) {
+  settings.background = Background::dark;
+  return settings;
+}
+
+Settings one_sample(Settings settings) {
+  settings.samples = 1;
+  return settings;
+}
+
+std::vector<Scene> scenes() {
+  return {
+      {"cube_flat", "cube", kFlat},
+      {"cube_gouraud", "cube", kGouraud},
+      {"cube_wireframe", "cube", kWire},
+      {"cube_wireframe_dark", "cube", dark(kWire)},
+      {"cube_flat_wireframe", "cube", kFlatWire},
+      {"cube_gouraud_wireframe", "cube", kGouraudWire},
+      {"cube_gouraud_split", "cube", kGouraudSplit},
+      {"cube_flat_front", "cube", kFlatWire, 0.0, 0.0},
+      {"cube_flat_orthographic", "cube", kFlatWire, 45.0, 35.26438968, true},
+      {"open_box_flat", "open_box", kFlat, 30.0, 40.0},
+      {"open_box_gouraud", "open_box", kGouraud, 30.0, 40.0},
+      {"open_box_wireframe", "open_box", kWire, 30.0, 40.0},
+      {"open_box_flat_wireframe", "open_box", kFlatWire, 30.0, 40.0},
+      {"open_box_gouraud_wireframe", "open_box", kGouraudWire, 30.0, 40.0},
+      {"open_box_flat_wireframe_dark", "open_box", dark(kFlatWire), 30.0, 40.0},
+      {"open_box_from_below", "open_box", kFlatWire, 30.0, -40.0},
+      {"creased_cube_flat_wireframe", "creased_cube", kFlatWire},
+      {"creased_cube_gouraud", "creased_cube", kGouraud},
+      {"creased_cube_wireframe", "creased_cube", kWire},
+      {"creased_cube_gouraud_wireframe", "creased_cube", kGouraudWire},
+      {"hypersheet_gouraud_wireframe", "hypersheet", kGouraudWire},
+      {"bunny_flat", "bunny", kFlat, 0.0, 10.0},
+      {"bunny_flat_one_sample", "bunny", one_sample(kFlat), 0.0, 10.0},
+      {"bunny_gouraud", "bunny", kGouraud, 0.0, 10.0},
+      {"bunny_gouraud_dark", "bunny", dark(kGouraud), 0.0, 10.0},
+      {"bunny_gouraud_split_wireframe", "bunny", kGouraudSplitWire, 40.0, 10.0},
+      {"bunny_wireframe", "bunny", kWire, 0.0, 10.0},
+      {"bunny_wireframe_dark", "bunny", dark(kWire), 0.0, 10.0},
+      {"bunny_flat_wireframe", "bunny", kFlatWire, 0.0, 10.0},
+      {"bunny_gouraud_wireframe", "bunny", kGouraudWire, 0.0, 10.0},
+      {"bunny_from_below", "bunny", kFlatWire, 20.0, -60.0},
+      {"bunny_top_orthographic", "bunny", kFlat, 0.0, 90.0, true},
+  };
+}
+
+Image draw(gpu::Device& device, const Scene& scene) {
+  Model model = read_model(MESHER_SOURCE_DIR "/assets/" + scene.model + ".obj");
+  Camera camera;
+  camera.set_angles(glm::radians(scene.yaw_deg), glm::radians(scene.pitch_deg));
+  camera.set_orthographic(scene.orthographic);
+  camera.frame(bounding_box(model.mesh), 1.0);
+  return render_image(device, model.mesh, camera, scene.settings, kSize, kSize);
+}
+
+struct Difference {
+  double mean = 0.0;           ///< of all components, 0 to 255
+  double share_visible = 0.0;  ///< of pixels that differ by more than a tenth somewhere
+  std::uint64_t pixels = 0;    ///< that differ at all
+  Image picture;               ///< what differs, four times as strong
+};
+
+Difference compare(const Image& a, const Image& b) {
+  constexpr int kVisible = 25;
+  Difference difference;
+  difference.picture = a;
+  std::uint64_t sum = 0;
+  std::uint64_t visible = 0;
+  for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
+    int most = 0;
+    for (std::size_t k = i; k < i + 4; ++k) {
+      const int d = std::abs(int{a.rgba[k]} - int{b.rgba[k]});
+      sum += static_cast<std::uint64_t>(d);
+      most = std::max(most, d);
+      difference.picture.rgba[k] =
+          k == i + 3 ? std::uint8_t{255} : static_cast<std::uint8_t>(std::min(4 * d, 255));
+    }
+    difference.pixels += most > 0 ? 1 : 0;
+    visible += most > kVisible ? 1 : 0;
+  }
+  difference.mean = static_cast<double>(sum) / static_cast<double>(a.rgba.size());
+  difference.share_visible =
+      4.0 * static_cast<double>(visible) / static_cast<double>(a.rgba.size());
+  return difference;
+}
+
+std::string driver_of(const gpu::Device& device) {
+  VkPhysicalDeviceDriverProperties driver{};
+  driver.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES;
+  VkPhysicalDeviceProperties2 properties{};
+  properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+  properties.pNext = &driver;
+  vkGetPhysicalDeviceProperties2(device.physical(), &properties);
+  return device.name() + ", " + driver.driverInfo;
+}
+
+bool is_driver_of_goldens(const gpu::Device& device) {
+  std::ifstream file(kGoldens / "driver.txt");
+  std::string line;
+  std::getline(file, line);
+  return line == driver_of(device);
+}
+
+class Golden : public test::GpuTest, public ::testing::WithParamInterface<Scene> {};
+
+TEST_P(Golden, LooksAsApproved) {
+  const Scene& scene = GetParam();
+  const Image image = draw(device(), scene);
+  const std::filesystem::path golden = kGoldens / (scene.name + ".png");
+  const std::filesystem::path candidate = kCandidates / (scene.name + ".png");
+  std::filesystem::create_directories(kCandidates);
+  if (!std::filesystem::exists(golden)) {
+    write_png(candidate, image);
+    FAIL() << "no golden yet: look at " << candidate << ", and copy it to tests/golden if it is "
+           << "right (driver: " << driver_of(device()) << ")";
+  }
+  const Image approved = read_png(golden);
+  ASSERT_EQ(approved.width, kSize);
+  ASSERT_EQ(approved.height, kSize);
+  const Difference difference = compare(image, approved);
+  const bool is_exact = is_driver_of_goldens(device());
+  const bool passes = is_exact ? difference.pixels == 0
+                               : difference.mean <= 0.25 && difference.share_visible <= 0.005;
+  if (passes) return;
+  write_png(candidate, image);
+  const std::filesystem::path shown = kCandidates / (scene.name + "_difference.png");
+  write_png(shown, difference.picture);
+  FAIL() << difference.pixels << " pixels differ, by " << difference.mean << " on average, "
+         << 100.0 * difference.share_visible << " % of them visibly ("
+         << (is_exact ? "the same driver: none may" : "another driver: 0.25 and 0.5 % may")
+         << "); see " << candidate << " and " << shown;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Golden, ::testing::ValuesIn(scenes()),
+                         [](const auto& scene) { return scene.param.name; });
+
+TEST(GoldenComparison, SeesOneBitAndCountsPixels) {
+  Image a;
+  a.width = 2;
+  a.height = 1;
+  a.rgba.assign(8, 100);
+  Image b = a;
+  EXPECT_EQ(compare(a, b).pixels, 0U);
+  b.rgba[5] = 101;
+  EXPECT_EQ(compare(a, b).pixels, 1U);
+  EXPECT_EQ(compare(a, b).share_visible, 0.0);
+  b.rgba[5] = 180;
+  EXPECT_DOUBLE_EQ(compare(a, b).mean, 10.0);
+  EXPECT_DOUBLE_EQ(compare(a, b).share_visible, 0.5);
+}
+
+}  // namespace
+}  // namespace mesher::render

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "engine/gpu/device.h"
+
+namespace mesher::test {
+
+/// A test with a Vulkan device under the validation layer, synchronization checks included. Any
+/// message, be it as late as the destruction of the device, fails the test.
+class GpuTest : public ::testing::Test {
+ protected:
+  GpuTest()
+      : instance_(std::make_unique<gpu::Instance>(gpu::InstanceOptions{.validation = true})),
+        device_(std::make_unique<gpu::Device>(*instance_)) {}
+
+  void TearDown() override {
+    device_.reset();
+    for (const std::string& message : instance_->messages().list())
+      ADD_FAILURE() << message;
+  }
+
+  gpu::Instance& instance() { return *instance_; }
+  gpu::Device& device() { return *device_; }
+
+ private:
+  std::unique_ptr<gpu::Instance> instance_;
+  std::unique_ptr<gpu::Device> device_;
+};
+
+}  // namespace mesher::test
