@@ -21,6 +21,8 @@ class AtomicFile {
 
   /// Appends; nothing is buffered, so write in large pieces. Throws OutputError.
   void write(std::string_view bytes);
+  /// The target as the caller spelt it, for messages.
+  const std::string& name() const { return name_; }
   /// Bytes written so far.
   std::uint64_t size() const { return size_; }
   /// Closes the file and gives it its name. Throws OutputError; the temporary file is gone then.
@@ -31,7 +33,7 @@ class AtomicFile {
   void discard() noexcept;
   [[noreturn]] void fail(const char* action);
 
-  std::string name_;  ///< as the caller spelt it, for messages
+  std::string name_;
   std::filesystem::path target_;
   std::filesystem::path temporary_;  ///< empty where the target is written directly
   int descriptor_ = -1;

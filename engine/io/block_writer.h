@@ -10,7 +10,6 @@
 #include "engine/core/array.h"
 #include "engine/core/assert.h"
 #include "engine/core/parallel.h"
-#include "engine/io/atomic_file.h"
 
 namespace mesher {
 
@@ -64,9 +63,9 @@ class Appender {
 /// Writes `count` elements in order: they are formatted in parallel, a block at a time, so memory
 /// stays at a few megabytes whatever the count. `format(appender, i)` appends element i; room for
 /// `most_bytes` is made before, and it may ask for more. The bytes do not depend on the number of
-/// threads.
-template <class Format>
-void write_elements(AtomicFile& file, std::size_t count, std::size_t most_bytes, Format&& format) {
+/// threads. `Sink` has `write(std::string_view)`: an AtomicFile, or what encodes on the way to one.
+template <class Sink, class Format>
+void write_elements(Sink& sink, std::size_t count, std::size_t most_bytes, Format&& format) {
   constexpr std::size_t kBlock = std::size_t{1} << 13;
   constexpr std::size_t kBlocksAtOnce = 16;
   std::vector<Appender> blocks(std::min(kBlocksAtOnce, chunk_count(count, kBlock)));
@@ -81,7 +80,7 @@ void write_elements(AtomicFile& file, std::size_t count, std::size_t most_bytes,
       }
     });
     for (std::size_t block = 0; block < chunk_count(elements, kBlock); ++block) {
-      file.write(blocks[block].text());
+      sink.write(blocks[block].text());
     }
   }
 }

@@ -7,6 +7,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
+#include "engine/io/format.h"
 #include "engine/io/obj_chunk.h"
 #include "engine/io/obj_creases.h"
 
@@ -201,7 +202,9 @@ class ObjAssembly {
   }
 
   void rename(const ObjName& name, std::uint32_t face) {
-    (name.kind == 'o' ? object_ : name.kind == 'g' ? group_ : material_) = name.name;
+    (name.kind == 'o'   ? object_
+     : name.kind == 'g' ? group_
+                        : material_) = name.name.substr(0, kMostNameBytes);
     std::string joined(object_);
     for (const std::string_view part : {group_, material_}) {
       if (part.empty()) continue;

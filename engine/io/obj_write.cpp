@@ -70,12 +70,20 @@ void write_positions(AtomicFile& file, const Mesh& mesh, const Attributes& attri
   });
 }
 
+/// Names come from other formats too, where they may hold anything.
+std::string one_line(std::string name) {
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) < ' ') c = '_';
+  }
+  return name;
+}
+
 void write_faces(AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
                  const Values<glm::vec2>& texcoords, const Values<glm::vec3>& normals) {
   const auto& group = attributes.group;
   write_elements(file, mesh.face_count(), 4 + 9 * kIndex, [&](Appender& out, std::size_t f) {
     if (!group.empty() && (f == 0 || group[f] != group[f - 1])) {
-      const std::string& name = attributes.group_names[group[f]];
+      const std::string name = one_line(attributes.group_names[group[f]]);
       out.need(name.size() + 4 + 9 * kIndex);
       out << "g " << name << '\n';
     }

@@ -6,6 +6,7 @@
 
 #include "engine/core/error.h"
 #include "engine/io/format.h"
+#include "engine/io/gltf_read.h"
 #include "engine/io/mapped_file.h"
 #include "engine/io/obj_read.h"
 #include "engine/io/off_read.h"
@@ -28,7 +29,7 @@ Soup read_format(Format format, const std::filesystem::path& file, const ReadOpt
     case Format::off:
       return read_off(bytes);
     default:
-      throw InputError(bytes.name(), 0, "cannot be read yet");
+      return read_gltf(bytes);
   }
 }
 

@@ -76,11 +76,8 @@ Array<glm::vec3> read_text(const MappedFile& file) {
   return positions;
 }
 
-Soup connect(Array<glm::vec3> positions) {
-  // -0 and 0 are one place; adding 0 turns the one into the other.
-  for (glm::vec3& p : positions)
-    p += 0.0F;
-  Weld welded = weld(reinterpret_cast<const std::uint32_t*>(positions.data()), 3, positions.size());
+Soup connect(const Array<glm::vec3>& positions) {
+  Weld welded = weld_positions(positions);
   Soup soup;
   soup.positions.resize(welded.first.size());
   for (std::size_t v = 0; v < welded.first.size(); ++v) {
@@ -107,9 +104,9 @@ Soup read_stl(const MappedFile& file) {
   if (!is_text && facets > kNone / 3) {
     throw InputError(file.name(), 0, "more than 32-bit ids can count");
   }
-  Array<glm::vec3> positions = is_text ? read_text(file) : read_binary(file, facets);
+  const Array<glm::vec3> positions = is_text ? read_text(file) : read_binary(file, facets);
   if (positions.empty()) throw InputError(file.name(), 0, "no facets");
-  return connect(std::move(positions));
+  return connect(positions);
 }
 
 }  // namespace mesher

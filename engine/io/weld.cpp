@@ -65,4 +65,14 @@ Weld weld(const std::uint32_t* items, std::size_t words, std::size_t count) {
   return result;
 }
 
+Weld weld_positions(const Array<glm::vec3>& positions) {
+  Array<glm::vec3> keys(positions.size());
+  parallel_for(positions.size(), kGrain, [&](IndexRange range) {
+    // Adding 0 turns -0 into 0 and leaves everything else alone.
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      keys[i] = positions[i] + 0.0F;
+  });
+  return weld(reinterpret_cast<const std::uint32_t*>(keys.data()), 3, keys.size());
+}
+
 }  // namespace mesher

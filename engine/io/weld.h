@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 
 #include "engine/core/array.h"
 
@@ -16,5 +17,8 @@ struct Weld {
 /// ones are numbered in the order of their first appearance. By sorting, so no input is slow: O(n
 /// log n) time, in parallel; scratch 12 bytes an item. Pre: count < 2^32.
 Weld weld(const std::uint32_t* items, std::size_t words, std::size_t count);
+
+/// The same for positions, where 0 and -0 are equal.
+Weld weld_positions(const Array<glm::vec3>& positions);
 
 }  // namespace mesher

@@ -6,6 +6,7 @@
 #include "engine/core/error.h"
 #include "engine/io/atomic_file.h"
 #include "engine/io/format.h"
+#include "engine/io/gltf_write.h"
 #include "engine/io/obj_write.h"
 #include "engine/io/polygon_write.h"
 
@@ -33,7 +34,7 @@ void write_model(const std::filesystem::path& file, const Mesh& mesh, const Attr
       write_off(out, mesh, attributes);
       break;
     default:
-      throw OutputError(file.string(), "cannot be written yet");
+      write_gltf(out, mesh, attributes, *format == Format::glb);
   }
   out.commit();
 }

@@ -71,7 +71,8 @@ TEST(RoundTrip, EveryFormatKeepsPositionsBitForBitAndFaces) {
                         {"m.off", false},
                         {"m.stl", false},
                         {"m.stl", true},
-
+                        {"m.gltf", false},
+                        {"m.glb", false},
                         {"M.OBJ", false}}) {
     write_model(folder / way.file, model.mesh, model.attributes, {.ascii = way.ascii});
     const Model back = read_model(folder / way.file);
@@ -95,7 +96,7 @@ TEST(RoundTrip, EveryFormatKeepsPositionsBitForBitAndFaces) {
 TEST(RoundTrip, SameBytesOnAnyNumberOfThreads) {
   const Model model = read_text(sheet(150));
   const TempFolder folder;
-  for (const char* name : {"m.obj", "m.ply", "m.off", "m.stl"}) {
+  for (const char* name : {"m.obj", "m.ply", "m.off", "m.stl", "m.glb"}) {
     write_model(folder / name, model.mesh, model.attributes);
     const std::string parallel = read_bytes(folder / name);
     const ThreadLimit one(1);
@@ -193,7 +194,7 @@ TEST(Write, AFullDiskLeavesNoPartialFile) {
   const Model model = read_text(sheet(40));
   const TempFolder folder;
   folder.write("m.ply", "what was there before");
-  for (const char* name : {"m.obj", "m.ply", "m.stl", "m.off"}) {
+  for (const char* name : {"m.obj", "m.ply", "m.stl", "m.off", "m.glb", "m.gltf"}) {
     const SmallDisk disk(10000);
     EXPECT_THROW(write_model(folder / name, model.mesh, model.attributes), OutputError) << name;
   }
@@ -205,7 +206,7 @@ TEST(Read, RefusesUnknownAndMissingAndEmptyFiles) {
   const TempFolder folder;
   EXPECT_THROW(read_soup(folder.write("m.xyz", "x")), InputError);
   EXPECT_THROW(read_soup(folder / "missing.obj"), InputError);
-  for (const char* name : {"m.obj", "m.ply", "m.stl", "m.off", "m.gltf"}) {
+  for (const char* name : {"m.obj", "m.ply", "m.stl", "m.off", "m.gltf", "m.glb"}) {
     EXPECT_THROW(read_soup(folder.write(name, "")), InputError) << name;
   }
 }

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mesher {
+
+/// The bytes that a base64 text stands for (RFC 4648, with or without padding); nothing where a
+/// character is none of its alphabet or the length cannot be. O(n).
+std::optional<std::string> decode_base64(std::string_view text);
+
+/// Passes bytes on to `Sink::write` as base64, piece by piece.
+template <class Sink>
+class Base64Writer {
+ public:
+  explicit Base64Writer(Sink& sink) : sink_(sink) {}
+
+  void write(std::string_view bytes) {
+    text_.clear();
+    for (const char byte : bytes) {
+      bits_ = bits_ << 8 | static_cast<unsigned char>(byte);
+      if (++held_ == 3) flush();
+    }
+    sink_.write(text_);
+  }
+  /// Writes what is left, padded. Call once, at the end.
+  void finish() {
+    if (held_ == 0) return;
+    text_.clear();
+    const int missing = 3 - held_;
+    bits_ <<= 8 * missing;
+    flush();
+    text_.replace(text_.size() - static_cast<std::size_t>(missing), std::string::npos,
+                  static_cast<std::size_t>(missing), '=');
+    sink_.write(text_);
+  }
+
+ private:
+  void flush() {
+    static constexpr char kAlphabet[] =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (int shift = 18; shift >= 0; shift -= 6)
+      text_ += kAlphabet[(bits_ >> shift) & 63U];
+    bits_ = 0;
+    held_ = 0;
+  }
+
+  Sink& sink_;
+  std::string text_;
+  std::uint32_t bits_ = 0;
+  int held_ = 0;
+};
+
+}  // namespace mesher

@@ -1,0 +1,356 @@
+#include "engine/io/gltf_file.h"
+
+#include <algorithm>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "engine/core/error.h"
+#include "engine/io/base64.h"
+
+namespace mesher {
+namespace {
+
+constexpr std::string_view kMagic = "glTF";
+constexpr std::uint32_t kJsonChunk = 0x4E4F534AU;
+constexpr std::uint32_t kBinaryChunk = 0x004E4942U;
+
+std::uint32_t load_uint32(const char* p) {
+  std::uint32_t value;
+  std::memcpy(&value, p, sizeof value);
+  return value;
+}
+
+enum class Component : std::uint32_t {
+  int8 = 5120,
+  uint8 = 5121,
+  int16 = 5122,
+  uint16 = 5123,
+  uint32 = 5125,
+  float32 = 5126,
+};
+
+std::size_t size_of(Component type) {
+  switch (type) {
+    case Component::int8:
+    case Component::uint8:
+      return 1;
+    case Component::int16:
+    case Component::uint16:
+      return 2;
+    default:
+      return 4;
+  }
+}
+
+template <class T>
+float load_as_float(const char* p, float full) {
+  T value;
+  std::memcpy(&value, p, sizeof value);
+  const float fraction = static_cast<float>(value) / full;
+  return full == 1.0F ? fraction : std::max(fraction, -1.0F);
+}
+
+float load_float(const char* p, Component type, bool is_normalized) {
+  const auto full = [&](float largest) { return is_normalized ? largest : 1.0F; };
+  switch (type) {
+    case Component::int8:
+      return load_as_float<std::int8_t>(p, full(127.0F));
+    case Component::uint8:
+      return load_as_float<std::uint8_t>(p, full(255.0F));
+    case Component::int16:
+      return load_as_float<std::int16_t>(p, full(32767.0F));
+    case Component::uint16:
+      return load_as_float<std::uint16_t>(p, full(65535.0F));
+    case Component::uint32:
+      return load_as_float<std::uint32_t>(p, 1.0F);
+    default: {
+      float value;
+      std::memcpy(&value, p, sizeof value);
+      return value;
+    }
+  }
+}
+
+/// A relative reference with its %XX turned into the characters they stand for; nothing where it is
+/// malformed.
+std::optional<std::string> decode_uri(std::string_view uri) {
+  std::string path;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    if (uri[i] != '%') {
+      path += uri[i];
+      continue;
+    }
+    const std::string digits(uri.substr(i + 1, 2));
+    char* end = nullptr;
+    const long value = std::strtol(digits.c_str(), &end, 16);
+    if (digits.size() != 2 || end != digits.c_str() + 2 || value <= 0) return std::nullopt;
+    path += static_cast<char>(value);
+    i += 2;
+  }
+  return path;
+}
+
+/// True for a path that stays in or below the folder it is relative to.
+bool stays_below(const std::filesystem::path& path) {
+  if (path.empty() || path.is_absolute()) return false;
+  return std::none_of(path.begin(), path.end(),
+                      [](const std::filesystem::path& part) { return part == ".."; });
+}
+
+}  // namespace
+
+struct GltfFile::Accessor {
+  std::string_view bytes;  ///< from the first element on
+  std::size_t count = 0;
+  std::size_t stride = 0;
+  std::size_t components = 0;
+  Component type = Component::float32;
+  bool is_normalized = false;
+};
+
+struct GltfFile::Buffer {
+  std::string decoded;
+  std::unique_ptr<MappedFile> file;
+  std::string_view bytes;
+};
+
+GltfFile::GltfFile(const MappedFile& file) : file_(file) {
+  read_container();
+  if (!json_->is_object()) fail("no glTF document");
+  const auto asset = json_->find("asset");
+  if (asset == json_->end() || text(*asset, "version").substr(0, 2) != "2.") {
+    fail("no glTF 2 document");
+  }
+  buffers_.resize(count("buffers"));
+}
+
+GltfFile::~GltfFile() = default;
+
+void GltfFile::read_container() {
+  if (file_.bytes().substr(0, 4) != kMagic) return parse_json(file_.begin(), file_.end());
+  constexpr std::size_t kHeader = 12;
+  constexpr std::size_t kChunkHeader = 8;
+  if (file_.size() < kHeader + kChunkHeader) fail("the file ends too early");
+  if (load_uint32(file_.begin() + 4) != 2) fail("no glTF 2 document");
+  if (load_uint32(file_.begin() + 8) > file_.size()) fail("the file ends too early");
+  std::size_t at = kHeader;
+  bool has_json = false;
+  while (file_.size() - at >= kChunkHeader) {
+    const std::size_t length = load_uint32(file_.begin() + at);
+    const std::uint32_t kind = load_uint32(file_.begin() + at + 4);
+    at += kChunkHeader;
+    if (length > file_.size() - at) fail("a chunk is longer than the file");
+    const char* const begin = file_.begin() + at;
+    if (!has_json) {
+      if (kind != kJsonChunk) fail("the first chunk is no JSON");
+      parse_json(begin, begin + length);
+      has_json = true;
+    } else if (kind == kBinaryChunk && !has_binary_chunk_) {
+      binary_chunk_ = {begin, length};
+      has_binary_chunk_ = true;
+    }
+    at += length;
+  }
+  if (!has_json) fail("the file ends too early");
+}
+
+void GltfFile::parse_json(const char* begin, const char* end) {
+  try {
+    json_ = std::make_unique<Json>(Json::parse(begin, end));
+  } catch (const Json::parse_error& error) {
+    const std::size_t at =
+        std::min(error.byte == 0 ? 0 : error.byte - 1, static_cast<std::size_t>(end - begin));
+    const bool is_text = begin == file_.begin();
+    throw InputError(file_.name(), is_text ? file_.line_of(begin + at) : 0, "malformed JSON");
+  } catch (const Json::exception&) {
+    fail("malformed JSON");
+  }
+}
+
+std::size_t GltfFile::count(const char* array) const {
+  const auto found = json_->find(array);
+  if (found == json_->end()) return 0;
+  if (!found->is_array()) fail(std::string(array) + " is no array");
+  return found->size();
+}
+
+const GltfFile::Json& GltfFile::element(const char* array, std::uint64_t index) const {
+  if (index >= count(array)) fail(std::string("index into ") + array + " out of range");
+  const Json& found = (*json_)[array][index];
+  if (!found.is_object()) fail(std::string("an element of ") + array + " is no object");
+  return found;
+}
+
+std::optional<std::uint64_t> GltfFile::find_number(const Json& object, const char* key) const {
+  const auto found = object.find(key);
+  if (found == object.end()) return std::nullopt;
+  if (!found->is_number_unsigned()) fail(std::string(key) + " is no whole number");
+  return found->get<std::uint64_t>();
+}
+
+std::optional<std::vector<double>> GltfFile::find_vector(const Json& object, const char* key,
+                                                         std::size_t size) const {
+  const auto found = object.find(key);
+  if (found == object.end()) return std::nullopt;
+  std::vector<double> values;
+  if (found->is_array()) {
+    for (const Json& value : *found) {
+      if (value.is_number()) values.push_back(value.get<double>());
+    }
+  }
+  if (values.size() != size || found->size() != size) {
+    fail(std::string(key) + " is not " + std::to_string(size) + " numbers");
+  }
+  return values;
+}
+
+std::string_view GltfFile::text(const Json& object, const char* key) const {
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_string()) return {};
+  return found->get_ref<const std::string&>();
+}
+
+GltfFile::Accessor GltfFile::open_accessor(std::uint64_t index) {
+  const Json& json = element("accessors", index);
+  if (json.contains("sparse")) fail("sparse accessors cannot be read");
+  Accessor accessor;
+  const std::uint64_t type = find_number(json, "componentType").value_or(0);
+  if (type < 5120 || type > 5126 || type == 5124) fail("unknown componentType");
+  accessor.type = static_cast<Component>(type);
+  static constexpr std::pair<std::string_view, std::size_t> kTypes[] = {
+      {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}};
+  for (const auto& [name, components] : kTypes) {
+    if (text(json, "type") == name) accessor.components = components;
+  }
+  if (accessor.components == 0) fail("unknown type of accessor");
+  const auto normalized = json.find("normalized");
+  accessor.is_normalized = normalized != json.end() && *normalized == true;
+  const std::size_t element_bytes = accessor.components * size_of(accessor.type);
+  accessor.stride = element_bytes;
+  accessor.bytes = view_bytes(json, accessor.stride);
+  if (accessor.stride < element_bytes) fail("byteStride is shorter than an element");
+
+  const std::uint64_t count = find_number(json, "count").value_or(0);
+  const std::size_t bytes = accessor.bytes.size();
+  if (count != 0 &&
+      (bytes < element_bytes || count - 1 > (bytes - element_bytes) / accessor.stride)) {
+    fail("an accessor reaches past its buffer");
+  }
+  accessor.count = static_cast<std::size_t>(count);
+  return accessor;
+}
+
+/// The bytes of an accessor's buffer view, from its own offset on.
+std::string_view GltfFile::view_bytes(const Json& accessor, std::size_t& stride) {
+  const std::optional<std::uint64_t> view_index = find_number(accessor, "bufferView");
+  if (!view_index) fail("an accessor without data");
+  const Json& view = element("bufferViews", *view_index);
+  std::string_view bytes = buffer_bytes(find_number(view, "buffer").value_or(~std::uint64_t{0}));
+  const std::uint64_t offset = find_number(view, "byteOffset").value_or(0);
+  const std::uint64_t length = find_number(view, "byteLength").value_or(0);
+  if (offset > bytes.size() || length > bytes.size() - offset) {
+    fail("a buffer view reaches past its buffer");
+  }
+  bytes = bytes.substr(offset, length);
+  const std::uint64_t own_offset = find_number(accessor, "byteOffset").value_or(0);
+  if (own_offset > bytes.size()) fail("an accessor reaches past its buffer");
+  stride = static_cast<std::size_t>(find_number(view, "byteStride").value_or(stride));
+  return bytes.substr(own_offset);
+}
+
+std::string_view GltfFile::buffer_bytes(std::uint64_t index) {
+  element("buffers", index);
+  if (!buffers_[index]) buffers_[index] = open_buffer(index);
+  return buffers_[index]->bytes;
+}
+
+std::unique_ptr<GltfFile::Buffer> GltfFile::open_buffer(std::uint64_t index) {
+  const Json& json = element("buffers", index);
+  auto buffer = std::make_unique<Buffer>();
+  const std::string_view uri = text(json, "uri");
+  if (uri.empty()) {
+    if (index != 0 || !has_binary_chunk_) fail("a buffer without data");
+    buffer->bytes = binary_chunk_;
+  } else if (uri.substr(0, 5) == "data:") {
+    const std::size_t comma = uri.find(";base64,");
+    if (comma == std::string_view::npos) fail("a buffer's data is not base64");
+    std::optional<std::string> decoded = decode_base64(uri.substr(comma + 8));
+    if (!decoded) fail("a buffer's data is not base64");
+    buffer->decoded = std::move(*decoded);
+    buffer->bytes = buffer->decoded;
+  } else {
+    const std::optional<std::string> path = decode_uri(uri);
+    if (!path || !stays_below(*path)) fail("a buffer outside the document's folder");
+    const auto full = std::filesystem::path(file_.name()).parent_path() / *path;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(full, error)) fail("a buffer's file is missing");
+    buffer->file = std::make_unique<MappedFile>(full);
+    buffer->bytes = buffer->file->bytes();
+  }
+  const std::uint64_t length = find_number(json, "byteLength").value_or(0);
+  if (length > buffer->bytes.size()) fail("a buffer is shorter than it says");
+  buffer->bytes = buffer->bytes.substr(0, length);
+  return buffer;
+}
+
+std::size_t GltfFile::element_count(std::uint64_t index) {
+  return open_accessor(index).count;
+}
+
+Array<float> GltfFile::floats(std::uint64_t index, std::size_t components, std::size_t first,
+                              std::size_t count) {
+  const Accessor accessor = open_accessor(index);
+  if (first > accessor.count || count > accessor.count - first) {
+    fail("attributes of different lengths");
+  }
+  Array<float> values(count * components);
+  const std::size_t shared = std::min(components, accessor.components);
+  for (std::size_t i = 0; i < count; ++i) {
+    const char* const from = accessor.bytes.data() + (first + i) * accessor.stride;
+    float* const to = values.data() + i * components;
+    for (std::size_t c = 0; c < shared; ++c) {
+      to[c] = load_float(from + c * size_of(accessor.type), accessor.type, accessor.is_normalized);
+    }
+    std::fill(to + shared, to + components, 1.0F);
+  }
+  return values;
+}
+
+Array<std::uint32_t> GltfFile::indices(std::uint64_t index) {
+  const Accessor accessor = open_accessor(index);
+  if (accessor.components != 1) fail("indices are no scalars");
+  Array<std::uint32_t> values(accessor.count);
+  for (std::size_t i = 0; i < accessor.count; ++i) {
+    const char* const from = accessor.bytes.data() + i * accessor.stride;
+    switch (accessor.type) {
+      case Component::uint8:
+        values[i] = static_cast<unsigned char>(*from);
+        break;
+      case Component::uint16:
+        values[i] = static_cast<unsigned char>(from[0]) |
+                    static_cast<std::uint32_t>(static_cast<unsigned char>(from[1])) << 8;
+        break;
+      case Component::uint32:
+        values[i] = load_uint32(from);
+        break;
+      default:
+        fail("indices are no unsigned integers");
+    }
+  }
+  return values;
+}
+
+std::size_t GltfFile::byte_count() const {
+  std::size_t bytes = file_.size();
+  for (const auto& buffer : buffers_) {
+    if (buffer && buffer->file) bytes += buffer->bytes.size();
+  }
+  return bytes;
+}
+
+void GltfFile::fail(std::string_view reason) const {
+  throw InputError(file_.name(), 0, reason);
+}
+
+}  // namespace mesher

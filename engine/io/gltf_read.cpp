@@ -1,0 +1,339 @@
+#include "engine/io/gltf_read.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <unordered_map>
+
+#include "engine/core/error.h"
+#include "engine/io/format.h"
+#include "engine/io/gltf_file.h"
+#include "engine/io/weld.h"
+
+namespace mesher {
+namespace {
+
+using Json = GltfFile::Json;
+
+constexpr float kAbsent = std::numeric_limits<float>::quiet_NaN();
+/// Corners and vertices that any file may have, however often its meshes are repeated.
+constexpr std::size_t kAlwaysAllowed = std::size_t{1} << 24;
+/// Beyond that, so many for each byte of the file. One of its own takes a byte at least.
+constexpr std::size_t kMostPerByte = 16;
+
+enum Mode : std::uint64_t { kTriangles = 4, kStrip = 5, kFan = 6 };
+
+struct Placed {
+  std::uint64_t node;
+  glm::dmat4 to_world;
+};
+
+template <class Vector>
+Array<Vector> as_vectors(const Array<float>& values) {
+  Array<Vector> vectors(values.size() / static_cast<std::size_t>(Vector::length()));
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    for (int c = 0; c < Vector::length(); ++c) {
+      vectors[i][c] = values[i * static_cast<std::size_t>(Vector::length()) + c];
+    }
+  }
+  return vectors;
+}
+
+std::uint8_t color_byte(float value) {
+  return std::isnan(value)
+             ? std::uint8_t{0}
+             : static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
+}
+
+/// Vertex attributes of a primitive, each empty or one a vertex.
+struct Primitive {
+  Array<glm::vec3> positions;
+  Array<glm::vec3> normals;
+  Array<glm::vec2> texcoords;
+  Array<glm::vec4> colors;
+  Array<std::uint32_t> triangles;  ///< three indices each
+};
+
+class GltfReader {
+ public:
+  explicit GltfReader(const MappedFile& file) : gltf_(file) {}
+
+  Soup run() {
+    refuse_compression();
+    if (gltf_.count("nodes") == 0) {
+      for (std::uint64_t mesh = 0; mesh < gltf_.count("meshes"); ++mesh) {
+        add_mesh(mesh, glm::dmat4(1.0), "");
+      }
+    } else {
+      walk(roots());
+    }
+    if (soup_.positions.empty()) gltf_.fail("no triangles");
+    keep_groups();
+    return std::move(soup_);
+  }
+
+ private:
+  void refuse_compression() {
+    const auto required = gltf_.root().find("extensionsRequired");
+    if (required == gltf_.root().end() || !required->is_array()) return;
+    for (const Json& extension : *required) {
+      if (extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression") {
+        gltf_.fail("compressed glTF cannot be read");
+      }
+    }
+  }
+
+  std::vector<std::uint64_t> index_list(const Json& object, const char* key) {
+    std::vector<std::uint64_t> list;
+    const auto found = object.find(key);
+    if (found == object.end()) return list;
+    if (!found->is_array()) gltf_.fail(std::string(key) + " is no array");
+    for (const Json& index : *found) {
+      if (!index.is_number_unsigned()) gltf_.fail("a node that does not exist");
+      list.push_back(index.get<std::uint64_t>());
+    }
+    return list;
+  }
+
+  /// Roots of the default scene; without scenes, the nodes that are nobody's children.
+  std::vector<std::uint64_t> roots() {
+    if (gltf_.count("scenes") > 0) {
+      const std::uint64_t scene = gltf_.find_number(gltf_.root(), "scene").value_or(0);
+      return index_list(gltf_.element("scenes", scene), "nodes");
+    }
+    std::vector<bool> is_child(gltf_.count("nodes"), false);
+    for (std::uint64_t node = 0; node < is_child.size(); ++node) {
+      for (const std::uint64_t child : index_list(gltf_.element("nodes", node), "children")) {
+        if (child < is_child.size()) is_child[child] = true;
+      }
+    }
+    std::vector<std::uint64_t> list;
+    for (std::uint64_t node = 0; node < is_child.size(); ++node) {
+      if (!is_child[node]) list.push_back(node);
+    }
+    return list;
+  }
+
+  /// Depth first, in the order of the file, without recursion: files can nest as deep as they like.
+  void walk(std::vector<std::uint64_t> roots) {
+    std::vector<bool> is_visited(gltf_.count("nodes"), false);
+    std::vector<Placed> stack;
+    const auto push = [&](const std::vector<std::uint64_t>& nodes, const glm::dmat4& to_world) {
+      for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
+        stack.push_back({*node, to_world});
+      }
+    };
+    push(roots, glm::dmat4(1.0));
+    while (!stack.empty()) {
+      const Placed placed = stack.back();
+      stack.pop_back();
+      const Json& node = gltf_.element("nodes", placed.node);
+      if (is_visited[placed.node]) gltf_.fail("the nodes form no tree");
+      is_visited[placed.node] = true;
+      const glm::dmat4 to_world = placed.to_world * local_transform(node);
+      if (const auto mesh = gltf_.find_number(node, "mesh")) {
+        add_mesh(*mesh, to_world, gltf_.text(node, "name"));
+      }
+      push(index_list(node, "children"), to_world);
+    }
+  }
+
+  glm::dmat4 local_transform(const Json& node) {
+    glm::dmat4 matrix(1.0);
+    if (const auto values = gltf_.find_vector(node, "matrix", 16)) {
+      for (int i = 0; i < 16; ++i)
+        matrix[i / 4][i % 4] = (*values)[i];
+      return matrix;
+    }
+    if (const auto t = gltf_.find_vector(node, "translation", 3)) {
+      matrix[3] = glm::dvec4((*t)[0], (*t)[1], (*t)[2], 1.0);
+    }
+    if (const auto q = gltf_.find_vector(node, "rotation", 4)) {
+      matrix *= glm::mat4_cast(glm::dquat((*q)[3], (*q)[0], (*q)[1], (*q)[2]));
+    }
+    if (const auto s = gltf_.find_vector(node, "scale", 3)) {
+      for (int i = 0; i < 3; ++i)
+        matrix[i] *= (*s)[i];
+    }
+    return matrix;
+  }
+
+  void add_mesh(std::uint64_t index, const glm::dmat4& to_world, std::string_view node_name) {
+    const Json& mesh = gltf_.element("meshes", index);
+    const auto primitives = mesh.find("primitives");
+    if (primitives == mesh.end() || !primitives->is_array())
+      gltf_.fail("a mesh without primitives");
+    const std::string_view name = node_name.empty() ? gltf_.text(mesh, "name") : node_name;
+    Array<glm::vec3> positions;
+    const std::size_t first_corner = soup_.corners.size();
+    for (const Json& json : *primitives) {
+      if (!json.is_object()) gltf_.fail("a primitive is no object");
+      Primitive primitive = read_primitive(json);
+      spend(1 + primitive.positions.size() + primitive.triangles.size());
+      if (primitive.triangles.empty()) continue;
+      transform(primitive, to_world);
+      begin_group(json, name, primitive.triangles.size() / 3);
+      add_corners(primitive, static_cast<std::uint32_t>(positions.size()));
+      positions.insert(positions.end(), primitive.positions.begin(), primitive.positions.end());
+    }
+    join(positions, first_corner);
+  }
+
+  Primitive read_primitive(const Json& json) {
+    Primitive primitive;
+    const std::uint64_t mode = gltf_.find_number(json, "mode").value_or(kTriangles);
+    const auto attributes = json.find("attributes");
+    if (mode < kTriangles || mode > kFan) return primitive;
+    if (attributes == json.end() || !attributes->contains("POSITION")) return primitive;
+    const auto position = gltf_.find_number(*attributes, "POSITION");
+    const std::size_t vertices = gltf_.element_count(*position);
+    primitive.triangles = triangles(json, mode, vertices);
+    if (primitive.triangles.empty()) return primitive;
+    // Many primitives may share one long accessor, each using its part of it.
+    const auto [low, high] =
+        std::minmax_element(primitive.triangles.begin(), primitive.triangles.end());
+    const std::uint32_t first = *low;
+    const std::size_t count = *high - first + std::size_t{1};
+    const auto values = [&](const char* key, std::size_t components) {
+      const auto accessor = gltf_.find_number(*attributes, key);
+      return accessor ? gltf_.floats(*accessor, components, first, count) : Array<float>();
+    };
+    primitive.positions = as_vectors<glm::vec3>(values("POSITION", 3));
+    primitive.normals = as_vectors<glm::vec3>(values("NORMAL", 3));
+    primitive.texcoords = as_vectors<glm::vec2>(values("TEXCOORD_0", 2));
+    primitive.colors = as_vectors<glm::vec4>(values("COLOR_0", 4));
+    for (std::uint32_t& index : primitive.triangles)
+      index -= first;
+    return primitive;
+  }
+
+  Array<std::uint32_t> triangles(const Json& json, std::uint64_t mode, std::size_t vertices) {
+    Array<std::uint32_t> list;
+    if (const auto accessor = gltf_.find_number(json, "indices")) {
+      list = gltf_.indices(*accessor);
+    } else {
+      if (vertices >= kNone) gltf_.fail("more than 32-bit ids can count");
+      list.resize(vertices);
+      for (std::size_t i = 0; i < vertices; ++i)
+        list[i] = static_cast<std::uint32_t>(i);
+    }
+    for (const std::uint32_t index : list) {
+      if (index >= vertices) gltf_.fail("vertex index out of range");
+    }
+    if (mode == kTriangles) {
+      list.resize(list.size() / 3 * 3);
+      return list;
+    }
+    Array<std::uint32_t> unrolled;
+    for (std::size_t i = 2; i < list.size(); ++i) {
+      const std::size_t turn = mode == kStrip ? i % 2 : 0;
+      const std::size_t first = mode == kStrip ? i - 2 + turn : 0;
+      unrolled.insert(unrolled.end(), {list[first], list[i - 1 - turn], list[i]});
+    }
+    return unrolled;
+  }
+
+  static void transform(Primitive& primitive, const glm::dmat4& to_world) {
+    if (to_world == glm::dmat4(1.0)) return;  // keeps every bit
+    for (glm::vec3& p : primitive.positions) {
+      p = glm::vec3(to_world * glm::dvec4(glm::dvec3(p), 1.0));
+    }
+    const glm::dmat3 linear(to_world);
+    const double determinant = glm::determinant(linear);
+    const glm::dmat3 of_normals =
+        determinant != 0.0 ? glm::transpose(glm::inverse(linear)) : linear;
+    for (glm::vec3& n : primitive.normals) {
+      const glm::dvec3 turned = of_normals * glm::dvec3(n);
+      const double length = glm::length(turned);
+      if (length > 0.0) n = glm::vec3(turned / length);
+    }
+    if (determinant >= 0.0) return;
+    // A mirrored mesh would show its inside.
+    for (std::size_t i = 0; i + 2 < primitive.triangles.size(); i += 3) {
+      std::swap(primitive.triangles[i + 1], primitive.triangles[i + 2]);
+    }
+  }
+
+  /// Appends a value a corner; an attribute that only some primitives have is `absent` elsewhere.
+  template <class Out, class In, class Convert>
+  void add_values(Array<Out>& out, const Array<In>& in, const Primitive& primitive, Out absent,
+                  Convert&& convert) {
+    if (in.empty() && out.empty()) return;
+    out.resize(soup_.corners.size(), absent);  // corners before the first that have it
+    for (const std::uint32_t v : primitive.triangles) {
+      out.push_back(in.empty() ? absent : convert(in[v]));
+    }
+  }
+
+  void add_corners(const Primitive& primitive, std::uint32_t first_vertex) {
+    Attributes& attributes = soup_.attributes;
+    add_values(attributes.normal, primitive.normals, primitive, glm::vec3(kAbsent),
+               [](const glm::vec3& n) { return n; });
+    add_values(attributes.texcoord, primitive.texcoords, primitive, glm::vec2(kAbsent),
+               [](const glm::vec2& t) { return glm::vec2(t.x, 1.0F - t.y); });
+    add_values(
+        attributes.color, primitive.colors, primitive, glm::u8vec4(255), [](const glm::vec4& c) {
+          return glm::u8vec4(color_byte(c.r), color_byte(c.g), color_byte(c.b), color_byte(c.a));
+        });
+    for (const std::uint32_t v : primitive.triangles)
+      soup_.corners.push_back(first_vertex + v);
+  }
+
+  /// Notes that so many values were read, and refuses a file that says the same again and again.
+  void spend(std::size_t values) {
+    spent_ += values;
+    if (spent_ > kAlwaysAllowed && spent_ / kMostPerByte > gltf_.byte_count()) {
+      gltf_.fail("its meshes are repeated beyond sense");
+    }
+    if (spent_ >= kNone) gltf_.fail("more than 32-bit ids can count");
+  }
+
+  /// Adds a mesh's positions, each once, and lets its corners point at them.
+  void join(const Array<glm::vec3>& positions, std::size_t first_corner) {
+    const Weld welded = weld_positions(positions);
+    const auto first_vertex = static_cast<std::uint32_t>(soup_.positions.size());
+    for (const std::uint32_t v : welded.first)
+      soup_.positions.push_back(positions[v]);
+    for (std::size_t c = first_corner; c < soup_.corners.size(); ++c) {
+      soup_.corners[c] = first_vertex + welded.index[soup_.corners[c]];
+    }
+  }
+
+  void begin_group(const Json& primitive, std::string_view name, std::size_t faces) {
+    std::string group(name.substr(0, kMostNameBytes));
+    if (const auto material = gltf_.find_number(primitive, "material")) {
+      const std::string_view material_name =
+          gltf_.text(gltf_.element("materials", *material), "name").substr(0, kMostNameBytes);
+      if (!group.empty() && !material_name.empty()) group += '/';
+      group += material_name;
+    }
+    const auto [entry, is_new] =
+        group_ids_.try_emplace(group, static_cast<std::uint32_t>(group_ids_.size()));
+    if (is_new) soup_.attributes.group_names.push_back(group);
+    soup_.attributes.group.resize(soup_.attributes.group.size() + faces, entry->second);
+  }
+
+  void keep_groups() {
+    if (soup_.attributes.group_names.size() > 1) return;
+    soup_.attributes.group = {};
+    soup_.attributes.group_names.clear();
+  }
+
+  GltfFile gltf_;
+  Soup soup_;
+  std::size_t spent_ = 0;
+  std::unordered_map<std::string, std::uint32_t> group_ids_;
+};
+
+}  // namespace
+
+Soup read_gltf(const MappedFile& file) {
+  return GltfReader(file).run();
+}
+
+}  // namespace mesher

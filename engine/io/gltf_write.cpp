@@ -1,0 +1,231 @@
+#include "engine/io/gltf_write.h"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "engine/core/error.h"
+#include "engine/io/base64.h"
+#include "engine/io/block_writer.h"
+#include "engine/mesh/statistics.h"
+
+namespace mesher {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::uint64_t kMostBytes = std::numeric_limits<std::uint32_t>::max();
+
+/// Vertices as the file has them.
+struct SplitVertices {
+  Array<std::uint32_t> index;   ///< one a corner
+  Array<std::uint32_t> vertex;  ///< the mesh's vertex of each
+  Array<std::uint32_t> corner;  ///< a corner with its attributes; kNone for an isolated vertex
+};
+
+/// Which attributes are written.
+struct Carried {
+  bool normal;
+  bool texcoord;
+  bool color;
+};
+
+bool same_attributes(const Attributes& attributes, const Carried& carried, Halfedge a, Halfedge b) {
+  const auto same = [&](const auto& values) {
+    return std::memcmp(&values[a.index()], &values[b.index()], sizeof values[0]) == 0;
+  };
+  return (!carried.normal || same(attributes.normal)) &&
+         (!carried.texcoord || same(attributes.texcoord)) &&
+         (!carried.color || same(attributes.color));
+}
+
+/// Where a sweep around a vertex starts so that no run of like corners is cut in two: behind a
+/// change of attributes; on a boundary, at its start.
+template <class Same>
+Halfedge start_of_run(const Mesh& mesh, Vertex v, Same&& same) {
+  const Halfedge start = mesh.outgoing(v);
+  if (mesh.is_boundary(v)) return start;
+  Halfedge h = start;
+  do {
+    const Halfedge before = mesh.rotate_cw(h);
+    if (!same(h, before)) return h;
+    h = before;
+  } while (h != start);
+  return start;
+}
+
+SplitVertices split_vertices(const Mesh& mesh, const Attributes& attributes,
+                             const Carried& carried) {
+  SplitVertices split;
+  split.index.resize(mesh.halfedge_count());
+  split.vertex.reserve(mesh.vertex_count());
+  split.corner.reserve(mesh.vertex_count());
+  const auto add = [&](Vertex v, Halfedge h) {
+    split.vertex.push_back(v.index());
+    split.corner.push_back(h.index());
+  };
+  const auto same = [&](Halfedge a, Halfedge b) {
+    return same_attributes(attributes, carried, a, b);
+  };
+  for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i) {
+    const Vertex v(i);
+    if (mesh.is_isolated(v)) {
+      add(v, Halfedge());
+      continue;
+    }
+    const Halfedge start = start_of_run(mesh, v, same);
+    Halfedge last;
+    for (Halfedge h = start; h.is_valid() && (h != start || !last.is_valid());
+         h = mesh.rotate_ccw(h)) {
+      if (!last.is_valid() || !same(h, last)) add(v, h);
+      split.index[h.index()] = static_cast<std::uint32_t>(split.vertex.size() - 1);
+      last = h;
+    }
+  }
+  return split;
+}
+
+class GltfWriter {
+ public:
+  GltfWriter(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool binary)
+      : file_(file), mesh_(mesh), attributes_(attributes), binary_(binary) {
+    carried_.normal = !attributes.normal.empty();
+    for (const glm::vec3& n : attributes.normal) {
+      if (!std::isfinite(n.x + n.y + n.z)) carried_.normal = false;
+    }
+    carried_.texcoord = !attributes.texcoord.empty();
+    carried_.color = !attributes.color.empty();
+    split_ = split_vertices(mesh, attributes, carried_);
+    describe();
+  }
+
+  void run() {
+    std::string json = document_.dump();
+    if (!binary_) {
+      // The data goes where the document, which is known by now, cannot hold it twice.
+      file_.write("{\"buffers\":[{\"byteLength\":" + std::to_string(bytes_) +
+                  ",\"uri\":\"data:application/octet-stream;base64,");
+      Base64Writer<AtomicFile> text(file_);
+      write_data(text);
+      text.finish();
+      file_.write("\"}]," + json.substr(1));
+      return;
+    }
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    const std::uint64_t total = 12 + 8 + json.size() + 8 + bytes_;
+    if (total > kMostBytes) throw OutputError(file_.name(), "glTF cannot hold more than 4 GB");
+    Appender head;
+    head.need(64);
+    head << "glTF";
+    head.raw(std::uint32_t{2}).raw(static_cast<std::uint32_t>(total));
+    head.raw(static_cast<std::uint32_t>(json.size())) << "JSON";
+    file_.write(head.text());
+    file_.write(json);
+    head.clear();
+    head.raw(static_cast<std::uint32_t>(bytes_)) << std::string_view("BIN\0", 4);
+    file_.write(head.text());
+    write_data(file_);
+  }
+
+ private:
+  /// Adds an accessor with a buffer view of its own and returns its index.
+  std::size_t add_accessor(const char* type, int component_type, std::size_t count,
+                           std::size_t element_bytes, int target) {
+    document_["bufferViews"].push_back({{"buffer", 0},
+                                        {"byteOffset", bytes_},
+                                        {"byteLength", count * element_bytes},
+                                        {"target", target}});
+    document_["accessors"].push_back({{"bufferView", document_["bufferViews"].size() - 1},
+                                      {"componentType", component_type},
+                                      {"count", count},
+                                      {"type", type}});
+    bytes_ += count * element_bytes;
+    return document_["accessors"].size() - 1;
+  }
+
+  void describe() {
+    constexpr int kFloat = 5126;
+    constexpr int kUint = 5125;
+    constexpr int kByte = 5121;
+    constexpr int kVertexData = 34962;
+    constexpr int kIndexData = 34963;
+    document_ = {{"asset", {{"version", "2.0"}, {"generator", "mesher"}}}};
+    document_["bufferViews"] = Json::array();
+    document_["accessors"] = Json::array();
+    const std::size_t vertices = split_.vertex.size();
+    Json attributes;
+    attributes["POSITION"] = add_accessor("VEC3", kFloat, vertices, 12, kVertexData);
+    const Box box = bounding_box(mesh_);
+    document_["accessors"][0]["min"] = {box.min.x, box.min.y, box.min.z};
+    document_["accessors"][0]["max"] = {box.max.x, box.max.y, box.max.z};
+    if (carried_.normal) {
+      attributes["NORMAL"] = add_accessor("VEC3", kFloat, vertices, 12, kVertexData);
+    }
+    if (carried_.texcoord) {
+      attributes["TEXCOORD_0"] = add_accessor("VEC2", kFloat, vertices, 8, kVertexData);
+    }
+    if (carried_.color) {
+      attributes["COLOR_0"] = add_accessor("VEC4", kByte, vertices, 4, kVertexData);
+      document_["accessors"].back()["normalized"] = true;
+    }
+    const std::size_t indices =
+        add_accessor("SCALAR", kUint, mesh_.halfedge_count(), 4, kIndexData);
+    document_["meshes"] = Json::array(
+        {{{"primitives", Json::array({{{"attributes", attributes}, {"indices", indices}}})}}});
+    document_["nodes"] = Json::array({{{"mesh", 0}}});
+    document_["scenes"] = Json::array({{{"nodes", Json::array({0})}}});
+    document_["scene"] = 0;
+    if (binary_) document_["buffers"] = Json::array({{{"byteLength", bytes_}}});
+  }
+
+  template <class Sink>
+  void write_data(Sink& sink) {
+    const std::size_t vertices = split_.vertex.size();
+    write_elements(sink, vertices, 12, [&](Appender& out, std::size_t i) {
+      out.raw(mesh_.positions()[split_.vertex[i]]);
+    });
+    if (carried_.normal) {
+      write_values(sink, attributes_.normal, glm::vec3(0.0F, 0.0F, 1.0F),
+                   [](const glm::vec3& n) { return n; });
+    }
+    if (carried_.texcoord) {
+      write_values(sink, attributes_.texcoord, glm::vec2(0.0F), [](const glm::vec2& t) {
+        return std::isfinite(t.x + t.y) ? glm::vec2(t.x, 1.0F - t.y) : glm::vec2(0.0F);
+      });
+    }
+    if (carried_.color) {
+      write_values(sink, attributes_.color, glm::u8vec4(255),
+                   [](const glm::u8vec4& c) { return c; });
+    }
+    write_elements(sink, split_.index.size(), 4,
+                   [&](Appender& out, std::size_t c) { out.raw(split_.index[c]); });
+  }
+
+  template <class Sink, class T, class Convert>
+  void write_values(Sink& sink, const Array<T>& values, const T& unused, Convert&& convert) {
+    write_elements(sink, split_.corner.size(), sizeof(T), [&](Appender& out, std::size_t i) {
+      const std::uint32_t corner = split_.corner[i];
+      out.raw(corner == kNone ? unused : convert(values[corner]));
+    });
+  }
+
+  AtomicFile& file_;
+  const Mesh& mesh_;
+  const Attributes& attributes_;
+  bool binary_;
+  Carried carried_ = {};
+  SplitVertices split_;
+  Json document_;
+  std::uint64_t bytes_ = 0;
+};
+
+}  // namespace
+
+void write_gltf(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool binary) {
+  if (mesh.vertex_count() == 0) throw OutputError(file.name(), "glTF cannot hold an empty mesh");
+  GltfWriter(file, mesh, attributes, binary).run();
+}
+
+}  // namespace mesher
