@@ -14,6 +14,8 @@
 namespace mesher::app {
 namespace {
 
+constexpr std::uint32_t kPanelFitsWidth = 700;
+
 void picture_without_window(Session& session, const std::vector<KeyPress>& keys,
                             const std::string& output, const LookOptions& look,
                             const CommonOptions& common) {
@@ -32,7 +34,7 @@ void picture_without_window(Session& session, const std::vector<KeyPress>& keys,
 
 void run_view(const InputOptions& input, const LookOptions& look, const ViewOptions& view,
               const CommonOptions& common) {
-  const Size size = parse_size(look.size.empty() ? "1024x768" : look.size);
+  const Size size = parse_size(look.size.empty() ? "1280x800" : look.size);
   const std::vector<KeyPress> keys = parse_keys(view.keys);
   if (!look.camera.empty()) parse_camera(look.camera);
   LoadedModel loaded = load(input, common);
@@ -40,6 +42,9 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
   session.window = {size.width, size.height};
   show_model(session, std::move(loaded.model), loaded.statistics, loaded.file);
   apply_look(session, look);
+  // On a small window the panel would hide the model.
+  session.shows_info = size.width >= kPanelFitsWidth;
+  if (!session.shows_info) session.notice = "F1: keys   Tab: panel";
   if (!view.screenshot.empty()) {
     return picture_without_window(session, keys, view.screenshot, look, common);
   }

@@ -1,6 +1,7 @@
 #include <imgui.h>
 
 #include <cinttypes>
+#include <cstdio>
 
 #include "app/ui/panels.h"
 
@@ -107,11 +108,23 @@ void draw_colors(render::Settings& settings) {
   }
 }
 
+std::string size_text(std::uint64_t bytes) {
+  char text[32];
+  if (bytes < 10'000) {
+    std::snprintf(text, sizeof text, "%" PRIu64 " bytes", bytes);
+  } else {
+    std::snprintf(text, sizeof text, "%.*f %s", bytes < 1'000'000 ? 1 : 2,
+                  static_cast<double>(bytes) / (bytes < 1'000'000 ? 1e3 : 1e6),
+                  bytes < 1'000'000 ? "kB" : "MB");
+  }
+  return text;
+}
+
 void draw_gpu(const PanelFacts& facts) {
   if (!begin_section("GPU") || !begin_table("gpu")) return;
   if (facts.frame_ms > 0.0) row("frame", "%.1f ms", facts.frame_ms);
-  row("last upload", "%" PRIu64 " of %" PRIu64 " bytes", facts.upload.uploaded_bytes,
-      facts.upload.total_bytes);
+  row("uploaded", "%s", size_text(facts.upload.uploaded_bytes).c_str());
+  row("of", "%s", size_text(facts.upload.total_bytes).c_str());
   ImGui::EndTable();
   ImGui::PushTextWrapPos();
   ImGui::TextDisabled("%s", facts.device.c_str());

@@ -1,0 +1,162 @@
+// The program as a whole, run as a person runs it: output, files and exit codes.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "engine/io/png.h"
+#include "tests/support/process.h"
+#include "tests/support/temp_folder.h"
+
+namespace mesher::test {
+namespace {
+
+constexpr const char* kAssets = MESHER_SOURCE_DIR "/assets/";
+
+class CommandLine : public testing::Test {
+ protected:
+  // No display unless a test makes one; files go into the test's own folder.
+  Finished mesher(std::vector<std::string> arguments, std::vector<std::string> environment = {}) {
+    arguments.insert(arguments.begin(), MESHER_PROGRAM);
+    arguments.insert(arguments.begin(), {"env", "-C", folder_.path().string()});
+    environment.insert(environment.end(), {"DISPLAY", "WAYLAND_DISPLAY"});
+    return run_program(arguments, environment);
+  }
+
+  TempFolder folder_;
+};
+
+TEST_F(CommandLine, InfoCountsABunny) {
+  const Finished run = mesher({"info", "bunny", "--json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["statistics"]["faces"], 3674);
+  EXPECT_EQ(json["statistics"]["euler_characteristic"], 2);
+  EXPECT_EQ(json["repairs"]["faces_flipped"], 0);
+  const Finished words = mesher({"info", "open_box.obj"});
+  EXPECT_NE(words.out.find("boundary loops     1"), std::string::npos) << words.out;
+}
+
+TEST_F(CommandLine, RenderWritesAPictureOfTheSizeAskedFor) {
+  const Finished run =
+      mesher({"render", "cube.obj", "-o", "cube.png", "--size", "120x80", "--wireframe",
+              "--shading", "gouraud", "--camera", "-30,20,1.2", "--validation", "--json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(nlohmann::json::parse(run.out)["wireframe"], true);
+  const Image image = read_png(folder_ / "cube.png");
+  EXPECT_EQ(image.width, 120U);
+  EXPECT_EQ(image.height, 80U);
+  EXPECT_NE(std::memcmp(image.pixel(60, 40), image.pixel(0, 0), 4), 0);  // something is there
+}
+
+TEST_F(CommandLine, TheAssignmentsSpellingWithoutADisplayDrawsAPictureAndSaysSo) {
+  const Finished run =
+      mesher({"-input", "bunny.obj", "-size", "200", "-gouraud", "-wireframe", "--validation"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.err.find("no display"), std::string::npos) << run.err;
+  EXPECT_EQ(read_png(folder_ / "bunny.png").width, 200U);
+}
+
+TEST_F(CommandLine, KeysAndScreenshotRunWithoutAWindow) {
+  const Finished run = mesher({"view", "cube", "--size", "100", "--keys", "w g 3 5 f", "--screenshot",
+                               "out.png", "--json", "--validation"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["wireframe"], true);
+  EXPECT_EQ(json["shading"], "gouraud");
+  EXPECT_EQ(json["camera"]["orthographic"], true);
+  EXPECT_EQ(read_png(folder_ / "out.png").height, 100U);
+  // The same state by words gives the same picture.
+  EXPECT_EQ(mesher({"render", "cube", "-o", "words.png", "--size", "100", "--wireframe",
+                    "--gouraud", "--view", "right", "--orthographic"})
+                .exit_code,
+            0);
+  EXPECT_TRUE(read_png(folder_ / "out.png").rgba == read_png(folder_ / "words.png").rgba);
+}
+
+TEST_F(CommandLine, ConvertKeepsPositionsBitForBitThroughEveryFormatThatCan) {
+  ASSERT_EQ(mesher({"convert", "bunny", "a.ply"}).exit_code, 0);
+  ASSERT_EQ(mesher({"convert", "a.ply", "b.off"}).exit_code, 0);
+  ASSERT_EQ(mesher({"convert", "b.off", "c.obj"}).exit_code, 0);
+  ASSERT_EQ(mesher({"convert", "bunny", "direct.obj"}).exit_code, 0);
+  EXPECT_EQ(read_bytes(folder_ / "c.obj"), read_bytes(folder_ / "direct.obj"));
+}
+
+TEST_F(CommandLine, TheSameBytesForAnyNumberOfThreads) {
+  ASSERT_EQ(mesher({"convert", "knot", "one.obj", "--threads", "1"}).exit_code, 0);
+  ASSERT_EQ(mesher({"convert", "knot", "two.obj", "--threads", "2"}).exit_code, 0);
+  EXPECT_EQ(read_bytes(folder_ / "one.obj"), read_bytes(folder_ / "two.obj"));
+}
+
+TEST_F(CommandLine, UsageErrorsExitWithOne) {
+  const std::vector<std::vector<std::string>> bad{
+      {"render", "cube"},
+      {"render", "cube", "-o", "x.png", "--size", "huge"},
+      {"render", "cube", "-o", "x.png", "--camera", "1"},
+      {"info"},
+      {"info", "cube", "--no-such-option"},
+      {"view", "cube", "--screenshot", "x.png", "--keys", "f9"},
+      {"convert", "cube", "x.unknown"}};
+  for (const auto& arguments : bad) {
+    const Finished run = mesher(arguments);
+    EXPECT_EQ(run.exit_code, 1) << arguments[0] << " " << arguments.back() << ": " << run.err;
+    EXPECT_FALSE(run.err.empty());
+  }
+  EXPECT_EQ(folder_.count_files(), 0U);
+}
+
+TEST_F(CommandLine, BadInputIsOneLineWithFileLineAndReason) {
+  folder_.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  for (const auto& arguments : std::vector<std::vector<std::string>>{
+           {"info", "bad.obj"}, {"convert", "bad.obj", "out.ply"}, {"-input", "bad.obj"}}) {
+    const Finished run = mesher(arguments);
+    EXPECT_EQ(run.exit_code, 2) << run.err;
+    EXPECT_NE(run.err.find("bad.obj:4: "), std::string::npos) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  }
+  EXPECT_EQ(mesher({"info", "missing.obj"}).exit_code, 2);
+  EXPECT_EQ(folder_.count_files(), 1U);
+}
+
+TEST_F(CommandLine, OutputThatCannotBeWrittenExitsWithFour) {
+  EXPECT_EQ(mesher({"convert", "cube", "no/such/folder/x.obj"}).exit_code, 4);
+  EXPECT_EQ(mesher({"render", "cube", "-o", "no/such/folder/x.png"}).exit_code, 4);
+  EXPECT_EQ(folder_.count_files(), 0U);
+}
+
+TEST_F(CommandLine, WithoutVulkanItSaysSoInOneLineAndExitsWithThree) {
+  const std::vector<std::string> no_driver{"VK_ICD_FILENAMES=/nonexistent.json",
+                                           "VK_DRIVER_FILES=/nonexistent.json"};
+  const Finished run = mesher({"render", "cube", "-o", "x.png"}, no_driver);
+  EXPECT_EQ(run.exit_code, 3) << run.err;
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  EXPECT_EQ(folder_.count_files(), 0U);
+}
+
+TEST_F(CommandLine, AnUnknownDeviceIsNamedWithThoseThereAre) {
+  const Finished run = mesher({"render", "cube", "-o", "x.png", "--device", "voodoo"});
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_NE(run.err.find("voodoo"), std::string::npos) << run.err;
+}
+
+TEST_F(CommandLine, HelpAndVersionGoToStdout) {
+  const Finished help = mesher({"--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  for (const char* word : {"view", "render", "info", "convert"}) {
+    EXPECT_NE(help.out.find(word), std::string::npos);
+  }
+  EXPECT_EQ(mesher({"render", "--help"}).exit_code, 0);
+  EXPECT_NE(mesher({"--version"}).out.find("mesher"), std::string::npos);
+}
+
+TEST_F(CommandLine, CreasesSurviveAConversion) {
+  ASSERT_EQ(mesher({"convert", "creased_cube", "c.obj"}).exit_code, 0);
+  const auto before = nlohmann::json::parse(
+      mesher({"info", std::string(kAssets) + "creased_cube.obj", "--json"}).out);
+  const auto after = nlohmann::json::parse(mesher({"info", "c.obj", "--json"}).out);
+  EXPECT_GT(before["statistics"]["crease_edges"], 0);
+  EXPECT_EQ(before["statistics"], after["statistics"]);
+}
+
+}  // namespace
+}  // namespace mesher::test

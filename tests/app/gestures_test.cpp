@@ -1,0 +1,100 @@
+#include "app/gestures.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "tests/support/meshes.h"
+
+namespace mesher::app {
+namespace {
+
+class GesturesTest : public testing::Test {
+ protected:
+  GesturesTest() {
+    Model model;
+    model.mesh = build_mesh(test::cube()).mesh;
+    session_.window = {400, 400};
+    show_model(session_, std::move(model), "cube.obj");
+    before_ = session_.camera;
+  }
+
+  void drag(MouseButton button, bool shift, glm::dvec2 from, glm::dvec2 to) {
+    gestures_.press(button, shift, from, 0.0);
+    gestures_.move(to);
+    gestures_.release();
+  }
+
+  Session session_;
+  Gestures gestures_{session_};
+  render::Camera before_;
+};
+
+TEST_F(GesturesTest, LeftDragOrbits) {
+  drag(MouseButton::left, false, {100, 100}, {160, 130});
+  EXPECT_NE(session_.camera.yaw_rad(), before_.yaw_rad());
+  EXPECT_NE(session_.camera.pitch_rad(), before_.pitch_rad());
+  EXPECT_EQ(session_.camera.pivot(), before_.pivot());
+  EXPECT_EQ(session_.camera.distance(), before_.distance());
+}
+
+TEST_F(GesturesTest, ShiftDragAndRightDragPanAlike) {
+  drag(MouseButton::left, true, {100, 100}, {160, 130});
+  const glm::dvec3 pivot = session_.camera.pivot();
+  EXPECT_NE(pivot, before_.pivot());
+  EXPECT_EQ(session_.camera.yaw_rad(), before_.yaw_rad());
+  session_.camera = before_;
+  drag(MouseButton::right, false, {100, 100}, {160, 130});
+  EXPECT_EQ(session_.camera.pivot(), pivot);
+  session_.camera = before_;
+  drag(MouseButton::middle, false, {100, 100}, {160, 130});
+  EXPECT_EQ(session_.camera.pivot(), pivot);
+}
+
+TEST_F(GesturesTest, MovingWithoutAButtonDoesNothing) {
+  EXPECT_FALSE(gestures_.move({300, 300}));
+  EXPECT_TRUE(session_.camera == before_);
+  drag(MouseButton::left, false, {100, 100}, {100, 100});
+  EXPECT_TRUE(session_.camera == before_);
+}
+
+TEST_F(GesturesTest, TheWheelZoomsTowardTheCursor) {
+  gestures_.scroll(2.0, {300, 100});
+  EXPECT_LT(session_.camera.distance(), before_.distance());
+  EXPECT_GT(glm::dot(session_.camera.pivot() - before_.pivot(), before_.right()), 0.0);
+  EXPECT_GT(glm::dot(session_.camera.pivot() - before_.pivot(), before_.up()), 0.0);
+  gestures_.scroll(-2.0, {300, 100});
+  EXPECT_NEAR(session_.camera.distance(), before_.distance(), 1e-12);
+  EXPECT_NEAR(glm::distance(session_.camera.pivot(), before_.pivot()), 0.0, 1e-12);
+}
+
+TEST_F(GesturesTest, ADoubleClickRecentresOnTheSurface) {
+  session_.camera.set_view(render::View::front);
+  gestures_.press(MouseButton::left, false, {230, 180}, 1.0);
+  gestures_.release();
+  gestures_.press(MouseButton::left, false, {231, 180}, 1.2);
+  gestures_.release();
+  EXPECT_NEAR(session_.camera.pivot().z, 0.5, 1e-9);
+  EXPECT_GT(session_.camera.pivot().x, 0.0);
+}
+
+TEST_F(GesturesTest, TwoSlowOrDistantClicksAreNoDoubleClick) {
+  gestures_.press(MouseButton::left, false, {230, 180}, 1.0);
+  gestures_.release();
+  gestures_.press(MouseButton::left, false, {230, 180}, 1.5);
+  gestures_.release();
+  gestures_.press(MouseButton::left, false, {200, 180}, 1.6);
+  gestures_.release();
+  EXPECT_TRUE(session_.camera == before_);
+}
+
+TEST_F(GesturesTest, ADoubleClickBesideTheModelChangesNothing) {
+  gestures_.press(MouseButton::left, false, {2, 2}, 1.0);
+  gestures_.release();
+  gestures_.press(MouseButton::left, false, {2, 2}, 1.1);
+  gestures_.release();
+  EXPECT_TRUE(session_.camera == before_);
+}
+
+}  // namespace
+}  // namespace mesher::app

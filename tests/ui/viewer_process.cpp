@@ -1,0 +1,101 @@
+#include "tests/ui/viewer_process.h"
+
+#include <X11/Xlib.h>
+#include <X11/Xutil.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+namespace mesher::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+// Sanitizers and a busy machine make the first frame slow; nothing waits so long when all is well.
+constexpr auto kPatience = 60s;
+
+bool becomes_true(const std::function<bool()>& condition) {
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  while (std::chrono::steady_clock::now() < end) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(20ms);
+  }
+  return false;
+}
+
+}  // namespace
+
+ViewerProcess::ViewerProcess(const XServer& server, std::vector<std::string> arguments)
+    : server_(server) {
+  arguments.insert(arguments.begin(), MESHER_PROGRAM);
+  arguments.insert(arguments.end(), {"--validation", "--state-log", folder_ / "state.jsonl"});
+  program_ = std::make_unique<BackgroundProgram>(
+      arguments, std::vector<std::string>{server.environment(), "WAYLAND_DISPLAY",
+                                          "XDG_PICTURES_DIR=" + folder_.path().string()});
+  if (!becomes_true([this] { return !state().is_null() || !is_running(); }) || !is_running()) {
+    throw std::runtime_error("the viewer did not start");
+  }
+  window_ = server.xdotool({"search", "--sync", "--name", "mesher"});
+  window_ = window_.substr(0, window_.find('\n'));
+  server.xdotool({"windowfocus", "--sync", window_});
+}
+
+nlohmann::json ViewerProcess::state() const {
+  if (!std::filesystem::exists(folder_ / "state.jsonl")) return {};
+  const std::string text = read_bytes(folder_ / "state.jsonl");
+  const std::size_t end = text.rfind('\n');
+  if (end == std::string::npos) return {};
+  const std::size_t before = text.rfind('\n', end - 1);
+  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+  return nlohmann::json::parse(text.substr(begin, end - begin));
+}
+
+bool ViewerProcess::reaches(const std::function<bool(const nlohmann::json&)>& condition) const {
+  return becomes_true([&] { return condition(state()); });
+}
+
+void ViewerProcess::settle() const {
+  auto last = screenshot();
+  becomes_true([&] {
+    std::this_thread::sleep_for(150ms);
+    auto now = screenshot();
+    const bool is_still = now == last;
+    last = std::move(now);
+    return is_still;
+  });
+}
+
+void ViewerProcess::key(const std::string& keysym) const {
+  server_.xdotool({"key", keysym});
+}
+
+void ViewerProcess::move(int x, int y) const {
+  server_.xdotool({"mousemove", "--window", window_, std::to_string(x), std::to_string(y)});
+}
+
+void ViewerProcess::drag(int button, int x0, int y0, int x1, int y1) const {
+  move(x0, y0);
+  press(button);
+  move((x0 + x1) / 2, (y0 + y1) / 2);
+  move(x1, y1);
+  release(button);
+}
+
+std::vector<std::uint8_t> ViewerProcess::screenshot() const {
+  Display* display = XOpenDisplay(server_.display().c_str());
+  if (display == nullptr) throw std::runtime_error("XOpenDisplay");
+  const Window window = std::stoul(window_);
+  XWindowAttributes attributes{};
+  XGetWindowAttributes(display, window, &attributes);
+  XImage* image = XGetImage(display, window, 0, 0, static_cast<unsigned>(attributes.width),
+                            static_cast<unsigned>(attributes.height), AllPlanes, ZPixmap);
+  if (image == nullptr) throw std::runtime_error("XGetImage");
+  const std::vector<std::uint8_t> bytes(image->data,
+                                        image->data + image->bytes_per_line * image->height);
+  XDestroyImage(image);
+  XCloseDisplay(display);
+  return bytes;
+}
+
+}  // namespace mesher::test

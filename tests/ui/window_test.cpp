@@ -1,0 +1,249 @@
+// Every key and every gesture, in a real window, under the validation layer: what it should change
+// changes, and the program ends with 0 (a validation message would end it with 3).
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <sstream>
+#include <thread>
+
+#include "engine/io/png.h"
+#include "tests/ui/viewer_process.h"
+#include "tests/ui/xdnd_source.h"
+
+namespace mesher::test {
+namespace {
+
+using nlohmann::json;
+
+class WindowTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { server_ = std::make_unique<XServer>(); }
+  static void TearDownTestSuite() { server_.reset(); }
+
+  static std::unique_ptr<ViewerProcess> open(std::vector<std::string> arguments) {
+    return std::make_unique<ViewerProcess>(*server_, std::move(arguments));
+  }
+  static void quit(ViewerProcess& viewer) {
+    viewer.key("q");
+    EXPECT_EQ(viewer.wait_for_end(), 0);
+  }
+  static double number(const json& state, const char* name) {
+    return state["camera"][name].get<double>();
+  }
+
+  static std::unique_ptr<XServer> server_;
+};
+
+std::unique_ptr<XServer> WindowTest::server_;
+
+#define EXPECT_REACHES(viewer, condition)                                       \
+  EXPECT_TRUE((viewer).reaches([&](const json& s) { return bool(condition); })) \
+      << #condition << "\n"                                                     \
+      << (viewer).state().dump(2)
+
+TEST_F(WindowTest, TheAssignmentsCommandLineOpensAWindowOfThatSize) {
+  const auto v = open({"-input", "bunny.obj", "-size", "500", "-gouraud"});
+  EXPECT_REACHES(*v, s["shading"] == "gouraud" && s["window"] == json::array({500.0, 500.0}));
+  quit(*v);
+}
+
+TEST_F(WindowTest, ShadingKeysChangeStateAndPicture) {
+  const auto v = open({"cube", "--size", "800x600"});
+  v->settle();
+  const auto flat = v->screenshot();
+  v->key("w");
+  EXPECT_REACHES(*v, s["wireframe"] == true);
+  v->settle();
+  const auto lines = v->screenshot();
+  EXPECT_NE(lines, flat);
+  v->key("g");
+  EXPECT_REACHES(*v, s["shading"] == "gouraud");
+  v->settle();
+  EXPECT_NE(v->screenshot(), lines);
+  v->key("shift+w");
+  EXPECT_REACHES(*v, s["shading"] == "none");
+  v->key("shift+w");
+  EXPECT_REACHES(*v, s["shading"] == "flat");
+  v->key("w");
+  EXPECT_REACHES(*v, s["wireframe"] == false);
+  v->settle();
+  EXPECT_EQ(v->screenshot(), flat);
+  v->key("b");
+  EXPECT_REACHES(*v, s["background"] == "dark");
+  v->settle();
+  EXPECT_NE(v->screenshot(), flat);
+  quit(*v);
+}
+
+TEST_F(WindowTest, ViewKeysTurnTheCamera) {
+  const auto v = open({"knot", "--size", "800x600"});
+  v->key("1");
+  EXPECT_REACHES(*v,
+                 std::abs(number(s, "yaw_rad")) < 1e-9 && std::abs(number(s, "pitch_rad")) < 1e-9);
+  v->key("3");
+  EXPECT_REACHES(*v, std::abs(number(s, "yaw_rad") - 1.5707963) < 1e-6);
+  v->key("7");
+  EXPECT_REACHES(*v, std::abs(number(s, "pitch_rad") - 1.5707963) < 1e-6);
+  v->key("5");
+  EXPECT_REACHES(*v, s["camera"]["orthographic"] == true);
+  quit(*v);
+}
+
+TEST_F(WindowTest, HelpPanelAndEscape) {
+  const auto v = open({"cube", "--size", "800x600"});
+  v->settle();
+  const auto before = v->screenshot();
+  v->key("F1");
+  EXPECT_REACHES(*v, s["help"] == true);
+  v->settle();
+  EXPECT_NE(v->screenshot(), before);
+  v->key("h");
+  EXPECT_REACHES(*v, s["help"] == false);
+  v->key("question");
+  EXPECT_REACHES(*v, s["help"] == true);
+  v->key("Escape");
+  EXPECT_REACHES(*v, s["help"] == false);
+  v->key("Tab");
+  EXPECT_REACHES(*v, s["info"] == false);
+  v->settle();
+  EXPECT_NE(v->screenshot(), before);
+  v->key("Escape");  // nothing is open any more
+  EXPECT_EQ(v->wait_for_end(), 0);
+}
+
+TEST_F(WindowTest, DragsTurnAndMoveTheModel) {
+  const auto v = open({"cube", "--size", "800x600"});
+  const json start = v->state();
+  v->drag(1, 500, 300, 560, 330);
+  EXPECT_REACHES(*v, number(s, "yaw_rad") != number(start, "yaw_rad") &&
+                         number(s, "pitch_rad") != number(start, "pitch_rad") &&
+                         s["camera"]["pivot"] == start["camera"]["pivot"]);
+  v->settle();
+  const json turned = v->state();
+  v->drag(3, 500, 300, 560, 330);
+  EXPECT_REACHES(*v, s["camera"]["pivot"] != turned["camera"]["pivot"] &&
+                         number(s, "yaw_rad") == number(turned, "yaw_rad"));
+  v->settle();
+  const json moved = v->state();
+  server_->xdotool({"keydown", "shift"});
+  v->drag(1, 500, 300, 450, 300);
+  server_->xdotool({"keyup", "shift"});
+  EXPECT_REACHES(*v, s["camera"]["pivot"] != moved["camera"]["pivot"] &&
+                         number(s, "yaw_rad") == number(moved, "yaw_rad"));
+  v->key("f");
+  EXPECT_REACHES(*v, s["camera"]["pivot"] == start["camera"]["pivot"]);
+  quit(*v);
+}
+
+TEST_F(WindowTest, TheWheelZoomsAtTheCursorAndADoubleClickRecentres) {
+  const auto v = open({"cube", "--size", "800x600"});
+  v->key("1");
+  EXPECT_REACHES(*v, number(s, "yaw_rad") == 0.0);
+  const json angled = v->state();
+  v->key("f");
+  EXPECT_REACHES(*v, number(s, "distance") != number(angled, "distance"));
+  const json start = v->state();
+  v->move(600, 200);
+  v->press(4);
+  v->release(4);
+  EXPECT_REACHES(*v, number(s, "distance") < number(start, "distance") &&
+                         s["camera"]["pivot"][0] > 0.0 && s["camera"]["pivot"][1] > 0.0);
+  v->key("f");
+  EXPECT_REACHES(*v, number(s, "distance") == number(start, "distance"));
+  v->move(430, 280);
+  server_->xdotool({"click", "--repeat", "2", "--delay", "60", "1"});
+  EXPECT_REACHES(*v, std::abs(s["camera"]["pivot"][2].get<double>() - 0.5) < 1e-6);
+  quit(*v);
+}
+
+TEST_F(WindowTest, DraggingOnThePanelDoesNotTurnTheModel) {
+  const auto v = open({"cube", "--size", "800x600"});
+  v->settle();
+  const json start = v->state();
+  v->drag(1, 100, 120, 180, 160);
+  v->settle();
+  EXPECT_EQ(v->state()["camera"], start["camera"]);
+  quit(*v);
+}
+
+TEST_F(WindowTest, F12SavesThePicture) {
+  const auto v = open({"open_box", "--size", "400x300"});
+  v->key("F12");
+  EXPECT_REACHES(*v,
+                 s["notice"].get<std::string>().find("mesher-open_box.png") != std::string::npos);
+  const Image image = read_png(v->folder() / "mesher-open_box.png");
+  EXPECT_EQ(image.width, 400U);
+  EXPECT_EQ(image.height, 300U);
+  quit(*v);
+}
+
+TEST_F(WindowTest, ADroppedFileIsOpenedAndABadOneLeavesTheProgramAlive) {
+  const auto v = open({"cube", "--size", "800x600"});
+  const unsigned long window = std::stoul(v->window());
+  ASSERT_TRUE(drop_file(server_->display(), window, MESHER_SOURCE_DIR "/assets/knot.obj"));
+  EXPECT_REACHES(*v, s["file"].get<std::string>().ends_with("knot.obj") && s["faces"] > 1000);
+  const auto bad = v->folder().write("bad.obj", "v 0 0 0\nf 1 2 3\n");
+  ASSERT_TRUE(drop_file(server_->display(), window, bad.string()));
+  EXPECT_REACHES(*v, s["error"].get<std::string>().find("bad.obj:2") != std::string::npos);
+  EXPECT_TRUE(v->state()["file"].get<std::string>().ends_with("knot.obj"));  // still shown
+  v->key("Escape");
+  EXPECT_REACHES(*v, s["error"] == "");
+  quit(*v);
+}
+
+TEST_F(WindowTest, CtrlOOpensATypedPath) {
+  const auto v = open({"cube", "--size", "800x600"});
+  v->key("ctrl+o");
+  EXPECT_REACHES(*v, s["open_dialog"] == true);
+  v->settle();
+  server_->xdotool({"type", "--delay", "60", "hypersheet.obj"});
+  v->settle();
+  v->key("Return");
+  EXPECT_REACHES(*v, s["file"].get<std::string>().ends_with("hypersheet.obj"));
+  EXPECT_EQ(v->state()["open_dialog"], false);
+  EXPECT_EQ(v->state()["wireframe"], false);  // the letters were text, not shortcuts
+  quit(*v);
+}
+
+TEST_F(WindowTest, SurvivesResizeAndMinimise) {
+  const auto v = open({"cube", "--size", "800x600"});
+  for (const auto& [width, height] :
+       {std::pair{"300", "200"}, {"1000", "700"}, {"64", "64"}, {"640", "480"}}) {
+    server_->xdotool({"windowsize", "--sync", v->window(), width, height});
+    EXPECT_REACHES(*v, s["window"] == json::array({std::stod(width), std::stod(height)}));
+  }
+  server_->xdotool({"windowunmap", "--sync", v->window()});
+  server_->xdotool({"windowmap", "--sync", v->window()});
+  server_->xdotool({"windowfocus", "--sync", v->window()});
+  v->key("w");
+  EXPECT_REACHES(*v, s["wireframe"] == true);
+  quit(*v);
+}
+
+TEST_F(WindowTest, SleepsWhileNothingHappens) {
+  const auto v = open({"cube", "--size", "400x300"});
+  v->settle();
+  const auto cpu_ticks = [&] {
+    const Finished run =
+        run_program({"xdotool", "getwindowpid", v->window()}, {server_->environment()});
+    const std::string pid = run.out.substr(0, run.out.find('\n'));
+    const Finished ps = run_program({"cat", "/proc/" + pid + "/stat"});
+    // Fields 14 and 15 of proc(5)'s stat, counted after the name in brackets.
+    std::istringstream fields(ps.out.substr(ps.out.rfind(')') + 2));
+    std::string field;
+    long ticks = 0;
+    for (int i = 3; fields >> field && i <= 15; ++i) {
+      if (i >= 14) ticks += std::stol(field);
+    }
+    return ticks;
+  };
+  const long before = cpu_ticks();
+  ASSERT_GT(before, 0);
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  EXPECT_LE(cpu_ticks() - before, 10);  // of 200
+  quit(*v);
+}
+
+}  // namespace
+}  // namespace mesher::test

@@ -1,0 +1,37 @@
+#include "tests/ui/x_server.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <stdexcept>
+
+namespace mesher::test {
+
+XServer::XServer() {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("pipe");
+  server_ = std::make_unique<BackgroundProgram>(
+      std::vector<std::string>{"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0",
+                               "1280x900x24", "-nolisten", "tcp"},
+      std::vector<std::string>{}, ends[1]);
+  close(ends[1]);
+  std::string number;
+  char byte = 0;
+  pollfd readable{ends[0], POLLIN, 0};
+  while (poll(&readable, 1, 30'000) == 1 && read(ends[0], &byte, 1) == 1 && byte != '\n') {
+    number += byte;
+  }
+  close(ends[0]);
+  if (number.empty()) throw std::runtime_error("Xvfb did not start (scripts/bootstrap test)");
+  environment_ = "DISPLAY=:" + number;
+}
+
+std::string XServer::xdotool(std::vector<std::string> arguments) const {
+  arguments.insert(arguments.begin(), "xdotool");
+  const Finished run = run_program(arguments, {environment_});
+  if (run.exit_code != 0) throw std::runtime_error("xdotool: " + run.err);
+  return run.out;
+}
+
+}  // namespace mesher::test

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace mesher::test {
+
+/// Drops a file on a window as a file manager does: the XDND protocol, version 5
+/// (freedesktop.org/wiki/Specifications/XDND). Returns whether the window took it.
+bool drop_file(const std::string& display_name, unsigned long target, const std::string& path);
+
+}  // namespace mesher::test
