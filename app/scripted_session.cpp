@@ -2,11 +2,19 @@
 
 #include "app/commands.h"
 #include "app/paths.h"
+#include "app/ui/overlay.h"
+#include "app/ui/panels.h"
 #include "engine/core/error.h"
 #include "engine/io/png.h"
 #include "engine/render/offscreen.h"
 
 namespace mesher::app {
+namespace {
+
+// ImGui lays a window out by what it measured the frame before.
+constexpr int kFramesToSettle = 3;
+
+}  // namespace
 
 struct ScriptedSession::Gpu {
   explicit Gpu(const ScriptOptions& options)
@@ -19,7 +27,16 @@ struct ScriptedSession::Gpu {
   gpu::Device device;
   render::Renderer renderer;
   render::GpuMesh mesh;
+  render::UploadStats upload;
   std::uint64_t generation = 0;
+};
+
+struct ScriptedSession::PanelLayer {
+  explicit PanelLayer(Gpu& gpu) : overlay(gpu.instance, gpu.device, kFormat, nullptr) {}
+
+  static constexpr VkFormat kFormat = VK_FORMAT_R8G8B8A8_UNORM;
+  Overlay overlay;
+  Panels panels;
 };
 
 ScriptedSession::ScriptedSession(Session& session, const ScriptOptions& options)
@@ -45,10 +62,41 @@ Image ScriptedSession::picture() {
   if (!gpu_) gpu_ = std::make_unique<Gpu>(options_);
   if (gpu_->generation != session_.model_generation) gpu_->mesh.invalidate();
   gpu_->generation = session_.model_generation;
-  gpu_->mesh.apply(session_.model.mesh, session_.settings);
+  const render::UploadStats upload = gpu_->mesh.apply(session_.model.mesh, session_.settings);
+  if (upload.uploaded_bytes > 0) gpu_->upload = upload;
+  if (options_.panels) return picture_with_panels();
   return render::render_image(gpu_->device, gpu_->renderer, gpu_->mesh, session_.camera,
-                              session_.settings, static_cast<std::uint32_t>(session_.window.x),
-                              static_cast<std::uint32_t>(session_.window.y));
+                              session_.settings, extent().width, extent().height);
+}
+
+VkExtent2D ScriptedSession::extent() const {
+  return {static_cast<std::uint32_t>(session_.window.x),
+          static_cast<std::uint32_t>(session_.window.y)};
+}
+
+// The same steps as a frame in a window, on an image of our own.
+Image ScriptedSession::picture_with_panels() {
+  if (!panel_layer_) panel_layer_ = std::make_unique<PanelLayer>(*gpu_);
+  gpu::Device& device = gpu_->device;
+  const unsigned samples = device.supported_samples(session_.settings.samples);
+  const render::SceneTarget target(device, extent(), samples, PanelLayer::kFormat);
+  const gpu::DeviceImage image(
+      device, {.format = PanelLayer::kFormat,
+               .extent = extent(),
+               .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                        VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+  for (int frame = 0; frame < kFramesToSettle; ++frame) {
+    panel_layer_->overlay.begin(session_.window);
+    panel_layer_->panels.draw(session_, {.upload = gpu_->upload, .device = device.name()});
+    panel_layer_->overlay.end();
+  }
+  device.run_once([&](VkCommandBuffer commands) {
+    gpu_->renderer.draw(commands, target, gpu_->mesh, session_.camera, session_.settings);
+    target.copy_to(commands, image.handle());
+    panel_layer_->overlay.draw(commands, image.view(), extent());
+  });
+  panel_layer_->overlay.forget_images();
+  return gpu::read_image(device, image, gpu::kColorAttachment);
 }
 
 void ScriptedSession::expect_no_messages() const {

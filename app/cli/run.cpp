@@ -108,6 +108,7 @@ class CommandLine {
     command->add_option("--keys", view_.keys, "keys to press first: \"w g 1 shift+w\"");
     command->add_option("--screenshot", view_.screenshot,
                         "press the keys without a window and write this PNG");
+    command->add_flag("--panels", view_.panels, "that PNG shows the panels too");
     command->add_option("--state-log", view_.state_log,
                         "append the viewer's state to this file, a line of JSON a change");
   }

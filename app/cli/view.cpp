@@ -17,9 +17,10 @@ namespace {
 constexpr std::uint32_t kPanelFitsWidth = 700;
 
 void picture_without_window(Session& session, const std::vector<KeyPress>& keys,
-                            const std::string& output, const LookOptions& look,
+                            const std::string& output, const LookOptions& look, bool panels,
                             const CommonOptions& common) {
-  ScriptedSession script(session, {.device = look.device, .validation = look.validation});
+  ScriptedSession script(session,
+                         {.device = look.device, .validation = look.validation, .panels = panels});
   script.press(keys);
   write_png(output, script.picture());
   script.expect_no_messages();
@@ -46,7 +47,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
   session.shows_info = size.width >= kPanelFitsWidth;
   if (!session.shows_info) session.notice = "F1: keys   Tab: panel";
   if (!view.screenshot.empty()) {
-    return picture_without_window(session, keys, view.screenshot, look, common);
+    return picture_without_window(session, keys, view.screenshot, look, view.panels, common);
   }
   try {
     run_viewer(session, keys,
@@ -59,7 +60,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
     const std::string output = loaded.file.stem().string() + ".png";
     std::cerr << "mesher: " << no_display.what() << "; drawing a picture instead: " << output
               << '\n';
-    picture_without_window(session, keys, output, look, common);
+    picture_without_window(session, keys, output, look, view.panels, common);
   }
 }
 

@@ -10,6 +10,7 @@ namespace mesher::app {
 struct ViewOptions {
   std::string keys;        ///< pressed before the first picture, as parse_keys reads them
   std::string screenshot;  ///< where a scripted session writes its picture; empty: open a window
+  bool panels = false;     ///< that picture shows the panels too
   std::string state_log;   ///< see StateLog
 };
 
