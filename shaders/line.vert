@@ -81,7 +81,10 @@ void main() {
   const vec2 across = vec2(-along.y, along.x);
 
 #ifdef ORDINARY
-  out_strength = clamp((out_length - 1.0) / 7.0, 0.08, 1.0);  // as in surface.frag
+  // As in surface.frag; but there a pixel belongs to one face, and here edges of less than two pixels
+  // pile up, the more the shorter they are.
+  out_strength = clamp((out_length - 1.0) / 7.0, 0.08, 1.0) *
+                 min(0.25 * out_length * out_length, 1.0);
 #else
   out_strength = 1.0;
 #endif

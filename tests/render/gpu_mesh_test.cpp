@@ -1,0 +1,172 @@
+#include "engine/render/gpu_mesh.h"
+
+#include <glm/geometric.hpp>
+#include <glm/packing.hpp>
+#include <random>
+
+#include "tests/support/gpu_test.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::render {
+namespace {
+
+using GpuMeshTest = test::GpuTest;
+
+const Settings kFlat{.shading = Shading::flat};
+const Settings kGouraud{.shading = Shading::gouraud};
+const Settings kSplit{.shading = Shading::gouraud, .crease_angle_deg = 30.0F};
+
+/// The same arrays in a mesh without history, mirrored for the first time.
+std::vector<std::byte> fresh_content(gpu::Device& device, const Mesh& mesh,
+                                     const Settings& settings) {
+  Mesh copy = mesh;
+  GpuMesh mirror(device);
+  mirror.apply(copy, settings);
+  return mirror.read_back();
+}
+
+void edit(Mesh& mesh, std::mt19937& random) {
+  std::uniform_real_distribution<float> jitter(-0.2F, 0.2F);
+  const Vertex v(static_cast<std::uint32_t>(random() % mesh.vertex_count()));
+  const Halfedge h(static_cast<std::uint32_t>(random() % mesh.halfedge_count()));
+  switch (random() % 3) {
+    case 0:
+    case 1:
+      mesh.set_position(
+          v, mesh.position(v) + glm::vec3(jitter(random), jitter(random), jitter(random)));
+      break;
+    default:
+      mesh.set_sharpness(mesh.edge(h), mesh.sharpness(h) > 0.0F ? 0.0F : 1.0F);
+  }
+}
+
+TEST_F(GpuMeshTest, MirrorsTheArraysByteForByte) {
+  Mesh mesh = build_mesh(test::grid(5)).mesh;
+  GpuMesh mirror(device());
+  const UploadStats stats = mirror.apply(mesh, kFlat);
+  EXPECT_EQ(stats.uploaded_bytes, stats.total_bytes);
+  EXPECT_TRUE(mesh.changes().is_empty());
+  const auto positions = std::as_bytes(mesh.positions());
+  const auto indices = std::as_bytes(mesh.origins());
+  const std::vector<std::byte> content = mirror.read_back();
+  ASSERT_GE(content.size(), positions.size() + indices.size());
+  EXPECT_TRUE(std::equal(positions.begin(), positions.end(), content.begin()));
+  EXPECT_TRUE(std::equal(indices.begin(), indices.end(), content.begin() + positions.size()));
+  EXPECT_EQ(mirror.boundary_count(), 20U);
+  EXPECT_EQ(mirror.crease_count(), 0U);
+}
+
+TEST_F(GpuMeshTest, PacksClassesTwoBitsAHalfedge) {
+  Mesh mesh = build_mesh(test::grid(5)).mesh;
+  for (std::uint32_t i = 0; i < mesh.halfedge_count(); i += 7) {
+    mesh.set_sharpness(mesh.edge(Halfedge(i)), kInfinitelySharp);
+  }
+  GpuMesh mirror(device());
+  mirror.apply(mesh, kFlat);
+  const std::vector<std::byte> bytes =
+      gpu::download(device(), mirror.classes(), mirror.classes().size());
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+    const auto packed = std::to_integer<unsigned>(bytes[h / 4]) >> 2 * (h % 4) & 3U;
+    EXPECT_EQ(packed, static_cast<unsigned>(mesh.edge_class(Halfedge(h)))) << h;
+  }
+}
+
+TEST_F(GpuMeshTest, AfterAnyEditsEqualsAFreshMirror) {
+  for (const Settings& settings : {kFlat, kGouraud, kSplit}) {
+    Mesh mesh = build_mesh(test::join(test::grid(12), test::torus(10, 8), {0, 0, 9})).mesh;
+    GpuMesh mirror(device());
+    mirror.apply(mesh, settings);
+    std::mt19937 random(7);
+    for (int round = 0; round < 12; ++round) {
+      for (int i = 0; i < 1 + round % 5; ++i)
+        edit(mesh, random);
+      mirror.apply(mesh, settings);
+      EXPECT_TRUE(mesh.changes().is_empty());
+      ASSERT_EQ(mirror.read_back(), fresh_content(device(), mesh, settings)) << "round " << round;
+    }
+  }
+}
+
+TEST_F(GpuMeshTest, OneMovedVertexCostsAFewBytes) {
+  Mesh mesh = build_mesh(test::torus(100, 100)).mesh;
+  GpuMesh mirror(device());
+  mirror.apply(mesh, kGouraud);
+  mesh.set_position(Vertex(1234), {0, 0, 0});
+  const UploadStats stats = mirror.apply(mesh, kGouraud);
+  EXPECT_GT(stats.uploaded_bytes, sizeof(glm::vec3));
+  EXPECT_LT(stats.uploaded_bytes, 400U);  // and the normals of its ring
+  EXPECT_GT(stats.total_bytes, 400'000U);
+  const UploadStats nothing = mirror.apply(mesh, kGouraud);
+  EXPECT_EQ(nothing.uploaded_bytes, 0U);
+  EXPECT_EQ(nothing.ranges, 0U);
+}
+
+TEST_F(GpuMeshTest, VeryManyRangesBecomeOneCopy) {
+  Mesh mesh = build_mesh(test::grid(300)).mesh;
+  GpuMesh mirror(device());
+  mirror.apply(mesh, kFlat);
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); v += 8) {
+    mesh.set_position(Vertex(v), mesh.position(Vertex(v)) + glm::vec3(0, 0, 1));
+  }
+  const UploadStats stats = mirror.apply(mesh, kFlat);
+  EXPECT_EQ(stats.ranges, 1U);
+  EXPECT_EQ(mirror.read_back(), fresh_content(device(), mesh, kFlat));
+}
+
+TEST_F(GpuMeshTest, MakesNormalsOnlyForGouraud) {
+  Mesh mesh = build_mesh(test::cube()).mesh;
+  GpuMesh mirror(device());
+  mirror.apply(mesh, kFlat);
+  EXPECT_EQ(mirror.normals().mode(), GpuNormals::Mode::none);
+  mirror.apply(mesh, kGouraud);
+  EXPECT_EQ(mirror.normals().mode(), GpuNormals::Mode::vertex);
+  EXPECT_EQ(mirror.normals().buffer().size(), 8U * 4);
+  mirror.apply(mesh, kSplit);
+  EXPECT_EQ(mirror.normals().mode(), GpuNormals::Mode::corner);
+  EXPECT_EQ(mirror.normals().buffer().size(), 36U * 4);
+  mirror.apply(mesh, kGouraud);
+  mesh.set_sharpness(mesh.edge(Halfedge(0)), 1.0F);
+  mirror.apply(mesh, kGouraud);
+  EXPECT_EQ(mirror.normals().mode(), GpuNormals::Mode::corner) << "a crease splits";
+  EXPECT_EQ(mirror.crease_count(), 1U);
+  mirror.apply(mesh, kFlat);
+  EXPECT_EQ(mirror.normals().buffer().size(), 0U);
+}
+
+TEST_F(GpuMeshTest, TakesAnEmptyMeshAndAnotherOne) {
+  GpuMesh mirror(device());
+  Mesh empty;
+  mirror.apply(empty, kGouraud);
+  EXPECT_EQ(mirror.face_count(), 0U);
+  EXPECT_TRUE(mirror.read_back().empty());
+  Mesh mesh = build_mesh(test::cube()).mesh;
+  mirror.apply(mesh, kGouraud);
+  EXPECT_EQ(mirror.read_back(), fresh_content(device(), mesh, kGouraud));
+  Mesh other = build_mesh(test::cube()).mesh;
+  other.set_position(Vertex(0), {-2, -2, -2});
+  other.changes().clear();
+  mirror.invalidate();
+  mirror.apply(other, kGouraud);
+  EXPECT_EQ(mirror.read_back(), fresh_content(device(), other, kGouraud));
+}
+
+TEST(EncodeNormal, ComesBackWithinTwoThousandthsOfADegree) {
+  std::mt19937 random(3);
+  std::normal_distribution<float> gauss;
+  double worst = 0.0;
+  for (int i = 0; i < 20000; ++i) {
+    const glm::vec3 n = glm::normalize(glm::vec3(gauss(random), gauss(random), gauss(random)));
+    const glm::vec2 e = glm::unpackSnorm2x16(encode_normal(n));
+    // As decode_normal in shaders/surface.vert.
+    glm::dvec3 d(e, 1.0 - std::abs(e.x) - std::abs(e.y));
+    const double fold = std::max(-d.z, 0.0);
+    d.x += d.x >= 0.0 ? -fold : fold;
+    d.y += d.y >= 0.0 ? -fold : fold;
+    worst = std::max(worst, glm::length(glm::cross(glm::normalize(d), glm::dvec3(n))));
+  }
+  EXPECT_LT(worst, 0.002 * 3.14159265 / 180.0 * 2.0);
+  EXPECT_EQ(encode_normal(glm::vec3(0.0F)), 0U);
+}
+
+}  // namespace
+}  // namespace mesher::render

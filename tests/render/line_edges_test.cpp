@@ -1,0 +1,52 @@
+#include "engine/render/line_edges.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "engine/core/parallel.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::render {
+namespace {
+
+TEST(LineEdges, FindsEachBoundaryAndCreaseOnce) {
+  Mesh mesh = build_mesh(test::grid(4)).mesh;
+  EXPECT_EQ(find_line_edges(mesh).boundaries.size(), 16U);
+  EXPECT_TRUE(find_line_edges(mesh).creases.empty());
+  std::uint32_t inner = 0;
+  for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
+    const Halfedge h(i);
+    if (mesh.is_boundary(h) || mesh.sharpness(h) > 0.0F) continue;
+    mesh.set_sharpness(mesh.edge(h), 1.0F);
+    ++inner;
+  }
+  const LineEdges edges = find_line_edges(mesh);
+  EXPECT_EQ(edges.creases.size(), inner);
+  EXPECT_EQ(edges.boundaries.size(), 16U) << "a sharp boundary is a boundary";
+}
+
+TEST(LineEdges, UpdatingIsFindingAgain) {
+  Mesh mesh = build_mesh(test::grid(30)).mesh;
+  LineEdges edges = find_line_edges(mesh);
+  std::mt19937 random(5);
+  for (int round = 0; round < 50; ++round) {
+    mesh.changes().clear();
+    for (int i = 0; i < round; ++i) {
+      const Halfedge h(static_cast<std::uint32_t>(random() % mesh.halfedge_count()));
+      mesh.set_sharpness(mesh.edge(h), random() % 2 == 0 ? 0.0F : 3.0F);
+    }
+    update_line_edges(mesh, mesh.changes().merged(GpuArray::edge_class), edges);
+    ASSERT_EQ(edges, find_line_edges(mesh));
+  }
+}
+
+TEST(LineEdges, AreTheSameForAnyNumberOfThreads) {
+  const Mesh mesh = build_mesh(test::grid(400)).mesh;
+  const LineEdges many = find_line_edges(mesh);
+  const ThreadLimit one(1);
+  EXPECT_EQ(find_line_edges(mesh), many);
+}
+
+}  // namespace
+}  // namespace mesher::render
