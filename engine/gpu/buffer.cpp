@@ -1,5 +1,6 @@
 #include "engine/gpu/buffer.h"
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 
@@ -28,23 +29,13 @@ void full_barrier(VkCommandBuffer commands) {
   vkCmdPipelineBarrier2(commands, &dependency);
 }
 
-void upload_staged(Device& device, Buffer& buffer, std::span<const std::byte> source,
-                   std::span<const ByteRange> ranges, VkDeviceSize total) {
-  const Buffer staging(device, total, 0, MemoryIntent::dynamic);
-  std::vector<VkBufferCopy> regions;
-  regions.reserve(ranges.size());
-  VkDeviceSize offset = 0;
+VkDeviceSize total_size(std::span<const ByteRange> ranges, [[maybe_unused]] VkDeviceSize limit) {
+  VkDeviceSize total = 0;
   for (const ByteRange range : ranges) {
-    std::memcpy(staging.mapped() + offset, source.data() + range.begin, range.size());
-    regions.push_back({offset, range.begin, range.size()});
-    offset += range.size();
+    MESHER_ASSERT(range.begin <= range.end && range.end <= limit);
+    total += range.size();
   }
-  device.run_once([&](VkCommandBuffer commands) {
-    full_barrier(commands);
-    vkCmdCopyBuffer(commands, staging.handle(), buffer.handle(),
-                    static_cast<std::uint32_t>(regions.size()), regions.data());
-    full_barrier(commands);
-  });
+  return total;
 }
 
 }  // namespace
@@ -79,16 +70,33 @@ Buffer::Buffer(Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, Mem
   address_ = vkGetBufferDeviceAddress(device.handle(), &address);
 }
 
+void upload_by_staging(Device& device, Buffer& buffer, std::span<const std::byte> source,
+                       std::span<const ByteRange> ranges) {
+  const VkDeviceSize total =
+      total_size(ranges, std::min<VkDeviceSize>(source.size(), buffer.size()));
+  if (total == 0) return;
+  const Buffer staging(device, total, 0, MemoryIntent::dynamic);
+  std::vector<VkBufferCopy> regions;
+  regions.reserve(ranges.size());
+  VkDeviceSize offset = 0;
+  for (const ByteRange range : ranges) {
+    if (range.size() == 0) continue;
+    std::memcpy(staging.mapped() + offset, source.data() + range.begin, range.size());
+    regions.push_back({offset, range.begin, range.size()});
+    offset += range.size();
+  }
+  device.run_once([&](VkCommandBuffer commands) {
+    full_barrier(commands);
+    vkCmdCopyBuffer(commands, staging.handle(), buffer.handle(),
+                    static_cast<std::uint32_t>(regions.size()), regions.data());
+    full_barrier(commands);
+  });
+}
+
 void upload(Device& device, Buffer& buffer, std::span<const std::byte> source,
             std::span<const ByteRange> ranges) {
-  VkDeviceSize total = 0;
-  for (const ByteRange range : ranges) {
-    MESHER_ASSERT(range.begin <= range.end && range.end <= source.size() &&
-                  range.end <= buffer.size());
-    total += range.size();
-  }
-  if (total == 0) return;
-  if (buffer.mapped() == nullptr) return upload_staged(device, buffer, source, ranges, total);
+  if (total_size(ranges, std::min<VkDeviceSize>(source.size(), buffer.size())) == 0) return;
+  if (buffer.mapped() == nullptr) return upload_by_staging(device, buffer, source, ranges);
   device.wait_idle();
   for (const ByteRange range : ranges) {
     std::memcpy(buffer.mapped() + range.begin, source.data() + range.begin, range.size());

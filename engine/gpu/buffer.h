@@ -42,6 +42,10 @@ class Buffer {
 /// staging copy. Pre: ranges are sorted, disjoint and within both.
 void upload(Device& device, Buffer& buffer, std::span<const std::byte> source,
             std::span<const ByteRange> ranges);
+/// The same for memory that the CPU cannot reach, in one staging copy; works on any. What upload()
+/// falls back on.
+void upload_by_staging(Device& device, Buffer& buffer, std::span<const std::byte> source,
+                       std::span<const ByteRange> ranges);
 /// The whole of `source` to the start of `buffer`.
 void upload(Device& device, Buffer& buffer, std::span<const std::byte> source);
 

@@ -95,7 +95,8 @@ void Device::create(const DeviceOptions& options) {
   vkGetPhysicalDeviceProperties2(physical_, &properties);
   vkGetPhysicalDeviceMemoryProperties(physical_, &memory_);
   properties_ = properties.properties;
-  max_buffer_bytes_ = std::min(properties13.maxBufferSize, properties11.maxMemoryAllocationSize);
+  max_allocation_bytes_ = properties11.maxMemoryAllocationSize;
+  max_buffer_bytes_ = std::min(properties13.maxBufferSize, max_allocation_bytes_);
 
   device_ = create_device(chosen, options.surface != VK_NULL_HANDLE);
   vkGetDeviceQueue(device_, queue_family_, 0, &queue_);

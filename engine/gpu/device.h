@@ -44,6 +44,8 @@ class Device {
   std::string name() const { return properties_.deviceName; }
   /// Largest buffer that can be made, in bytes.
   VkDeviceSize max_buffer_bytes() const { return max_buffer_bytes_; }
+  /// Largest piece of memory that one image or buffer can have, in bytes.
+  VkDeviceSize max_allocation_bytes() const { return max_allocation_bytes_; }
   /// `wanted` if color and depth attachments can have so many samples, otherwise 1.
   VkSampleCountFlagBits supported_samples(std::uint32_t wanted) const;
 
@@ -79,6 +81,7 @@ class Device {
   VkPhysicalDeviceProperties properties_{};
   VkPhysicalDeviceMemoryProperties memory_{};
   VkDeviceSize max_buffer_bytes_ = 0;
+  VkDeviceSize max_allocation_bytes_ = 0;
   VkCommandPool once_pool_ = VK_NULL_HANDLE;
   VkSemaphore timeline_ = VK_NULL_HANDLE;
   Ticket submitted_ = 0;

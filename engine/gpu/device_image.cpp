@@ -11,14 +11,22 @@
 namespace mesher::gpu {
 namespace {
 
-VkImage create_image(Device& device, const DeviceImageOptions& options) {
+void check_size(const Device& device, const DeviceImageOptions& options) {
+  const auto [width, height] = options.extent;
   const std::uint32_t limit = device.properties().limits.maxImageDimension2D;
-  if (options.extent.width == 0 || options.extent.height == 0 || options.extent.width > limit ||
-      options.extent.height > limit) {
-    throw DeviceError("a picture of " + std::to_string(options.extent.width) + "x" +
-                      std::to_string(options.extent.height) + " pixels cannot be made: " +
-                      device.name() + " goes up to " + std::to_string(limit));
+  constexpr VkDeviceSize kTexelBytes = 4;  // of every format that is used here
+  const bool has_size = width > 0 && height > 0 && width <= limit && height <= limit;
+  if (has_size && kTexelBytes * width * height * options.samples <= device.max_allocation_bytes()) {
+    return;
   }
+  throw DeviceError("a picture of " + std::to_string(width) + "x" + std::to_string(height) +
+                    " pixels cannot be made: " + device.name() + " goes up to " +
+                    std::to_string(limit) + " each way and " +
+                    std::to_string(device.max_allocation_bytes() >> 20) + " MiB in all");
+}
+
+VkImage create_image(Device& device, const DeviceImageOptions& options) {
+  check_size(device, options);
   const VkImageCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
                                .pNext = nullptr,
                                .flags = 0,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "engine/core/error.h"
 #include "engine/gpu/result.h"
@@ -55,6 +56,11 @@ std::optional<std::uint32_t> choose_type(const VkPhysicalDeviceMemoryProperties&
 
 Memory allocate(Device& device, const VkMemoryRequirements& requirements, MemoryIntent intent,
                 bool with_address) {
+  if (requirements.size > device.max_allocation_bytes()) {
+    throw DeviceError(device.name() + " has no " + std::to_string(requirements.size >> 20) +
+                      " MiB of memory in one piece; " +
+                      std::to_string(device.max_allocation_bytes() >> 20) + " MiB is the limit");
+  }
   const auto type = choose_type(device.memory(), requirements.memoryTypeBits, intent);
   if (!type) throw DeviceError("the Vulkan device has no memory of the kind that is needed");
   const VkMemoryAllocateFlagsInfo flags{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,

@@ -26,17 +26,22 @@ TEST_F(BufferTest, HoldsWhatWasUploaded) {
   EXPECT_EQ(download(device(), buffer, bytes.size()), bytes);
 }
 
-TEST_F(BufferTest, UploadsRangesAndNothingBetween) {
-  std::vector<std::byte> expected = counting(1000);
-  Buffer buffer(device(), expected.size(), 0, MemoryIntent::fixed);
-  upload(device(), buffer, expected);
-  const std::vector<std::byte> changed = counting(1000, 100);
-  constexpr std::array<ByteRange, 3> kRanges{{{0, 1}, {100, 300}, {999, 1000}}};
-  upload(device(), buffer, changed, kRanges);
-  for (const ByteRange range : kRanges) {
-    std::memcpy(&expected[range.begin], &changed[range.begin], range.size());
+TEST_F(BufferTest, UploadsRangesAndNothingBetweenDirectlyAndByStaging) {
+  using Upload = void (*)(Device&, Buffer&, std::span<const std::byte>, std::span<const ByteRange>);
+  for (const Upload upload_ranges : {static_cast<Upload>(upload), upload_by_staging}) {
+    std::vector<std::byte> expected = counting(1000);
+    Buffer buffer(device(), expected.size(), 0, MemoryIntent::fixed);
+    upload(device(), buffer, expected);
+    const std::vector<std::byte> changed = counting(1000, 100);
+    constexpr std::array<ByteRange, 4> kRanges{{{0, 1}, {50, 50}, {100, 300}, {999, 1000}}};
+    upload_ranges(device(), buffer, changed, kRanges);
+    for (const ByteRange range : kRanges) {
+      std::memcpy(&expected[range.begin], &changed[range.begin], range.size());
+    }
+    EXPECT_EQ(download(device(), buffer, expected.size()), expected);
+    upload_ranges(device(), buffer, changed, {});
+    EXPECT_EQ(download(device(), buffer, expected.size()), expected);
   }
-  EXPECT_EQ(download(device(), buffer, expected.size()), expected);
 }
 
 TEST_F(BufferTest, OfNoBytesIsNoBuffer) {

@@ -48,6 +48,11 @@ TEST_F(ImageTest, IsReadAsRgbaWhateverTheOrderOfItsBytes) {
 TEST_F(ImageTest, OfImpossibleSizeIsRefused) {
   EXPECT_THROW(DeviceImage(device(), {.extent = {0, 5}}), DeviceError);
   EXPECT_THROW(DeviceImage(device(), {.extent = {1U << 30, 5}}), DeviceError);
+  // Within the limit on width and height, but beyond that on memory.
+  const std::uint32_t widest = device().properties().limits.maxImageDimension2D;
+  EXPECT_THROW(
+      DeviceImage(device(), {.extent = {widest, widest}, .samples = VK_SAMPLE_COUNT_4_BIT}),
+      DeviceError);
 }
 
 }  // namespace
