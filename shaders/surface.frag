@@ -9,7 +9,7 @@ layout(push_constant) uniform Constants { SurfaceConstants constants; };
 
 #if defined(GOURAUD)
 layout(location = 1) in vec3 in_normal;
-#elif !defined(WIRE_ALONE)
+#else
 layout(location = 0) in vec3 in_view;
 #endif
 #if defined(WIRE) || defined(WIRE_ALONE)
@@ -19,9 +19,9 @@ layout(location = 2) in vec3 in_barycentric;
 layout(location = 0) out vec4 out_color;
 
 #if defined(WIRE) || defined(WIRE_ALONE)
-// How much of the pixel ordinary edges cover. Lines closer together than a few pixels fade, since
-// drawn in full they would say nothing but "dark".
-float line_coverage() {
+// How much of the pixel ordinary edges cover. Lines closer together than a few pixels fade to `least`,
+// since drawn in full they would say nothing but "dark".
+float line_coverage(float least) {
   const vec3 dx = dFdx(in_barycentric);
   const vec3 dy = dFdy(in_barycentric);
   const vec3 altitude = inversesqrt(max(dx * dx + dy * dy, 1e-12));  // pixels from edge to corner
@@ -31,25 +31,31 @@ float line_coverage() {
   const vec3 inverse_area = abs(cross(dx, dy));
   const float spacing =
       inversesqrt(max(max(inverse_area.x, max(inverse_area.y, inverse_area.z)), 1e-12));
-  return max(covered.x, max(covered.y, covered.z)) * clamp((spacing - 1.0) / 7.0, 0.08, 1.0);
+  return max(covered.x, max(covered.y, covered.z)) * clamp((spacing - 1.0) / 7.0, least, 1.0);
 }
+#endif
+
+#ifndef GOURAUD
+// Window y runs down, so this order of factors faces the viewer, whichever way the face winds.
+vec3 face_normal() { return normalize(cross(dFdy(in_view), dFdx(in_view))); }
 #endif
 
 void main() {
 #ifdef WIRE_ALONE
-  const float alpha = line_coverage() * unpackUnorm4x8(constants.line).a;
+  // Where edges are too dense to be seen one by one, their tone still tells the shape: darker where
+  // the surface turns away.
+  const float alpha = line_coverage(mix(0.65, 0.20, face_normal().z)) * unpackUnorm4x8(constants.line).a;
   out_color = vec4(alpha * decode_color(constants.line), alpha);
 #else
 #ifdef GOURAUD
   const vec3 n = normalize(gl_FrontFacing ? in_normal : -in_normal);
 #else
-  // Window y runs down, so this order of factors faces the viewer, whichever way the face winds.
-  const vec3 n = normalize(cross(dFdy(in_view), dFdx(in_view)));
+  const vec3 n = face_normal();
 #endif
   vec3 color = shade(n, decode_color(gl_FrontFacing ? constants.front : constants.back));
 #ifdef WIRE
   color = mix(color, decode_color(constants.line),
-              line_coverage() * unpackUnorm4x8(constants.line).a);
+              line_coverage(0.08) * unpackUnorm4x8(constants.line).a);
 #endif
   out_color = vec4(color, 1.0);
 #endif

@@ -15,6 +15,7 @@
 #include "engine/io/read.h"
 #include "engine/render/offscreen.h"
 #include "tests/support/gpu_test.h"
+#include "tests/support/meshes.h"
 
 namespace mesher::render {
 namespace {
@@ -79,6 +80,8 @@ std::vector<Scene> scenes() {
       {"creased_cube_wireframe", "creased_cube", kWire},
       {"creased_cube_gouraud_wireframe", "creased_cube", kGouraudWire},
       {"hypersheet_gouraud_wireframe", "hypersheet", kGouraudWire},
+      {"dense_torus_wireframe", "dense_torus", kWire},
+      {"dense_torus_flat_wireframe", "dense_torus", kFlatWire},
       {"bunny_flat", "bunny", kFlat, 0.0, 10.0},
       {"bunny_flat_one_sample", "bunny", one_sample(kFlat), 0.0, 10.0},
       {"bunny_gouraud", "bunny", kGouraud, 0.0, 10.0},
@@ -93,13 +96,19 @@ std::vector<Scene> scenes() {
   };
 }
 
+/// A model of assets/, or the one here that is too dense to be drawn edge by edge.
+Mesh load(const std::string& model) {
+  if (model == "dense_torus") return build_mesh(test::torus(400, 150)).mesh;
+  return read_model(MESHER_SOURCE_DIR "/assets/" + model + ".obj").mesh;
+}
+
 Image draw(gpu::Device& device, const Scene& scene) {
-  Model model = read_model(MESHER_SOURCE_DIR "/assets/" + scene.model + ".obj");
+  Mesh mesh = load(scene.model);
   Camera camera;
   camera.set_angles(glm::radians(scene.yaw_deg), glm::radians(scene.pitch_deg));
   camera.set_orthographic(scene.orthographic);
-  camera.frame(bounding_box(model.mesh), 1.0);
-  return render_image(device, model.mesh, camera, scene.settings, kSize, kSize);
+  camera.frame(bounding_box(mesh), 1.0);
+  return render_image(device, mesh, camera, scene.settings, kSize, kSize);
 }
 
 struct Difference {
