@@ -1,0 +1,135 @@
+#include "engine/mesh/collapse.h"
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include "engine/mesh/circulators.h"
+#include "engine/mesh/mesh_editor.h"
+
+namespace mesher {
+namespace {
+
+Vertex apex(const Mesh& mesh, Halfedge h) {
+  return mesh.origin(Mesh::prev(h));
+}
+
+bool is_apex(const Mesh& mesh, Halfedge h, Vertex v) {
+  const Halfedge t = mesh.twin(h);
+  return v == apex(mesh, h) || (t.is_valid() && v == apex(mesh, t));
+}
+
+/// A neighbour of both ends that is not across the edge, or none.
+Vertex stray_common_neighbour(const Mesh& mesh, Halfedge h) {
+  std::vector<Vertex> ring;
+  for (const Vertex n : vertices_around(mesh, mesh.target(h)))
+    ring.push_back(n);
+  std::sort(ring.begin(), ring.end());
+  for (const Vertex n : vertices_around(mesh, mesh.origin(h))) {
+    if (!is_apex(mesh, h, n) && std::binary_search(ring.begin(), ring.end(), n)) return n;
+  }
+  return {};
+}
+
+bool is_joined_by_one_side_or_none(const Mesh& mesh, Halfedge h) {
+  return mesh.is_boundary(Mesh::next(h)) && mesh.is_boundary(Mesh::prev(h));
+}
+
+/// Takes a face's edge out: the faces beyond its two other sides become neighbours.
+void close_face(MeshEditor& edit, Halfedge h) {
+  const Mesh& mesh = edit.mesh();
+  const Halfedge next = Mesh::next(h);
+  const Halfedge prev = Mesh::prev(h);
+  const Halfedge beyond_next = mesh.twin(next);
+  const Halfedge beyond_prev = mesh.twin(prev);
+  const float sharpness = std::max(mesh.sharpness(next), mesh.sharpness(prev));
+  for (const Halfedge side : {beyond_next, beyond_prev}) {
+    if (!side.is_valid()) continue;
+    edit.set_twin(side, side == beyond_next ? beyond_prev : beyond_next);
+    edit.set_sharpness(side, sharpness);
+  }
+  // An apex whose sweep started in this face starts beyond it: at a boundary that half-edge has
+  // just lost its twin.
+  const Vertex top = mesh.origin(prev);
+  if (mesh.outgoing(top) == prev) edit.set_outgoing(top, beyond_next);
+}
+
+/// A half-edge out of target(h) that outlives the edge's faces.
+Halfedge surviving_spoke(const Mesh& mesh, Halfedge h) {
+  const Halfedge beyond_prev = mesh.twin(Mesh::prev(h));  // starts at origin(h)
+  if (beyond_prev.is_valid()) return beyond_prev;
+  return Mesh::next(mesh.twin(Mesh::next(h)));
+}
+
+}  // namespace
+
+std::string_view describe(CollapseVerdict verdict) {
+  switch (verdict) {
+    case CollapseVerdict::link_condition:
+      return "link condition";
+    case CollapseVerdict::pinches_boundary:
+      return "pinches the boundary";
+    case CollapseVerdict::leaves_vertex:
+      return "leaves a vertex over";
+    case CollapseVerdict::tetrahedron:
+      return "part of a tetrahedron";
+    case CollapseVerdict::legal:
+      break;
+  }
+  return "legal";
+}
+
+CollapseCheck check_collapse(const Mesh& mesh, Halfedge h) {
+  const Halfedge t = mesh.twin(h);
+  const Vertex a = mesh.origin(h);
+  const Vertex b = mesh.target(h);
+  if (t.is_valid() && mesh.is_boundary(a) && mesh.is_boundary(b)) {
+    return {CollapseVerdict::pinches_boundary, a};
+  }
+  for (const Halfedge side : {h, t}) {
+    if (side.is_valid() && is_joined_by_one_side_or_none(mesh, side)) {
+      return {CollapseVerdict::leaves_vertex, apex(mesh, side)};
+    }
+  }
+  const Vertex stray = stray_common_neighbour(mesh, h);
+  if (stray.is_valid()) return {CollapseVerdict::link_condition, stray};
+  // Both rings are a cycle of the same two apexes and one another: a closed tetrahedron.
+  if (t.is_valid() && !mesh.is_boundary(a) && !mesh.is_boundary(b) && mesh.valence(a) == 3 &&
+      mesh.valence(b) == 3) {
+    return {CollapseVerdict::tetrahedron, a};
+  }
+  return {};
+}
+
+CollapseResult collapse(Mesh& mesh, Halfedge h, const glm::vec3& p) {
+  MESHER_ASSERT(check_collapse(mesh, h).is_legal());
+  MeshEditor edit(mesh);
+  const Halfedge t = mesh.twin(h);
+  const Vertex removed = mesh.origin(h);
+  Vertex kept = mesh.target(h);
+  const Halfedge spoke = surviving_spoke(mesh, h);
+  edit.move_fan(removed, kept);
+  close_face(edit, h);
+  if (t.is_valid()) close_face(edit, t);
+  mesh.set_position(kept, p);
+  if (mesh.sharpness(removed) > mesh.sharpness(kept)) {
+    mesh.set_sharpness(kept, mesh.sharpness(removed));
+  }
+  edit.start_fan_at_boundary(kept, spoke);
+
+  CollapseResult result;
+  result.vertex_move = edit.remove_vertex(removed);
+  if (result.vertex_move.from == kept.index()) kept = removed;
+  result.kept = kept;
+  // The higher face first: otherwise it could be the one that moves into the other's hole.
+  std::array<std::uint32_t, 2> faces{Mesh::face(h).index(),
+                                     t.is_valid() ? Mesh::face(t).index() : kNone};
+  std::sort(faces.begin(), faces.end(), std::greater<>());
+  for (const std::uint32_t f : faces) {
+    if (f == kNone) continue;
+    result.face_moves[result.removed_faces++] = edit.remove_face(Face(f));
+  }
+  return result;
+}
+
+}  // namespace mesher

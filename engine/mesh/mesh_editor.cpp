@@ -1,0 +1,82 @@
+#include "engine/mesh/mesh_editor.h"
+
+#include "engine/mesh/circulators.h"
+
+namespace mesher {
+
+void MeshEditor::set_twin(Halfedge h, Halfedge twin) {
+  mesh_.twin_[h.index()] = twin;
+  mesh_.changes_.note(GpuArray::edge_class, h.index());
+}
+
+void MeshEditor::set_sharpness(Halfedge h, float sharpness) {
+  mesh_.sharpness_[h.index()] = sharpness;
+  mesh_.changes_.note(GpuArray::edge_class, h.index());
+}
+
+void MeshEditor::set_outgoing(Vertex v, Halfedge h) {
+  mesh_.outgoing_[v.index()] = h;
+}
+
+void MeshEditor::move_fan(Vertex from, Vertex to) {
+  // The sweep follows twins, which stay: changing origins under it is safe.
+  for (const Halfedge h : halfedges_around(mesh_, from)) {
+    mesh_.origin_[h.index()] = to;
+    mesh_.changes_.note(GpuArray::origin, h.index());
+  }
+}
+
+void MeshEditor::start_fan_at_boundary(Vertex v, Halfedge spoke) {
+  Halfedge start = spoke;
+  for (Halfedge h = mesh_.rotate_cw(spoke); h.is_valid() && h != spoke; h = mesh_.rotate_cw(h)) {
+    start = h;
+  }
+  // A closed fan may start anywhere; its first spoke is as good as its last.
+  set_outgoing(v, mesh_.is_boundary(start) ? start : spoke);
+}
+
+CollapseResult::Move MeshEditor::remove_vertex(Vertex v) {
+  const Vertex last(mesh_.vertex_count() - 1);
+  CollapseResult::Move move;
+  if (v != last) {
+    move_fan(last, v);
+    mesh_.position_[v.index()] = mesh_.position_[last.index()];
+    mesh_.changes_.note(GpuArray::position, v.index());
+    mesh_.outgoing_[v.index()] = mesh_.outgoing_[last.index()];
+    if (!mesh_.vertex_sharpness_.empty()) {
+      mesh_.vertex_sharpness_[v.index()] = mesh_.vertex_sharpness_[last.index()];
+    }
+    move = {last.index(), v.index()};
+  }
+  mesh_.position_.pop_back();
+  mesh_.outgoing_.pop_back();
+  if (!mesh_.vertex_sharpness_.empty()) mesh_.vertex_sharpness_.pop_back();
+  return move;
+}
+
+CollapseResult::Move MeshEditor::remove_face(Face f) {
+  const Face last(mesh_.face_count() - 1);
+  CollapseResult::Move move;
+  if (f != last) {
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      const Halfedge from = Mesh::halfedge(last, c);
+      const Halfedge to = Mesh::halfedge(f, c);
+      const Vertex v = mesh_.origin(from);
+      mesh_.origin_[to.index()] = v;
+      mesh_.twin_[to.index()] = mesh_.twin(from);
+      mesh_.sharpness_[to.index()] = mesh_.sharpness(from);
+      if (mesh_.twin(from).is_valid()) mesh_.twin_[mesh_.twin(from).index()] = to;
+      if (mesh_.outgoing(v) == from) mesh_.outgoing_[v.index()] = to;
+    }
+    mesh_.changes_.note(GpuArray::origin, 3 * f.index(), 3);
+    mesh_.changes_.note(GpuArray::edge_class, 3 * f.index(), 3);
+    move = {last.index(), f.index()};
+  }
+  const std::size_t halfedges = mesh_.origin_.size() - 3;
+  mesh_.origin_.resize(halfedges);
+  mesh_.twin_.resize(halfedges);
+  mesh_.sharpness_.resize(halfedges);
+  return move;
+}
+
+}  // namespace mesher
