@@ -119,9 +119,10 @@ Instance::Instance(const InstanceOptions& options)
   instance_ = create_instance(options, messages_.get());
   if (!options.validation) return;
   const VkDebugUtilsMessengerCreateInfoEXT info = messenger_info(messages_.get());
-  const auto create =
-      load<PFN_vkCreateDebugUtilsMessengerEXT>(instance_, "vkCreateDebugUtilsMessengerEXT");
-  create(instance_, &info, nullptr, &messenger_);
+  const VkResult result = load<PFN_vkCreateDebugUtilsMessengerEXT>(
+      instance_, "vkCreateDebugUtilsMessengerEXT")(instance_, &info, nullptr, &messenger_);
+  if (result != VK_SUCCESS) vkDestroyInstance(instance_, nullptr);
+  check(result, "vkCreateDebugUtilsMessengerEXT");
 }
 
 Instance::~Instance() {
