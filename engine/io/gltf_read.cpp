@@ -22,9 +22,11 @@ using Json = GltfFile::Json;
 
 constexpr float kAbsent = std::numeric_limits<float>::quiet_NaN();
 /// Corners and vertices that any file may have, however often its meshes are repeated.
-constexpr std::size_t kAlwaysAllowed = std::size_t{1} << 24;
+constexpr std::size_t kAlwaysAllowed = std::size_t{1} << 25;
 /// Beyond that, so many for each byte of the file. One of its own takes a byte at least.
-constexpr std::size_t kMostPerByte = 16;
+constexpr std::size_t kMostPerByte = 8;
+/// What looking at a primitive costs, in corners.
+constexpr std::size_t kPrimitiveCost = 32;
 
 enum Mode : std::uint64_t { kTriangles = 4, kStrip = 5, kFan = 6 };
 
@@ -174,7 +176,7 @@ class GltfReader {
     for (const Json& json : *primitives) {
       if (!json.is_object()) gltf_.fail("a primitive is no object");
       Primitive primitive = read_primitive(json);
-      spend(1 + primitive.positions.size() + primitive.triangles.size());
+      spend(kPrimitiveCost + primitive.positions.size() + primitive.triangles.size());
       if (primitive.triangles.empty()) continue;
       transform(primitive, to_world);
       begin_group(json, name, primitive.triangles.size() / 3);

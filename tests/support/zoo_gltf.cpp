@@ -1,0 +1,188 @@
+#include "engine/io/base64.h"
+#include "tests/support/zoo.h"
+
+namespace mesher::test {
+namespace {
+
+constexpr int kMany = 100000;
+
+struct StringSink {
+  std::string text;
+  void write(std::string_view bytes) { text += bytes; }
+};
+
+std::string base64(const std::string& bytes) {
+  StringSink sink;
+  Base64Writer<StringSink> writer(sink);
+  writer.write(bytes);
+  writer.finish();
+  return sink.text;
+}
+
+template <class T>
+std::string bytes_of(const std::vector<T>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i)
+    all += text;
+  return all;
+}
+
+const std::string kData = bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}) +
+                          bytes_of<std::uint16_t>({0, 1, 2, 0, 3, 1});
+const std::string kBuffer =
+    R"("buffers":[{"byteLength":60,"uri":"data:;base64,)" + base64(kData) + "\"}],";
+const std::string kViews =
+    R"("bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":12}],)";
+const std::string kAccessors =
+    R"("accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},)"
+    R"({"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}],)";
+const std::string kPrimitive = R"({"attributes":{"POSITION":0},"indices":1})";
+const std::string kMeshes = R"("meshes":[{"primitives":[)" + kPrimitive + "]}]";
+
+std::string document(const std::string& nodes = "", const std::string& meshes = kMeshes) {
+  return R"({"asset":{"version":"2.0"},)" + kBuffer + kViews + kAccessors + nodes + meshes + "}";
+}
+
+/// The sound document with one piece of text replaced.
+std::string altered(const std::string& what, const std::string& with) {
+  std::string text = document();
+  text.replace(text.find(what), what.size(), with);
+  return text;
+}
+
+std::string word(std::uint32_t value) {
+  return bytes_of<std::uint32_t>({value});
+}
+
+std::string glb(const std::string& json, const std::string& data) {
+  const auto size = [](const std::string& text) { return static_cast<std::uint32_t>(text.size()); };
+  return "glTF" + word(2) + word(28 + size(json) + size(data)) + word(size(json)) + "JSON" + json +
+         word(size(data)) + std::string("BIN\0", 4) + data;
+}
+
+std::string chain_of_nodes() {
+  std::string nodes = "\"nodes\":[";
+  for (int i = 0; i < kMany; ++i)
+    nodes += R"({"children":[)" + std::to_string(i + 1) + "]},";
+  return nodes + R"({"mesh":0}],"scenes":[{"nodes":[0]}],)";
+}
+
+}  // namespace
+
+std::string sound_gltf() {
+  return document();
+}
+std::string sound_glb() {
+  std::string json = R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":60}],)" + kViews +
+                     kAccessors + kMeshes + "}";
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  return glb(json, kData);
+}
+
+void add_gltf(std::vector<Specimen>& zoo) {
+  const auto read = [&](std::string name, std::string text, std::uint32_t faces) {
+    zoo.push_back({std::move(name), ".gltf", std::move(text), Fate::read, faces});
+  };
+  const auto refused = [&](std::string name, std::string text) {
+    zoo.push_back({std::move(name), ".gltf", std::move(text)});
+  };
+  refused("not JSON", "hello");
+  refused("JSON cut short", document().substr(0, document().size() / 2));
+  refused("nested a million deep", repeated("[", 1000000));
+  refused("nested a million deep and back", repeated("[", 1000000) + repeated("]", 1000000));
+  refused("extras nested a million deep without end",
+          R"({"asset":{"version":"2.0"},"extras":)" + repeated("[", 1000000));
+  read("extras nested deep",
+       altered(R"("asset")",
+               R"("extras":)" + repeated("[", kMany) + repeated("]", kMany) + R"(,"asset")"),
+       2);
+  refused("malformed UTF-8", altered(R"("asset")", "\"\xC0\xAF\":1,\"asset\""));
+  refused("a number past doubles", altered(R"("count":4)", R"("count":1e999)"));
+  refused("version 1", altered(R"("version":"2.0")", R"("version":"1.0")"));
+  refused("no meshes", document("", R"("x":0)"));
+  refused("node that is its own child",
+          document(R"("nodes":[{"children":[0],"mesh":0}],"scenes":[{"nodes":[0]}],)"));
+  refused("nodes in a circle",
+          document(R"("nodes":[{"children":[1]},{"children":[0]}],"scenes":[{"nodes":[0]}],)"));
+  refused("node with two parents",
+          document(R"("nodes":[{"children":[1,2]},{"children":[2]},{"mesh":0}],)"));
+  refused("scene that names a node twice",
+          document(R"("nodes":[{"mesh":0}],"scenes":[{"nodes":[0,0]}],)"));
+  refused("circle without roots", document(R"("nodes":[{"children":[1]},{"children":[0]}],)"));
+  read("a hundred thousand nodes in a chain", document(chain_of_nodes()), 2);
+  refused("child out of range", document(R"("nodes":[{"children":[7]}],)"));
+  refused("child below zero", document(R"("nodes":[{"children":[-1]}],)"));
+  refused("scene out of range", document(R"("nodes":[{"mesh":0}],"scenes":[{}],"scene":5,)"));
+  refused("mesh out of range", document(R"("nodes":[{"mesh":4294967296}],)"));
+  refused("scaled to infinity", document(R"("nodes":[{"mesh":0,"scale":[1e300,1e300]}],)"));
+  zoo.push_back(
+      {"placed beyond all numbers",
+       ".gltf",
+       document(R"("nodes":[{"mesh":0,"scale":[1e300,1e300,1e300],"translation":[1e300,0,0]}],)"),
+       Fate::read,
+       0,
+       {{Repair::non_finite_vertices_dropped, 3}}});
+  refused("accessor that claims billions", altered(R"("count":4)", R"("count":4000000000)"));
+  refused("accessor whose size overflows",
+          altered(R"("count":4)", R"("count":1537228672809129302)"));
+  refused("accessor of a fraction", altered(R"("count":4)", R"("count":4.5)"));
+  refused("accessor count below zero", altered(R"("count":4)", R"("count":-4)"));
+  refused("accessor without a view that claims billions",
+          altered(R"("bufferView":0,"componentType":5126,"count":4)",
+                  R"("componentType":5126,"count":4000000000)"));
+  refused("view past its buffer",
+          altered(R"("byteOffset":48,"byteLength":12)", R"("byteOffset":48,"byteLength":16)"));
+  refused("view offset that overflows",
+          altered(R"("byteOffset":48)", R"("byteOffset":18446744073709551608)"));
+  refused("view of a missing buffer",
+          altered(R"({"buffer":0,"byteLength":48})", R"({"buffer":1,"byteLength":48})"));
+  refused("stride zero", altered(R"("byteLength":48)", R"("byteLength":48,"byteStride":0)"));
+  refused("stride that overflows",
+          altered(R"("byteLength":48)", R"("byteLength":48,"byteStride":18446744073709551615)"));
+  refused("buffer shorter than it says", altered(R"("byteLength":60)", R"("byteLength":61)"));
+  refused("buffer of damaged base64", altered("base64,", "base64,####"));
+  refused("buffer that is a device", altered("data:;base64,", "/dev/zero\",\"x\":\""));
+  refused("buffer outside the folder", altered("data:;base64,", "../../../../dev/zero\",\"x\":\""));
+  refused("indices that are fractions", altered("5123", "5126"));
+  refused("indices past the vertices", altered(R"("count":4)", R"("count":3)"));
+  refused("unknown component type", altered("5126", "9999"));
+  refused("primitives that are none", document("", R"("meshes":[{"primitives":[1,2]}])"));
+  refused("meshes that are no array", document("", R"("meshes":7)"));
+  refused("points alone",
+          document("", R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":0}]}])"));
+  refused("compressed",
+          altered(R"("asset")", R"("extensionsRequired":["EXT_meshopt_compression"],"asset")"));
+  refused("a primitive a hundred thousand times a hundred thousand",
+          document("\"nodes\":[" + repeated(R"({"mesh":0},)", kMany) + R"({"mesh":0}],)",
+                   R"("meshes":[{"primitives":[)" + repeated(kPrimitive + ",", kMany) + kPrimitive +
+                       "]}]"));
+  read("long names in a hundred thousand nodes",
+       document("\"nodes\":[" + repeated(R"({"mesh":0},)", kMany) + R"({"mesh":0}],)",
+                R"("meshes":[{"name":")" + std::string(1000000, 'n') + R"(","primitives":[)" +
+                    kPrimitive + "]}]"),
+       2 * (kMany + 1));
+
+  const auto binary = [&](std::string name, std::string bytes) {
+    zoo.push_back({std::move(name), ".glb", std::move(bytes)});
+  };
+  const std::string sound = sound_glb();
+  binary("GLB empty", "");
+  binary("GLB of its magic alone", "glTF");
+  binary("GLB of version 1", "glTF" + word(1) + sound.substr(8));
+  binary("GLB longer than it is", "glTF" + word(2) + word(0xFFFFFFFFU) + sound.substr(12));
+  binary("GLB chunk longer than the file",
+         sound.substr(0, 12) + word(0xFFFFFFF0U) + sound.substr(16));
+  binary("GLB without JSON",
+         "glTF" + word(2) + word(28) + word(8) + std::string("BIN\0", 4) + word(0) + word(0));
+  binary("GLB of empty JSON", glb("", kData));
+  binary("GLB cut in its data", sound.substr(0, sound.size() - 10));
+  binary("GLB without its data", "glTF" + word(2) +
+                                     word(static_cast<std::uint32_t>(sound.size() - 68)) +
+                                     sound.substr(12, sound.size() - 80));
+}
+
+}  // namespace mesher::test
