@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "engine/core/error.h"
+#include "engine/gpu/leak_check.h"
 #include "engine/gpu/result.h"
 #include "engine/gpu/selection.h"
 
@@ -116,6 +117,7 @@ Instance::Instance(const InstanceOptions& options)
   if (options.validation && !has_validation_layer()) {
     throw DeviceError("no Vulkan validation layer (Debian: install vulkan-validationlayers)");
   }
+  excuse_leaks_of_others(options.validation);
   instance_ = create_instance(options, messages_.get());
   if (!options.validation) return;
   const VkDebugUtilsMessengerCreateInfoEXT info = messenger_info(messages_.get());
