@@ -23,7 +23,6 @@ class Gestures {
   /// Returns whether the picture changed.
   bool move(const glm::dvec2& at);
   void scroll(double steps, const glm::dvec2& at);
-  bool is_dragging() const { return drag_ != Drag::none; }
 
  private:
   enum class Drag { none, orbit, pan };

@@ -86,4 +86,8 @@ Json to_json(const Session& session) {
           {"notice", session.notice}};
 }
 
+std::string to_text(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace mesher::app

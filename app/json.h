@@ -17,4 +17,7 @@ Json to_json(const Model& model, const Statistics& statistics, const std::filesy
 /// What a session shows: for `--json` and the state log.
 Json to_json(const Session& session);
 
+/// As text; names of files that are not UTF-8 get a replacement character. `indent` -1: one line.
+std::string to_text(const Json& json, int indent = 2);
+
 }  // namespace mesher::app

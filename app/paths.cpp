@@ -1,5 +1,6 @@
 #include "app/paths.h"
 
+#include <cctype>
 #include <cstdlib>
 
 namespace mesher::app {
@@ -41,13 +42,22 @@ fs::path find_model(const std::string& name) {
   return is_there(with_extension) ? with_extension : fs::path(name);
 }
 
-fs::path next_screenshot(const std::string& model_name) {
-  const fs::path folder = pictures_folder();
-  const std::string stem = "mesher-" + fs::path(model_name).stem().string();
+fs::path free_picture_name(const fs::path& folder, const std::string& stem) {
   fs::path file = folder / (stem + ".png");
   for (int i = 2; is_there(file); ++i)
     file = folder / (stem + "-" + std::to_string(i) + ".png");
   return file;
+}
+
+fs::path next_screenshot(const std::string& model_name) {
+  return free_picture_name(pictures_folder(), "mesher-" + fs::path(model_name).stem().string());
+}
+
+bool is_png_name(const fs::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".png";
 }
 
 fs::path typed_path(std::string text) {

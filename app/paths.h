@@ -10,9 +10,17 @@ namespace mesher::app {
 /// what is wrong with it.
 std::filesystem::path find_model(const std::string& name);
 
+/// `folder`/`stem`.png, or with a number ("bunny-2.png") where that is taken: nothing is
+/// overwritten that nobody asked to write.
+std::filesystem::path free_picture_name(const std::filesystem::path& folder,
+                                        const std::string& stem);
+
 /// Where the next screenshot goes: XDG_PICTURES_DIR, else ~/Pictures where there is one, else the
-/// current folder; "mesher-bunny.png", or with a number where that exists.
+/// current folder; "mesher-bunny.png", or the next free number.
 std::filesystem::path next_screenshot(const std::string& model_name);
+
+/// Whether a name ends in .png, in any case.
+bool is_png_name(const std::filesystem::path& file);
 
 /// A path as a person types or pastes it: blanks and quotes around it go, a leading ~ is the home.
 std::filesystem::path typed_path(std::string text);

@@ -5,7 +5,7 @@
 
 namespace mesher::app {
 
-StateLog::StateLog(const std::filesystem::path& file) {
+StateLog::StateLog(const std::filesystem::path& file) : file_(file) {
   if (file.empty()) return;
   out_.open(file);
   if (!out_) throw OutputError(file.string(), "cannot be written");
@@ -13,9 +13,10 @@ StateLog::StateLog(const std::filesystem::path& file) {
 
 void StateLog::note(const Session& session) {
   if (!out_.is_open()) return;
-  std::string line = to_json(session).dump();
+  std::string line = to_text(to_json(session), -1);
   if (line == last_) return;
   out_ << line << std::endl;  // at once: somebody may be waiting for it
+  if (!out_) throw OutputError(file_.string(), "cannot be written");
   last_ = std::move(line);
 }
 

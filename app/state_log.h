@@ -14,9 +14,11 @@ class StateLog {
  public:
   /// An empty path: writes nothing. Throws OutputError where the file cannot be made.
   explicit StateLog(const std::filesystem::path& file);
+  /// Throws OutputError where the line cannot be written.
   void note(const Session& session);
 
  private:
+  std::filesystem::path file_;
   std::ofstream out_;
   std::string last_;
 };

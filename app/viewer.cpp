@@ -44,8 +44,13 @@ class Viewer {
   }
 
   void run(const std::vector<KeyPress>& keys) {
-    for (const KeyPress& key : keys)
+    prepare_scene();
+    for (const KeyPress& key : keys) {
       press_key(key);
+      prepare_scene();
+      if (session_.wants_screenshot) save_screenshot();
+      if (session_.wants_quit) break;
+    }
     while (!session_.wants_quit && !window_.should_close()) {
       wait();
       finish_job();
@@ -96,8 +101,15 @@ class Viewer {
 
   void press_key(const KeyPress& key) {
     want_frames();
-    if (overlay_->wants_text() && key.name != "escape") return;
-    if (key.name == "escape" && job_) return job_->cancel();
+    // The dialog takes the keyboard at once, ImGui's field only when it has been drawn.
+    const bool is_typing = session_.shows_open_dialog || overlay_->wants_text();
+    if (key.name == "escape") {
+      if (overlay_->close_popups()) return;
+      if (job_) return job_->cancel();
+      if (is_typing && !session_.shows_open_dialog) return;  // ImGui ends the typing
+    } else if (is_typing) {
+      return;
+    }
     if (const auto command = command_for(key)) app::run(session_, *command);
   }
 
@@ -126,8 +138,7 @@ class Viewer {
     const std::unique_ptr<LoadJob> job = std::move(job_);
     want_frames();
     try {
-      LoadedModel loaded = job->take();
-      show_model(session_, std::move(loaded.model), loaded.statistics, loaded.file);
+      show(job->take());
     } catch (const Cancelled&) {
       session_.notice = "cancelled: " + job->file().string();
     } catch (const std::exception& error) {
@@ -135,14 +146,32 @@ class Viewer {
     }
   }
 
+  // What the GPU cannot hold is refused, and what was shown before stays.
+  void show(LoadedModel&& loaded) {
+    Session before;
+    std::swap(before.model, session_.model);
+    before.statistics = session_.statistics;
+    before.file = session_.file;
+    before.camera = session_.camera;
+    show_model(session_, std::move(loaded.model), loaded.statistics, loaded.file);
+    try {
+      upload();
+    } catch (const Error& error) {
+      show_model(session_, std::move(before.model), before.statistics, before.file);
+      session_.camera = before.camera;
+      session_.error = error.what();
+    }
+  }
+
   void draw() {
     --frames_wanted_;
     const double start = Window::time();
+    if (!prepare_scene()) return;
     const glm::uvec2 size = window_.framebuffer_size();
     auto frame = presenter_.begin({size.x, size.y});
     if (!frame) return;
     session_.window = {frame->extent.width, frame->extent.height};
-    draw_panels(*frame);
+    draw_panels();
     draw_scene(*frame);
     target_->copy_to(frame->commands, frame->image);
     overlay_->draw(frame->commands, frame->view, frame->extent);
@@ -151,7 +180,7 @@ class Viewer {
     update_title();
   }
 
-  void draw_panels(const gpu::Frame& frame) {
+  void draw_panels() {
     if (presenter_.generation() != framebuffers_of_) overlay_->forget_images();
     framebuffers_of_ = presenter_.generation();
     overlay_->begin(session_.window);
@@ -159,33 +188,54 @@ class Viewer {
         session_,
         {.load = job_.get(), .upload = upload_, .frame_ms = frame_ms_, .device = device_.name()});
     overlay_->end();
-    static_cast<void>(frame);
     if (actions.cancels_load && job_) job_->cancel();
     if (!actions.open.empty()) open(actions.open);
     if (actions.command) app::run(session_, *actions.command);
     if (actions.wants_frames) want_frames();
   }
 
-  void draw_scene(const gpu::Frame& frame) {
-    const unsigned samples = device_.supported_samples(session_.settings.samples);
-    if (!target_ || target_->extent().width != frame.extent.width ||
-        target_->extent().height != frame.extent.height || target_->samples() != samples) {
-      target_.emplace(device_, frame.extent, samples, presenter_.format());
-      drawn_.reset();
-    }
+  /// Brings the GPU's mirror up to date. Throws DeviceError.
+  void upload() {
     if (mesh_generation_ != session_.model_generation) {
       mesh_.invalidate();
       drawn_.reset();
       mesh_generation_ = session_.model_generation;
     }
     const render::UploadStats stats = mesh_.apply(session_.model.mesh, session_.settings);
-    if (stats.uploaded_bytes > 0) {
-      upload_ = stats;
+    if (stats.uploaded_bytes == 0) return;
+    upload_ = stats;
+    drawn_.reset();
+  }
+
+  /// Everything that a frame needs and that can fail for want of memory, before the frame begins.
+  /// Where a change of settings was too much, takes it back and says so.
+  bool prepare_scene() {
+    try {
+      upload();
+      drawable_settings_ = session_.settings;
+      return true;
+    } catch (const Error& error) {
+      if (!drawable_settings_ || *drawable_settings_ == session_.settings) throw;
+      session_.settings = *drawable_settings_;
+      session_.error = error.what();
+      mesh_.invalidate();
+      want_frames();
+      return false;
+    }
+  }
+
+  void draw_scene(const gpu::Frame& frame) {
+    const unsigned samples = device_.supported_samples(drawable_settings_->samples);
+    if (!target_ || target_->extent().width != frame.extent.width ||
+        target_->extent().height != frame.extent.height || target_->samples() != samples) {
+      target_.emplace(device_, frame.extent, samples, presenter_.format());
       drawn_.reset();
     }
-    const Drawn now{session_.settings, session_.camera};
+    // Panels may just have changed the settings; the mirror follows before the next frame.
+    const Drawn now{*drawable_settings_, session_.camera};
+    if (session_.settings != *drawable_settings_) want_frames();
     if (drawn_ == now) return;  // only the panels changed
-    renderer_.draw(frame.commands, *target_, mesh_, session_.camera, session_.settings);
+    renderer_.draw(frame.commands, *target_, mesh_, now.camera, now.settings);
     drawn_ = now;
   }
 
@@ -199,6 +249,7 @@ class Viewer {
   void save_screenshot() {
     session_.wants_screenshot = false;
     want_frames();
+    if (!prepare_scene()) return;
     const std::filesystem::path file = next_screenshot(session_.model.name);
     try {
       write_png(file,
@@ -233,6 +284,7 @@ class Viewer {
   StateLog log_;
   std::unique_ptr<LoadJob> job_;
   std::optional<Drawn> drawn_;
+  std::optional<render::Settings> drawable_settings_;  ///< those that the mirror was made for
   render::UploadStats upload_;
   glm::dvec2 cursor_{0.0};
   std::string title_;

@@ -50,7 +50,7 @@ struct Window::Callbacks {
     return *static_cast<Window*>(glfwGetWindowUserPointer(window));
   }
   static void key(GLFWwindow* window, int key, int, int action, int modifiers) {
-    if (action == GLFW_RELEASE) return;
+    if (action != GLFW_PRESS) return;  // a key held down toggles once
     // Letters by what is printed on the key, so that w is w on every keyboard layout.
     const char* printed = glfwGetKeyName(key, 0);
     std::string name = key_name(key);

@@ -1,31 +1,34 @@
 #include "app/cli/arguments.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace mesher::app {
 namespace {
 
-// "-size", but not "-o" (a short option), "-30,20" (a value) or "--size".
-bool is_one_dash_name(const std::string& argument) {
-  return argument.size() > 2 && argument[0] == '-' &&
-         std::isalpha(static_cast<unsigned char>(argument[1])) != 0;
+bool contains(const std::vector<std::string>& list, const std::string& word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+// "-size" and "-size=500", but not "-o" (a short option), "-oy.obj" or "-30,20" (a value).
+bool is_one_dash_name(const std::string& argument, const std::vector<std::string>& long_options) {
+  if (argument.size() <= 2 || argument[0] != '-') return false;
+  return contains(long_options, argument.substr(1, argument.find('=') - 1));
 }
 
 }  // namespace
 
 std::vector<std::string> normalized_arguments(std::vector<std::string> arguments,
-                                              const std::vector<std::string>& commands) {
+                                              const std::vector<std::string>& commands,
+                                              const std::vector<std::string>& long_options) {
   for (std::string& argument : arguments) {
     if (argument == "--") break;  // what follows are names, whatever they look like
-    if (is_one_dash_name(argument)) argument.insert(0, 1, '-');
+    if (is_one_dash_name(argument, long_options)) argument.insert(0, 1, '-');
   }
   const auto speaks_of_program = [](const std::string& argument) {
     return argument == "-h" || argument == "--help" || argument == "--version";
   };
-  const bool names_command = !arguments.empty() && (std::find(commands.begin(), commands.end(),
-                                                              arguments[0]) != commands.end() ||
-                                                    speaks_of_program(arguments[0]));
+  const bool names_command =
+      !arguments.empty() && (contains(commands, arguments[0]) || speaks_of_program(arguments[0]));
   if (!names_command) arguments.insert(arguments.begin(), "view");
   return arguments;
 }

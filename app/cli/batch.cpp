@@ -1,6 +1,7 @@
 #include "app/cli/batch.h"
 
 #include <cstdio>
+#include <iomanip>
 #include <iostream>
 
 #include "app/cli/progress_line.h"
@@ -16,7 +17,7 @@ namespace mesher::app {
 namespace {
 
 void print(const char* label, const std::string& value) {
-  std::printf("%-18s %s\n", label, value.c_str());
+  std::cout << std::left << std::setw(19) << label << value << '\n';
 }
 
 void print(const char* label, std::int64_t value) {
@@ -61,20 +62,20 @@ void say_repairs(const BuildReport& report) {
 }
 
 void print_json(const Json& json) {
-  std::cout << json.dump(2) << '\n';
+  std::cout << to_text(json) << '\n';
 }
 
 }  // namespace
 
 LoadedModel load(const InputOptions& input, const CommonOptions& common) {
-  ProgressLine line(!common.quiet);
-  const std::filesystem::path file = find_model(input.model);
-  LoadedModel loaded{read_model(file, {.crease_index_base = input.crease_index_base,
-                                       .keep_isolated_vertices = input.keep_isolated,
-                                       .progress = line.progress()}),
-                     {},
-                     file};
-  loaded.statistics = statistics(loaded.model.mesh);
+  LoadedModel loaded{{}, {}, find_model(input.model)};
+  {
+    ProgressLine line(!common.quiet);
+    loaded.model = read_model(loaded.file, {.crease_index_base = input.crease_index_base,
+                                            .keep_isolated_vertices = input.keep_isolated,
+                                            .progress = line.progress()});
+    loaded.statistics = statistics(loaded.model.mesh);
+  }
   if (!common.quiet) say_repairs(loaded.model.report);
   return loaded;
 }
@@ -105,6 +106,7 @@ void run_render(const InputOptions& input, const std::string& output, const Look
                 const CommonOptions& common) {
   const Size size = parse_size(look.size.empty() ? "800x600" : look.size);
   if (!look.camera.empty()) parse_camera(look.camera);  // refuse before the work, not after it
+  if (!is_png_name(output)) throw UsageError("-o: '" + output + "' does not end in .png");
   LoadedModel loaded = load(input, common);
   Session session;
   session.window = {size.width, size.height};

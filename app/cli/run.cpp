@@ -1,6 +1,7 @@
 #include "app/cli/run.h"
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <functional>
 #include <iostream>
 #include <new>
@@ -15,6 +16,12 @@ namespace mesher::app {
 namespace {
 
 constexpr const char* kDefaultModel = "bunny.obj";
+
+// CLI::Range lets NaN through.
+std::string check_angle(const std::string& text) {
+  const double value = std::strtod(text.c_str(), nullptr);
+  return value >= 0.0 && value <= 180.0 ? "" : "'" + text + "' is not an angle from 0 to 180";
+}
 
 /// The command line's grammar, and what it was filled with.
 class CommandLine {
@@ -36,11 +43,16 @@ class CommandLine {
 
   void parse(int argc, const char* const* argv) {
     std::vector<std::string> commands;
+    std::vector<std::string> long_options;
     for (const CLI::App* command : app_.get_subcommands({})) {
       commands.push_back(command->get_name());
+      for (const CLI::Option* option : command->get_options()) {
+        const auto& names = option->get_lnames();
+        long_options.insert(long_options.end(), names.begin(), names.end());
+      }
     }
     std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
-    arguments = normalized_arguments(std::move(arguments), commands);
+    arguments = normalized_arguments(std::move(arguments), commands, long_options);
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
     app_.parse(std::move(arguments));
   }
@@ -85,7 +97,7 @@ class CommandLine {
     command
         ->add_option("--crease-angle", look_.crease_angle_deg,
                      "degrees: Gouraud normals split where faces meet at more (default: 180)")
-        ->check(CLI::Range(0.0F, 180.0F));
+        ->check(CLI::Validator(check_angle, "0 TO 180"));
     command->add_option("--camera", look_.camera, "YAW,PITCH[,ZOOM]: degrees, and a factor");
     command->add_option("--view", look_.view, "front, right or top")
         ->check(CLI::IsMember({"front", "right", "top"}));
@@ -110,7 +122,7 @@ class CommandLine {
                         "press the keys without a window and write this PNG");
     command->add_flag("--panels", view_.panels, "that PNG shows the panels too");
     command->add_option("--state-log", view_.state_log,
-                        "append the viewer's state to this file, a line of JSON a change");
+                        "write the viewer's state to this file, a line of JSON a change");
   }
 
   void add_render() {
@@ -157,6 +169,7 @@ int run(int argc, const char* const* argv) {
   try {
     line.parse(argc, argv);
     line.run();
+    if (!std::cout.flush()) throw OutputError("stdout", "cannot be written");
     return static_cast<int>(ExitCode::done);
   } catch (const CLI::ParseError& error) {
     return line.explain(error);
@@ -164,6 +177,8 @@ int run(int argc, const char* const* argv) {
     return fail(error.what(), error.exit_code());
   } catch (const std::bad_alloc&) {
     return fail("not enough memory", ExitCode::machine_lacks);
+  } catch (const std::exception& error) {
+    return fail(error.what(), ExitCode::machine_lacks);
   }
 }
 

@@ -3,8 +3,10 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_vulkan.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "app/ui/style.h"
+#include "engine/core/error.h"
 #include "engine/gpu/result.h"
 
 namespace mesher::app {
@@ -28,7 +30,11 @@ Overlay::Overlay(const gpu::Instance& instance, gpu::Device& device, VkFormat fo
 }
 
 Overlay::~Overlay() {
-  device_.wait_idle();
+  try {
+    device_.wait_idle();
+  } catch (const DeviceError&) {
+    // A lost device uses nothing any more.
+  }
   ImGui_ImplVulkan_Shutdown();
   if (has_window_) ImGui_ImplGlfw_Shutdown();
   ImGui::DestroyContext(context_);
@@ -149,6 +155,13 @@ void Overlay::draw(VkCommandBuffer commands, VkImageView view, VkExtent2D extent
 
 bool Overlay::wants_text() const {
   return ImGui::GetIO().WantTextInput;
+}
+
+bool Overlay::close_popups() {
+  constexpr ImGuiPopupFlags kAny = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
+  if (!ImGui::IsPopupOpen("", kAny)) return false;
+  ImGui::ClosePopupToLevel(0, true);
+  return true;
 }
 
 }  // namespace mesher::app

@@ -30,6 +30,8 @@ class Overlay {
   void forget_images() { framebuffers_.clear(); }
   /// A text field has the keyboard.
   bool wants_text() const;
+  /// Closes color pickers and the like; false where none is open.
+  bool close_popups();
 
  private:
   using UniqueRenderPass = gpu::Unique<VkRenderPass, vkDestroyRenderPass>;

@@ -30,7 +30,10 @@ bool Panels::covers(const glm::dvec2& at) const {
 void note_area(PanelAreas& areas) {
   const ImVec2 at = ImGui::GetWindowPos();
   const ImVec2 size = ImGui::GetWindowSize();
-  areas.emplace_back(at.x, at.y, at.x + size.x, at.y + size.y);
+  // ImGui counts in the window's units, the mouse in pixels: they differ on scaled displays.
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  areas.emplace_back(at.x * scale.x, at.y * scale.y, (at.x + size.x) * scale.x,
+                     (at.y + size.y) * scale.y);
 }
 
 }  // namespace mesher::app

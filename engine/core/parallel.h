@@ -31,7 +31,7 @@ struct IndexRange {
 };
 
 /// Runs `body(range)` over chunks that cover [0, n) once, in parallel, in no particular order.
-/// Chunks hold at least `grain` indices. Results must not depend on how [0, n) is cut.
+/// Chunks hold about `grain` indices or more. Results must not depend on how [0, n) is cut.
 void parallel_for(std::size_t n, std::size_t grain, const std::function<void(IndexRange)>& body);
 
 /// Cuts [0, n) into chunks of `chunk` indices (the last may be shorter), whatever the thread

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numeric>
 
 #include "engine/core/error.h"
@@ -46,7 +47,7 @@ class Builder {
   BuildResult run() {
     begin_stage(options_.progress, "building the mesh");
     check_sizes();
-    triangulate(soup_, result_.report);
+    triangulate(soup_, result_.report, options_.progress);
     check_triangle_count();
     drop_unusable_faces();
     drop_unused_vertices();
@@ -223,10 +224,19 @@ class Builder {
     swap_corners(soup_.attributes.normal);
     swap_corners(soup_.attributes.color);
     if (soup_.attributes.normal.empty()) return;
+    // Either the winding was wrong or the normals were turned with it: the face now says which.
+    const glm::dvec3 face = face_normal(f);
     for (std::size_t c = 0; c < 3; ++c) {
       glm::vec3& n = soup_.attributes.normal[3 * std::size_t{f} + c];
-      n = -n;
+      if (glm::dot(glm::dvec3(n), face) < 0.0) n = -n;
     }
+  }
+
+  glm::dvec3 face_normal(std::uint32_t f) const {
+    const auto corner = [&](std::size_t c) {
+      return glm::dvec3(arrays_.position[arrays_.origin[3 * std::size_t{f} + c].index()]);
+    };
+    return glm::cross(corner(1) - corner(0), corner(2) - corner(0));
   }
 
   void take_corners() {
@@ -311,6 +321,8 @@ class Builder {
         ++result_.report[Repair::invalid_sharpness_ignored];
       } else if (tag.v < source_count) {
         own[tag.v] = tag.sharpness;
+      } else {
+        ++result_.report[Repair::creases_on_missing_edges];
       }
     }
     arrays_.vertex_sharpness.resize(source.size());

@@ -37,7 +37,7 @@ class ChangeLog {
   bool is_empty() const;
   /// True where the array must be copied whole.
   bool is_whole(GpuArray array) const { return whole_[index(array)]; }
-  /// The noted ranges, sorted, disjoint, and joined where fewer than `gap` elements lie between.
+  /// The noted ranges, sorted, disjoint, and joined where at most `gap` elements lie between.
   /// O(n log n) in their number. Empty where `is_whole`.
   std::vector<ChangedRange> merged(GpuArray array, std::uint32_t gap = 0) const;
 

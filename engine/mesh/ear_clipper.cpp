@@ -10,8 +10,8 @@
 namespace mesher {
 namespace {
 
-// What putting a corner back into the heap costs, in point tests.
-constexpr std::uint64_t kRefillCost = 32;
+// Point tests that an outline of n corners may cost: ordinary ones need a few a corner.
+constexpr std::uint64_t kTestsPerCorner = 400;
 
 }  // namespace
 
@@ -22,8 +22,9 @@ EarClipper::EarClipper(std::span<const glm::vec3> polygon)
       next_(polygon.size()),
       version_(polygon.size(), 0),
       is_alive_(polygon.size(), true),
+      first_waiting_(polygon.size(), kNone),
       remaining_(static_cast<std::uint32_t>(polygon.size())),
-      budget_(20'000'000 + 400 * polygon.size()) {
+      budget_(kTestsPerCorner * polygon.size()) {
   for (std::uint32_t i = 0; i < remaining_; ++i) {
     prev_[i] = i == 0 ? remaining_ - 1 : i - 1;
     next_[i] = i + 1 == remaining_ ? 0 : i + 1;
@@ -91,30 +92,36 @@ void EarClipper::build_grid() {
   cell_size_ = (grid_max - grid_min_) / static_cast<double>(grid_side_);
   cell_size_ = glm::max(cell_size_, glm::dvec2(1e-300));
   cell_start_.assign(std::size_t{grid_side_} * grid_side_ + 1, 0);
-  const auto cell_index = [&](std::uint32_t i) {
-    const auto [x, y] = cell_of(point_[i]);
-    return std::size_t{y} * grid_side_ + x;
-  };
   for (const std::uint32_t i : reflex)
     ++cell_start_[cell_index(i) + 1];
   std::partial_sum(cell_start_.begin(), cell_start_.end(), cell_start_.begin());
   cell_corner_.resize(reflex.size());
-  std::vector<std::uint32_t> cursor(cell_start_.begin(), cell_start_.end() - 1);
-  for (const std::uint32_t i : reflex)
-    cell_corner_[cursor[cell_index(i)]++] = i;
+  cell_end_.assign(cell_start_.begin(), cell_start_.end() - 1);
+  slot_.assign(polygon_.size(), kNone);
+  for (const std::uint32_t i : reflex) {
+    slot_[i] = cell_end_[cell_index(i)]++;
+    cell_corner_[slot_[i]] = i;
+  }
+  blockers_ = reflex.size();
+}
+
+std::size_t EarClipper::cell_index(std::uint32_t i) const {
+  const auto [x, y] = cell_of(point_[i]);
+  return std::size_t{y} * grid_side_ + x;
 }
 
 // A corner in the same place as one of the triangle's own does not block: outlines that touch
 // themselves (a hole joined by a bridge) are legal.
 bool EarClipper::blocks(std::uint32_t i, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-  if (!is_alive_[i] || i == a || i == b || i == c) return false;
+  if (i == a || i == b || i == c) return false;
   const glm::dvec2& p = point_[i];
   if (p == point_[a] || p == point_[b] || p == point_[c]) return false;
   return turn(a, b, i) >= 0.0 && turn(b, c, i) >= 0.0 && turn(c, a, i) >= 0.0;
 }
 
 // Row by row, only the cells that the triangle can touch: long thin ears are common (stars, gears).
-bool EarClipper::is_ear(std::uint32_t i) {
+std::uint32_t EarClipper::find_blocker(std::uint32_t i) {
+  if (blockers_ == 0) return kNone;
   const std::uint32_t a = prev_[i];
   const std::uint32_t c = next_[i];
   const std::array<glm::dvec2, 3> t{point_[a], point_[i], point_[c]};
@@ -122,16 +129,15 @@ bool EarClipper::is_ear(std::uint32_t i) {
   const std::uint32_t last_row = cell_of(glm::max(glm::max(t[0], t[1]), t[2]))[1];
   for (std::uint32_t y = first_row; y <= last_row; ++y) {
     const auto [x0, x1] = columns_in_row(t, y);
-    const std::size_t row = std::size_t{y} * grid_side_;
-    const std::uint32_t begin = cell_start_[row + x0];
-    const std::uint32_t end = cell_start_[row + x1 + 1];
-    const std::uint64_t cost = 1 + end - begin;
-    if (!spend(cost)) return true;
-    for (std::uint32_t k = begin; k < end; ++k) {
-      if (blocks(cell_corner_[k], a, i, c)) return false;
+    for (std::size_t cell = std::size_t{y} * grid_side_ + x0;
+         cell <= std::size_t{y} * grid_side_ + x1; ++cell) {
+      if (!spend(1 + cell_end_[cell] - cell_start_[cell])) return kNone;
+      for (std::uint32_t k = cell_start_[cell]; k < cell_end_[cell]; ++k) {
+        if (blocks(cell_corner_[k], a, i, c)) return cell_corner_[k];
+      }
     }
   }
-  return true;
+  return kNone;
 }
 
 std::array<std::uint32_t, 2> EarClipper::columns_in_row(const std::array<glm::dvec2, 3>& t,
@@ -169,7 +175,9 @@ double EarClipper::shape(std::uint32_t i) const {
 
 void EarClipper::push(std::uint32_t i) {
   ++version_[i];
-  if (is_convex(i)) candidates_.push({shape(i), i, version_[i]});
+  if (!is_convex(i)) return;
+  candidates_.push({shape(i), i, version_[i]});
+  stop_blocking(i);
 }
 
 void EarClipper::clip(std::uint32_t i, std::vector<Triangle>& triangles) {
@@ -183,14 +191,21 @@ void EarClipper::clip(std::uint32_t i, std::vector<Triangle>& triangles) {
   --remaining_;
   push(a);
   push(c);
+  stop_blocking(i);
 }
 
-void EarClipper::refill() {
-  std::uint32_t i = some_corner_;
-  do {
-    push(i);
-    i = next_[i];
-  } while (i != some_corner_);
+// A corner that is clipped or has become convex blocks nothing: it leaves the grid, and what waited
+// for it is tried again.
+void EarClipper::stop_blocking(std::uint32_t i) {
+  if (slot_[i] == kNone) return;
+  const std::uint32_t last = --cell_end_[cell_index(i)];
+  cell_corner_[slot_[i]] = cell_corner_[last];
+  slot_[cell_corner_[last]] = slot_[i];
+  slot_[i] = kNone;
+  --blockers_;
+  for (std::uint32_t w = first_waiting_[i]; w != kNone; w = waiting_[w].next) {
+    if (is_alive_[waiting_[w].corner]) push(waiting_[w].corner);
+  }
 }
 
 // No ear anywhere: the outline crosses or touches itself. Any convex corner, else any corner, ends
@@ -211,26 +226,24 @@ std::uint32_t EarClipper::best_of_the_bad() const {
 }
 
 void EarClipper::run(std::vector<Triangle>& triangles) {
-  refill();
-  bool has_clipped = true;
+  for (std::uint32_t i = 0; i < remaining_; ++i)
+    push(i);
   while (remaining_ > 3) {
     if (candidates_.empty()) {
-      // A blocked ear becomes free when its blocker goes, far from where the heap notices.
-      if (has_clipped && spend(kRefillCost * std::uint64_t{remaining_})) {
-        has_clipped = false;
-        refill();
-        continue;
-      }
       clip(spend(remaining_) ? best_of_the_bad() : some_corner_, triangles);
-      has_clipped = true;
       continue;
     }
     const Candidate top = candidates_.top();
     candidates_.pop();
-    if (!is_alive_[top.corner] || version_[top.corner] != top.version) continue;
-    if (!is_ear(top.corner)) continue;
-    clip(top.corner, triangles);
-    has_clipped = true;
+    const std::uint32_t i = top.corner;
+    if (!is_alive_[i] || version_[i] != top.version) continue;
+    const std::uint32_t blocker = find_blocker(i);
+    if (blocker == kNone) {
+      clip(i, triangles);
+    } else {
+      waiting_.push_back({i, first_waiting_[blocker]});
+      first_waiting_[blocker] = static_cast<std::uint32_t>(waiting_.size() - 1);
+    }
   }
   triangles.push_back({prev_[some_corner_], some_corner_, next_[some_corner_]});
 }

@@ -8,12 +8,15 @@
 #include <span>
 #include <vector>
 
+#include "engine/mesh/ids.h"
+
 namespace mesher {
 
 /// Cuts one outline into triangles by clipping ears, best shape first. Internal to triangulate.cpp.
-/// Corners form a doubly linked ring; candidates wait in a heap by shape; reflex corners, the only
-/// ones that can block an ear, are found through a grid. A budget bounds the point tests, so that a
-/// hostile outline ends in near-linear time too (with triangles that may then overlap).
+/// Corners form a doubly linked ring; candidates are in a heap by shape; reflex corners, the only
+/// ones that can block an ear, are found through a grid. A blocked candidate waits in its blocker's
+/// list until that is clipped. A budget proportional to n bounds the point tests, so that a hostile
+/// outline ends in time too (with triangles that may then overlap).
 class EarClipper {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
@@ -35,19 +38,26 @@ class EarClipper {
 
   /// Takes `cost` point tests off the budget; false, and nothing left, where it is too much.
   bool spend(std::uint64_t cost);
+  struct Waiting {
+    std::uint32_t corner;
+    std::uint32_t next;  ///< in waiting_, or kNone
+  };
+
   void project();
   void build_grid();
   std::array<std::uint32_t, 2> cell_of(const glm::dvec2& p) const;
+  std::size_t cell_index(std::uint32_t i) const;
   double turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   bool is_convex(std::uint32_t i) const { return turn(prev_[i], i, next_[i]) > 0.0; }
   bool blocks(std::uint32_t i, std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
-  bool is_ear(std::uint32_t i);
+  /// A corner that keeps `i` from being an ear, or kNone.
+  std::uint32_t find_blocker(std::uint32_t i);
   std::array<std::uint32_t, 2> columns_in_row(const std::array<glm::dvec2, 3>& t,
                                               std::uint32_t row) const;
   double shape(std::uint32_t i) const;
   void push(std::uint32_t i);
   void clip(std::uint32_t i, std::vector<Triangle>& triangles);
-  void refill();
+  void stop_blocking(std::uint32_t i);
   std::uint32_t best_of_the_bad() const;
 
   std::span<const glm::vec3> polygon_;
@@ -56,6 +66,8 @@ class EarClipper {
   std::vector<std::uint32_t> next_;
   std::vector<std::uint32_t> version_;
   std::vector<bool> is_alive_;
+  std::vector<std::uint32_t> first_waiting_;  ///< for each corner, a chain of those it blocks
+  std::vector<Waiting> waiting_;
   std::priority_queue<Candidate> candidates_;
   std::uint32_t remaining_;
   std::uint32_t some_corner_ = 0;
@@ -65,7 +77,10 @@ class EarClipper {
   glm::dvec2 cell_size_{1.0};
   std::uint32_t grid_side_ = 1;
   std::vector<std::uint32_t> cell_start_;
-  std::vector<std::uint32_t> cell_corner_;
+  std::vector<std::uint32_t> cell_end_;     ///< corners leave their cell as they stop blocking
+  std::vector<std::uint32_t> cell_corner_;  ///< corners by cell
+  std::vector<std::uint32_t> slot_;         ///< for each corner, where in cell_corner_; or kNone
+  std::size_t blockers_ = 0;                ///< corners in the grid
 };
 
 }  // namespace mesher

@@ -33,7 +33,7 @@ void ManifoldCutter::run(EdgeMatching&& matching) {
     for (const std::size_t i : cut_crowds_)
       stitch(matching_.crowd(i));
   }
-  report_[Repair::non_manifold_vertices_cut] += mesh_.position.size() - original_vertices_;
+  report_[Repair::non_manifold_vertices_cut] += count_split_vertices();
   fill_outgoing();
 }
 
@@ -189,6 +189,12 @@ void ManifoldCutter::undo_splits() {
   mesh_.position.resize(original_vertices_);
   vertex_source_.resize(original_vertices_);
   split_from_.clear();
+}
+
+std::uint64_t ManifoldCutter::count_split_vertices() const {
+  std::vector<Vertex> split = split_from_;  // a vertex of many fans is there once a copy
+  std::sort(split.begin(), split.end());
+  return static_cast<std::uint64_t>(std::unique(split.begin(), split.end()) - split.begin());
 }
 
 void ManifoldCutter::stitch(std::span<const std::uint32_t> crowd) {

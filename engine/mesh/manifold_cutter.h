@@ -35,6 +35,7 @@ class ManifoldCutter {
   bool has_parallel_edges(std::span<const std::uint32_t> crowd) const;
   bool cut_parallel_crowds();
   void undo_splits();
+  std::uint64_t count_split_vertices() const;
   void stitch(std::span<const std::uint32_t> crowd);
   std::vector<CrowdEntry> sorted_by_ends(std::span<const std::uint32_t> crowd) const;
   Vertex target(std::uint32_t h) const { return mesh_.origin[Mesh::next(Halfedge(h)).index()]; }

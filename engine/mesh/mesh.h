@@ -127,13 +127,13 @@ class Mesh {
   /// Bytes that the arrays occupy.
   std::size_t memory_bytes() const;
 
-  // Edits. Each is O(1) and notes what it touched in `changes()`.
+  // Edits. Each is O(1) and notes what it touched of the GPU's arrays in `changes()`.
 
   /// Pre: `p` is finite.
   void set_position(Vertex v, const glm::vec3& p);
   /// Both half-edges of the edge. Pre: sharpness >= 0.
   void set_sharpness(Edge e, float sharpness);
-  /// Pre: sharpness >= 0.
+  /// No GPU array has it. O(V) the first time. Pre: sharpness >= 0.
   void set_sharpness(Vertex v, float sharpness);
 
   ChangeLog& changes() { return changes_; }

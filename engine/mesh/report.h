@@ -17,10 +17,10 @@ enum class Repair : std::uint8_t {
   faces_flipped,                ///< turned around to agree with their neighbours
   unorientable_edges_cut,       ///< where a one-sided surface (Moebius) cannot agree with itself
   non_manifold_edges_cut,       ///< edges of three and more faces
-  non_manifold_vertices_cut,    ///< vertices where several fans met
+  non_manifold_vertices_cut,    ///< several fans met, or a cut edge ended there
   isolated_vertices_dropped,    ///< no face used them
   isolated_vertices_kept,       ///< no face uses them; kept on request
-  creases_on_missing_edges,     ///< a crease between vertices that no edge joins; ignored
+  creases_on_missing_edges,     ///< between vertices that no edge joins, or on a missing vertex
   invalid_sharpness_ignored,    ///< NaN or negative
   contradictory_creases,        ///< tagged twice with different values; the last counts
 };

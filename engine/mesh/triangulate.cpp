@@ -1,15 +1,19 @@
 #include "engine/mesh/triangulate.h"
 
+#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "engine/core/parallel.h"
+#include "engine/mesh/duplicate_polygons.h"
 #include "engine/mesh/ear_clipper.h"
 
 namespace mesher {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
+
+constexpr std::size_t kGrain = 256;
 
 bool is_finite(std::span<const glm::vec3> points) {
   for (const glm::vec3& p : points) {
@@ -47,15 +51,21 @@ void triangulate_quad(std::span<const glm::vec3> p, std::vector<Triangle>& trian
   }
 }
 
-/// Where each face's triangles start among all triangles; one entry more than faces.
+/// Where each face's triangles start among all triangles; one entry more than faces. Faces that are
+/// dropped have none.
 std::vector<std::size_t> triangle_starts(const Soup& soup, BuildReport& report) {
   const std::uint32_t faces = soup.face_count();
+  const std::vector<std::uint32_t> duplicates = duplicate_polygons(soup);
+  report[Repair::duplicate_faces_dropped] += duplicates.size();
+  auto duplicate = duplicates.begin();
   std::vector<std::size_t> starts(std::size_t{faces} + 1, 0);
   for (std::uint32_t f = 0; f < faces; ++f) {
     const std::uint32_t corners = soup.face_start[f + 1] - soup.face_start[f];
-    report[Repair::polygons_triangulated] += corners > 3 ? 1 : 0;
+    const bool is_duplicate = duplicate != duplicates.end() && *duplicate == f;
+    if (is_duplicate) ++duplicate;
+    report[Repair::polygons_triangulated] += corners > 3 && !is_duplicate ? 1 : 0;
     report[Repair::degenerate_faces_dropped] += corners < 3 ? 1 : 0;
-    starts[f + 1] = starts[f] + (corners < 3 ? 0 : corners - 2);
+    starts[f + 1] = starts[f] + (corners < 3 || is_duplicate ? 0 : corners - 2);
   }
   return starts;
 }
@@ -87,16 +97,20 @@ void triangulate(std::span<const glm::vec3> polygon, std::vector<Triangle>& tria
   }
 }
 
-void triangulate(Soup& soup, BuildReport& report) {
+void triangulate(Soup& soup, BuildReport& report, Progress* progress) {
   if (soup.face_start.empty()) return;
   const std::uint32_t faces = soup.face_count();
   const std::vector<std::size_t> starts = triangle_starts(soup, report);
   Array<std::uint32_t> source(3 * starts[faces]);  // corner of the soup, for each new corner
   Array<std::uint32_t> source_face(starts[faces]);
-  parallel_for(faces, 1 << 12, [&](IndexRange range) {
+  std::atomic<std::size_t> done{0};
+  parallel_for(faces, kGrain, [&](IndexRange range) {
     std::vector<Triangle> triangles;
     std::vector<glm::vec3> outline;
     for (std::size_t f = range.begin; f < range.end; ++f) {
+      if (f % kGrain == 0) {
+        mesher::report(progress, static_cast<float>(done += kGrain) / static_cast<float>(faces));
+      }
       if (starts[f] == starts[f + 1]) continue;
       const std::uint32_t begin = soup.face_start[f];
       triangles.clear();

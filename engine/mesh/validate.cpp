@@ -14,13 +14,13 @@ class Validator {
   std::vector<Violation> run() {
     // Later checks follow indices that the earlier ones have proved to be in range.
     check_sizes();
-    if (violations_.empty()) check_index_ranges();
-    if (violations_.empty()) {
+    if (is_sound_) check_index_ranges();
+    if (is_sound_) {
       check_twins();
       check_faces();
       check_values();
     }
-    if (violations_.empty()) {
+    if (is_sound_) {
       check_vertices();
       check_edges();
     }
@@ -29,6 +29,7 @@ class Validator {
 
  private:
   void fail(int invariant, std::string what) {
+    is_sound_ = false;
     if (violations_.size() < limit_) violations_.push_back({invariant, std::move(what)});
   }
   static std::string name(Halfedge h) { return "half-edge " + std::to_string(h.index()); }
@@ -178,6 +179,7 @@ class Validator {
 
   const Mesh& mesh_;
   std::size_t limit_;
+  bool is_sound_ = true;  // not whether the list is empty: a limit of 0 keeps it so
   std::vector<Violation> violations_;
 };
 

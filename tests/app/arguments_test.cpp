@@ -8,7 +8,8 @@ namespace {
 using Words = std::vector<std::string>;
 
 Words normalized(Words words) {
-  return normalized_arguments(std::move(words), {"view", "render", "info"});
+  return normalized_arguments(std::move(words), {"view", "render", "info"},
+                              {"input", "size", "gouraud", "camera", "output"});
 }
 
 TEST(Arguments, TheAssignmentsSpellingsGetTheirSecondDash) {
@@ -19,6 +20,11 @@ TEST(Arguments, TheAssignmentsSpellingsGetTheirSecondDash) {
 TEST(Arguments, ShortOptionsAndNegativeValuesStay) {
   EXPECT_EQ(normalized({"render", "a.obj", "-o", "b.png", "--camera", "-30,20"}),
             (Words{"render", "a.obj", "-o", "b.png", "--camera", "-30,20"}));
+}
+
+TEST(Arguments, OnlyNamesOfOptionsGetASecondDash) {
+  EXPECT_EQ(normalized({"info", "-x.obj", "-oy.obj", "-size=5"}),
+            (Words{"info", "-x.obj", "-oy.obj", "--size=5"}));
 }
 
 TEST(Arguments, WithoutACommandViewIsMeant) {

@@ -57,9 +57,40 @@ TEST_F(CommandLine, TheAssignmentsSpellingWithoutADisplayDrawsAPictureAndSaysSo)
   EXPECT_EQ(read_png(folder_ / "bunny.png").width, 200U);
 }
 
+TEST_F(CommandLine, WithoutADisplayNothingIsOverwritten) {
+  folder_.write("cube.png", "somebody's texture");
+  const Finished run = mesher({"cube", "--size", "50"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(read_bytes(folder_ / "cube.png"), "somebody's texture");
+  EXPECT_EQ(read_png(folder_ / "cube-2.png").width, 50U);
+}
+
+TEST_F(CommandLine, WithoutDisplayAndVulkanItSaysOneThing) {
+  const Finished run =
+      mesher({"cube"}, {"VK_ICD_FILENAMES=/nonexistent.json", "VK_DRIVER_FILES=/nonexistent.json"});
+  EXPECT_EQ(run.exit_code, 3) << run.err;
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  EXPECT_EQ(folder_.count_files(), 0U);
+}
+
+TEST_F(CommandLine, ADeviceIsChosenByNumberOrName) {
+  EXPECT_EQ(mesher({"render", "cube", "-o", "a.png", "--size", "50", "--device", "0"}).exit_code,
+            0);
+  EXPECT_EQ(mesher({"render", "cube", "-o", "b.png", "--size", "50", "--device", "99"}).exit_code,
+            3);
+}
+
+TEST_F(CommandLine, NamesThatAreNotUtf8DoNotHurt) {
+  const std::string odd = "b\xff.obj";
+  folder_.write(odd, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Finished run = mesher({"info", odd, "--json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(nlohmann::json::parse(run.out)["statistics"]["faces"], 1);
+}
+
 TEST_F(CommandLine, KeysAndScreenshotRunWithoutAWindow) {
-  const Finished run = mesher({"view", "cube", "--size", "100", "--keys", "w g 3 5 f", "--screenshot",
-                               "out.png", "--json", "--validation"});
+  const Finished run = mesher({"view", "cube", "--size", "100", "--keys", "w g 3 5 f",
+                               "--screenshot", "out.png", "--json", "--validation"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const auto json = nlohmann::json::parse(run.out);
   EXPECT_EQ(json["wireframe"], true);
@@ -83,9 +114,27 @@ TEST_F(CommandLine, ConvertKeepsPositionsBitForBitThroughEveryFormatThatCan) {
 }
 
 TEST_F(CommandLine, TheSameBytesForAnyNumberOfThreads) {
-  ASSERT_EQ(mesher({"convert", "knot", "one.obj", "--threads", "1"}).exit_code, 0);
-  ASSERT_EQ(mesher({"convert", "knot", "two.obj", "--threads", "2"}).exit_code, 0);
-  EXPECT_EQ(read_bytes(folder_ / "one.obj"), read_bytes(folder_ / "two.obj"));
+  // Large enough to be read, built and written in many pieces; quads, so that it is triangulated.
+  std::string text;
+  constexpr int kSide = 300;
+  for (int y = 0; y <= kSide; ++y) {
+    for (int x = 0; x <= kSide; ++x) {
+      text += "v " + std::to_string(x) + ' ' + std::to_string(y) + ' ' + std::to_string(x * y % 7) +
+              '\n';
+    }
+  }
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) {
+      const int a = y * (kSide + 1) + x + 1;
+      text += "f " + std::to_string(a) + ' ' + std::to_string(a + 1) + ' ' +
+              std::to_string(a + kSide + 2) + ' ' + std::to_string(a + kSide + 1) + '\n';
+    }
+  }
+  ASSERT_GT(text.size(), 3'000'000U);
+  folder_.write("big.obj", text);
+  ASSERT_EQ(mesher({"convert", "big.obj", "one.obj", "--threads", "1"}).exit_code, 0);
+  ASSERT_EQ(mesher({"convert", "big.obj", "two.obj", "--threads", "2"}).exit_code, 0);
+  EXPECT_TRUE(read_bytes(folder_ / "one.obj") == read_bytes(folder_ / "two.obj"));
 }
 
 TEST_F(CommandLine, UsageErrorsExitWithOne) {
@@ -96,6 +145,8 @@ TEST_F(CommandLine, UsageErrorsExitWithOne) {
       {"info"},
       {"info", "cube", "--no-such-option"},
       {"view", "cube", "--screenshot", "x.png", "--keys", "f9"},
+      {"render", "cube", "-o", "x.jpg"},
+      {"render", "cube", "-o", "x.png", "--crease-angle", "nan"},
       {"convert", "cube", "x.unknown"}};
   for (const auto& arguments : bad) {
     const Finished run = mesher(arguments);
@@ -116,6 +167,14 @@ TEST_F(CommandLine, BadInputIsOneLineWithFileLineAndReason) {
   }
   EXPECT_EQ(mesher({"info", "missing.obj"}).exit_code, 2);
   EXPECT_EQ(folder_.count_files(), 1U);
+}
+
+TEST_F(CommandLine, AStdoutThatIsFullIsAFailure) {
+  for (const char* form : {"", " --json"}) {
+    const Finished run = run_program(
+        {"sh", "-c", std::string(MESHER_PROGRAM) + " info cube" + form + " >/dev/full"});
+    EXPECT_EQ(run.exit_code, 4) << run.err;
+  }
 }
 
 TEST_F(CommandLine, OutputThatCannotBeWrittenExitsWithFour) {

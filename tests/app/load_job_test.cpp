@@ -46,14 +46,17 @@ TEST(LoadJob, ThrowsWhatTheReaderThrew) {
   }
 }
 
-TEST(LoadJob, IsCancelledWhenDestroyed) {
+TEST(LoadJob, StopsWhenCancelled) {
   const test::TempFolder folder;
   std::string big;
   for (int i = 0; i < 400'000; ++i)
     big += "v 1.5 2.5 3.5\nf -1 -1 -1\n";
   const auto file = folder.write("big.obj", big);
   wakes = 0;
-  { const LoadJob job(file, {}, count_wake); }
+  LoadJob job(file, {}, count_wake);
+  job.cancel();
+  wait_for(job);
+  EXPECT_THROW((void)job.take(), Cancelled);
   EXPECT_EQ(wakes, 1);
 }
 

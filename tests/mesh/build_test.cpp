@@ -89,7 +89,6 @@ TEST(Build, IsolatedVerticesAreDroppedOrKeptOnRequest) {
 
 TEST(Build, TurnsTheMinorityOfFacesAround) {
   Soup soup = torus(12, 8);
-  std::vector<glm::vec3> expected_normals;
   for (const std::uint32_t f : {3U, 17U, 18U, 100U}) {
     std::swap(soup.corners[3 * f + 1], soup.corners[3 * f + 2]);
   }
@@ -111,8 +110,58 @@ TEST(Build, FlippingAFaceCarriesItsAttributes) {
   expect_report(r.report, {{Repair::faces_flipped, 1}});
   EXPECT_EQ(r.attributes.texcoord[4].x, 5.0F);
   EXPECT_EQ(r.attributes.texcoord[5].x, 4.0F);
-  EXPECT_EQ(r.attributes.normal[4], glm::vec3(0, 0, -1));
-  EXPECT_EQ(r.attributes.normal[0], glm::vec3(0, 0, 1));
+}
+
+TEST(Build, FlippingAFaceTurnsItsNormalsOnlyWhereTheyPointInward) {
+  Soup wrong_winding = grid(2);
+  wrong_winding.attributes.normal.assign(24, glm::vec3(0, 0, 1));  // right already
+  std::swap(wrong_winding.corners[4], wrong_winding.corners[5]);
+  Soup turned_over = wrong_winding;
+  for (std::size_t c = 3; c < 6; ++c)
+    turned_over.attributes.normal[c] = glm::vec3(0, 0, -1);
+  for (Soup* soup : {&wrong_winding, &turned_over}) {
+    const BuildResult r = built(std::move(*soup));
+    expect_report(r.report, {{Repair::faces_flipped, 1}});
+    for (const glm::vec3& n : r.attributes.normal)
+      EXPECT_EQ(n, glm::vec3(0, 0, 1));
+  }
+}
+
+Soup quads(Soup soup, std::initializer_list<std::uint32_t> corners) {
+  soup.corners.assign(corners);
+  soup.face_start.clear();
+  for (std::uint32_t i = 0; i <= soup.corners.size(); i += 4)
+    soup.face_start.push_back(i);
+  return soup;
+}
+
+TEST(Build, ATwoSidedQuadIsADuplicateHoweverItIsWritten) {
+  for (const auto& second :
+       {std::array<std::uint32_t, 4>{3, 2, 1, 0}, {1, 2, 3, 0}, {0, 3, 2, 1}}) {
+    Soup soup = quads(grid(1), {0, 1, 3, 2, 0, 0, 0, 0});
+    const std::array<std::uint32_t, 4> ring{0, 1, 3, 2};
+    for (std::size_t i = 0; i < 4; ++i)
+      soup.corners[4 + i] = ring[second[i]];
+    const BuildResult r = built(std::move(soup));
+    expect_report(r.report,
+                  {{Repair::polygons_triangulated, 1}, {Repair::duplicate_faces_dropped, 1}});
+    EXPECT_EQ(r.mesh.face_count(), 2U);
+  }
+}
+
+TEST(Build, ACubeOfQuadsWithOneFaceTwiceStaysClosed) {
+  const BuildResult r = built(quads(cube(), {0, 3, 2, 1, 4, 5, 6, 7, 0, 1, 5, 4, 1, 2,
+                                             6, 5, 2, 3, 7, 6, 3, 0, 4, 7, 7, 6, 5, 4}));
+  EXPECT_EQ(r.report[Repair::duplicate_faces_dropped], 1U);
+  const Statistics s = statistics(r.mesh);
+  EXPECT_TRUE(s.is_closed());
+  EXPECT_EQ(s.components, 1U);
+  EXPECT_NEAR(s.volume, 1.0, 1e-12);
+}
+
+TEST(Build, PolygonsOnTheSameCornersInAnotherOrderAreNotDuplicates) {
+  const BuildResult r = built(quads(cube(), {0, 1, 2, 3, 0, 2, 1, 3}));
+  EXPECT_EQ(r.report[Repair::polygons_triangulated], 2U);
 }
 
 TEST(Build, AMoebiusStripIsCutAcross) {

@@ -154,6 +154,17 @@ TEST(Triangulate, AMillionCornersEndInReasonableTime) {
   EXPECT_EQ(triangles_of(scribble).size(), scribble.size() - 2);
 }
 
+// What a hostile file can do per byte: many outlines that cross themselves everywhere.
+TEST(Triangulate, ManyScribblesCostNoMoreThanTheirCorners) {
+  std::mt19937 random(6);
+  for (int i = 0; i < 200; ++i) {
+    std::vector<glm::vec3> scribble(1000);
+    for (glm::vec3& q : scribble)
+      q = {float(random() % 1000), float(random() % 1000), 0.0F};
+    EXPECT_EQ(triangles_of(scribble).size(), scribble.size() - 2);
+  }
+}
+
 TEST(Triangulate, NonFiniteCornersGiveAFan) {
   const float nan = std::nanf("");
   EXPECT_EQ(triangles_of({{0, 0, 0}, {nan, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 2, 0}}).size(), 3U);

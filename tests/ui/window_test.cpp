@@ -2,6 +2,7 @@
 // changes, and the program ends with 0 (a validation message would end it with 3).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <sstream>
@@ -36,6 +37,14 @@ class WindowTest : public testing::Test {
 };
 
 std::unique_ptr<XServer> WindowTest::server_;
+
+std::size_t differing_bytes(const std::vector<std::uint8_t>& a,
+                            const std::vector<std::uint8_t>& b) {
+  std::size_t count = a.size() == b.size() ? 0 : a.size();
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    count += a[i] != b[i] ? 1 : 0;
+  return count;
+}
 
 #define EXPECT_REACHES(viewer, condition)                                       \
   EXPECT_TRUE((viewer).reaches([&](const json& s) { return bool(condition); })) \
@@ -203,6 +212,67 @@ TEST_F(WindowTest, CtrlOOpensATypedPath) {
   EXPECT_REACHES(*v, s["file"].get<std::string>().ends_with("hypersheet.obj"));
   EXPECT_EQ(v->state()["open_dialog"], false);
   EXPECT_EQ(v->state()["wireframe"], false);  // the letters were text, not shortcuts
+  quit(*v);
+}
+
+TEST_F(WindowTest, KeysTypedTheMomentTheDialogOpensAreText) {
+  const auto v = open({"cube", "--size", "800x600"});
+  server_->xdotool({"key", "ctrl+o", "b", "w", "q"});
+  EXPECT_REACHES(*v, s["open_dialog"] == true);
+  v->settle();
+  EXPECT_TRUE(v->is_running());
+  EXPECT_EQ(v->state()["background"], "light");
+  EXPECT_EQ(v->state()["wireframe"], false);
+  v->key("Escape");
+  EXPECT_REACHES(*v, s["open_dialog"] == false);
+  quit(*v);
+}
+
+TEST_F(WindowTest, EscapeClosesAColorPickerAndNotTheProgram) {
+  const auto v = open({"cube", "--size", "800x800"});
+  v->settle();
+  const auto before = v->screenshot();
+  v->move(32, 468);  // the swatch of the front color
+  v->press(1);
+  v->release(1);
+  v->move(500, 700);
+  v->settle();
+  EXPECT_GT(differing_bytes(v->screenshot(), before), 50'000U);  // the picker is open
+  v->key("Escape");
+  v->settle();
+  EXPECT_TRUE(v->is_running());
+  EXPECT_LT(differing_bytes(v->screenshot(), before), 5'000U);  // but for the frame time
+  v->key("Escape");
+  EXPECT_EQ(v->wait_for_end(), 0);
+}
+
+TEST_F(WindowTest, ThePanelsControlsWork) {
+  const auto v = open({"cube", "--size", "800x800"});
+  v->settle();
+  const auto click = [&](int x, int y) {
+    v->move(x, y);
+    v->settle();
+    v->press(1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    v->release(1);
+  };
+  click(88, 364);
+  EXPECT_REACHES(*v, s["shading"] == "gouraud");
+  click(32, 390);
+  EXPECT_REACHES(*v, s["wireframe"] == true);
+  v->drag(1, 135, 416, 80, 416);
+  EXPECT_REACHES(*v, s["crease_angle_deg"] < 150.0);
+  click(32, 520);
+  EXPECT_REACHES(*v, s["background"] == "dark");
+  quit(*v);
+}
+
+TEST_F(WindowTest, KeysOnTheCommandLineActAsInAScript) {
+  const auto v = open({"cube", "--size", "200", "--keys", "f12 w f12"});
+  v->settle();
+  const auto first = read_png(v->folder() / "mesher-cube.png");
+  const auto second = read_png(v->folder() / "mesher-cube-2.png");
+  EXPECT_FALSE(first.rgba == second.rgba);
   quit(*v);
 }
 
