@@ -122,7 +122,7 @@ class GltfReader {
   }
 
   /// Depth first, in the order of the file, without recursion: files can nest as deep as they like.
-  void walk(std::vector<std::uint64_t> roots) {
+  void walk(const std::vector<std::uint64_t>& roots) {
     std::vector<bool> is_visited(gltf_.count("nodes"), false);
     std::vector<Placed> stack;
     const auto push = [&](const std::vector<std::uint64_t>& nodes, const glm::dmat4& to_world) {
