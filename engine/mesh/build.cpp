@@ -8,6 +8,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
+#include "engine/mesh/diagonals.h"
 #include "engine/mesh/edge_matching.h"
 #include "engine/mesh/manifold_cutter.h"
 #include "engine/mesh/orientation.h"
@@ -17,6 +18,9 @@ namespace mesher {
 namespace {
 
 constexpr std::size_t kGrain = std::size_t{1} << 16;
+// A flipped diagonal may meet another one in its turn; where it goes on, the polygons themselves
+// are at fault and their edges are cut.
+constexpr int kFlipRounds = 3;
 
 bool is_finite(const glm::vec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -116,6 +120,7 @@ class Builder {
     compact(soup_.attributes.normal, drop, 3);
     compact(soup_.attributes.color, drop, 3);
     compact(soup_.attributes.group, drop, 1);
+    compact(soup_.polygon_of, drop, 1);
   }
 
   void drop_unusable_faces() {
@@ -192,8 +197,27 @@ class Builder {
 
   std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(arrays_.position.size()); }
 
-  EdgeMatching match_and_drop_duplicates() {
+  EdgeMatching match_and_flip_diagonals() {
     EdgeMatching matching = match_edges(arrays_.origin, vertex_count());
+    for (int round = 0; round < kFlipRounds; ++round) {
+      const std::vector<Diagonal> diagonals =
+          crowded_diagonals(arrays_.origin, matching, soup_.polygon_of);
+      if (diagonals.empty()) break;
+      for (const Diagonal& diagonal : diagonals) {
+        flip_diagonal(diagonal, arrays_.origin);
+        flip_diagonal(diagonal, soup_.attributes.texcoord);
+        flip_diagonal(diagonal, soup_.attributes.normal);
+        flip_diagonal(diagonal, soup_.attributes.color);
+      }
+      matching = {};
+      matching = match_edges(arrays_.origin, vertex_count());
+    }
+    soup_.polygon_of = {};
+    return matching;
+  }
+
+  EdgeMatching match_and_drop_duplicates() {
+    EdgeMatching matching = match_and_flip_diagonals();
     if (matching.duplicate_faces.empty()) return matching;
     result_.report[Repair::duplicate_faces_dropped] = matching.duplicate_faces.size();
     std::vector<std::uint8_t> drop(arrays_.origin.size() / 3, 0);

@@ -31,6 +31,9 @@ struct Soup {
   /// Empty where every face is a triangle. Otherwise F+1 offsets into `corners`: face f has corners
   /// [face_start[f], face_start[f+1]).
   Array<std::uint32_t> face_start;
+  /// For each triangle the polygon that it was cut from; empty where nothing was cut. Set by
+  /// `triangulate`.
+  Array<std::uint32_t> polygon_of;
   /// One value a corner of `corners` (not 3F, where there are polygons); groups one a face.
   Attributes attributes;
   std::vector<CreaseTag> creases;

@@ -132,6 +132,7 @@ void triangulate(Soup& soup, BuildReport& report, Progress* progress) {
   gather(soup.attributes.normal, source);
   gather(soup.attributes.color, source);
   gather(soup.attributes.group, source_face);
+  soup.polygon_of = std::move(source_face);
   soup.face_start = {};
 }
 

@@ -159,6 +159,23 @@ TEST(Build, ACubeOfQuadsWithOneFaceTwiceStaysClosed) {
   EXPECT_NEAR(s.volume, 1.0, 1e-12);
 }
 
+// Two quads that share three vertices, the middle one of them in no other face: cut along the same
+// diagonal they would leave a triangle twice.
+TEST(Build, ACleanMeshOfQuadsStaysCleanWhateverItsDiagonals) {
+  Soup soup = quads(soup_of({{0, 0, 0}, {1, -.1F, 0}, {2, 0, 0}, {1, 3, 0}, {1, -3, 0}}, {}),
+                    {0, 1, 2, 3, 2, 1, 0, 4});
+  soup.attributes.texcoord.clear();
+  for (const std::uint32_t v : soup.corners)
+    soup.attributes.texcoord.push_back({float(v), 0.0F});
+  const BuildResult r = built(std::move(soup));
+  expect_report(r.report, {{Repair::polygons_triangulated, 2}});
+  EXPECT_EQ(r.mesh.face_count(), 4U);
+  EXPECT_FALSE(r.mesh.is_boundary(Vertex(1)));
+  for (std::uint32_t h = 0; h < r.mesh.halfedge_count(); ++h) {
+    EXPECT_EQ(r.attributes.texcoord[h].x, float(r.mesh.origin(Halfedge(h)).index()));
+  }
+}
+
 TEST(Build, PolygonsOnTheSameCornersInAnotherOrderAreNotDuplicates) {
   const BuildResult r = built(quads(cube(), {0, 1, 2, 3, 0, 2, 1, 3}));
   EXPECT_EQ(r.report[Repair::polygons_triangulated], 2U);
@@ -328,6 +345,19 @@ TEST(Build, AnyRandomSoupBecomesAManifold) {
     const std::uint64_t dropped =
         r.report[Repair::duplicate_faces_dropped] + r.report[Repair::degenerate_faces_dropped];
     EXPECT_EQ(r.mesh.face_count() + dropped, 1 + seed % 60);
+  }
+}
+
+TEST(Build, AnyRandomSoupOfPolygonsBecomesAManifold) {
+  for (std::uint32_t seed = 0; seed < 2000; ++seed) {
+    Soup soup = random_soup(seed, 4 + seed % 17, 1 + seed % 50);
+    for (std::uint32_t at = 0, k = seed; at <= soup.corners.size(); at += 2 + k++ % 6) {
+      soup.face_start.push_back(at);
+    }
+    soup.face_start.back() = static_cast<std::uint32_t>(soup.corners.size());
+    if (soup.face_start.size() < 2) continue;
+    (void)built(std::move(soup));
+    if (testing::Test::HasFailure()) FAIL() << "seed " << seed;
   }
 }
 
