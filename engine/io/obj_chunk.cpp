@@ -25,15 +25,20 @@ std::size_t continuation(const char* p) {
   return p[1] == '\r' && p[2] == '\n' ? 3 : 0;
 }
 
-const char* skip_blanks(const char* p) {
+const char* skip_more_blanks(const char* p) {
   for (;;) {
-    if (*p == ' ') ++p;
-    if (static_cast<unsigned char>(*p) > ' ' && *p != '\\') return p;
     p = scan::skip_blanks(p);
     const std::size_t hidden = continuation(p);
     if (hidden == 0) return p;
     p += hidden;
   }
+}
+
+/// Skips blanks and continuations. One blank is by far the most common.
+inline const char* skip_blanks(const char* p) {
+  if (*p == ' ') ++p;
+  if (static_cast<unsigned char>(*p) > ' ' && *p != '\\') return p;
+  return skip_more_blanks(p);
 }
 
 std::uint8_t color_byte(float value) {

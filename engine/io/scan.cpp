@@ -1,16 +1,12 @@
 #include "engine/io/scan.h"
 
 #include <algorithm>
-#include <bit>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace mesher::scan {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "eight digits are read as one word");
 
 constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                    1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
@@ -19,30 +15,6 @@ constexpr int kLargestExactPower = 22;
 constexpr std::uint32_t kWholePowers[] = {1,      10,      100,      1000,     10000,
                                           100000, 1000000, 10000000, 100000000};
 
-std::uint64_t load_word(const char* p) {
-  std::uint64_t word;
-  std::memcpy(&word, p, sizeof word);
-  return word;
-}
-
-/// How many of the eight characters are digits before the first that is not. Borrows and carries
-/// only arise at and above that character, so the count is right.
-unsigned leading_digits(std::uint64_t word) {
-  const std::uint64_t other =
-      ((word + 0x4646464646464646U) | (word - 0x3030303030303030U)) & 0x8080808080808080U;
-  return static_cast<unsigned>(std::countr_zero(other)) / 8;
-}
-
-/// Value of the first `count` characters of the word. Pre: they are digits, 1 <= count <= 8.
-std::uint32_t digits_value(std::uint64_t word, unsigned count) {
-  word = (word - 0x3030303030303030U) << (64 - 8 * count);
-  word = word * 10 + (word >> 8);
-  constexpr std::uint64_t kMask = 0x000000FF000000FFU;
-  return static_cast<std::uint32_t>(((word & kMask) * (100 + (1000000ULL << 32)) +
-                                     ((word >> 16) & kMask) * (1 + (10000ULL << 32))) >>
-                                    32);
-}
-
 /// A decimal as written: mantissa * 10^exponent, exact while `digits` <= 19.
 struct Decimal {
   std::uint64_t mantissa = 0;
@@ -50,7 +22,7 @@ struct Decimal {
   int exponent = 0;
 };
 
-const char* read_mantissa_digits(const char* p, Decimal& decimal) {
+inline const char* read_mantissa_digits(const char* p, Decimal& decimal) {
   for (;;) {
     const std::uint64_t word = load_word(p);
     const unsigned count = leading_digits(word);
@@ -64,7 +36,7 @@ const char* read_mantissa_digits(const char* p, Decimal& decimal) {
 }
 
 /// Null where there is no plain short decimal here; the slow way then decides what it is.
-const char* read_decimal(const char* p, Decimal& decimal) {
+inline const char* read_decimal(const char* p, Decimal& decimal) {
   // One digit before the point is by far the most common; more go eight at a time.
   if (is_digit(*p) && !is_digit(p[1])) {
     decimal.mantissa = static_cast<std::uint64_t>(*p - '0');
@@ -176,16 +148,10 @@ const char* read_double(const char* p, double& value) {
   return end;
 }
 
-const char* read_digits(const char* p, std::uint32_t& value) {
-  const std::uint64_t word = load_word(p);
-  const unsigned count = leading_digits(word);
-  if (count < 8) {
-    value = digits_value(word, count);
-    return p + count;
-  }
+const char* read_long_digits(const char* p, std::uint32_t& value) {
   constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
-  std::uint64_t sum = digits_value(word, 8);
-  for (p += 8; is_digit(*p); ++p) {
+  std::uint64_t sum = 0;
+  for (; is_digit(*p); ++p) {
     sum = sum * 10 + static_cast<std::uint64_t>(*p - '0');
     if (sum > kMost) sum = kMost;
   }

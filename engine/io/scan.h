@@ -1,6 +1,8 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
+#include <cstring>
 
 namespace mesher::scan {
 
@@ -35,9 +37,44 @@ const char* read_float(const char* p, float& value);
 /// The same in double precision, for formats that hold doubles and attributes that are scaled.
 const char* read_double(const char* p, double& value);
 
+static_assert(std::endian::native == std::endian::little, "eight digits are read as one word");
+
+inline std::uint64_t load_word(const char* p) {
+  std::uint64_t word;
+  std::memcpy(&word, p, sizeof word);
+  return word;
+}
+
+/// How many of the eight characters are digits before the first that is not. Borrows and carries
+/// only arise at and above that character, so the count is right.
+inline unsigned leading_digits(std::uint64_t word) {
+  const std::uint64_t other =
+      ((word + 0x4646464646464646U) | (word - 0x3030303030303030U)) & 0x8080808080808080U;
+  return static_cast<unsigned>(std::countr_zero(other)) / 8;
+}
+
+/// Value of the first `count` characters of the word. Pre: they are digits, 1 <= count <= 8.
+inline std::uint32_t digits_value(std::uint64_t word, unsigned count) {
+  word = (word - 0x3030303030303030U) << (64 - 8 * count);
+  word = word * 10 + (word >> 8);
+  constexpr std::uint64_t kMask = 0x000000FF000000FFU;
+  return static_cast<std::uint32_t>(((word & kMask) * (100 + (1000000ULL << 32)) +
+                                     ((word >> 16) & kMask) * (1 + (10000ULL << 32))) >>
+                                    32);
+}
+
+/// Reads eight digits and more: what read_digits leaves aside.
+const char* read_long_digits(const char* p, std::uint32_t& value);
+
 /// Reads digits; a number past 32 bits gives 0xFFFFFFFF. Returns the first character after them.
 /// Pre: is_digit(*p).
-const char* read_digits(const char* p, std::uint32_t& value);
+inline const char* read_digits(const char* p, std::uint32_t& value) {
+  const std::uint64_t word = load_word(p);
+  const unsigned count = leading_digits(word);
+  if (count == 8) return read_long_digits(p, value);
+  value = digits_value(word, count);
+  return p + count;
+}
 
 /// Reads a whole number with optional sign, at most 18 digits; null where there is none or
 /// something else sticks to it.
