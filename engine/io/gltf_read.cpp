@@ -26,7 +26,7 @@ constexpr std::size_t kAlwaysAllowed = std::size_t{1} << 25;
 /// Beyond that, so many for each byte of the file. One of its own takes a byte at least.
 constexpr std::size_t kMostPerByte = 8;
 /// What looking at a primitive costs, in corners.
-constexpr std::size_t kPrimitiveCost = 32;
+constexpr std::size_t kPrimitiveCost = 64;
 
 enum Mode : std::uint64_t { kTriangles = 4, kStrip = 5, kFan = 6 };
 

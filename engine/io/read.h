@@ -18,11 +18,11 @@ struct ReadOptions {
   Progress* progress = nullptr;
 };
 
-/// The polygons of a file, unrepaired: OBJ, PLY, STL, OFF, glTF or GLB, as the extension says, in any
-/// case. All readers are ours: they check every count against the bytes before they allocate, keep
-/// every bit of a position, and keep vertices shared (see engine/io/*_read.h for what each takes over).
-/// Throws InputError with file, line (where the format has lines) and reason; DeviceError where memory
-/// runs out; Cancelled.
+/// The polygons of a file, unrepaired: OBJ, PLY, STL, OFF, glTF or GLB, as the extension says, in
+/// any case. All readers are ours: they check every count against the bytes before they allocate,
+/// keep every bit of a position, and keep vertices shared (see engine/io/*_read.h for what each
+/// takes over). Throws InputError with file, line (where the format has lines) and reason;
+/// DeviceError where memory runs out; Cancelled.
 Soup read_soup(const std::filesystem::path& file, const ReadOptions& options = {});
 
 /// Reads a file and builds the mesh. Throws as read_soup.
