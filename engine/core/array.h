@@ -1,11 +1,19 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <new>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace mesher {
+
+/// Memory for large arrays, on huge pages where the system grants them: touching fresh memory in
+/// pages of 4 kB costs about as much as the work that is done on it (building a mesh of 2 million
+/// triangles: a third of the time). Throws std::bad_alloc.
+void* allocate_array(std::size_t bytes);
+void free_array(void* memory) noexcept;
 
 /// Allocator that leaves trivially constructible elements uninitialised on `resize(n)`: filling
 /// fresh pages with zeros that are overwritten at once costs as much as the work itself.
@@ -17,6 +25,11 @@ class DefaultInitAllocator : public std::allocator<T> {
   struct rebind {
     using other = DefaultInitAllocator<U>;
   };
+  T* allocate(std::size_t n) {
+    if (n > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_array_new_length();
+    return static_cast<T*>(allocate_array(n * sizeof(T)));
+  }
+  void deallocate(T* p, std::size_t) noexcept { free_array(p); }
   template <class U>
   void construct(U* p) noexcept(std::is_nothrow_default_constructible_v<U>) {
     ::new (static_cast<void*>(p)) U;

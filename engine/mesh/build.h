@@ -32,8 +32,8 @@ struct BuildResult {
 /// one-sided surfaces are cut where they cannot agree; vertices where several fans meet are split.
 /// A clean soup keeps its order of faces, corners and vertices.
 ///
-/// Time O(F + V) expected (buckets by vertex, no hashing; a bucket of k is sorted in O(k log k)),
-/// in parallel; result the same for any number of threads. Scratch about 26 bytes a face. Throws
+/// Time O(F + V) expected (chains by vertex, no hashing; a chain of k is sorted in O(k log k)),
+/// in parallel; result the same for any number of threads. Scratch about 8 bytes a face. Throws
 /// InputError where an index is out of range or there are too many faces for 32-bit ids.
 [[nodiscard]] BuildResult build_mesh(Soup&& soup, const BuildOptions& options = {});
 

@@ -16,15 +16,6 @@ struct Entry {
   friend auto operator<=>(const Entry&, const Entry&) = default;
 };
 
-struct Buckets {
-  Array<std::uint32_t> start;  ///< V+1
-  Array<Entry> entries;        ///< 3F
-
-  std::span<Entry> of(std::size_t v) {
-    return {entries.data() + start[v], std::size_t{start[v + 1]} - start[v]};
-  }
-};
-
 Vertex target(const Array<Vertex>& origin, std::uint32_t h) {
   return origin[Mesh::next(Halfedge(h)).index()];
 }
@@ -33,25 +24,24 @@ Vertex apex(const Array<Vertex>& origin, std::uint32_t h) {
   return origin[Mesh::prev(Halfedge(h)).index()];
 }
 
-Buckets fill_buckets(const Array<Vertex>& origin, std::uint32_t vertex_count) {
-  Buckets buckets;
-  buckets.start.assign(std::size_t{vertex_count} + 1, 0);
-  buckets.entries.resize(origin.size());
-  const auto halfedges = static_cast<std::uint32_t>(origin.size());
-  const auto lower = [&](std::uint32_t h) {
-    return std::min(origin[h], target(origin, h)).index();
-  };
-  for (std::uint32_t h = 0; h < halfedges; ++h)
-    ++buckets.start[lower(h)];
-  std::uint32_t sum = 0;
-  for (std::uint32_t& start : buckets.start)
-    start = sum += start;
-  // Filling from the back turns each end into its start, and leaves each bucket sorted by h.
-  for (std::uint32_t h = halfedges; h-- > 0;) {
-    const std::uint32_t upper = std::max(origin[h], target(origin, h)).index();
-    buckets.entries[--buckets.start[lower(h)]] = {upper, h};
+/// Chains the half-edges of each lower vertex, by increasing index: `first` of the vertex, then
+/// `link` of the half-edge before.
+Array<Halfedge> chain(const Array<Vertex>& origin, std::uint32_t vertex_count,
+                      Array<Halfedge>& link) {
+  Array<Halfedge> first(vertex_count, Halfedge{});
+  for (auto f = static_cast<std::uint32_t>(origin.size() / 3); f-- > 0;) {
+    const Vertex a = origin[3 * f];
+    const Vertex b = origin[3 * f + 1];
+    const Vertex c = origin[3 * f + 2];
+    const auto push = [&](Vertex lower, std::uint32_t h) {
+      link[h] = first[lower.index()];
+      first[lower.index()] = Halfedge(h);
+    };
+    push(std::min(c, a), 3 * f + 2);
+    push(std::min(b, c), 3 * f + 1);
+    push(std::min(a, b), 3 * f);
   }
-  return buckets;
+  return first;
 }
 
 void sort_bucket(std::span<Entry> bucket) {
@@ -81,8 +71,16 @@ class Matcher {
   Matcher(const Array<Vertex>& origin, Array<Halfedge>& twin, Findings& findings)
       : origin_(origin), twin_(twin), findings_(findings) {}
 
-  void match_bucket(std::span<Entry> bucket) {
-    sort_bucket(bucket);
+  /// Matches the edges whose lower vertex has this chain. Its links lie where the twins will be:
+  /// they are read before the first twin is written, and no other chain runs through them.
+  void match_chain(Halfedge first) {
+    bucket_.clear();
+    for (Halfedge h = first; h.is_valid(); h = twin_[h.index()]) {
+      bucket_.push_back(
+          {std::max(origin_[h.index()], target(origin_, h.index())).index(), h.index()});
+    }
+    sort_bucket(bucket_);
+    const std::span<Entry> bucket = bucket_;
     for (std::size_t begin = 0; begin < bucket.size();) {
       std::size_t end = begin + 1;
       while (end < bucket.size() && bucket[end].upper == bucket[begin].upper)
@@ -127,6 +125,7 @@ class Matcher {
   const Array<Vertex>& origin_;
   Array<Halfedge>& twin_;
   Findings& findings_;
+  std::vector<Entry> bucket_;
 };
 
 void join(const std::vector<Findings>& all, EdgeMatching& matching) {
@@ -148,14 +147,14 @@ void join(const std::vector<Findings>& all, EdgeMatching& matching) {
 }  // namespace
 
 EdgeMatching match_edges(const Array<Vertex>& origin, std::uint32_t vertex_count) {
-  Buckets buckets = fill_buckets(origin, vertex_count);
   EdgeMatching matching;
   matching.twin.resize(origin.size());
+  const Array<Halfedge> first = chain(origin, vertex_count, matching.twin);
   std::vector<Findings> findings(chunk_count(vertex_count, kVertexChunk));
-  parallel_chunks(vertex_count, kVertexChunk, [&](std::size_t chunk, IndexRange range) {
-    Matcher matcher(origin, matching.twin, findings[chunk]);
+  parallel_chunks(vertex_count, kVertexChunk, [&](std::size_t i, IndexRange range) {
+    Matcher matcher(origin, matching.twin, findings[i]);
     for (std::size_t v = range.begin; v < range.end; ++v)
-      matcher.match_bucket(buckets.of(v));
+      matcher.match_chain(first[v]);
   });
   join(findings, matching);
   return matching;
