@@ -1,6 +1,7 @@
 #include "engine/io/mapped_file.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -15,6 +16,7 @@
 namespace mesher {
 namespace {
 
+constexpr int kCancelCheckMs = 100;
 constexpr std::size_t kReadBlock = std::size_t{1} << 20;
 
 struct Descriptor {
@@ -24,19 +26,31 @@ struct Descriptor {
   }
 };
 
+// A named pipe says "end of file" until somebody opens it for writing: poll knows the difference.
+void wait_for_data(int descriptor, Progress* progress) {
+  pollfd readable{descriptor, POLLIN, 0};
+  while (::poll(&readable, 1, kCancelCheckMs) == 0) {
+    if (progress != nullptr && progress->is_cancelled()) throw Cancelled();
+  }
+}
+
 }  // namespace
 
-MappedFile::MappedFile(const std::filesystem::path& file) : name_(file.string()) {
-  const Descriptor in{::open(file.c_str(), O_RDONLY | O_CLOEXEC)};
+MappedFile::MappedFile(const std::filesystem::path& file, Progress* progress)
+    : name_(file.string()) {
+  // Without blocking: a pipe that nobody writes to must not hold up whoever wants to cancel.
+  const Descriptor in{::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
   if (in.fd < 0) fail("cannot open");
   struct stat status = {};
   if (::fstat(in.fd, &status) != 0) fail("cannot open");
   if (S_ISDIR(status.st_mode)) throw InputError(name_, 0, "is a directory");
+  // A device may never end; a terminal is one too.
+  if (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)) throw InputError(name_, 0, "is a device");
   // Files under /proc say that they are empty and are not: those are read.
   if (S_ISREG(status.st_mode) && status.st_size > 0) {
     map(in.fd, static_cast<std::size_t>(status.st_size));
   } else {
-    read_blocks(in.fd);
+    read_blocks(in.fd, progress);
   }
 }
 
@@ -63,13 +77,14 @@ void MappedFile::map(int descriptor, std::size_t size) {
   mapped_bytes_ = bytes;
 }
 
-void MappedFile::read_blocks(int descriptor) {
+void MappedFile::read_blocks(int descriptor, Progress* progress) {
   for (;;) {
+    wait_for_data(descriptor, progress);
     if (copy_.size() < size_ + kReadBlock) {
       copy_.resize(std::max(2 * copy_.size(), size_ + kReadBlock) + kPadding);
     }
     const ssize_t got = ::read(descriptor, copy_.data() + size_, kReadBlock);
-    if (got < 0 && errno == EINTR) continue;
+    if (got < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     if (got < 0) fail("cannot read");
     if (got == 0) break;
     size_ += static_cast<std::size_t>(got);

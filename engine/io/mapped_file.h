@@ -7,11 +7,12 @@
 #include <string_view>
 
 #include "engine/core/array.h"
+#include "engine/core/progress.h"
 
 namespace mesher {
 
 /// A whole file, read-only, as one span of bytes: mapped where it is a regular file, read block by
-/// block where it is a pipe or a device (so `/dev/stdin` works). Sizes are 64-bit. Whoever cuts a
+/// block where it is a pipe (so `/dev/stdin` works). Sizes are 64-bit. Whoever cuts a
 /// regular file short while it is mapped ends the program; that is the price of not copying it.
 class MappedFile {
  public:
@@ -19,8 +20,9 @@ class MappedFile {
   /// character that ends a number, need no check of their own.
   static constexpr std::size_t kPadding = 64;
 
-  /// Throws InputError where the file is missing, unreadable or a directory.
-  explicit MappedFile(const std::filesystem::path& file);
+  /// Throws InputError where the file is missing, unreadable, a directory or a device; Cancelled
+  /// where `progress` is cancelled while a pipe keeps us waiting.
+  explicit MappedFile(const std::filesystem::path& file, Progress* progress = nullptr);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;
@@ -37,7 +39,7 @@ class MappedFile {
 
  private:
   void map(int descriptor, std::size_t size);
-  void read_blocks(int descriptor);
+  void read_blocks(int descriptor, Progress* progress);
   [[noreturn]] void fail(const char* action) const;
 
   std::string name_;

@@ -17,7 +17,7 @@ namespace mesher {
 namespace {
 
 Soup read_format(Format format, const std::filesystem::path& file, const ReadOptions& options) {
-  const MappedFile bytes(file);
+  const MappedFile bytes(file, options.progress);
   if (bytes.size() == 0) throw InputError(bytes.name(), 0, "is empty");
   switch (format) {
     case Format::obj:

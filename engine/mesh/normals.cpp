@@ -19,29 +19,31 @@ glm::dvec3 unit_or_zero(const glm::dvec3& v) {
   return length > 0.0 ? v / length : glm::dvec3(0.0);
 }
 
-struct CornerGeometry {
-  glm::dvec3 cross;  ///< face normal times twice the area
-  double angle;      ///< at the corner
-};
+glm::dvec3 cross_at(const Mesh& mesh, Halfedge h) {
+  const glm::dvec3 at = mesh.position(mesh.origin(h));
+  return glm::cross(glm::dvec3(mesh.position(mesh.target(h))) - at,
+                    glm::dvec3(mesh.position(mesh.origin(Mesh::prev(h)))) - at);
+}
 
-CornerGeometry corner_geometry(const Mesh& mesh, Halfedge h) {
+double angle_at(const Mesh& mesh, Halfedge h) {
   const glm::dvec3 at = mesh.position(mesh.origin(h));
   const glm::dvec3 a = glm::dvec3(mesh.position(mesh.target(h))) - at;
   const glm::dvec3 b = glm::dvec3(mesh.position(mesh.origin(Mesh::prev(h)))) - at;
-  const glm::dvec3 cross = glm::cross(a, b);
-  return {cross, std::atan2(glm::length(cross), glm::dot(a, b))};
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-glm::dvec3 weighted_normal(const CornerGeometry& corner, NormalWeight weight) {
+/// A corner's share in its vertex's normal, from the cross product of its face.
+glm::dvec3 weighted_normal(const Mesh& mesh, Halfedge h, const glm::dvec3& cross,
+                           NormalWeight weight) {
   switch (weight) {
     case NormalWeight::area:
-      return corner.cross;
+      return cross;
     case NormalWeight::angle:
-      return unit_or_zero(corner.cross) * corner.angle;
+      return unit_or_zero(cross) * angle_at(mesh, h);
     case NormalWeight::uniform:
       break;
   }
-  return unit_or_zero(corner.cross);
+  return unit_or_zero(cross);
 }
 
 /// The corners around one vertex, in order, and between which of them its normals are split.
@@ -50,9 +52,9 @@ class Fan {
   void gather(const Mesh& mesh, Vertex v, const CornerNormalOptions& options) {
     corners_.clear();
     for (const Halfedge h : halfedges_around(mesh, v)) {
-      const CornerGeometry geometry = corner_geometry(mesh, h);
+      const glm::dvec3 cross = cross_at(mesh, h);
       corners_.push_back(
-          {h, unit_or_zero(geometry.cross), weighted_normal(geometry, options.weight), false});
+          {h, unit_or_zero(cross), weighted_normal(mesh, h, cross, options.weight), false});
     }
     const double cos_limit = std::cos(static_cast<double>(options.crease_angle_rad));
     for (std::size_t i = 0; i < corners_.size(); ++i) {
@@ -117,7 +119,7 @@ class Fan {
 }  // namespace
 
 glm::vec3 face_normal(const Mesh& mesh, Face f) {
-  return glm::vec3(unit_or_zero(corner_geometry(mesh, Mesh::halfedge(f)).cross));
+  return glm::vec3(unit_or_zero(cross_at(mesh, Mesh::halfedge(f))));
 }
 
 Array<glm::vec3> face_normals(const Mesh& mesh) {
@@ -133,16 +135,28 @@ Array<glm::vec3> face_normals(const Mesh& mesh) {
 glm::vec3 vertex_normal(const Mesh& mesh, Vertex v, NormalWeight weight) {
   glm::dvec3 sum(0.0);
   for (const Halfedge h : halfedges_around(mesh, v)) {
-    sum += weighted_normal(corner_geometry(mesh, h), weight);
+    sum += weighted_normal(mesh, h, cross_at(mesh, h), weight);
   }
   return glm::vec3(unit_or_zero(sum));
 }
 
 Array<glm::vec3> vertex_normals(const Mesh& mesh, NormalWeight weight) {
+  // Where faces count by their unit normals, each is made once and not once a corner.
+  const bool takes_units = weight != NormalWeight::area;
+  const Array<glm::vec3> unit = takes_units ? face_normals(mesh) : Array<glm::vec3>{};
   Array<glm::vec3> normals(mesh.vertex_count());
   parallel_for(mesh.vertex_count(), kGrain, [&](IndexRange range) {
     for (std::size_t v = range.begin; v < range.end; ++v) {
-      normals[v] = vertex_normal(mesh, Vertex(static_cast<std::uint32_t>(v)), weight);
+      glm::dvec3 sum(0.0);
+      for (const Halfedge h : halfedges_around(mesh, Vertex(static_cast<std::uint32_t>(v)))) {
+        if (takes_units) {
+          const double share = weight == NormalWeight::angle ? angle_at(mesh, h) : 1.0;
+          sum += share * glm::dvec3(unit[Mesh::face(h).index()]);
+        } else {
+          sum += cross_at(mesh, h);
+        }
+      }
+      normals[v] = glm::vec3(unit_or_zero(sum));
     }
   });
   return normals;

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <fcntl.h>
+#include <chrono>
 #include <string>
 #include <thread>
 
@@ -56,6 +57,19 @@ TEST(MappedFile, ReadsPipes) {
   EXPECT_EQ(file.end()[0], '\0');
 }
 
+TEST(MappedFile, WaitsForAPipeOnlyAsLongAsSomebodyWants) {
+  const TempFolder folder;
+  const std::string pipe = (folder / "pipe").string();
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  Progress progress;
+  std::thread canceller([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    progress.cancel();
+  });
+  EXPECT_THROW(MappedFile(pipe, &progress), Cancelled);
+  canceller.join();
+}
+
 TEST(MappedFile, ReadsFilesThatHideTheirSize) {
   EXPECT_GT(MappedFile("/proc/self/status").size(), 0U);
 }
@@ -64,6 +78,7 @@ TEST(MappedFile, RefusesWhatIsNoFile) {
   const TempFolder folder;
   EXPECT_THROW(MappedFile(folder / "missing"), InputError);
   EXPECT_THROW(MappedFile{folder.path()}, InputError);
+  EXPECT_THROW(MappedFile("/dev/zero"), InputError);
 }
 
 TEST(AtomicFile, AppearsOnCommit) {
