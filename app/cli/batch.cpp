@@ -9,6 +9,7 @@
 #include "app/paths.h"
 #include "app/scripted_session.h"
 #include "engine/core/error.h"
+#include "engine/io/losses.h"
 #include "engine/io/png.h"
 #include "engine/io/read.h"
 #include "engine/io/write.h"
@@ -91,14 +92,23 @@ void run_info(const InputOptions& input, const CommonOptions& common) {
 void run_convert(const InputOptions& input, const std::string& output, bool ascii,
                  const CommonOptions& common) {
   const LoadedModel loaded = load(input, common);
-  write_model(output, loaded.model.mesh, loaded.model.attributes, {.ascii = ascii});
+  const Mesh& mesh = loaded.model.mesh;
+  // Most formats cannot say "nothing", and their readers would refuse it.
+  if (mesh.face_count() == 0) throw InputError(loaded.file.string(), 0, "has no faces to convert");
+  const std::vector<std::string> losses = losses_in_format(output, mesh, loaded.model.attributes);
+  write_model(output, mesh, loaded.model.attributes, {.ascii = ascii});
+  if (!common.quiet) {
+    for (const std::string& loss : losses) {
+      std::cerr << "mesher: " << output << " cannot hold " << loss << '\n';
+    }
+    std::cerr << "mesher: " << output << ": " << mesh.vertex_count() << " vertices, "
+              << mesh.face_count() << " faces\n";
+  }
   if (common.json) {
     Json json = to_json(loaded.model, loaded.statistics, loaded.file);
     json["output"] = output;
+    json["lost"] = losses;
     print_json(json);
-  } else if (!common.quiet) {
-    std::cerr << "mesher: " << output << ": " << loaded.statistics.vertices << " vertices, "
-              << loaded.statistics.faces << " faces\n";
   }
 }
 

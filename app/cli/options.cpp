@@ -70,8 +70,8 @@ CameraAngles parse_camera(const std::string& text) {
     if (const auto value = number(part)) values.push_back(*value);
   }
   if (values.size() != parts.size() || values.size() < 2 || values.size() > 3 ||
-      (values.size() == 3 && values[2] <= 0.0)) {
-    throw UsageError("--camera: '" + text + "' is not YAW,PITCH or YAW,PITCH,ZOOM (zoom above 0)");
+      (values.size() == 3 && !(values[2] >= 1e-3 && values[2] <= 1e3))) {
+    throw UsageError("--camera: '" + text + "' is not YAW,PITCH or YAW,PITCH,ZOOM (0.001 to 1000)");
   }
   return {values[0] * kDegree, values[1] * kDegree, values.size() == 3 ? values[2] : 1.0};
 }

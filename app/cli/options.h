@@ -47,8 +47,8 @@ struct LookOptions {
 /// "500" or "640x480". Throws UsageError; sides are 1 to 16384.
 Size parse_size(const std::string& text);
 
-/// YAW,PITCH,ZOOM: degrees, degrees, and a factor that divides the distance at which the whole
-/// model fits.
+/// YAW,PITCH,ZOOM: degrees, degrees, and a factor from 0.001 to 1000 that divides the distance at
+/// which the whole model fits (beyond about 3 the eye is inside most models).
 struct CameraAngles {
   double yaw_rad = 0.0;
   double pitch_rad = 0.0;

@@ -98,7 +98,8 @@ class CommandLine {
         ->add_option("--crease-angle", look_.crease_angle_deg,
                      "degrees: Gouraud normals split where faces meet at more (default: 180)")
         ->check(CLI::Validator(check_angle, "0 TO 180"));
-    command->add_option("--camera", look_.camera, "YAW,PITCH[,ZOOM]: degrees, and a factor");
+    command->add_option("--camera", look_.camera,
+                        "YAW,PITCH[,ZOOM]: degrees, and what divides the distance");
     command->add_option("--view", look_.view, "front, right or top")
         ->check(CLI::IsMember({"front", "right", "top"}));
     command->add_flag("--orthographic", look_.orthographic, "no perspective");

@@ -41,6 +41,16 @@ Image scripted_picture(Session& session, const std::vector<KeyPress>& keys, cons
   return picture;
 }
 
+// `mesher simplfy` means a command, not a file of that name.
+void refuse_mistyped_command(const std::string& model) {
+  const std::filesystem::path file = find_model(model);
+  std::error_code ignored;
+  if (file.has_extension() || file.has_parent_path() || std::filesystem::exists(file, ignored)) {
+    return;
+  }
+  throw UsageError("'" + model + "' is neither a command nor a model (see mesher --help)");
+}
+
 // Before the model is read: a wrong word should not cost the time that a large file takes.
 std::vector<KeyPress> checked_keys(const std::string& text) {
   std::vector<KeyPress> keys = parse_keys(text);
@@ -60,6 +70,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
   if (!view.screenshot.empty() && !is_png_name(view.screenshot)) {
     throw UsageError("--screenshot: '" + view.screenshot + "' does not end in .png");
   }
+  refuse_mistyped_command(input.model);
   LoadedModel loaded = load(input, common);
   Session session;
   session.window = {size.width, size.height};

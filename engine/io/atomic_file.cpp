@@ -28,6 +28,7 @@ AtomicFile::AtomicFile(const std::filesystem::path& target)
   if (exists && !S_ISREG(status.st_mode)) {
     descriptor_ = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor_ < 0) fail("cannot write");
+    is_direct_ = true;
     return;
   }
   if (exists && std::filesystem::is_symlink(target)) target_ = std::filesystem::canonical(target);
@@ -41,13 +42,33 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::open_temporary() {
+  const std::filesystem::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
+  descriptor_ = ::open(folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+  if (descriptor_ >= 0) return;
+  // Not every file system has files without a name; what is really wrong shows in the second try.
+  try_names([this] {
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    return descriptor_ >= 0;
+  });
+}
+
+void AtomicFile::name_temporary() {
+  const std::string unnamed = "/proc/self/fd/" + std::to_string(descriptor_);
+  try_names([&] {
+    return ::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) ==
+           0;
+  });
+}
+
+/// Calls `make` with temporary names until it succeeds at one that nobody else has.
+template <class Make>
+void AtomicFile::try_names(Make make) {
   static std::atomic<unsigned> counter{0};
   for (int attempt = 0; attempt < 100; ++attempt) {
     // Not made of the target's name, which may be as long as names can be.
     temporary_ = target_.parent_path() / (".mesher-" + std::to_string(::getpid()) + "-" +
                                           std::to_string(counter++) + ".tmp");
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ >= 0) return;
+    if (make()) return;
     if (errno != EEXIST) break;
   }
   temporary_.clear();
@@ -65,11 +86,12 @@ void AtomicFile::write(std::string_view bytes) {
 }
 
 void AtomicFile::commit() {
+  if (!is_direct_ && temporary_.empty()) name_temporary();
   const int descriptor = descriptor_;
   descriptor_ = -1;
   // Full disks on the network are reported this late.
   if (::close(descriptor) != 0) fail("cannot write");
-  if (temporary_.empty()) return;
+  if (is_direct_) return;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot write");
   temporary_.clear();
 }

@@ -7,10 +7,11 @@
 
 namespace mesher {
 
-/// A file that appears whole or not at all: written under a temporary name in the target's folder
-/// and renamed by `commit`. Destroyed without `commit`, it leaves nothing behind, and whatever
-/// stood at the target stays. A link is followed, an existing file's permissions are kept. A target
-/// that is no regular file (a pipe, `/dev/stdout`) cannot be renamed over and is written directly.
+/// A file that appears whole or not at all: written without a name in the target's folder (where
+/// the file system knows such files; otherwise under a temporary one), named and renamed by
+/// `commit`. Destroyed without `commit`, or killed, it leaves nothing behind, and whatever stood at
+/// the target stays. A link is followed, an existing file's permissions are kept. A target that is
+/// no regular file (a pipe, `/dev/stdout`) cannot be renamed over and is written directly.
 class AtomicFile {
  public:
   /// Throws OutputError where the target is a directory or its folder cannot be written.
@@ -30,12 +31,16 @@ class AtomicFile {
 
  private:
   void open_temporary();
+  void name_temporary();
+  template <class Make>
+  void try_names(Make make);
   void discard() noexcept;
   [[noreturn]] void fail(const char* action);
 
   std::string name_;
   std::filesystem::path target_;
-  std::filesystem::path temporary_;  ///< empty where the target is written directly
+  std::filesystem::path temporary_;  ///< empty while the file has no name
+  bool is_direct_ = false;           ///< the target itself is written
   int descriptor_ = -1;
   std::uint64_t size_ = 0;
 };

@@ -105,7 +105,18 @@ class Parser {
   }
 
   const char* past_statement(const char* p) const {
-    return p >= end_ ? end_ : next_obj_line(p, p + 1, end_);
+    if (p >= end_) return end_;
+    const char* const line = past_line(p);
+    const bool has_comment = std::memchr(p, '#', static_cast<std::size_t>(line - p)) != nullptr;
+    if (has_comment || !is_continued(p, line)) return line;
+    return past_statement(line);
+  }
+
+  bool is_continued(const char* begin, const char* next_line) const {
+    const char* last = next_line;
+    if (last > begin && last[-1] == '\n') --last;
+    if (last > begin && last[-1] == '\r') --last;
+    return last > begin && last < next_line && last[-1] == '\\';
   }
 
   const char* number(const char* p, float& value, const char* too_few) {

@@ -28,6 +28,10 @@ class TextValues {
   double next(PlyType) { return text_.wide_number(); }
   std::int64_t next_whole(PlyType) { return text_.integer(); }
   void skip(PlyType) { text_.word(); }
+  /// A row is a line: one that goes on belongs to another element, as where a count is wrong.
+  void end_row() {
+    if (!text_.at_row_end()) text_.fail("a line has more values than the header says");
+  }
   [[noreturn]] void fail(std::string_view reason) { text_.fail(reason); }
 
  private:
@@ -74,6 +78,7 @@ class BinaryValues {
     }
   }
   void skip(PlyType type) { need(size_of(type)), p_ += size_of(type); }
+  void end_row() {}
   [[noreturn]] void fail(std::string_view reason) { throw InputError(file_.name(), 0, reason); }
 
  private:
@@ -219,6 +224,7 @@ class PlyReader {
     for (std::size_t v = 0; v < count; ++v) {
       for (std::size_t i = 0; i < slots.size(); ++i)
         read_value(element.properties[i], slots[i], v);
+      values_.end_row();
     }
   }
 
@@ -275,6 +281,7 @@ class PlyReader {
         skip_property(property);
       }
     }
+    values_.end_row();
     end_face();
     keep_corner_texcoords(first);
   }

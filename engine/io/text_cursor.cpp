@@ -20,6 +20,12 @@ bool TextCursor::at_line_end() {
   return *p_ == '\n' || *p_ == '#' || p_ >= file_.end();
 }
 
+bool TextCursor::at_row_end() {
+  while (*p_ == ' ' || *p_ == '\t')
+    ++p_;
+  return *p_ == '\r' || at_line_end();
+}
+
 void TextCursor::skip_line() {
   if (p_ >= file_.end()) return;
   const void* const newline = std::memchr(p_, '\n', bytes_left());

@@ -21,6 +21,8 @@ class TextCursor {
   bool at_end();
   /// Skips blanks; true at a comment, the end of the line or the end of the file.
   bool at_line_end();
+  /// The same for files whose lines end in a carriage return alone.
+  bool at_row_end();
   /// Goes to the start of the next line.
   void skip_line();
 

@@ -25,8 +25,8 @@ Array<glm::vec3> face_normals(const Mesh& mesh);
 /// fan folded on itself). O(valence).
 glm::vec3 vertex_normal(const Mesh& mesh, Vertex v, NormalWeight weight = NormalWeight::angle);
 
-/// One unit normal a vertex, as vertex_normal gives it to within rounding. The sum of the valences is
-/// 3F, so the walks are O(V + F) in all; parallel. 12 bytes a face of scratch.
+/// One unit normal a vertex, as vertex_normal gives it to within rounding. The sum of the valences
+/// is 3F, so the walks are O(V + F) in all; parallel. 12 bytes a face of scratch.
 Array<glm::vec3> vertex_normals(const Mesh& mesh, NormalWeight weight = NormalWeight::angle);
 
 struct CornerNormalOptions {

@@ -113,6 +113,33 @@ TEST_F(CommandLine, ConvertKeepsPositionsBitForBitThroughEveryFormatThatCan) {
   EXPECT_EQ(read_bytes(folder_ / "c.obj"), read_bytes(folder_ / "direct.obj"));
 }
 
+TEST_F(CommandLine, ConvertSaysWhatAFormatCannotHold) {
+  const Finished run = mesher({"convert", "creased_cube", "c.ply", "--json"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(nlohmann::json::parse(run.out)["lost"], nlohmann::json::array({"5 creases"}));
+  EXPECT_NE(run.err.find("c.ply cannot hold 5 creases"), std::string::npos) << run.err;
+  EXPECT_TRUE(
+      nlohmann::json::parse(mesher({"convert", "creased_cube", "c.obj", "--json"}).out)["lost"]
+          .empty());
+}
+
+TEST_F(CommandLine, ConvertRefusesAMeshWithoutFaces) {
+  folder_.write("points.obj", "v 0 0 0\nv 1 0 0\n");
+  for (const char* output : {"o.obj", "o.ply", "o.stl", "o.off", "o.glb"}) {
+    EXPECT_EQ(mesher({"convert", "points.obj", output}).exit_code, 2);
+  }
+  EXPECT_EQ(folder_.count_files(), 1U);
+}
+
+TEST_F(CommandLine, AFileSizeLimitIsAnErrorThatLeavesNothing) {
+  const Finished run =
+      run_program({"sh", "-c",
+                   "cd '" + folder_.path().string() +
+                       "' && ulimit -f 0 && exec " MESHER_PROGRAM " convert bunny z.obj"});
+  EXPECT_EQ(run.exit_code, 4) << run.err;
+  EXPECT_EQ(folder_.count_files(), 0U);
+}
+
 TEST_F(CommandLine, TheSameBytesForAnyNumberOfThreads) {
   // Large enough to be read, built and written in many pieces; quads, so that it is triangulated.
   std::string text;
@@ -143,6 +170,7 @@ TEST_F(CommandLine, UsageErrorsExitWithOne) {
       {"render", "cube", "-o", "x.png", "--size", "huge"},
       {"render", "cube", "-o", "x.png", "--camera", "1"},
       {"info"},
+      {"simplfy"},
       {"info", "cube", "--no-such-option"},
       {"view", "cube", "--screenshot", "x.png", "--keys", "f9"},
       {"render", "cube", "-o", "x.jpg"},

@@ -21,7 +21,8 @@ TEST(Options, CameraIsTwoAnglesAndAFactor) {
   EXPECT_NEAR(parse_camera("90,-45").yaw_rad, 1.5707963, 1e-6);
   EXPECT_NEAR(parse_camera("90,-45").pitch_rad, -0.7853982, 1e-6);
   EXPECT_EQ(parse_camera("0,0,2.5").zoom, 2.5);
-  for (const char* bad : {"", "30", "30,", "a,b", "1,2,3,4", "1,2,0", "1,2,-1", "inf,0"}) {
+  for (const char* bad :
+       {"", "30", "30,", "a,b", "1,2,3,4", "1,2,0", "1,2,-1", "1,2,1e30", "inf,0"}) {
     EXPECT_THROW((void)parse_camera(bad), UsageError) << bad;
   }
 }

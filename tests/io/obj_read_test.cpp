@@ -46,6 +46,24 @@ Refusal refusal(const std::string& text) {
   return {};
 }
 
+// A path in a comment may end in a backslash; the next line is a line of its own all the same.
+TEST(ObjRead, CommentsAreNotContinuedWhateverTheyStandBehind) {
+  for (const char* line : {"vn 0 0 1", "vt 0 0", "mtllib a.mtl", "t other 0/0/0", "v 5 5 5",
+                           "g name", "f 1 2 4", "", "s 1", "t crease 2/1/0 0 1 2.0"}) {
+    for (const char* end : {"\n", "\r\n"}) {
+      const Soup soup =
+          parse(kSquare + line + " # c:\\" + end + "f 1 2 3\n" + "# c:\\" + end + "f 1 3 4\n");
+      const std::uint32_t own = std::string(line).starts_with("f") ? 1 : 0;
+      EXPECT_EQ(soup.face_count(), 2 + own) << line;
+    }
+  }
+}
+
+TEST(ObjRead, StatementsOfNoInterestAreContinuedTooOverSeveralLines) {
+  const Soup soup = parse(kSquare + "curv 1 2 \\\nf 1 2 3 \\\r\nf 9 9 9\nf 1 3 4\n");
+  EXPECT_EQ(soup.face_count(), 1U);
+}
+
 TEST(ObjRead, PositionsAndTriangles) {
   const Soup soup = parse("# a comment\nv 1.5 -2e3 .25\nv 0 1 0\nv +3 4. 5E-1\nf 1 2 3\n");
   ASSERT_EQ(soup.positions.size(), 3U);

@@ -29,6 +29,14 @@ class WindowTest : public testing::Test {
     viewer.key("q");
     EXPECT_EQ(viewer.wait_for_end(), 0);
   }
+  /// A click as a hand makes it: ImGui sees the pointer arrive, the button go down, and come up.
+  static void click(const ViewerProcess& viewer, int x, int y) {
+    viewer.move(x, y);
+    viewer.settle();
+    viewer.press(1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    viewer.release(1);
+  }
   static double number(const json& state, const char* name) {
     return state["camera"][name].get<double>();
   }
@@ -232,9 +240,7 @@ TEST_F(WindowTest, EscapeClosesAColorPickerAndNotTheProgram) {
   const auto v = open({"cube", "--size", "800x800"});
   v->settle();
   const auto before = v->screenshot();
-  v->move(32, 468);  // the swatch of the front color
-  v->press(1);
-  v->release(1);
+  click(*v, 32, 468);  // the swatch of the front color
   v->move(500, 700);
   v->settle();
   EXPECT_GT(differing_bytes(v->screenshot(), before), 50'000U);  // the picker is open
@@ -249,20 +255,13 @@ TEST_F(WindowTest, EscapeClosesAColorPickerAndNotTheProgram) {
 TEST_F(WindowTest, ThePanelsControlsWork) {
   const auto v = open({"cube", "--size", "800x800"});
   v->settle();
-  const auto click = [&](int x, int y) {
-    v->move(x, y);
-    v->settle();
-    v->press(1);
-    std::this_thread::sleep_for(std::chrono::milliseconds(150));
-    v->release(1);
-  };
-  click(88, 364);
+  click(*v, 88, 364);
   EXPECT_REACHES(*v, s["shading"] == "gouraud");
-  click(32, 390);
+  click(*v, 32, 390);
   EXPECT_REACHES(*v, s["wireframe"] == true);
   v->drag(1, 135, 416, 80, 416);
   EXPECT_REACHES(*v, s["crease_angle_deg"] < 150.0);
-  click(32, 520);
+  click(*v, 32, 520);
   EXPECT_REACHES(*v, s["background"] == "dark");
   quit(*v);
 }
