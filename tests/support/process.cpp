@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -27,6 +28,8 @@ void apply(const std::vector<std::string>& environment) {
 
 [[noreturn]] void become(const std::vector<std::string>& arguments,
                          const std::vector<std::string>& environment) {
+  // A test that dies takes its programs with it: they hold the pipe that its runner reads.
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
   apply(environment);
   std::vector<char*> pointers;
   for (const std::string& argument : arguments) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <glm/vec2.hpp>
 #include <sstream>
 #include <thread>
 
@@ -277,10 +278,10 @@ TEST_F(WindowTest, KeysOnTheCommandLineActAsInAScript) {
 
 TEST_F(WindowTest, SurvivesResizeAndMinimise) {
   const auto v = open({"cube", "--size", "800x600"});
-  for (const auto& [width, height] :
-       {std::pair{"300", "200"}, {"1000", "700"}, {"64", "64"}, {"640", "480"}}) {
-    server_->xdotool({"windowsize", "--sync", v->window(), width, height});
-    EXPECT_REACHES(*v, s["window"] == json::array({std::stod(width), std::stod(height)}));
+  for (const glm::ivec2 size : {glm::ivec2(300, 200), {1000, 700}, {64, 64}, {640, 480}}) {
+    server_->xdotool(
+        {"windowsize", "--sync", v->window(), std::to_string(size.x), std::to_string(size.y)});
+    EXPECT_REACHES(*v, s["window"] == json::array({double(size.x), double(size.y)}));
   }
   server_->xdotool({"windowunmap", "--sync", v->window()});
   server_->xdotool({"windowmap", "--sync", v->window()});
