@@ -10,6 +10,7 @@
 #include "engine/io/format.h"
 #include "engine/io/obj_chunk.h"
 #include "engine/io/obj_creases.h"
+#include "engine/io/text_cursor.h"
 
 namespace mesher {
 namespace {
@@ -54,8 +55,7 @@ class ObjAssembly {
       : file_(file), options_(options) {}
 
   Soup run() {
-    const char* const text = file_.begin();
-    const char* p = text + (file_.bytes().substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0);
+    const char* p = text_start(file_);
     std::vector<ObjChunk> wave(kWave);
     while (p < file_.end()) {
       std::vector<ChunkPlace> places;

@@ -53,7 +53,7 @@ std::size_t read_count(TextCursor& text, std::size_t least_bytes) {
 
 class OffReader {
  public:
-  explicit OffReader(const MappedFile& file) : text_(file, file.begin()) {}
+  explicit OffReader(const MappedFile& file) : text_(file, text_start(file)) {}
 
   Soup run() {
     const OffKind kind = read_kind(text_);

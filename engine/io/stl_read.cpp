@@ -1,5 +1,7 @@
 #include "engine/io/stl_read.h"
 
+#include <strings.h>
+
 #include <cstring>
 #include <string>
 
@@ -22,10 +24,10 @@ std::uint32_t claimed_facets(const MappedFile& file) {
 }
 
 bool starts_as_text(const MappedFile& file) {
-  const char* p = file.begin();
+  const char* p = text_start(file);
   while (scan::is_blank(*p) || *p == '\n')
     ++p;
-  return std::strncmp(p, "solid", 5) == 0;
+  return ::strncasecmp(p, "solid", 5) == 0;
 }
 
 Array<glm::vec3> read_binary(const MappedFile& file, std::size_t facets) {
@@ -39,8 +41,14 @@ Array<glm::vec3> read_binary(const MappedFile& file, std::size_t facets) {
   return positions;
 }
 
+// Some programs write their keywords in capitals.
+bool is_keyword(std::string_view word, std::string_view keyword) {
+  return word.size() == keyword.size() &&
+         ::strncasecmp(word.data(), keyword.data(), keyword.size()) == 0;
+}
+
 void expect(TextCursor& text, std::string_view word) {
-  if (text.word() != word) text.fail("expected \"" + std::string(word) + "\"");
+  if (!is_keyword(text.word(), word)) text.fail("expected \"" + std::string(word) + "\"");
 }
 
 glm::vec3 read_vector(TextCursor& text) {
@@ -52,14 +60,14 @@ glm::vec3 read_vector(TextCursor& text) {
 
 Array<glm::vec3> read_text(const MappedFile& file) {
   Array<glm::vec3> positions;
-  TextCursor text(file, file.begin());
+  TextCursor text(file, text_start(file));
   while (!text.at_end()) {  // a file may hold several solids
     expect(text, "solid");
     text.skip_line();
     for (;;) {
       const std::string_view word = text.word();
-      if (word == "endsolid") break;
-      if (word != "facet") text.fail("expected \"facet\" or \"endsolid\"");
+      if (is_keyword(word, "endsolid")) break;
+      if (!is_keyword(word, "facet")) text.fail("expected \"facet\" or \"endsolid\"");
       expect(text, "normal");
       read_vector(text);
       expect(text, "outer");

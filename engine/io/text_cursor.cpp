@@ -7,6 +7,11 @@
 
 namespace mesher {
 
+const char* text_start(const MappedFile& file) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  return file.begin() + (file.bytes().starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
+}
+
 bool TextCursor::at_end() {
   for (;;) {
     if (!at_line_end()) return false;

@@ -7,6 +7,9 @@
 
 namespace mesher {
 
+/// The start of a file's text: behind the byte order mark that some editors put first.
+const char* text_start(const MappedFile& file);
+
 /// Walks through the words and numbers of a text file and fails with the line where something else
 /// stands. A comment runs from '#' to the end of the line.
 class TextCursor {

@@ -84,6 +84,13 @@ TEST(StlRead, Text) {
             kTwoFacetsCorners);
 }
 
+TEST(StlRead, TextInCapitalsAndBehindAByteOrderMark) {
+  const Soup soup = parse("m.stl",
+                          "\xEF\xBB\xBFSOLID A\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\n"
+                          "VERTEX 1 0 0\nVERTEX 0 1 0\nENDLOOP\nENDFACET\nENDSOLID A\n");
+  EXPECT_EQ(soup.corners.size(), 3U);
+}
+
 TEST(StlRead, TextRefusals) {
   expect_refusal("m.stl", "solid\nendsolid\n", 0, "no facets");
   expect_refusal("m.stl", "solid\nfacet normal 0 0\nouter", 3, "not a number");
@@ -93,7 +100,8 @@ TEST(StlRead, TextRefusals) {
 }
 
 TEST(OffRead, PolygonsCommentsAndCountsOnTheFirstLine) {
-  for (const std::string start : {"OFF\n4 2 0\n", "OFF 4 2 5\n", "# c\nOFF # d\n\n4 2\n"}) {
+  for (const std::string start :
+       {"OFF\n4 2 0\n", "OFF 4 2 5\n", "# c\nOFF # d\n\n4 2\n", "\xEF\xBB\xBFOFF\n4 2 0\n"}) {
     const Soup soup = parse(
         "m.off", start + "0 0 0\n1 0 0 # right\n1 1 0\n0 1 0\n4 0 1 2 3\n3 0 1 2 0.5 0.5 0.5\n");
     EXPECT_EQ(soup.positions.size(), 4U);
