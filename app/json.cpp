@@ -69,6 +69,21 @@ Json to_json(const Model& model, const Statistics& statistics, const std::filesy
           {"repairs", to_json(model.report)}};
 }
 
+Json to_json(const SurfaceDistance& distance) {
+  const auto figures = [&](const OneSidedDistance& side) {
+    return Json{{"rms", side.rms},
+                {"mean", side.mean},
+                {"max", side.max},
+                {"rms_percent", distance.percent(side.rms)},
+                {"mean_percent", distance.percent(side.mean)},
+                {"max_percent", distance.percent(side.max)}};
+  };
+  return {{"diagonal", distance.diagonal},
+          {"two_sided", figures(distance.two_sided())},
+          {"forward", figures(distance.forward)},
+          {"backward", figures(distance.backward)}};
+}
+
 Json to_json(const Session& session) {
   const render::Settings& s = session.settings;
   return {{"file", session.file.string()},

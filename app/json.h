@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/session.h"
+#include "engine/analysis/distance.h"
 
 namespace mesher::app {
 
@@ -14,6 +15,8 @@ Json to_json(const Statistics& statistics);
 Json to_json(const BuildReport& report);
 /// `{"file", "name", "statistics", "repairs"}`.
 Json to_json(const Model& model, const Statistics& statistics, const std::filesystem::path& file);
+/// Both directions and the larger of them, each in units and percent.
+Json to_json(const SurfaceDistance& distance);
 /// What a session shows: for `--json` and the state log.
 Json to_json(const Session& session);
 

@@ -112,6 +112,38 @@ void run_convert(const InputOptions& input, const std::string& output, bool asci
   }
 }
 
+void run_compare(const InputOptions& first, const InputOptions& second, std::uint64_t samples,
+                 const CommonOptions& common) {
+  const LoadedModel a = load(first, common);
+  const LoadedModel b = load(second, common);
+  for (const LoadedModel* model : {&a, &b}) {
+    if (model->statistics.faces == 0) {
+      throw InputError(model->file.string(), 0, "has no faces to compare");
+    }
+  }
+  SurfaceDistance distance;
+  {
+    ProgressLine line(!common.quiet);
+    distance = surface_distance(a.model.mesh, b.model.mesh,
+                                {.samples = samples, .progress = line.progress()});
+  }
+  if (common.json) {
+    Json json = to_json(distance);
+    json["first"] = a.file.string();
+    json["second"] = b.file.string();
+    json["samples"] = samples;
+    return print_json(json);
+  }
+  const auto row = [&](const char* label, const OneSidedDistance& side) {
+    print(label, "rms " + short_number(side.rms) + " (" + short_number(distance.percent(side.rms)) +
+                     " %), mean " + short_number(side.mean) + ", max " + short_number(side.max) +
+                     " (" + short_number(distance.percent(side.max)) + " %)");
+  };
+  row("first to second", distance.forward);
+  row("second to first", distance.backward);
+  row("two-sided", distance.two_sided());
+}
+
 void run_render(const InputOptions& input, const std::string& output, const LookOptions& look,
                 const CommonOptions& common) {
   const Size size = parse_size(look.size.empty() ? "800x600" : look.size);

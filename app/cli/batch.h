@@ -14,6 +14,11 @@ void run_info(const InputOptions& input, const CommonOptions& common);
 void run_convert(const InputOptions& input, const std::string& output, bool ascii,
                  const CommonOptions& common);
 
+/// How far two surfaces lie apart, both ways, in model units and percent of the first one's
+/// diagonal.
+void run_compare(const InputOptions& first, const InputOptions& second, std::uint64_t samples,
+                 const CommonOptions& common);
+
 /// Draws one picture of a model without a window.
 void run_render(const InputOptions& input, const std::string& output, const LookOptions& look,
                 const CommonOptions& common);

@@ -9,6 +9,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/batch.h"
 #include "app/cli/view.h"
+#include "engine/analysis/distance.h"
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
 
@@ -39,6 +40,7 @@ class CommandLine {
     add_render();
     add_info();
     add_convert();
+    add_compare();
   }
 
   void parse(int argc, const char* const* argv) {
@@ -148,11 +150,23 @@ class CommandLine {
     command->add_flag("--ascii", ascii_, "PLY and STL as text");
   }
 
+  void add_compare() {
+    CLI::App* command =
+        add_command("compare", "how far two surfaces lie apart (RMS, mean, max, both ways)",
+                    [this] { run_compare(input_, second_, samples_, common_); });
+    add_input(command)->required();
+    command->add_option("SECOND", second_.model, "the other model")->required();
+    command->add_option("--samples", samples_, "points a side, spread evenly over the area")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
+  }
+
   CLI::App app_{"mesher: mesh levels of detail, interactive and in batch", "mesher"};
   CommonOptions common_;
   InputOptions input_;
   LookOptions look_;
   ViewOptions view_;
+  InputOptions second_;
+  std::uint64_t samples_ = DistanceOptions{}.samples;
   std::string output_;
   bool ascii_ = false;
   std::function<void()> action_;

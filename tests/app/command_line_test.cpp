@@ -123,6 +123,18 @@ TEST_F(CommandLine, ConvertSaysWhatAFormatCannotHold) {
           .empty());
 }
 
+TEST_F(CommandLine, CompareMeasuresBothWays) {
+  const Finished run = mesher({"compare", "cube", "open_box", "--json", "--samples", "20000"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_GT(json["forward"]["max"], 0.4);  // the lid, from its middle to the rim
+  EXPECT_LT(json["backward"]["max"], 1e-6);
+  EXPECT_EQ(json["two_sided"]["max"], json["forward"]["max"]);
+  const Finished words = mesher({"compare", "cube", "cube"});
+  EXPECT_NE(words.out.find("two-sided"), std::string::npos);
+  EXPECT_EQ(mesher({"compare", "cube"}).exit_code, 1);
+}
+
 TEST_F(CommandLine, ConvertRefusesAMeshWithoutFaces) {
   folder_.write("points.obj", "v 0 0 0\nv 1 0 0\n");
   for (const char* output : {"o.obj", "o.ply", "o.stl", "o.off", "o.glb"}) {
