@@ -190,7 +190,6 @@ class Viewer {
     overlay_->end();
     if (actions.cancels_load && job_) job_->cancel();
     if (!actions.open.empty()) open(actions.open);
-    if (actions.command) app::run(session_, *actions.command);
     if (actions.wants_frames) want_frames();
   }
 

@@ -1,5 +1,6 @@
 #include <imgui.h>
 
+#include "app/commands.h"
 #include "app/ui/panels.h"
 
 namespace mesher::app {

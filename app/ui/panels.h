@@ -3,11 +3,9 @@
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "app/commands.h"
 #include "app/load_job.h"
 #include "app/session.h"
 #include "engine/render/gpu_mesh.h"
@@ -24,7 +22,6 @@ struct PanelFacts {
 
 /// What a person asked for in a panel, beyond what the session itself can hold.
 struct PanelActions {
-  std::optional<Command> command;
   std::filesystem::path open;
   bool cancels_load = false;
   bool wants_frames = false;  ///< something moves: draw again

@@ -50,6 +50,5 @@ using UniquePipeline = Unique<VkPipeline, vkDestroyPipeline>;
 using UniqueSemaphore = Unique<VkSemaphore, vkDestroySemaphore>;
 using UniqueCommandPool = Unique<VkCommandPool, vkDestroyCommandPool>;
 using UniqueSwapchain = Unique<VkSwapchainKHR, vkDestroySwapchainKHR>;
-using UniqueQueryPool = Unique<VkQueryPool, vkDestroyQueryPool>;
 
 }  // namespace mesher::gpu
