@@ -6,35 +6,18 @@
 #include <vector>
 
 #include "engine/core/error.h"
-#include "engine/io/base64.h"
 #include "engine/io/read.h"
 #include "engine/io/write.h"
+#include "tests/support/bytes.h"
 #include "tests/support/temp_folder.h"
 
 namespace mesher {
 namespace {
 
+using test::base64;
+using test::bytes_of;
 using test::read_bytes;
 using test::TempFolder;
-
-struct StringSink {
-  std::string text;
-  void write(std::string_view bytes) { text += bytes; }
-};
-
-std::string base64(const std::string& bytes) {
-  StringSink sink;
-  Base64Writer<StringSink> writer(sink);
-  for (const char byte : bytes)
-    writer.write({&byte, 1});
-  writer.finish();
-  return sink.text;
-}
-
-template <class T>
-std::string bytes_of(const std::vector<T>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
-}
 
 /// Four corners of a square, two triangles, the second with its own copies of two of them.
 const std::string kPositions =

@@ -13,6 +13,7 @@ std::string sound_glb();
 namespace {
 
 const std::string kXyz = "property float x\nproperty float y\nproperty float z\n";
+const std::string kLittle = "binary_little_endian";
 const std::string kIndices = "property list uchar int vertex_indices\n";
 
 template <class T>
@@ -66,73 +67,78 @@ std::string text_stl() {
 
 }  // namespace
 
-void add_ply(std::vector<Specimen>& zoo) {
-  const auto read = [&](std::string name, std::string text, std::uint32_t faces) {
-    zoo.push_back({std::move(name), ".ply", std::move(text), Fate::read, faces});
-  };
-  const auto refused = [&](std::string name, std::string text) {
-    zoo.push_back({std::move(name), ".ply", std::move(text)});
-  };
-  const std::string little = "binary_little_endian";
-  refused("PLY empty", "");
-  refused("PLY of its magic alone", "ply\n");
-  refused("PLY header without end", "ply\nformat ascii 1.0\nelement vertex 3\n" + kXyz);
-  refused("PLY header of zero bytes", "ply\n" + std::string(100000, '\0'));
-  refused("PLY that claims four billion faces (assimp #5729)",
-          ply_header("ascii", "4", "4000000000") + kTextCorners);
-  refused("binary PLY that claims four billion faces",
-          ply_header(little, "4", "4000000000") + bytes_of(kCorners));
-  refused("PLY that claims four billion vertices",
-          ply_header("ascii", "4000000000", "0") + kTextCorners);
-  refused("binary PLY that claims four billion vertices",
-          ply_header(little, "4000000000", "0") + bytes_of(kCorners));
-  refused("PLY count past 64 bits", ply_header("ascii", "99999999999999999999999", "0"));
-  refused("PLY count below zero", ply_header("ascii", "-1", "0"));
-  refused("PLY with one vertex too few", ply_header("ascii", "5", "0") + kTextCorners);
-  refused("PLY with one vertex too many", ply_header("ascii", "3", "1") + kTextCorners);
-  refused("PLY list longer than the file",
-          ply_header(little, "4", "1") + bytes_of(kCorners) + "\xFF");
-  refused("PLY list of two billion",
-          ply_header(little, "4", "1", "property list int int vertex_indices\n") +
-              bytes_of(kCorners) + bytes_of<std::int32_t>({2147483647, 0, 1, 2}));
-  refused("PLY list below zero",
-          ply_header(little, "4", "1", "property list char int vertex_indices\n") +
-              bytes_of(kCorners) + "\x80" + bytes_of<std::int32_t>({0, 1, 2}));
-  refused("PLY list counted in fractions",
-          ply_header("ascii", "4", "1", "property list float int vertex_indices\n") + kTextCorners +
-              "3 0 1 2\n");
-  refused("PLY index below zero", ply_header("ascii", "4", "1") + kTextCorners + "3 0 1 -1\n");
-  refused("PLY index past the end", ply_header("ascii", "4", "1") + kTextCorners + "3 0 1 4\n");
-  refused("PLY index past 64 bits",
-          ply_header("ascii", "4", "1") + kTextCorners + "3 0 1 99999999999999999999\n");
-  refused("PLY indices that are fractions",
-          ply_header(little, "4", "1", "property list uchar float vertex_indices\n") +
-              bytes_of(kCorners) + '\3' + bytes_of<float>({0, 1, 2}));
-  refused("PLY vertices without z",
-          "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
-          "y\nend_header\n0 0\n");
-  refused("PLY coordinates that are lists",
-          "ply\nformat ascii 1.0\nelement vertex 1\nproperty list uchar float x\nproperty float "
-          "y\nproperty float z\nend_header\n1 0 0 0\n");
-  refused("PLY vertices without properties",
-          "ply\nformat ascii 1.0\nelement vertex 4000000000\nend_header\n");
-  refused("PLY element twice", "ply\nformat ascii 1.0\nelement vertex 1\n" + kXyz +
-                                   "element vertex 2\n" + kXyz + "end_header\n0 0 0\n");
+namespace {
+
+void add_ply_counts(const Enclosure& pen) {
+  pen.refused("PLY empty", "");
+  pen.refused("PLY of its magic alone", "ply\n");
+  pen.refused("PLY header without end", "ply\nformat ascii 1.0\nelement vertex 3\n" + kXyz);
+  pen.refused("PLY header of zero bytes", "ply\n" + std::string(100000, '\0'));
+  pen.refused("PLY that claims four billion faces (assimp #5729)",
+              ply_header("ascii", "4", "4000000000") + kTextCorners);
+  pen.refused("binary PLY that claims four billion faces",
+              ply_header(kLittle, "4", "4000000000") + bytes_of(kCorners));
+  pen.refused("PLY that claims four billion vertices",
+              ply_header("ascii", "4000000000", "0") + kTextCorners);
+  pen.refused("binary PLY that claims four billion vertices",
+              ply_header(kLittle, "4000000000", "0") + bytes_of(kCorners));
+  pen.refused("PLY count past 64 bits", ply_header("ascii", "99999999999999999999999", "0"));
+  pen.refused("PLY count below zero", ply_header("ascii", "-1", "0"));
+  pen.refused("PLY with one vertex too few", ply_header("ascii", "5", "0") + kTextCorners);
+  pen.refused("PLY with one vertex too many", ply_header("ascii", "3", "1") + kTextCorners);
+}
+
+void add_ply_lists(const Enclosure& pen) {
+  pen.refused("PLY list longer than the file",
+              ply_header(kLittle, "4", "1") + bytes_of(kCorners) + "\xFF");
+  pen.refused("PLY list of two billion",
+              ply_header(kLittle, "4", "1", "property list int int vertex_indices\n") +
+                  bytes_of(kCorners) + bytes_of<std::int32_t>({2147483647, 0, 1, 2}));
+  pen.refused("PLY list below zero",
+              ply_header(kLittle, "4", "1", "property list char int vertex_indices\n") +
+                  bytes_of(kCorners) + "\x80" + bytes_of<std::int32_t>({0, 1, 2}));
+  pen.refused("PLY list counted in fractions",
+              ply_header("ascii", "4", "1", "property list float int vertex_indices\n") +
+                  kTextCorners + "3 0 1 2\n");
+  pen.refused("PLY index below zero", ply_header("ascii", "4", "1") + kTextCorners + "3 0 1 -1\n");
+  pen.refused("PLY index past the end", ply_header("ascii", "4", "1") + kTextCorners + "3 0 1 4\n");
+  pen.refused("PLY index past 64 bits",
+              ply_header("ascii", "4", "1") + kTextCorners + "3 0 1 99999999999999999999\n");
+  pen.refused("PLY indices that are fractions",
+              ply_header(kLittle, "4", "1", "property list uchar float vertex_indices\n") +
+                  bytes_of(kCorners) + '\3' + bytes_of<float>({0, 1, 2}));
+}
+
+void add_ply_properties(const Enclosure& pen) {
+  pen.refused("PLY vertices without z",
+              "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
+              "y\nend_header\n0 0\n");
+  pen.refused(
+      "PLY coordinates that are lists",
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty list uchar float x\nproperty float "
+      "y\nproperty float z\nend_header\n1 0 0 0\n");
+  pen.refused("PLY vertices without properties",
+              "ply\nformat ascii 1.0\nelement vertex 4000000000\nend_header\n");
+  pen.refused("PLY element twice", "ply\nformat ascii 1.0\nelement vertex 1\n" + kXyz +
+                                       "element vertex 2\n" + kXyz + "end_header\n0 0 0\n");
   std::string properties = "ply\nformat ascii 1.0\nelement vertex 1\n" + kXyz;
   for (int i = 0; i < 100000; ++i)
     properties += "property float p" + std::to_string(i) + "\n";
-  refused("PLY of a hundred thousand properties", properties + "end_header\n0 0 0\n");
-  refused("PLY with letters for numbers", ply_header("ascii", "1", "0") + "a b c\n");
-  refused("PLY of another format", "ply\nformat utf-8 1.0\nend_header\n");
-  refused("PLY strip past the end",
-          "ply\nformat ascii 1.0\nelement vertex 4\n" + kXyz +
-              "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" +
-              kTextCorners + "4 0 1 2 9\n");
-  read("PLY elements without properties, by the billion",
-       "ply\nformat ascii 1.0\nelement a 18446744073709551615\nelement face "
-       "18446744073709551615\nelement vertex 4\n" +
-           kXyz + "end_header\n" + kTextCorners,
-       0);
+  pen.refused("PLY of a hundred thousand properties", properties + "end_header\n0 0 0\n");
+  pen.refused("PLY with letters for numbers", ply_header("ascii", "1", "0") + "a b c\n");
+  pen.refused("PLY of another format", "ply\nformat utf-8 1.0\nend_header\n");
+}
+
+void add_odd_ply(const Enclosure& pen) {
+  pen.refused("PLY strip past the end",
+              "ply\nformat ascii 1.0\nelement vertex 4\n" + kXyz +
+                  "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" +
+                  kTextCorners + "4 0 1 2 9\n");
+  pen.read("PLY elements without properties, by the billion",
+           "ply\nformat ascii 1.0\nelement a 18446744073709551615\nelement face "
+           "18446744073709551615\nelement vertex 4\n" +
+               kXyz + "end_header\n" + kTextCorners,
+           0);
   std::string polygon = ply_header("ascii", "300", "1", "property list uint uint vertex_index\n");
   std::string corners = "300";
   for (int i = 0; i < 300; ++i) {
@@ -140,17 +146,24 @@ void add_ply(std::vector<Specimen>& zoo) {
         std::to_string(std::cos(i * 0.0209)) + " " + std::to_string(std::sin(i * 0.0209)) + " 0\n";
     corners += " " + std::to_string(i);
   }
-  read("PLY list wider than a byte (MeshLab #1216)", polygon + corners + "\n", 298);
-  read("PLY without faces", ply_header("ascii", "4", "0") + kTextCorners, 0);
+  pen.read("PLY list wider than a byte (MeshLab #1216)", polygon + corners + "\n", 298);
+  pen.read("PLY without faces", ply_header("ascii", "4", "0") + kTextCorners, 0);
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-  zoo.push_back(
-      {"PLY with coordinates that are no numbers",
-       ".ply",
-       ply_header(little, "4", "1") + bytes_of<float>({kNaN, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}) +
-           '\3' + bytes_of<std::int32_t>({0, 1, 2}),
-       Fate::read,
-       0,
-       {{Repair::non_finite_vertices_dropped, 1}, {Repair::non_finite_faces_dropped, 1}}});
+  pen.read("PLY with coordinates that are no numbers",
+           ply_header(kLittle, "4", "1") +
+               bytes_of<float>({kNaN, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}) + '\3' +
+               bytes_of<std::int32_t>({0, 1, 2}),
+           0, {{Repair::non_finite_vertices_dropped, 1}, {Repair::non_finite_faces_dropped, 1}});
+}
+
+}  // namespace
+
+void add_ply(std::vector<Specimen>& zoo) {
+  const Enclosure pen(zoo, ".ply");
+  add_ply_counts(pen);
+  add_ply_lists(pen);
+  add_ply_properties(pen);
+  add_odd_ply(pen);
 }
 
 void add_stl_and_off(std::vector<Specimen>& zoo) {

@@ -25,6 +25,26 @@ struct Specimen {
   std::vector<std::pair<Repair, std::uint64_t>> repairs = {};
 };
 
+/// Adds specimens of one format.
+class Enclosure {
+ public:
+  Enclosure(std::vector<Specimen>& zoo, std::string extension)
+      : zoo_(zoo), extension_(std::move(extension)) {}
+
+  void read(std::string name, std::string bytes, std::uint32_t faces,
+            std::vector<std::pair<Repair, std::uint64_t>> repairs = {}) const {
+    zoo_.push_back(
+        {std::move(name), extension_, std::move(bytes), Fate::read, faces, std::move(repairs)});
+  }
+  void refused(std::string name, std::string bytes) const {
+    zoo_.push_back({std::move(name), extension_, std::move(bytes)});
+  }
+
+ private:
+  std::vector<Specimen>& zoo_;
+  std::string extension_;
+};
+
 /// Broken and odd files of every format, made here: truncated, miscounted, not finite, not
 /// manifold, far too large, and every pattern that parsers of this kind have stumbled over. About
 /// 60 MB.

@@ -1,28 +1,10 @@
-#include "engine/io/base64.h"
+#include "tests/support/bytes.h"
 #include "tests/support/zoo.h"
 
 namespace mesher::test {
 namespace {
 
 constexpr int kMany = 100000;
-
-struct StringSink {
-  std::string text;
-  void write(std::string_view bytes) { text += bytes; }
-};
-
-std::string base64(const std::string& bytes) {
-  StringSink sink;
-  Base64Writer<StringSink> writer(sink);
-  writer.write(bytes);
-  writer.finish();
-  return sink.text;
-}
-
-template <class T>
-std::string bytes_of(const std::vector<T>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
-}
 
 std::string repeated(const std::string& text, int times) {
   std::string all;
@@ -83,106 +65,121 @@ std::string sound_glb() {
   return glb(json, kData);
 }
 
-void add_gltf(std::vector<Specimen>& zoo) {
-  const auto read = [&](std::string name, std::string text, std::uint32_t faces) {
-    zoo.push_back({std::move(name), ".gltf", std::move(text), Fate::read, faces});
-  };
-  const auto refused = [&](std::string name, std::string text) {
-    zoo.push_back({std::move(name), ".gltf", std::move(text)});
-  };
-  refused("not JSON", "hello");
-  refused("JSON cut short", document().substr(0, document().size() / 2));
-  refused("nested a million deep", repeated("[", 1000000));
-  refused("nested a million deep and back", repeated("[", 1000000) + repeated("]", 1000000));
-  refused("extras nested a million deep without end",
-          R"({"asset":{"version":"2.0"},"extras":)" + repeated("[", 1000000));
-  read("extras nested deep",
-       altered(R"("asset")",
-               R"("extras":)" + repeated("[", kMany) + repeated("]", kMany) + R"(,"asset")"),
-       2);
-  refused("malformed UTF-8", altered(R"("asset")", "\"\xC0\xAF\":1,\"asset\""));
-  refused("a number past doubles", altered(R"("count":4)", R"("count":1e999)"));
-  refused("version 1", altered(R"("version":"2.0")", R"("version":"1.0")"));
-  refused("no meshes", document("", R"("x":0)"));
-  refused("node that is its own child",
-          document(R"("nodes":[{"children":[0],"mesh":0}],"scenes":[{"nodes":[0]}],)"));
-  refused("nodes in a circle",
-          document(R"("nodes":[{"children":[1]},{"children":[0]}],"scenes":[{"nodes":[0]}],)"));
-  refused("node with two parents",
-          document(R"("nodes":[{"children":[1,2]},{"children":[2]},{"mesh":0}],)"));
-  refused("scene that names a node twice",
-          document(R"("nodes":[{"mesh":0}],"scenes":[{"nodes":[0,0]}],)"));
-  refused("circle without roots", document(R"("nodes":[{"children":[1]},{"children":[0]}],)"));
-  read("a hundred thousand nodes in a chain", document(chain_of_nodes()), 2);
-  refused("child out of range", document(R"("nodes":[{"children":[7]}],)"));
-  refused("child below zero", document(R"("nodes":[{"children":[-1]}],)"));
-  refused("scene out of range", document(R"("nodes":[{"mesh":0}],"scenes":[{}],"scene":5,)"));
-  refused("mesh out of range", document(R"("nodes":[{"mesh":4294967296}],)"));
-  refused("scaled to infinity", document(R"("nodes":[{"mesh":0,"scale":[1e300,1e300]}],)"));
-  zoo.push_back(
-      {"placed beyond all numbers",
-       ".gltf",
-       document(R"("nodes":[{"mesh":0,"scale":[1e300,1e300,1e300],"translation":[1e300,0,0]}],)"),
-       Fate::read,
-       0,
-       {{Repair::non_finite_vertices_dropped, 3}}});
-  refused("accessor that claims billions", altered(R"("count":4)", R"("count":4000000000)"));
-  refused("accessor whose size overflows",
-          altered(R"("count":4)", R"("count":1537228672809129302)"));
-  refused("accessor of a fraction", altered(R"("count":4)", R"("count":4.5)"));
-  refused("accessor count below zero", altered(R"("count":4)", R"("count":-4)"));
-  refused("accessor without a view that claims billions",
-          altered(R"("bufferView":0,"componentType":5126,"count":4)",
-                  R"("componentType":5126,"count":4000000000)"));
-  refused("view past its buffer",
-          altered(R"("byteOffset":48,"byteLength":12)", R"("byteOffset":48,"byteLength":16)"));
-  refused("view offset that overflows",
-          altered(R"("byteOffset":48)", R"("byteOffset":18446744073709551608)"));
-  refused("view of a missing buffer",
-          altered(R"({"buffer":0,"byteLength":48})", R"({"buffer":1,"byteLength":48})"));
-  refused("stride zero", altered(R"("byteLength":48)", R"("byteLength":48,"byteStride":0)"));
-  refused("stride that overflows",
-          altered(R"("byteLength":48)", R"("byteLength":48,"byteStride":18446744073709551615)"));
-  refused("buffer shorter than it says", altered(R"("byteLength":60)", R"("byteLength":61)"));
-  refused("buffer of damaged base64", altered("base64,", "base64,####"));
-  refused("buffer that is a device", altered("data:;base64,", "/dev/zero\",\"x\":\""));
-  refused("buffer outside the folder", altered("data:;base64,", "../../../../dev/zero\",\"x\":\""));
-  refused("indices that are fractions", altered("5123", "5126"));
-  refused("indices past the vertices", altered(R"("count":4)", R"("count":3)"));
-  refused("unknown component type", altered("5126", "9999"));
-  refused("primitives that are none", document("", R"("meshes":[{"primitives":[1,2]}])"));
-  refused("meshes that are no array", document("", R"("meshes":7)"));
-  refused("points alone",
-          document("", R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":0}]}])"));
-  refused("compressed",
-          altered(R"("asset")", R"("extensionsRequired":["EXT_meshopt_compression"],"asset")"));
-  refused("a primitive a hundred thousand times a hundred thousand",
-          document("\"nodes\":[" + repeated(R"({"mesh":0},)", kMany) + R"({"mesh":0}],)",
-                   R"("meshes":[{"primitives":[)" + repeated(kPrimitive + ",", kMany) + kPrimitive +
-                       "]}]"));
-  read("long names in a hundred thousand nodes",
-       document("\"nodes\":[" + repeated(R"({"mesh":0},)", kMany) + R"({"mesh":0}],)",
-                R"("meshes":[{"name":")" + std::string(1000000, 'n') + R"(","primitives":[)" +
-                    kPrimitive + "]}]"),
-       2 * (kMany + 1));
+namespace {
 
-  const auto binary = [&](std::string name, std::string bytes) {
-    zoo.push_back({std::move(name), ".glb", std::move(bytes)});
-  };
+void add_documents(const Enclosure& pen) {
+  pen.refused("not JSON", "hello");
+  pen.refused("JSON cut short", document().substr(0, document().size() / 2));
+  pen.refused("nested a million deep", repeated("[", 1000000));
+  pen.refused("nested a million deep and back", repeated("[", 1000000) + repeated("]", 1000000));
+  pen.refused("extras nested a million deep without end",
+              R"({"asset":{"version":"2.0"},"extras":)" + repeated("[", 1000000));
+  pen.read("extras nested deep",
+           altered(R"("asset")",
+                   R"("extras":)" + repeated("[", kMany) + repeated("]", kMany) + R"(,"asset")"),
+           2);
+  pen.refused("malformed UTF-8", altered(R"("asset")", "\"\xC0\xAF\":1,\"asset\""));
+  pen.refused("a number past doubles", altered(R"("count":4)", R"("count":1e999)"));
+  pen.refused("version 1", altered(R"("version":"2.0")", R"("version":"1.0")"));
+  pen.refused("no meshes", document("", R"("x":0)"));
+}
+
+void add_nodes(const Enclosure& pen) {
+  pen.refused("node that is its own child",
+              document(R"("nodes":[{"children":[0],"mesh":0}],"scenes":[{"nodes":[0]}],)"));
+  pen.refused("nodes in a circle",
+              document(R"("nodes":[{"children":[1]},{"children":[0]}],"scenes":[{"nodes":[0]}],)"));
+  pen.refused("node with two parents",
+              document(R"("nodes":[{"children":[1,2]},{"children":[2]},{"mesh":0}],)"));
+  pen.refused("scene that names a node twice",
+              document(R"("nodes":[{"mesh":0}],"scenes":[{"nodes":[0,0]}],)"));
+  pen.refused("circle without roots", document(R"("nodes":[{"children":[1]},{"children":[0]}],)"));
+  pen.read("a hundred thousand nodes in a chain", document(chain_of_nodes()), 2);
+  pen.refused("child out of range", document(R"("nodes":[{"children":[7]}],)"));
+  pen.refused("child below zero", document(R"("nodes":[{"children":[-1]}],)"));
+  pen.refused("scene out of range", document(R"("nodes":[{"mesh":0}],"scenes":[{}],"scene":5,)"));
+  pen.refused("mesh out of range", document(R"("nodes":[{"mesh":4294967296}],)"));
+  pen.refused("scaled to infinity", document(R"("nodes":[{"mesh":0,"scale":[1e300,1e300]}],)"));
+  pen.read(
+      "placed beyond all numbers",
+      document(R"("nodes":[{"mesh":0,"scale":[1e300,1e300,1e300],"translation":[1e300,0,0]}],)"), 0,
+      {{Repair::non_finite_vertices_dropped, 3}});
+}
+
+void add_data(const Enclosure& pen) {
+  pen.refused("accessor that claims billions", altered(R"("count":4)", R"("count":4000000000)"));
+  pen.refused("accessor whose size overflows",
+              altered(R"("count":4)", R"("count":1537228672809129302)"));
+  pen.refused("accessor of a fraction", altered(R"("count":4)", R"("count":4.5)"));
+  pen.refused("accessor count below zero", altered(R"("count":4)", R"("count":-4)"));
+  pen.refused("accessor without a view that claims billions",
+              altered(R"("bufferView":0,"componentType":5126,"count":4)",
+                      R"("componentType":5126,"count":4000000000)"));
+  pen.refused("view past its buffer",
+              altered(R"("byteOffset":48,"byteLength":12)", R"("byteOffset":48,"byteLength":16)"));
+  pen.refused("view offset that overflows",
+              altered(R"("byteOffset":48)", R"("byteOffset":18446744073709551608)"));
+  pen.refused("view of a missing buffer",
+              altered(R"({"buffer":0,"byteLength":48})", R"({"buffer":1,"byteLength":48})"));
+  pen.refused("stride zero", altered(R"("byteLength":48)", R"("byteLength":48,"byteStride":0)"));
+  pen.refused(
+      "stride that overflows",
+      altered(R"("byteLength":48)", R"("byteLength":48,"byteStride":18446744073709551615)"));
+  pen.refused("buffer shorter than it says", altered(R"("byteLength":60)", R"("byteLength":61)"));
+  pen.refused("buffer of damaged base64", altered("base64,", "base64,####"));
+  pen.refused("buffer that is a device", altered("data:;base64,", "/dev/zero\",\"x\":\""));
+  pen.refused("buffer outside the folder",
+              altered("data:;base64,", "../../../../dev/zero\",\"x\":\""));
+  pen.refused("indices that are fractions", altered("5123", "5126"));
+  pen.refused("indices past the vertices", altered(R"("count":4)", R"("count":3)"));
+  pen.refused("unknown component type", altered("5126", "9999"));
+}
+
+void add_primitives(const Enclosure& pen) {
+  pen.refused("primitives that are none", document("", R"("meshes":[{"primitives":[1,2]}])"));
+  pen.refused("meshes that are no array", document("", R"("meshes":7)"));
+  pen.refused(
+      "points alone",
+      document("", R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":0}]}])"));
+  pen.refused("compressed",
+              altered(R"("asset")", R"("extensionsRequired":["EXT_meshopt_compression"],"asset")"));
+  pen.refused("a primitive a hundred thousand times a hundred thousand",
+              document("\"nodes\":[" + repeated(R"({"mesh":0},)", kMany) + R"({"mesh":0}],)",
+                       R"("meshes":[{"primitives":[)" + repeated(kPrimitive + ",", kMany) +
+                           kPrimitive + "]}]"));
+  pen.read("long names in a hundred thousand nodes",
+           document("\"nodes\":[" + repeated(R"({"mesh":0},)", kMany) + R"({"mesh":0}],)",
+                    R"("meshes":[{"name":")" + std::string(1000000, 'n') + R"(","primitives":[)" +
+                        kPrimitive + "]}]"),
+           2 * (kMany + 1));
+}
+
+void add_glb(const Enclosure& pen) {
   const std::string sound = sound_glb();
-  binary("GLB empty", "");
-  binary("GLB of its magic alone", "glTF");
-  binary("GLB of version 1", "glTF" + word(1) + sound.substr(8));
-  binary("GLB longer than it is", "glTF" + word(2) + word(0xFFFFFFFFU) + sound.substr(12));
-  binary("GLB chunk longer than the file",
-         sound.substr(0, 12) + word(0xFFFFFFF0U) + sound.substr(16));
-  binary("GLB without JSON",
-         "glTF" + word(2) + word(28) + word(8) + std::string("BIN\0", 4) + word(0) + word(0));
-  binary("GLB of empty JSON", glb("", kData));
-  binary("GLB cut in its data", sound.substr(0, sound.size() - 10));
-  binary("GLB without its data", "glTF" + word(2) +
-                                     word(static_cast<std::uint32_t>(sound.size() - 68)) +
-                                     sound.substr(12, sound.size() - 80));
+  pen.refused("GLB empty", "");
+  pen.refused("GLB of its magic alone", "glTF");
+  pen.refused("GLB of version 1", "glTF" + word(1) + sound.substr(8));
+  pen.refused("GLB longer than it is", "glTF" + word(2) + word(0xFFFFFFFFU) + sound.substr(12));
+  pen.refused("GLB chunk longer than the file",
+              sound.substr(0, 12) + word(0xFFFFFFF0U) + sound.substr(16));
+  pen.refused("GLB without JSON",
+              "glTF" + word(2) + word(28) + word(8) + std::string("BIN\0", 4) + word(0) + word(0));
+  pen.refused("GLB of empty JSON", glb("", kData));
+  pen.refused("GLB cut in its data", sound.substr(0, sound.size() - 10));
+  pen.refused("GLB without its data", "glTF" + word(2) +
+                                          word(static_cast<std::uint32_t>(sound.size() - 68)) +
+                                          sound.substr(12, sound.size() - 80));
+}
+
+}  // namespace
+
+void add_gltf(std::vector<Specimen>& zoo) {
+  const Enclosure pen(zoo, ".gltf");
+  add_documents(pen);
+  add_nodes(pen);
+  add_data(pen);
+  add_primitives(pen);
+  add_glb(Enclosure(zoo, ".glb"));
 }
 
 }  // namespace mesher::test
