@@ -1,0 +1,42 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "engine/mesh/ids.h"
+
+namespace mesher {
+
+/// One edge collapse. All ids are those of the mesh that `simplify` was given: an id keeps its
+/// meaning while its vertex or face lives, and is never used again.
+struct CollapseRecord {
+  Halfedge halfedge;  ///< ran from `removed` to `kept`; its face vanished
+  Halfedge twin;      ///< the other half of the edge, whose face vanished too; none on a boundary
+  Vertex removed;
+  Vertex kept;
+  glm::vec3 position;  ///< where `kept` went
+};
+
+/// Is told of the collapses in an order in which each is legal after those before it, the same for
+/// any number of threads.
+class CollapseObserver {
+ public:
+  virtual ~CollapseObserver() = default;
+  /// Called on the thread that called `simplify`, for some collapses at a time.
+  virtual void collapsed(std::span<const CollapseRecord> records) = 0;
+};
+
+/// Keeps them all. 28 bytes a collapse.
+class CollapseRecorder : public CollapseObserver {
+ public:
+  void collapsed(std::span<const CollapseRecord> records) override {
+    records_.insert(records_.end(), records.begin(), records.end());
+  }
+  const std::vector<CollapseRecord>& records() const { return records_; }
+
+ private:
+  std::vector<CollapseRecord> records_;
+};
+
+}  // namespace mesher

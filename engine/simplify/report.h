@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace mesher {
+
+/// Why simplification ended.
+enum class StopReason : std::uint8_t {
+  target_reached,
+  already_there,      ///< the input had no more faces than asked for
+  no_legal_collapse,  ///< every edge left is refused; see the rejections
+  error_bound,        ///< every edge left would exceed the error bound (or is refused)
+};
+
+/// Why single collapses were refused.
+enum class Rejection : std::uint8_t {
+  link_condition,  ///< would change the topology, or make an edge of three faces
+  boundary,        ///< would pinch, close or move a boundary that is kept
+  crease,          ///< would bend a crease or take a corner
+  fold_over,       ///< a face would turn over, against its neighbours or its original
+  error_bound,     ///< would go further from the input than allowed
+};
+inline constexpr std::size_t kRejectionCount = 5;
+
+/// snake_case key for JSON.
+std::string_view key(StopReason reason);
+std::string_view key(Rejection rejection);
+/// A person's words: "target reached", "link condition".
+std::string_view describe(StopReason reason);
+std::string_view describe(Rejection rejection);
+
+/// Seconds by phase.
+struct SimplifyTimes {
+  double prepare = 0.0;  ///< vertex order, quadrics, first costs
+  double collapse = 0.0;
+  double finish = 0.0;   ///< the result's order
+  double measure = 0.0;  ///< of the error, where a bound was asked for
+  double total() const { return prepare + collapse + finish + measure; }
+};
+
+/// The ledger: what was asked, what was reached, and why it ended.
+struct SimplifyReport {
+  std::uint32_t faces_before = 0;
+  std::uint32_t faces_asked = 0;  ///< 0: as far as it goes
+  std::uint32_t faces_reached = 0;
+  std::uint32_t vertices_before = 0;
+  std::uint32_t vertices_reached = 0;
+  StopReason reason = StopReason::target_reached;
+  std::uint64_t collapses = 0;
+  /// Refusals by cause: how many times an edge was tried and refused.
+  std::array<std::uint64_t, kRejectionCount> rejected{};
+  /// Estimate of the root mean square distance to the input, model units, from the costs paid.
+  double estimated_error = 0.0;
+  /// The largest distance between input and result that was measured, both ways, model units;
+  /// negative where no bound was asked for.
+  double measured_error = -1.0;
+  SimplifyTimes seconds;
+
+  std::uint64_t& operator[](Rejection cause) { return rejected[static_cast<std::size_t>(cause)]; }
+  std::uint64_t operator[](Rejection cause) const {
+    return rejected[static_cast<std::size_t>(cause)];
+  }
+};
+
+}  // namespace mesher
