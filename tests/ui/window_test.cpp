@@ -30,13 +30,16 @@ class WindowTest : public testing::Test {
     viewer.key("q");
     EXPECT_EQ(viewer.wait_for_end(), 0);
   }
-  /// A click as a hand makes it: ImGui sees the pointer arrive, the button go down, and come up.
+  /// A click as a hand makes it: ImGui sees the pointer arrive, the button go down, and come up
+  /// where it went down. It reads the pointer once a frame: moved on at once, the release would be
+  /// seen elsewhere.
   static void click(const ViewerProcess& viewer, int x, int y) {
     viewer.move(x, y);
     viewer.settle();
     viewer.press(1);
     std::this_thread::sleep_for(std::chrono::milliseconds(150));
     viewer.release(1);
+    viewer.settle();
   }
   static double number(const json& state, const char* name) {
     return state["camera"][name].get<double>();
