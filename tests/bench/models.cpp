@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <glm/common.hpp>
 #include <numbers>
 #include <numeric>
 #include <random>
@@ -22,6 +23,72 @@ glm::vec3 torus_point(std::uint32_t i, std::uint32_t j, std::uint32_t n) {
   return {ring * std::cos(u), tube * std::sin(v), -ring * std::sin(u)};
 }
 
+/// A number in [-1, 1] for each point of the integer grid.
+double lattice_value(glm::ivec3 p) {
+  std::uint32_t hash = static_cast<std::uint32_t>(p.x) * 0x8DA6B343U ^
+                       static_cast<std::uint32_t>(p.y) * 0xD8163841U ^
+                       static_cast<std::uint32_t>(p.z) * 0xCB1AB31FU;
+  hash = (hash ^ (hash >> 15)) * 0x2C1B3C6DU;
+  hash = (hash ^ (hash >> 12)) * 0x297A2D39U;
+  return (hash ^ (hash >> 15)) / 2147483647.5 - 1.0;
+}
+
+/// Smooth noise of wavelength 1 or so: values of the grid, blended (K. Perlin, "An image
+/// synthesizer", 1985).
+double value_noise(const glm::dvec3& p) {
+  const glm::dvec3 floor = glm::floor(p);
+  const glm::dvec3 t = p - floor;
+  const glm::dvec3 weight = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
+  double sum = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::ivec3 step(corner & 1, corner >> 1 & 1, corner >> 2);
+    const glm::dvec3 w = glm::mix(1.0 - weight, weight, glm::dvec3(step));
+    sum += w.x * w.y * w.z * lattice_value(glm::ivec3(floor) + step);
+  }
+  return sum;
+}
+
+glm::vec3 bumpy_torus_point(std::uint32_t i, std::uint32_t j, std::uint32_t n) {
+  constexpr int kOctaves = 8;
+  const double step = 2.0 * std::numbers::pi / n;
+  const double u = step * i;
+  const double v = step * j;
+  const auto on_tube = [&](double tube) {
+    const double ring = 1.0 + tube * std::cos(v);
+    return glm::dvec3(ring * std::cos(u), tube * std::sin(v), -ring * std::sin(u));
+  };
+  const glm::dvec3 smooth = on_tube(0.4);
+  double tube = 0.4;
+  double frequency = 1.7;
+  double height = 0.1;
+  for (int octave = 0; octave < kOctaves; ++octave, frequency *= 2.0, height *= 0.45)
+    tube += height * value_noise(frequency * smooth);
+  return glm::vec3(on_tube(tube));
+}
+
+/// A torus of quads cut in two, rows of n around rows of n.
+template <class Point>
+Soup torus_of(std::uint32_t n, Point point) {
+  Soup soup;
+  soup.positions.reserve(std::size_t{n} * n);
+  soup.corners.reserve(std::size_t{6} * n * n);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t row = i * n;
+    const std::uint32_t next_row = (i + 1) % n * n;
+    for (std::uint32_t j = 0; j < n; ++j) {
+      const std::uint32_t k = (j + 1) % n;
+      soup.positions.push_back(point(i, j, n));
+      for (const std::uint32_t corner : {row + j, next_row + j, next_row + k}) {
+        soup.corners.push_back(corner);
+      }
+      for (const std::uint32_t corner : {row + j, next_row + k, row + k}) {
+        soup.corners.push_back(corner);
+      }
+    }
+  }
+  return soup;
+}
+
 /// std::shuffle differs between standard libraries; this does not.
 std::vector<std::uint32_t> permutation(std::uint32_t n) {
   std::vector<std::uint32_t> order(n);
@@ -35,23 +102,18 @@ std::vector<std::uint32_t> permutation(std::uint32_t n) {
 }  // namespace
 
 Soup torus(std::uint32_t n) {
+  return torus_of(n, torus_point);
+}
+
+Soup bumpy_torus(std::uint32_t n) {
+  return torus_of(n, bumpy_torus_point);
+}
+
+Soup triangles_of(const Mesh& mesh) {
   Soup soup;
-  soup.positions.reserve(std::size_t{n} * n);
-  soup.corners.reserve(std::size_t{6} * n * n);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t row = i * n;
-    const std::uint32_t next_row = (i + 1) % n * n;
-    for (std::uint32_t j = 0; j < n; ++j) {
-      const std::uint32_t k = (j + 1) % n;
-      soup.positions.push_back(torus_point(i, j, n));
-      for (const std::uint32_t corner : {row + j, next_row + j, next_row + k}) {
-        soup.corners.push_back(corner);
-      }
-      for (const std::uint32_t corner : {row + j, next_row + k, row + k}) {
-        soup.corners.push_back(corner);
-      }
-    }
-  }
+  soup.positions.assign(mesh.positions().begin(), mesh.positions().end());
+  soup.corners.resize(mesh.halfedge_count());
+  std::ranges::transform(mesh.origins(), soup.corners.begin(), &Vertex::index);
   return soup;
 }
 

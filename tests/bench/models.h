@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "engine/mesh/mesh.h"
 #include "engine/mesh/soup.h"
 
 namespace mesher::bench {
@@ -11,7 +12,14 @@ namespace mesher::bench {
 /// on every machine up to the last bit of sin and cos.
 Soup torus(std::uint32_t n);
 
-/// The same surface with faces and vertices in a random order (fixed seed): the worst case for
+/// Closed surface of 2 * n * n triangles and n * n vertices, in the order of its grid: a torus with
+/// eight octaves of noise on it, rough like a scanned stone.
+Soup bumpy_torus(std::uint32_t n);
+
+/// The triangles of a mesh, as arrays.
+Soup triangles_of(const Mesh& mesh);
+
+/// A surface with its faces and vertices in a random order (fixed seed): the worst case for
 /// caches, as exports of unordered triangles are.
 Soup shuffled(const Soup& soup);
 
