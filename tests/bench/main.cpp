@@ -1,34 +1,69 @@
-// bench_engine FOLDER OBJ_BYTES TORUS_SIZE FRAME_TORUS_SIZE [Google Benchmark's flags]; see
-// scripts/bench.
+// bench_engine FOLDER OBJ_BYTES TORUS_SIZE FRAME_TORUS_SIZE GROWTH_FACES PREFIX
+// [Google Benchmark's flags]; see scripts/bench. Only tasks whose names start with PREFIX run.
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <string_view>
 
 #include "tests/bench/settings.h"
 
+namespace mesher::bench {
+namespace {
+
+constexpr int kArguments = 6;
+
+/// Tasks that are registered together, which may mean making their models.
+struct Group {
+  std::string_view tasks;  ///< how their names start
+  void (*add)(const Settings&);
+};
+
+constexpr std::array kGroups{
+    Group{"obj_", register_obj},           Group{"build", register_build},
+    Group{"normals_", register_normals},   Group{"frame_", register_frame},
+    Group{"simplify_", register_simplify}, Group{"queue_", register_queue},
+    Group{"steps_", register_steps},
+};
+
+Settings read_settings(char** argv) {
+  const auto number = [&](int i) { return static_cast<std::uint32_t>(std::stoul(argv[i])); };
+  return {.folder = argv[1],
+          .scans = MESHER_SHARED_MODELS,
+          .obj_bytes = std::stoull(argv[2]),
+          .torus_size = number(3),
+          .frame_torus_size = number(4),
+          .growth_faces = number(5)};
+}
+
+void run(int argc, char** argv) {
+  const Settings settings = read_settings(argv);
+  const std::string_view prefix = argv[kArguments];
+  for (const Group& group : kGroups) {
+    if (group.tasks.starts_with(prefix) || prefix.starts_with(group.tasks)) group.add(settings);
+  }
+  const std::string filter = "--benchmark_filter=^" + std::string(prefix);
+  argv[kArguments - 1] = argv[0];
+  argv[kArguments] = const_cast<char*>(filter.c_str());
+  argc -= kArguments - 1;
+  benchmark::Initialize(&argc, argv + kArguments - 1);
+  benchmark::RunSpecifiedBenchmarks();
+}
+
+}  // namespace
+}  // namespace mesher::bench
+
 int main(int argc, char** argv) {
-  using namespace mesher::bench;
-  if (argc < 5) {
-    std::fprintf(
-        stderr,
-        "usage: bench_engine FOLDER OBJ_BYTES TORUS_SIZE FRAME_TORUS_SIZE [benchmark flags]\n");
+  if (argc <= mesher::bench::kArguments) {
+    std::fprintf(stderr,
+                 "usage: bench_engine FOLDER OBJ_BYTES TORUS_SIZE FRAME_TORUS_SIZE GROWTH_FACES "
+                 "PREFIX [benchmark flags]\n");
     return 1;
   }
   try {
-    const Settings settings{.folder = argv[1],
-                            .obj_bytes = std::stoull(argv[2]),
-                            .torus_size = static_cast<std::uint32_t>(std::stoul(argv[3])),
-                            .frame_torus_size = static_cast<std::uint32_t>(std::stoul(argv[4]))};
-    register_obj(settings);
-    register_build(settings);
-    register_normals(settings);
-    register_frame(settings);
-    argv[4] = argv[0];
-    argc -= 4;
-    benchmark::Initialize(&argc, argv + 4);
-    benchmark::RunSpecifiedBenchmarks();
+    mesher::bench::run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_engine: %s\n", error.what());
     return 1;

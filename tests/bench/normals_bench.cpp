@@ -49,15 +49,15 @@ void register_normals(const Settings& settings) {
   const auto peer = make_openmesh(soup);
   const auto ours = std::make_shared<const Mesh>(build_mesh(std::move(soup)).mesh);
   // OpenMesh's vertex normals average face normals, each counted the same.
-  add("vertex_normals/mesher",
+  add("normals_vertex/mesher",
       [=] { benchmark::DoNotOptimize(vertex_normals(*ours, NormalWeight::uniform).data()); });
-  add("vertex_normals/mesher, by angle",
+  add("normals_vertex/mesher, by angle",
       [=] { benchmark::DoNotOptimize(vertex_normals(*ours, NormalWeight::angle).data()); });
-  add("vertex_normals/OpenMesh", [=] {
+  add("normals_vertex/OpenMesh", [=] {
     peer->update_face_normals();
     peer->update_vertex_normals();
   });
-  add("corner_normals/mesher",
+  add("normals_corner/mesher",
       [=] { benchmark::DoNotOptimize(corner_normals(*ours, {.crease_angle_rad = 0.7F}).data()); });
 }
 
