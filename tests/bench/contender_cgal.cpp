@@ -1,5 +1,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
@@ -55,7 +56,9 @@ struct FacesAtMost {
 
 Soup simplify_cgal_lindstrom_turk(Soup&& soup, std::uint32_t target_faces) {
   PeerMesh mesh = make_mesh(soup);
-  Simplification::edge_collapse(mesh, FacesAtMost{target_faces});  // its default policies
+  // Its default cost and placement. Without the filter it is no faster and folds more faces.
+  const Simplification::Bounded_normal_change_filter<> filter;
+  Simplification::edge_collapse(mesh, FacesAtMost{target_faces}, CGAL::parameters::filter(filter));
   mesh.collect_garbage();
   return make_arrays(mesh);
 }

@@ -19,7 +19,8 @@ Soup simplify_ours_one_thread(Soup&& soup, std::uint32_t target_faces);
 Soup simplify_meshoptimizer(Soup&& soup, std::uint32_t target_faces);
 /// Its quadric module alone.
 Soup simplify_openmesh(Soup&& soup, std::uint32_t target_faces);
-/// P. Lindstrom, G. Turk, "Fast and memory efficient polygonal simplification", 1998.
+/// P. Lindstrom, G. Turk, "Fast and memory efficient polygonal simplification", 1998;
+/// collapses that turn a face by more than 90 degrees refused.
 Soup simplify_cgal_lindstrom_turk(Soup&& soup, std::uint32_t target_faces);
 /// M. Garland, P. Heckbert, "Surface simplification using quadric error metrics", 1997.
 Soup simplify_cgal_garland_heckbert(Soup&& soup, std::uint32_t target_faces);
