@@ -99,9 +99,12 @@ void add(const Task& task, const Contender& contender) {
   if (task.is_large && contender.is_slow) benchmark->Repetitions(1);
 }
 
+SharedReference share(std::function<Soup()> load) {
+  return std::make_shared<Lazy<Reference>>([load = std::move(load)] { return Reference(load()); });
+}
+
 void add_model(const std::string& name, std::function<Soup()> load, bool is_large) {
-  const auto make = [load = std::move(load)] { return Reference(load()); };
-  const auto model = std::make_shared<Lazy<Reference>>(make);
+  const SharedReference model = share(std::move(load));
   for (const auto& [percent, ratio] : {std::pair{"_10", 0.1}, std::pair{"_1", 0.01}}) {
     for (const Contender& contender : contenders())
       add({"simplify_" + name + percent, model, ratio, is_large}, contender);
@@ -117,6 +120,14 @@ void add_scan(const Settings& settings, const std::string& name) {
   }
   add_model(
       name, [file] { return triangles_of(read_model(file).mesh); }, false);
+}
+
+/// The order of vertices and faces matters to caches only: the slow ones are left out.
+void add_shuffled(std::uint32_t torus_size) {
+  const SharedReference model = share([=] { return shuffled(bumpy_torus(torus_size)); });
+  for (const Contender& contender : contenders()) {
+    if (!contender.is_slow) add({"simplify_shuffled_1", model, 0.01, true}, contender);
+  }
 }
 
 /// A grid of 2 n * n triangles, about `faces`.
@@ -147,6 +158,7 @@ void register_simplify(const Settings& settings) {
   add_scan(settings, "armadillo");
   add_model(
       "large", [n = settings.torus_size] { return bumpy_torus(n); }, true);
+  add_shuffled(settings.torus_size);
   for (std::uint32_t faces = 10'000; faces <= settings.growth_faces; faces *= 10)
     add_growth(faces);
 }

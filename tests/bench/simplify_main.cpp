@@ -16,12 +16,14 @@
 namespace mesher::bench {
 namespace {
 
-/// A file, or "bumpy:N" for the closed surface of 2 N * N triangles that scripts/bench uses.
+/// A file, or "bumpy:N" for the closed surface of 2 N * N triangles that scripts/bench uses, or
+/// "shuffled:N" for the same in random order.
 Soup load(const std::string& name) {
-  constexpr std::string_view kGenerated = "bumpy:";
-  if (name.starts_with(kGenerated)) {
-    return bumpy_torus(static_cast<std::uint32_t>(std::stoul(name.substr(kGenerated.size()))));
-  }
+  const auto generated = [&](std::string_view kind) {
+    return bumpy_torus(static_cast<std::uint32_t>(std::stoul(name.substr(kind.size()))));
+  };
+  if (name.starts_with("bumpy:")) return generated("bumpy:");
+  if (name.starts_with("shuffled:")) return shuffled(generated("shuffled:"));
   return triangles_of(read_model(name).mesh);
 }
 
@@ -60,7 +62,7 @@ void run(const std::string& model, double ratio, std::span<char*> who) {
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    std::fprintf(stderr, "usage: bench_simplify MODEL|bumpy:N RATIO [WHO...]\n");
+    std::fprintf(stderr, "usage: bench_simplify MODEL|bumpy:N|shuffled:N RATIO [WHO...]\n");
     return 1;
   }
   try {
