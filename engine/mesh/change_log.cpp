@@ -4,9 +4,8 @@
 
 namespace mesher {
 
-void ChangeLog::note(GpuArray array, std::uint32_t first, std::uint32_t count) {
+void ChangeLog::add(GpuArray array, std::uint32_t first, std::uint32_t count) {
   const std::size_t i = index(array);
-  if (count == 0 || whole_[i]) return;
   std::vector<ChangedRange>& ranges = ranges_[i];
   if (!ranges.empty()) {
     ChangedRange& last = ranges.back();

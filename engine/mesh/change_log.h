@@ -29,7 +29,9 @@ class ChangeLog {
  public:
   static constexpr std::size_t kMaxRanges = 10'000;
 
-  void note(GpuArray array, std::uint32_t first, std::uint32_t count = 1);
+  void note(GpuArray array, std::uint32_t first, std::uint32_t count = 1) {
+    if (!whole_[index(array)] && count > 0) add(array, first, count);
+  }
   /// Everything may differ (a new mesh in the same place).
   void note_all();
   void clear();
@@ -42,6 +44,7 @@ class ChangeLog {
   std::vector<ChangedRange> merged(GpuArray array, std::uint32_t gap = 0) const;
 
  private:
+  void add(GpuArray array, std::uint32_t first, std::uint32_t count);
   static std::size_t index(GpuArray array) { return static_cast<std::size_t>(array); }
 
   std::array<std::vector<ChangedRange>, kGpuArrayCount> ranges_;

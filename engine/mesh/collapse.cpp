@@ -31,34 +31,15 @@ Vertex stray_common_neighbour(const Mesh& mesh, Halfedge h) {
   return {};
 }
 
-bool is_joined_by_one_side_or_none(const Mesh& mesh, Halfedge h) {
-  return mesh.is_boundary(Mesh::next(h)) && mesh.is_boundary(Mesh::prev(h));
-}
-
-/// Takes a face's edge out: the faces beyond its two other sides become neighbours.
-void close_face(MeshEditor& edit, Halfedge h) {
-  const Mesh& mesh = edit.mesh();
-  const Halfedge next = Mesh::next(h);
-  const Halfedge prev = Mesh::prev(h);
-  const Halfedge beyond_next = mesh.twin(next);
-  const Halfedge beyond_prev = mesh.twin(prev);
-  const float sharpness = std::max(mesh.sharpness(next), mesh.sharpness(prev));
-  for (const Halfedge side : {beyond_next, beyond_prev}) {
-    if (!side.is_valid()) continue;
-    edit.set_twin(side, side == beyond_next ? beyond_prev : beyond_next);
-    edit.set_sharpness(side, sharpness);
-  }
-  // An apex whose sweep started in this face starts beyond it: at a boundary that half-edge has
-  // just lost its twin.
-  const Vertex top = mesh.origin(prev);
-  if (mesh.outgoing(top) == prev) edit.set_outgoing(top, beyond_next);
-}
-
 /// A half-edge out of target(h) that outlives the edge's faces.
 Halfedge surviving_spoke(const Mesh& mesh, Halfedge h) {
   const Halfedge beyond_prev = mesh.twin(Mesh::prev(h));  // starts at origin(h)
   if (beyond_prev.is_valid()) return beyond_prev;
   return Mesh::next(mesh.twin(Mesh::next(h)));
+}
+
+bool is_joined_by_one_side_or_none(const Mesh& mesh, Halfedge h) {
+  return mesh.is_boundary(Mesh::next(h)) && mesh.is_boundary(Mesh::prev(h));
 }
 
 }  // namespace
@@ -109,12 +90,9 @@ CollapseResult collapse(Mesh& mesh, Halfedge h, const glm::vec3& p) {
   Vertex kept = mesh.target(h);
   const Halfedge spoke = surviving_spoke(mesh, h);
   edit.move_fan(removed, kept);
-  close_face(edit, h);
-  if (t.is_valid()) close_face(edit, t);
+  edit.close_edge(h);
   mesh.set_position(kept, p);
-  if (mesh.sharpness(removed) > mesh.sharpness(kept)) {
-    mesh.set_sharpness(kept, mesh.sharpness(removed));
-  }
+  edit.take_over(removed, kept);
   edit.start_fan_at_boundary(kept, spoke);
 
   CollapseResult result;

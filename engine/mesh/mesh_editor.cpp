@@ -1,28 +1,50 @@
 #include "engine/mesh/mesh_editor.h"
 
+#include <algorithm>
+
 #include "engine/mesh/circulators.h"
 
 namespace mesher {
 
-void MeshEditor::set_twin(Halfedge h, Halfedge twin) {
-  mesh_.twin_[h.index()] = twin;
-  mesh_.changes_.note(GpuArray::edge_class, h.index());
+namespace {
+
+/// Takes a face's edge out: the faces beyond its two other sides become neighbours.
+void close_face(MeshEditor& edit, Halfedge h) {
+  const Mesh& mesh = edit.mesh();
+  const Halfedge next = Mesh::next(h);
+  const Halfedge prev = Mesh::prev(h);
+  const Halfedge beyond_next = mesh.twin(next);
+  const Halfedge beyond_prev = mesh.twin(prev);
+  const float sharpness = std::max(mesh.sharpness(next), mesh.sharpness(prev));
+  for (const Halfedge side : {beyond_next, beyond_prev}) {
+    if (!side.is_valid()) continue;
+    edit.set_twin(side, side == beyond_next ? beyond_prev : beyond_next);
+    edit.set_sharpness(side, sharpness);
+  }
+  // An apex whose sweep started in this face starts beyond it: at a boundary that half-edge has
+  // just lost its twin.
+  const Vertex top = mesh.origin(prev);
+  if (mesh.outgoing(top) == prev) edit.set_outgoing(top, beyond_next);
 }
 
-void MeshEditor::set_sharpness(Halfedge h, float sharpness) {
-  mesh_.sharpness_[h.index()] = sharpness;
-  mesh_.changes_.note(GpuArray::edge_class, h.index());
+}  // namespace
+
+void MeshEditor::close_edge(Halfedge h) {
+  const Halfedge t = mesh_.twin(h);
+  close_face(*this, h);
+  if (t.is_valid()) close_face(*this, t);
 }
 
-void MeshEditor::set_outgoing(Vertex v, Halfedge h) {
-  mesh_.outgoing_[v.index()] = h;
+void MeshEditor::take_over(Vertex removed, Vertex kept) {
+  if (mesh_.sharpness(removed) > mesh_.sharpness(kept)) {
+    mesh_.set_sharpness(kept, mesh_.sharpness(removed));
+  }
 }
 
 void MeshEditor::move_fan(Vertex from, Vertex to) {
   // The sweep follows twins, which stay: changing origins under it is safe.
   for (const Halfedge h : halfedges_around(mesh_, from)) {
-    mesh_.origin_[h.index()] = to;
-    mesh_.changes_.note(GpuArray::origin, h.index());
+    set_origin(h, to);
   }
 }
 

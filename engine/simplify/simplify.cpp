@@ -1,53 +1,176 @@
 #include "engine/simplify/simplify.h"
 
-#include <numeric>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
 
-#include "engine/mesh/collapse.h"
+#include "engine/core/error.h"
+#include "engine/mesh/statistics.h"
+#include "engine/simplify/measured.h"
+#include "engine/simplify/reorder.h"
+#include "engine/simplify/rounds.h"
 
 namespace mesher {
+namespace {
+
+class Stopwatch {
+ public:
+  /// Seconds since the last lap.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// The power of two that brings the mesh to a size at which squares and products of its areas are
+/// far from the ends of what a float holds; 1 where they are anyway. Such a factor loses no bit.
+float handy_scale(const Mesh& mesh) {
+  const double diagonal = bounding_box(mesh).diagonal();
+  if (!(diagonal > 0.0) || (diagonal > 0x1p-10 && diagonal < 0x1p20)) return 1.0F;
+  return std::ldexp(1.0F, std::clamp(10 - std::ilogb(diagonal), -126, 126));
+}
+
+/// Positions in handy units, and the way back, which gives untouched vertices the very bits that
+/// they had (a scaled coordinate may be too small for all of them).
+class Units {
+ public:
+  explicit Units(Mesh& mesh) : scale_(handy_scale(mesh)) {
+    if (scale_ == 1.0F) return;
+    original_.assign(mesh.positions().begin(), mesh.positions().end());
+    for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
+      mesh.set_position(Vertex(v), scale_ * mesh.position(Vertex(v)));
+  }
+
+  float scale() const { return scale_; }
+  glm::vec3 original(Vertex v, const glm::vec3& scaled) const {
+    if (scale_ == 1.0F) return scaled;
+    const glm::vec3& before = original_[v.index()];
+    return scale_ * before == scaled ? before : (1.0F / scale_) * scaled;
+  }
+
+ private:
+  float scale_;
+  Array<glm::vec3> original_;
+};
+
+/// Turns records from the ids of the reordered mesh into the caller's.
+class Translator : public CollapseObserver {
+ public:
+  Translator(const Reordered& order, const Units& units, CollapseObserver* observer)
+      : order_(order), units_(units), observer_(observer) {}
+
+  void collapsed(std::span<const CollapseRecord> records) override {
+    if (observer_ == nullptr) return;
+    translated_.clear();
+    translated_.reserve(records.size());
+    for (const CollapseRecord& r : records) {
+      translated_.push_back(
+          {translated(r.halfedge), translated(r.twin), order_.vertex_source[r.removed.index()],
+           order_.vertex_source[r.kept.index()], units_.original(r.kept, r.position)});
+    }
+    observer_->collapsed(translated_);
+  }
+
+ private:
+  Halfedge translated(Halfedge h) const {
+    if (!h.is_valid()) return h;
+    return Mesh::halfedge(order_.face_source[Mesh::face(h).index()], Mesh::corner(h));
+  }
+
+  const Reordered& order_;
+  const Units& units_;
+  CollapseObserver* observer_;
+  std::vector<CollapseRecord> translated_;
+};
+
+/// Old ids of what is left, in the order that the caller asked for. `source[i]` is the input's id
+/// of what is i now.
+template <class Id, class IsLeft>
+Array<Id> in_order(const Array<Id>& source, ResultOrder order, const IsLeft& is_left) {
+  const auto n = static_cast<std::uint32_t>(source.size());
+  std::vector<std::uint32_t> by_source(n, kNone);
+  std::uint32_t left = 0;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    if (!is_left(Id(i))) continue;
+    by_source[source[i].index()] = i;
+    ++left;
+  }
+  Array<Id> result;
+  result.reserve(left);
+  if (order == ResultOrder::input) {
+    for (const std::uint32_t i : by_source) {
+      if (i != kNone) result.push_back(Id(i));
+    }
+    return result;
+  }
+  std::uint32_t mover = left;
+  for (std::uint32_t place = 0; place < left; ++place) {
+    if (by_source[place] == kNone) {
+      while (by_source[mover] == kNone)
+        ++mover;
+      result.push_back(Id(by_source[mover++]));
+    } else {
+      result.push_back(Id(by_source[place]));
+    }
+  }
+  return result;
+}
+
+Simplified finish(const Rounds& rounds, const Reordered& order, const Units& units,
+                  const SimplifyOptions& options) {
+  const Survivors survivors{
+      in_order(order.vertex_source, options.order, [&](Vertex v) { return !rounds.is_removed(v); }),
+      in_order(order.face_source, options.order,
+               [&](Face f) { return !rounds.surface().is_removed(f); })};
+  Simplified result;
+  result.mesh = compact(rounds.surface().mesh(), survivors);
+  for (std::uint32_t v = 0; v < result.mesh.vertex_count() && units.scale() != 1.0F; ++v) {
+    const glm::vec3& scaled = result.mesh.position(Vertex(v));
+    result.mesh.set_position(Vertex(v), units.original(survivors.vertices[v], scaled));
+  }
+  result.vertex_source.reserve(survivors.vertices.size());
+  for (const Vertex v : survivors.vertices)
+    result.vertex_source.push_back(order.vertex_source[v.index()]);
+  result.face_source.reserve(survivors.faces.size());
+  for (const Face f : survivors.faces)
+    result.face_source.push_back(order.face_source[f.index()]);
+  return result;
+}
+
+}  // namespace
+
+Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options) {
+  Stopwatch watch;
+  SimplifyTimes seconds;
+  begin_stage(options.progress, "preparing");
+  SimplifyReport report{.faces_before = mesh.face_count(),
+                        .faces_asked = options.target_faces,
+                        .vertices_before = mesh.vertex_count()};
+  Reordered order = reorder_by_place(mesh);
+  mesh = Mesh{};
+  const Units units(order.mesh);
+  Translator translator(order, units, options.observer);
+  Rounds rounds(std::move(order.mesh), units.scale(), options, translator);
+  seconds.prepare = watch.lap();
+  begin_stage(options.progress, "simplifying");
+  rounds.run(report);
+  seconds.collapse = watch.lap();
+  Simplified result = finish(rounds, order, units, options);
+  seconds.finish = watch.lap();
+  report.faces_reached = result.mesh.face_count();
+  report.vertices_reached = result.mesh.vertex_count();
+  report.seconds = seconds;
+  result.report = report;
+  return result;
+}
 
 Simplified simplify(Mesh&& mesh, const SimplifyOptions& options) {
-  Simplified result;
-  SimplifyReport& r = result.report;
-  r.faces_before = mesh.face_count();
-  r.faces_asked = options.target_faces;
-  r.vertices_before = mesh.vertex_count();
-  result.vertex_source.resize(mesh.vertex_count());
-  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
-    result.vertex_source[v] = Vertex(v);
-  result.face_source.resize(mesh.face_count());
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
-    result.face_source[f] = Face(f);
-  r.reason = StopReason::already_there;
-  for (std::uint32_t i = 0; mesh.face_count() > options.target_faces;) {
-    const std::uint32_t n = mesh.halfedge_count();
-    bool found = false;
-    for (std::uint32_t k = 0; k < n; ++k) {
-      const Halfedge h((i * 7919U + k) % n);
-      if (!check_collapse(mesh, h).is_legal()) continue;
-      const glm::vec3 p = 0.5F * (mesh.position(mesh.origin(h)) + mesh.position(mesh.target(h)));
-      const CollapseResult c = collapse(mesh, h, p);
-      if (c.vertex_move.from != kNone) {
-        result.vertex_source[c.vertex_move.to] = result.vertex_source[c.vertex_move.from];
-      }
-      result.vertex_source.pop_back();
-      for (std::uint32_t m = 0; m < c.removed_faces; ++m) {
-        const CollapseResult::Move move = c.face_moves[m];
-        if (move.from != kNone) result.face_source[move.to] = result.face_source[move.from];
-        result.face_source.pop_back();
-      }
-      found = true;
-      ++i;
-      ++r.collapses;
-      break;
-    }
-    r.reason = found ? StopReason::target_reached : StopReason::no_legal_collapse;
-    if (!found) break;
-  }
-  r.faces_reached = mesh.face_count();
-  r.vertices_reached = mesh.vertex_count();
-  result.mesh = std::move(mesh);
-  return result;
+  return std::isfinite(options.max_error) ? simplify_measured(std::move(mesh), options)
+                                          : simplify_unmeasured(std::move(mesh), options);
 }
 
 }  // namespace mesher

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/core/array.h"
+#include "engine/core/assert.h"
+#include "engine/mesh/ids.h"
+
+namespace mesher {
+
+/// What is known of a vertex's next collapse, beside the surface, and its place in a queue. A
+/// vertex is in at most one queue at a time, so that queues over disjoint sets of vertices share
+/// one array. Half a cache line.
+struct alignas(32) QueueEntry {
+  static constexpr std::uint32_t kGone = kNone;
+
+  std::uint32_t next = kNone;
+  std::uint32_t previous = kNone;
+  std::uint32_t bucket = kNone;  ///< kNone: in no queue
+  std::uint32_t region = 0;      ///< whose turn it is to change the vertex; kGone: it is removed
+  Halfedge best;                 ///< the cheapest of the half-edges out of the vertex
+  float cost = 0.0F;             ///< of `best` when it was chosen
+  bool has_refused = false;      ///< an edge of the vertex was refused for its surroundings
+};
+
+/// Vertices by cost, cheapest first, to within 1/32 of an octave (2 %); first come, first served
+/// within a bucket, so that equal costs spread over the surface instead of piling up in one place.
+/// The bucket is the upper bits of the float. Everything is O(1), finding the cheapest amortised
+/// over a bitmap.
+class BucketQueue {
+  static constexpr std::uint32_t kShift = 18;
+
+ public:
+  static constexpr std::uint32_t kBuckets = 1U << (31U - kShift);
+
+  explicit BucketQueue(std::span<QueueEntry> entries) : entries_(entries), ends_(kBuckets) {}
+
+  /// Monotone in `cost`. Pre: cost >= 0 (infinity included).
+  static std::uint32_t bucket_of(float cost) {
+    return std::bit_cast<std::uint32_t>(cost + 0.0F) >> kShift;
+  }
+  /// The highest cost in the buckets below this one; negative where there are none.
+  static float highest_below(std::uint32_t bucket) {
+    return bucket == 0 ? -1.0F : std::bit_cast<float>((bucket << kShift) - 1);
+  }
+
+  void push(Vertex v, float cost) {
+    const std::uint32_t bucket = bucket_of(cost);
+    QueueEntry& entry = entries_[v.index()];
+    MESHER_ASSERT(cost >= 0.0F && entry.bucket == kNone);
+    Ends& ends = ends_[bucket];
+    entry.next = kNone;
+    entry.previous = ends.last;
+    entry.bucket = bucket;
+    if (ends.last == kNone) {
+      ends.first = v.index();
+      occupied_[bucket / 64] |= std::uint64_t{1} << bucket % 64;
+    } else {
+      entries_[ends.last].next = v.index();
+    }
+    ends.last = v.index();
+    if (bucket / 64 < lowest_word_) lowest_word_ = bucket / 64;
+  }
+
+  bool contains(Vertex v) const { return entries_[v.index()].bucket != kNone; }
+
+  void remove(Vertex v) {
+    QueueEntry& entry = entries_[v.index()];
+    if (entry.bucket == kNone) return;
+    Ends& ends = ends_[entry.bucket];
+    (entry.previous == kNone ? ends.first : entries_[entry.previous].next) = entry.next;
+    (entry.next == kNone ? ends.last : entries_[entry.next].previous) = entry.previous;
+    if (ends.first == kNone) {
+      occupied_[entry.bucket / 64] &= ~(std::uint64_t{1} << entry.bucket % 64);
+    }
+    entry.bucket = kNone;
+  }
+
+  /// The cheapest vertex, or none.
+  Vertex front() {
+    for (; lowest_word_ < occupied_.size(); ++lowest_word_) {
+      const std::uint64_t word = occupied_[lowest_word_];
+      if (word == 0) continue;
+      return Vertex(
+          ends_[lowest_word_ * 64 + static_cast<std::uint32_t>(std::countr_zero(word))].first);
+    }
+    return {};
+  }
+
+ private:
+  struct Ends {
+    std::uint32_t first = kNone;
+    std::uint32_t last = kNone;
+  };
+
+  std::span<QueueEntry> entries_;
+  std::vector<Ends> ends_;
+  std::array<std::uint64_t, kBuckets / 64> occupied_{};
+  std::uint32_t lowest_word_ = kBuckets / 64;
+};
+
+}  // namespace mesher

@@ -1,0 +1,429 @@
+#include "engine/simplify/collapser.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/parallel.h"
+#include "engine/core/progress.h"
+#include "engine/mesh/circulators.h"
+#include "engine/mesh/collapse.h"
+#include "engine/mesh/mesh_editor.h"
+
+namespace mesher {
+
+Schedule::Schedule(const Surface& surface)
+    : edge_cost(surface.mesh().halfedge_count()),
+      vertices(surface.mesh().vertex_count(), QueueEntry{}) {}
+
+namespace {
+
+/// Edges that vertices answer for, some vertices at a time.
+class FirstCosts {
+ public:
+  explicit FirstCosts(const CollapseContext& context) : context_(context) {}
+
+  void find(IndexRange vertices) {
+    const Mesh& mesh = context_.surface.mesh();
+    edges_.clear();
+    for (std::size_t i = vertices.begin; i < vertices.end; ++i) {
+      const Vertex v(static_cast<std::uint32_t>(i));
+      if (mesh.is_isolated(v)) continue;
+      for (const Halfedge h : halfedges_around(mesh, v)) {
+        // None is the highest index of all, so the origin of a boundary edge answers for it.
+        if (h < mesh.twin(h)) edges_.push_back(h);
+      }
+    }
+    costs_.resize(edges_.size());
+    context_.policy.evaluate_costs(context_.surface, edges_, costs_.data());
+    for (std::size_t i = vertices.begin; i < vertices.end; ++i)
+      context_.schedule.vertices[i].cost = Candidate::kNever;
+    for (std::size_t i = 0; i < edges_.size(); ++i)
+      note(edges_[i], costs_[i]);
+  }
+
+ private:
+  void note(Halfedge h, float cost) {
+    const Mesh& mesh = context_.surface.mesh();
+    context_.schedule.edge_cost[h.index()] = cost;
+    if (const Halfedge t = mesh.twin(h); t.is_valid()) {
+      context_.schedule.edge_cost[t.index()] = Candidate::kNever;
+    }
+    QueueEntry& entry = context_.schedule.vertices[mesh.origin(h).index()];
+    if (cost < entry.cost) {
+      entry.cost = cost;
+      entry.best = h;
+    }
+  }
+
+  const CollapseContext& context_;
+  std::vector<Halfedge> edges_;
+  std::vector<float> costs_;
+};
+
+}  // namespace
+
+void evaluate_all(const CollapseContext& context) {
+  constexpr std::size_t kVertices = 2048;
+  const std::size_t n = context.surface.mesh().vertex_count();
+  parallel_chunks(n, kVertices, [&](std::size_t, IndexRange range) {
+    report(context.progress, static_cast<float>(range.begin) / static_cast<float>(n));
+    FirstCosts(context).find(range);
+  });
+}
+
+Collapser::Collapser(CollapseContext& context, const Limits& limits)
+    : context_(context), limits_(limits), queue_(context.schedule.vertices) {}
+
+void Collapser::run(std::span<const Vertex> vertices) {
+  records_.reserve(std::min<std::size_t>(vertices.size(), limits_.faces / 2 + 1));
+  for (const Vertex v : vertices) {
+    const float cost = entry(v).cost;
+    if (cost <= limits_.cost && cost < Candidate::kNever) queue_.push(v, cost);
+  }
+  take_turns();
+  for (const Vertex v : vertices)
+    queue_.remove(v);
+  if (removed_faces_ + 1 != limits_.faces || remove_one_face(vertices)) return;
+  ++limits_.faces;  // no boundary edge will do: two faces or none
+  for (const Vertex v : vertices) {
+    if (entry(v).region != QueueEntry::kGone && entry(v).cost < Candidate::kNever) {
+      queue_.push(v, entry(v).cost);
+    }
+  }
+  take_turns();
+  for (const Vertex v : vertices)
+    queue_.remove(v);
+}
+
+void Collapser::run_refused(std::span<const Vertex> vertices) {
+  for (const Vertex v : vertices) {
+    evaluate_refused(v);
+    choose_cheapest_edge(v);
+    queue_.remove(v);
+  }
+  run(vertices);
+}
+
+void Collapser::take_turns() {
+  constexpr std::uint32_t kTurnsBetweenReports = 1024;
+  std::uint32_t reported = removed_faces_;
+  const auto note_progress = [&] {
+    const std::uint32_t all = context_.removed_faces += removed_faces_ - reported;
+    reported = removed_faces_;
+    report(context_.progress,
+           static_cast<float>(all) / static_cast<float>(context_.faces_to_remove));
+  };
+  for (std::uint32_t turn = 1; removed_faces_ + 1 < limits_.faces; ++turn) {
+    const Vertex v = queue_.front();
+    if (!v.is_valid()) break;
+    take_turn(v);
+    if (turn % kTurnsBetweenReports == 0) note_progress();
+  }
+  note_progress();
+}
+
+/// Either collapses the vertex's cheapest edge, or puts the vertex back where it belongs.
+void Collapser::take_turn(Vertex v) {
+  Schedule& s = context_.schedule;
+  const Mesh& mesh = context_.surface.mesh();
+  const std::uint32_t bucket = entry(v).bucket;
+  queue_.remove(v);
+  const Halfedge h = entry(v).best;
+  // The edge may be gone, have become dearer, or have another that answers for it.
+  if (mesh.origin(h) != v || BucketQueue::bucket_of(s.edge_cost[h.index()]) > bucket) {
+    return choose_cheapest_edge(v);
+  }
+  // Across the region's border: another time.
+  if (!is_ours(mesh.target(h))) return;
+  const Candidate candidate = evaluate(h);
+  s.edge_cost[h.index()] = candidate.cost;
+  if (BucketQueue::bucket_of(candidate.cost) > bucket + limits_.tolerance) {
+    return choose_cheapest_edge(v);
+  }
+  const bool is_small = fan_.gather(context_.surface, h, limits_.valence);
+  for (const Vertex neighbour : fan_.ring()) {
+    if (!is_ours(neighbour)) return;
+  }
+  const Rejection cause = check(h, candidate, is_small);
+  if (cause == Fan::kLegal) return collapse(h, candidate);
+  refuse(h, cause);
+  choose_cheapest_edge(v);
+}
+
+/// Where one face is left to remove: the cheapest legal collapse at the boundary. False where there
+/// is none.
+bool Collapser::remove_one_face(std::span<const Vertex> vertices) {
+  const Mesh& mesh = context_.surface.mesh();
+  std::vector<std::pair<float, Halfedge>> edges;
+  for (const Vertex v : vertices) {
+    if (!is_ours(v) || !mesh.is_boundary(v)) continue;
+    const Halfedge h = mesh.outgoing(v);
+    if (!is_ours(mesh.target(h))) continue;
+    const float cost = evaluate(h).cost;
+    if (cost <= limits_.cost && cost < Candidate::kNever) edges.emplace_back(cost, h);
+  }
+  std::sort(edges.begin(), edges.end());
+  for (const auto& [cost, h] : edges) {
+    const Candidate candidate = evaluate(h);
+    const bool is_small = fan_.gather(context_.surface, h, limits_.valence);
+    const auto ring = fan_.ring();
+    const bool is_inside =
+        std::all_of(ring.begin(), ring.end(), [&](Vertex n) { return is_ours(n); });
+    if (!is_inside || check(h, candidate, is_small) != Fan::kLegal) continue;
+    collapse(h, candidate);
+    return true;
+  }
+  return false;
+}
+
+Candidate Collapser::evaluate(Halfedge h) {
+  const Fit fit = context_.surface.fit(h);
+  if (fit == Fit::nowhere) return {};
+  return context_.policy.evaluate(context_.surface, h, fit);
+}
+
+void Collapser::choose_cheapest_edge(Vertex v) {
+  const Schedule& s = context_.schedule;
+  const Mesh& mesh = context_.surface.mesh();
+  Halfedge best;
+  float cost = Candidate::kNever;
+  std::size_t count = 0;
+  const Halfedge start = mesh.outgoing(v);
+  Halfedge h = start;
+  do {
+    const float c = s.edge_cost[h.index()];
+    if (c < cost) {
+      cost = c;
+      best = h;
+    }
+    h = mesh.rotate_ccw(h);
+  } while (h.is_valid() && h != start && ++count < limits_.valence);
+  wait_for(v, best, cost);
+}
+
+/// Puts a vertex where its cheapest edge belongs in the queue.
+void Collapser::wait_for(Vertex v, Halfedge best, float cost) {
+  entry(v).best = best;
+  entry(v).cost = cost;
+  if (cost <= limits_.cost && cost < Candidate::kNever) queue_.push(v, cost);
+}
+
+/// Gives every edge of the fan's vertex its cost, and the vertex its place in the queue.
+void Collapser::evaluate_fan(Vertex v) {
+  Schedule& s = context_.schedule;
+  const Mesh& mesh = context_.surface.mesh();
+  costs_.resize(fan_.size() + 8);
+  context_.policy.evaluate_around(context_.surface, v, fan_, costs_.data());
+  Halfedge best;
+  float cost = Candidate::kNever;
+  for (std::size_t i = 0; i < fan_.size(); ++i) {
+    const Halfedge h = fan_.spokes()[i];
+    s.edge_cost[h.index()] = costs_[i];
+    if (mesh.twin(h).is_valid()) s.edge_cost[mesh.twin(h).index()] = Candidate::kNever;
+    if (costs_[i] < cost) {
+      cost = costs_[i];
+      best = h;
+    }
+  }
+  wait_for(v, best, cost);
+  if (fan_.is_closed() || fan_.size() == 0) return;
+  // The last edge of an open fan has no half out of the vertex: the neighbour answers for it.
+  const Halfedge last = Mesh::prev(fan_.spokes().back());
+  const Vertex neighbour = mesh.origin(last);
+  s.edge_cost[last.index()] = costs_[fan_.size()];
+  queue_.remove(neighbour);
+  choose_cheapest_edge(neighbour);
+}
+
+/// Looks again at what was refused at `v`, and answers for it.
+void Collapser::evaluate_refused(Vertex v) {
+  Schedule& s = context_.schedule;
+  const Mesh& mesh = context_.surface.mesh();
+  const Halfedge start = mesh.outgoing(v);
+  std::size_t count = 0;
+  Halfedge h = start;
+  do {
+    const Halfedge t = mesh.twin(h);
+    const bool is_refused = s.edge_cost[h.index()] == Candidate::kNever &&
+                            (!t.is_valid() || s.edge_cost[t.index()] == Candidate::kNever);
+    if (is_refused && is_ours(mesh.target(h))) s.edge_cost[h.index()] = evaluate(h).cost;
+    h = mesh.rotate_ccw(h);
+  } while (h.is_valid() && h != start && ++count < limits_.valence);
+}
+
+void Collapser::refuse(Halfedge h, Rejection cause) {
+  Schedule& s = context_.schedule;
+  const Mesh& mesh = context_.surface.mesh();
+  ++rejected_[static_cast<std::size_t>(cause)];
+  s.edge_cost[h.index()] = Candidate::kNever;
+  for (const Vertex v : {mesh.origin(h), mesh.target(h)})
+    entry(v).has_refused = true;
+}
+
+/// Pre: the fan is gathered, whole where `is_small`.
+Rejection Collapser::check(Halfedge h, const Candidate& candidate, bool is_small) {
+  const Surface& surface = context_.surface;
+  if (!is_small) return Rejection::link_condition;
+  // Coordinates at the ends of what a float holds may overflow on the way.
+  const glm::vec3& p = candidate.position;
+  if (!std::isfinite(p.x + p.y + p.z)) return Rejection::fold_over;
+  Rejection cause = fan_.check_topology(surface);
+  if (cause == Fan::kLegal && makes_feature_triangle(h)) cause = Rejection::crease;
+  if (cause == Fan::kLegal) cause = fan_.check_shape(surface, candidate.position);
+  if (cause != Fan::kLegal || context_.bound == nullptr) return cause;
+  const Mesh& mesh = surface.mesh();
+  const bool is_near =
+      context_.bound->allows(surface, mesh.origin(h), mesh.target(h), fan_, candidate.position);
+  return is_near ? Fan::kLegal : Rejection::error_bound;
+}
+
+/// Whether both other sides of a face at a feature edge are features: a loop of three, which must
+/// not close.
+bool Collapser::makes_feature_triangle(Halfedge h) const {
+  const Surface& surface = context_.surface;
+  if (!surface.is_feature(h)) return false;
+  for (const Halfedge side : {h, surface.mesh().twin(h)}) {
+    if (side.is_valid() && surface.is_feature(Mesh::next(side)) &&
+        surface.is_feature(Mesh::prev(side))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void Collapser::collapse(Halfedge h, const Candidate& candidate) {
+  Surface& surface = context_.surface;
+  const Mesh& mesh = surface.mesh();
+  const Halfedge t = mesh.twin(h);
+  const Vertex removed = mesh.origin(h);
+  const Vertex kept = mesh.target(h);
+  MESHER_ASSERT(check_collapse(mesh, h).is_legal());
+  records_.push_back({h, t, removed, kept, candidate.position});
+  paid_ += double{candidate.error};
+  queue_.remove(removed);
+  queue_.remove(kept);
+  entry(removed).region = QueueEntry::kGone;
+  if (is_near_feature(h)) {
+    merge_near_feature(h, candidate.position);
+  } else {
+    merge_smooth(h, candidate.position);
+  }
+  context_.policy.collapsed(removed, kept);
+  if (context_.bound != nullptr) context_.bound->collapsed(removed, kept);
+  removed_faces_ += t.is_valid() ? 2 : 1;
+  evaluate_fan(kept);
+  wake_ring();
+}
+
+/// What was refused near a collapse may be allowed after it.
+void Collapser::wake_ring() {
+  for (const Vertex v : fan_.ring()) {
+    if (!entry(v).has_refused) continue;
+    entry(v).has_refused = false;
+    evaluate_refused(v);
+    queue_.remove(v);
+    choose_cheapest_edge(v);
+  }
+}
+
+/// Whether a face of the fan or of the edge has a feature, so that quadrics hold more than planes.
+bool Collapser::is_near_feature(Halfedge h) const {
+  const Surface& surface = context_.surface;
+  if (!surface.has_features()) return false;
+  const Halfedge t = surface.mesh().twin(h);
+  bool has =
+      !t.is_valid() || surface.has_feature(Mesh::face(h)) || surface.has_feature(Mesh::face(t));
+  for (const Halfedge spoke : fan_.spokes())
+    has |= surface.has_feature(Mesh::face(spoke));
+  return has;
+}
+
+/// Takes (-1) from or gives (+1) to the corners of a face what it says as it is.
+void Collapser::add_contributions(Face f, float sign) {
+  Surface& surface = context_.surface;
+  const auto q = surface.contributions(f);
+  for (std::uint32_t c = 0; c < 3; ++c) {
+    Quadric<float>& sum = surface.state(surface.mesh().origin(Mesh::halfedge(f, c))).quadric;
+    sum = sign > 0.0F ? sum + q[c] : sum - q[c];
+  }
+}
+
+/// Merges, and brings shapes and quadrics up to date, whatever the faces contribute.
+void Collapser::merge_near_feature(Halfedge h, const glm::vec3& p) {
+  Surface& surface = context_.surface;
+  const Mesh& mesh = surface.mesh();
+  const Vertex kept = mesh.target(h);
+  for (const Halfedge spoke : fan_.spokes())
+    add_contributions(Mesh::face(spoke), -1.0F);
+  for (const Halfedge side : {h, mesh.twin(h)}) {
+    if (side.is_valid()) add_contributions(Mesh::face(side), -1.0F);
+  }
+  merge(h, p);
+  surface.state(kept) = {{}, {p.x, p.y, p.z}};
+  for (std::size_t i = 0; i < fan_.size(); ++i)
+    surface.set_shape(Mesh::face(fan_.spokes()[i]), fan_.shape(i));
+  for (const Halfedge spoke : fan_.spokes())
+    add_contributions(Mesh::face(spoke), 1.0F);
+}
+
+/// The same where faces contribute their planes alone: each neighbour is written once.
+void Collapser::merge_smooth(Halfedge h, const glm::vec3& p) {
+  Surface& surface = context_.surface;
+  const Mesh& mesh = surface.mesh();
+  const Vertex kept = mesh.target(h);
+  for (const Halfedge side : {h, mesh.twin(h)}) {
+    surface.add(mesh.origin(Mesh::prev(side)),
+                QuadricRows{} - plane_rows(surface.shape(Mesh::face(side))));
+  }
+  QuadricRows total{};
+  QuadricRows previous{};
+  for (std::size_t i = 0; i < fan_.size(); ++i) {
+    const Face f = Mesh::face(fan_.spokes()[i]);
+    const FaceShape shape = fan_.shape(i);
+    const QuadricRows after = plane_rows(shape);
+    const QuadricRows change = after - plane_rows(surface.shape(f));
+    surface.add(fan_.ring()[i], previous + change);
+    surface.set_shape(f, shape);
+    total = total + after;
+    previous = change;
+  }
+  surface.add(fan_.ring().back(), previous);
+  merge(h, p);
+  surface.state(kept) = {{}, {p.x, p.y, p.z}};
+  surface.add(kept, total);
+}
+
+void Collapser::merge(Halfedge h, const glm::vec3& p) {
+  Surface& surface = context_.surface;
+  MeshEditor edit(surface.mesh());
+  const Mesh& mesh = surface.mesh();
+  const Halfedge t = mesh.twin(h);
+  const Vertex removed = mesh.origin(h);
+  const Vertex kept = mesh.target(h);
+  surface.set_kind(kept, std::max(surface.kind(kept), surface.kind(removed)));
+  if (surface.has_features()) {
+    // Two edges become one: a feature if either was.
+    for (const Halfedge side : {h, t}) {
+      if (!side.is_valid()) continue;
+      const bool is_feature =
+          surface.is_feature(Mesh::next(side)) || surface.is_feature(Mesh::prev(side));
+      for (const Halfedge inner : {Mesh::next(side), Mesh::prev(side)}) {
+        if (mesh.twin(inner).is_valid()) surface.set_feature(mesh.twin(inner), is_feature);
+      }
+    }
+  }
+  edit.close_edge(h);
+  for (const Halfedge spoke : fan_.spokes())
+    edit.set_origin(spoke, kept);
+  surface.mesh().set_position(kept, p);
+  edit.take_over(removed, kept);
+  edit.set_outgoing(kept, fan_.spokes().front());
+  edit.set_outgoing(removed, {});
+  for (const Halfedge side : {h, t}) {
+    if (!side.is_valid()) continue;
+    for (std::uint32_t c = 0; c < 3; ++c)
+      edit.set_origin(Mesh::halfedge(Mesh::face(side), c), {});
+  }
+}
+
+}  // namespace mesher

@@ -1,0 +1,58 @@
+#include "engine/simplify/cost_policy.h"
+
+#include "engine/core/assert.h"
+#include "engine/simplify/comparison_policies.h"
+#include "engine/simplify/quadric_policy.h"
+
+namespace mesher {
+
+void CollapsePolicy::evaluate_costs(const Surface& surface, std::span<const Halfedge> edges,
+                                    float* costs) const {
+  for (const Halfedge h : edges) {
+    const Fit fit = surface.fit(h);
+    *costs++ = fit == Fit::nowhere ? Candidate::kNever : evaluate(surface, h, fit).cost;
+  }
+}
+
+void CollapsePolicy::evaluate_around(const Surface& surface, Vertex, const Fan& fan,
+                                     float* costs) const {
+  evaluate_costs(surface, fan.spokes(), costs);
+  if (fan.is_closed() || fan.size() == 0) return;
+  const Halfedge last = Mesh::prev(fan.spokes().back());
+  evaluate_costs(surface, {&last, 1}, costs + fan.size());
+}
+
+void CollapsePolicy::collapsed(Vertex, Vertex) {}
+
+Placed place(const Surface& surface, Halfedge h, const EdgeQuadric<float>& edge,
+             Placement placement, Fit fit) {
+  const Mesh& mesh = surface.mesh();
+  const bool is_at_end = fit != Fit::anywhere || placement == Placement::endpoint;
+  if (is_at_end) {
+    const bool is_at_target = fit == Fit::anywhere ? is_target_better(edge) : fit == Fit::at_target;
+    return is_at_target ? Placed{edge.half, mesh.position(mesh.target(h))}
+                        : Placed{edge.half * -1.0F, mesh.position(mesh.origin(h))};
+  }
+  const Vec3<float> y = placement == Placement::optimal ? best_offset(edge) : Vec3<float>{};
+  const Vec3<float> p = surface.midpoint(h) + y;
+  return {y, {p.x, p.y, p.z}};
+}
+
+std::unique_ptr<CollapsePolicy> make_policy(const SimplifyOptions& options,
+                                            const Surface& surface) {
+  switch (options.cost) {
+    case CostPolicy::accumulated_quadric:
+      return make_accumulated_policy(options.placement, surface);
+    case CostPolicy::edge_length:
+      return make_length_policy(options.placement);
+    case CostPolicy::shape:
+      return make_shape_policy(options.placement);
+    case CostPolicy::random:
+      return make_random_policy(options.placement, options.seed);
+    case CostPolicy::quadric:
+      break;
+  }
+  return std::make_unique<QuadricPolicy>(options.placement);
+}
+
+}  // namespace mesher

@@ -1,0 +1,273 @@
+#include "engine/simplify/fan.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+
+namespace mesher {
+namespace {
+
+// Two faces count as folded together where their normals differ by more than 150 degrees.
+constexpr float kFoldedCosine = -0.8660254F;
+// How far a face may turn in one collapse: about 78 degrees.
+constexpr float kLeastCosineOfStep = 0.2F;
+// How far it may be from what it was in the input: the right angle, so that many steps cannot turn
+// it over; the rounding of packed normals allowed for.
+constexpr float kLeastCosineOfAll = -0.002F;
+// A face without area in floats: its height is lost against its longest side.
+constexpr float kLeastAspect = 1e-5F;
+// Room past the last face, for whole lanes.
+constexpr std::size_t kLanes = 16;
+
+/// Turns around the merged fan as if the edge's faces were gone: what lies beyond them on either
+/// side is next to one another.
+class MergedSweep {
+ public:
+  MergedSweep(const Mesh& mesh, Halfedge h) : mesh_(mesh), h_(h), t_(mesh.twin(h)) {}
+
+  Halfedge ccw(Halfedge spoke) const {
+    const Halfedge onward = mesh_.rotate_ccw(spoke);
+    if (onward == Mesh::next(h_)) return mesh_.rotate_ccw(h_);
+    if (t_.is_valid() && onward == Mesh::next(t_)) return mesh_.rotate_ccw(t_);
+    return onward;
+  }
+  Halfedge cw(Halfedge spoke) const {
+    const Halfedge onward = mesh_.rotate_cw(spoke);
+    if (!onward.is_valid()) return onward;
+    if (onward == h_) return mesh_.rotate_cw(Mesh::next(h_));
+    if (onward == t_) return mesh_.rotate_cw(Mesh::next(t_));
+    return onward;
+  }
+  /// A spoke of the fan, or none where it has no faces.
+  Halfedge any() const {
+    if (const Halfedge s = mesh_.rotate_ccw(h_); s.is_valid()) return s;
+    if (const Halfedge s = mesh_.rotate_cw(Mesh::next(h_)); s.is_valid()) return s;
+    if (!t_.is_valid()) return {};
+    if (const Halfedge s = mesh_.rotate_ccw(t_); s.is_valid()) return s;
+    return mesh_.rotate_cw(Mesh::next(t_));
+  }
+
+ private:
+  const Mesh& mesh_;
+  Halfedge h_;
+  Halfedge t_;
+};
+
+}  // namespace
+
+Fan::Fan() {
+  reserve(64);
+}
+
+/// Room for so many faces, and for lanes past the last one.
+void Fan::reserve(std::size_t faces) {
+  spokes_.resize(faces + kLanes);
+  ring_.resize(faces + kLanes);
+  for (std::vector<float>* numbers : {&x_, &y_, &z_, &area_})
+    numbers->resize(faces + kLanes, 0.0F);
+}
+
+bool Fan::gather(const Surface& surface, Halfedge h, std::size_t limit) {
+  const Mesh& mesh = surface.mesh();
+  edge_ = h;
+  size_ = 0;
+  const bool is_open = mesh.is_boundary(mesh.origin(h)) || mesh.is_boundary(mesh.target(h));
+  is_closed_ = !is_open;
+  const bool is_whole = is_open ? gather_open(mesh, limit) : gather_closed(mesh, limit);
+  // A ring that goes around, and one that broke off, end as they began.
+  if (size_ > 0 && (is_closed_ || !is_whole)) ring_[size_] = ring_[0];
+  return is_whole;
+}
+
+bool Fan::gather_closed(const Mesh& mesh, std::size_t limit) {
+  const Halfedge t = mesh.twin(edge_);
+  return append(mesh, mesh.rotate_ccw(edge_), Mesh::next(t), limit) &&
+         append(mesh, mesh.rotate_ccw(t), Mesh::next(edge_), limit);
+}
+
+/// Spokes counter-clockwise from `s` on, up to `end`, which is left out.
+bool Fan::append(const Mesh& mesh, Halfedge s, Halfedge end, std::size_t limit) {
+  for (; s != end; s = mesh.rotate_ccw(s)) {
+    if (size_ == limit) return false;
+    if (size_ + kLanes >= spokes_.size()) reserve(2 * size_);
+    spokes_[size_] = s;
+    ring_[size_] = mesh.target(s);
+    ++size_;
+  }
+  return true;
+}
+
+bool Fan::gather_open(const Mesh& mesh, std::size_t limit) {
+  const MergedSweep sweep(mesh, edge_);
+  const Halfedge any = sweep.any();
+  if (!any.is_valid()) return true;
+  // First back to where it starts; around, where only the edge itself is at the boundary.
+  Halfedge start = any;
+  std::size_t steps = 0;
+  for (Halfedge s = sweep.cw(any); s.is_valid() && s != any; s = sweep.cw(s)) {
+    start = s;
+    if (++steps > limit) return false;
+  }
+  Halfedge last;
+  for (Halfedge s = start; s.is_valid(); s = sweep.ccw(s)) {
+    if (!append(mesh, s, mesh.rotate_ccw(s), limit)) return false;
+    last = s;
+  }
+  ring_[size_] = mesh.origin(Mesh::prev(last));
+  return true;
+}
+
+bool Fan::has_repeated_neighbour() const {
+  const std::size_t n = is_closed_ ? size_ : size_ + 1;
+  constexpr std::size_t kFew = 24;
+  if (n <= kFew) {
+    bool is_repeated = false;
+    for (std::size_t i = 1; i < n; ++i) {
+      for (std::size_t k = 0; k < i; ++k)
+        is_repeated |= ring_[i] == ring_[k];
+    }
+    return is_repeated;
+  }
+  std::vector<Vertex> sorted(ring_.begin(), ring_.begin() + static_cast<std::ptrdiff_t>(n));
+  std::sort(sorted.begin(), sorted.end());
+  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+}
+
+Rejection Fan::check_topology(const Surface& surface) const {
+  const Mesh& mesh = surface.mesh();
+  const Halfedge t = mesh.twin(edge_);
+  const bool is_open_at_both =
+      mesh.is_boundary(mesh.origin(edge_)) && mesh.is_boundary(mesh.target(edge_));
+  if (t.is_valid() && is_open_at_both) return Rejection::boundary;
+  for (const Halfedge side : {edge_, t}) {
+    if (side.is_valid() && mesh.is_boundary(Mesh::next(side)) &&
+        mesh.is_boundary(Mesh::prev(side))) {
+      return Rejection::boundary;
+    }
+  }
+  // Two faces around a closed vertex would have the same corners: a tetrahedron flattened.
+  if (is_closed_ && size_ < 3) return Rejection::link_condition;
+  return has_repeated_neighbour() ? Rejection::link_condition : kLegal;
+}
+
+/// Four faces: their neighbours' positions (five), and what they and the faces beyond the rim are.
+/// Places past the last face repeat it.
+struct Fan::Block {
+  Vec3<Float4> first;   ///< of the neighbour where each face begins
+  Vec3<Float4> second;  ///< and of that where it ends
+  ShapeLanes before;
+  ShapeLanes beyond;  ///< where there is no face beyond, the face itself
+  Vec3<Float4> original;
+};
+
+Fan::Block Fan::load(const Surface& surface, std::size_t i) const {
+  const Mesh& mesh = surface.mesh();
+  std::array<Face, 4> faces;
+  std::array<Face, 4> outer;
+  std::array<Float4, 4> rows;
+  const auto place = [&](std::size_t k) { return load4(&surface.state(ring_[k]).quadric.g.z); };
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    const std::size_t k = std::min(i + lane, size_ - 1);
+    const Halfedge beyond = mesh.twin(Mesh::next(spokes_[k]));
+    faces[lane] = Mesh::face(spokes_[k]);
+    outer[lane] = beyond.is_valid() ? Mesh::face(beyond) : faces[lane];
+    rows[lane] = place(k);
+  }
+  // Past the last face the lanes turn around on the spot: begin and end at the last neighbour but
+  // one and the last.
+  const Float4 last = place(std::min(i + 4, size_));
+  const Float4 fourth = i + 4 > size_ ? last : rows[3];
+  std::array<Float4, 4> ends{rows[1], rows[2], fourth, last};
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    if (i + lane + 1 >= size_) ends[lane] = last;
+  }
+  transpose(rows[0], rows[1], rows[2], rows[3]);
+  transpose(ends[0], ends[1], ends[2], ends[3]);
+  return {{rows[1], rows[2], rows[3]},
+          {ends[1], ends[2], ends[3]},
+          surface.shapes(faces),
+          surface.shapes(outer),
+          surface.first_normals(faces)};
+}
+
+Rejection Fan::check_shape(const Surface& surface, const glm::vec3& p) {
+  const auto all = [](float x) { return broadcast<Float4>(x); };
+  const Vec3<Float4> center{all(p.x), all(p.y), all(p.z)};
+  Int4 is_bad{};
+  Int4 is_folded{};
+  for (std::size_t i = 0; i < size_; i += 4) {
+    const Block block = load(surface, i);
+    const Vec3<Float4> a = block.first - center;
+    const Vec3<Float4> b = block.second - center;
+    const Vec3<Float4> c = b - a;
+    const UnitAndArea<Float4> after = unit_and_area(a, b);
+    store4(&x_[i + 1], after.unit.x);
+    store4(&y_[i + 1], after.unit.y);
+    store4(&z_[i + 1], after.unit.z);
+    store4(&area_[i + 1], after.area);
+    const Float4 longest = greater_of(greater_of(dot(a, a), dot(b, b)), dot(c, c));
+    const Int4 is_thin =
+        (after.area <= longest * all(kLeastAspect)) & (after.area < block.before.area);
+    const Int4 is_turned = (dot(after.unit, block.before.normal) < all(kLeastCosineOfStep)) |
+                           (dot(after.unit, block.original) < all(kLeastCosineOfAll));
+    // A face that has no area now is free to get some, any way around.
+    is_bad |= (is_thin | is_turned) & (block.before.area > all(0.0F));
+    // Next to one another within the block; the seams between blocks are looked at below.
+    const auto onward = [](Float4 v) { return __builtin_shufflevector(v, v, 1, 2, 3, 3); };
+    const Vec3<Float4> next{onward(after.unit.x), onward(after.unit.y), onward(after.unit.z)};
+    is_folded |= (dot(after.unit, block.beyond.normal) < all(kFoldedCosine)) |
+                 (dot(after.unit, next) < all(kFoldedCosine));
+  }
+  const auto any = [](Int4 lanes) { return (lanes[0] | lanes[1] | lanes[2] | lanes[3]) != 0; };
+  if (any(is_bad)) return Rejection::fold_over;
+  x_[0] = x_[size_];
+  y_[0] = y_[size_];
+  z_[0] = z_[size_];
+  area_[0] = area_[size_];
+  bool may_fold = any(is_folded);
+  for (std::size_t i = is_closed_ ? 0 : 4; i < size_; i += 4)
+    may_fold |= glm::dot(shape(i).normal, shape_before(i).normal) < kFoldedCosine;
+  if (may_fold && count_folds_after(surface) > count_folds_before(surface)) {
+    return Rejection::fold_over;
+  }
+  return kLegal;
+}
+
+std::size_t Fan::count_folds_after(const Surface& surface) const {
+  const Mesh& mesh = surface.mesh();
+  std::size_t folds = 0;
+  for (std::size_t i = 0; i < size_; ++i) {
+    const glm::vec3 normal = shape(i).normal;
+    const Halfedge beyond = mesh.twin(Mesh::next(spokes_[i]));
+    if (beyond.is_valid() &&
+        glm::dot(normal, surface.shape(Mesh::face(beyond)).normal) < kFoldedCosine) {
+      ++folds;
+    }
+    if ((is_closed_ || i > 0) && glm::dot(normal, shape_before(i).normal) < kFoldedCosine) ++folds;
+  }
+  return folds;
+}
+
+std::size_t Fan::count_folds_before(const Surface& surface) const {
+  const Mesh& mesh = surface.mesh();
+  std::size_t folds = 0;
+  const auto count = [&](Halfedge h) {
+    const Halfedge t = mesh.twin(h);
+    folds += t.is_valid() && glm::dot(surface.shape(Mesh::face(h)).normal,
+                                      surface.shape(Mesh::face(t)).normal) < kFoldedCosine
+                 ? 1
+                 : 0;
+  };
+  for (const Halfedge spoke : spokes()) {
+    count(Mesh::next(spoke));
+    count(spoke);
+  }
+  // What no surviving face's spoke names: the edge, and the spokes clockwise of it.
+  const Halfedge t = mesh.twin(edge_);
+  count(edge_);
+  count(Mesh::next(edge_));
+  if (t.is_valid()) count(Mesh::next(t));
+  return folds;
+}
+
+}  // namespace mesher

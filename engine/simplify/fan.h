@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "engine/mesh/mesh.h"
+#include "engine/simplify/lanes.h"
+#include "engine/simplify/report.h"
+#include "engine/simplify/surface.h"
+
+namespace mesher {
+
+/// The faces that an edge's two ends will share once they are one: those of both stars but the one
+/// or two at the edge, counter-clockwise, from one boundary to the other or around. Kept as arrays
+/// of numbers, four faces at a time, and used again from edge to edge, so that nothing is
+/// allocated.
+class Fan {
+ public:
+  /// What stands against a collapse; kLegal stands for nothing.
+  static constexpr auto kLegal = static_cast<Rejection>(kRejectionCount);
+
+  Fan();
+
+  /// Walks around the edge of `h`. Gives up and returns false where more than `limit` faces are
+  /// met; what was met until then stays. O(valence).
+  bool gather(const Surface& surface, Halfedge h, std::size_t limit);
+
+  std::size_t size() const { return size_; }
+  bool is_closed() const { return is_closed_; }
+  /// For each face the half-edge in it that starts at the end of the edge to which it belongs.
+  std::span<const Halfedge> spokes() const { return {spokes_.data(), size_}; }
+  /// Neighbours: face i lies between ring()[i] and ring()[i + 1]; one more than faces where open,
+  /// the first again where closed.
+  std::span<const Vertex> ring() const { return {ring_.data(), size_ == 0 ? 0 : size_ + 1}; }
+
+  /// Whether the collapse keeps a manifold of the same topology; agrees with `check_collapse`.
+  /// O(valence) for few neighbours, O(valence log valence) for many. Pre: gathered.
+  Rejection check_topology(const Surface& surface) const;
+  /// Whether the faces, with the vertex at `p`, turn over against what they are or what they were
+  /// in the input, lose their area, or fold an edge that was not folded. O(valence). Pre: gathered.
+  Rejection check_shape(const Surface& surface, const glm::vec3& p);
+
+  /// The shape of face i with the vertex where `check_shape` was last asked about.
+  FaceShape shape(std::size_t i) const { return {{x_[i + 1], y_[i + 1], z_[i + 1]}, area_[i + 1]}; }
+  /// That of the face before it.
+  FaceShape shape_before(std::size_t i) const { return {{x_[i], y_[i], z_[i]}, area_[i]}; }
+  /// Areas times unit normals of faces i to i + 7, and of the faces before each (around a closed
+  /// fan the face before the first is the last). Lanes past the last face hold anything.
+  Vec3<Float8> area_vectors(std::size_t i) const { return area_vectors_before(i + 1); }
+  Vec3<Float8> area_vectors_before(std::size_t i) const {
+    const auto eight = [&](const std::vector<float>& from) {
+      return Float8{load4(&from[i]), load4(&from[i + 4])};
+    };
+    return Vec3<Float8>{eight(x_), eight(y_), eight(z_)} * eight(area_);
+  }
+
+ private:
+  struct Block;
+
+  void reserve(std::size_t faces);
+  bool append(const Mesh& mesh, Halfedge s, Halfedge end, std::size_t limit);
+  bool gather_closed(const Mesh& mesh, std::size_t limit);
+  bool gather_open(const Mesh& mesh, std::size_t limit);
+  bool has_repeated_neighbour() const;
+  Block load(const Surface& surface, std::size_t i) const;
+  std::size_t count_folds_after(const Surface& surface) const;
+  std::size_t count_folds_before(const Surface& surface) const;
+
+  Halfedge edge_;
+  std::size_t size_ = 0;
+  bool is_closed_ = false;
+  std::vector<Halfedge> spokes_;
+  std::vector<Vertex> ring_;
+  // Of the faces, one place further than in spokes_: the place before is the last face's.
+  std::vector<float> x_, y_, z_, area_;
+};
+
+}  // namespace mesher

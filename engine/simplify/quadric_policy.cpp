@@ -1,0 +1,110 @@
+#include "engine/simplify/quadric_policy.h"
+
+#include <algorithm>
+#include <array>
+
+namespace mesher {
+namespace {
+
+/// Whether no feature or boundary is near, so that all edges around may be taken four at a time.
+bool is_free(const Surface& surface, Vertex v, const Fan& fan) {
+  if (!surface.has_features()) return true;
+  bool is_smooth = fan.is_closed() && surface.kind(v) == VertexKind::smooth;
+  for (const Vertex neighbour : fan.ring())
+    is_smooth &= surface.kind(neighbour) == VertexKind::smooth;
+  return is_smooth;
+}
+
+template <class F>
+StateLanes<F> broadcast_state(const VertexState& s) {
+  const auto all = [](float x) { return broadcast<F>(x); };
+  const Quadric<float>& q = s.quadric;
+  return {{all(q.xx),
+           all(q.xy),
+           all(q.xz),
+           all(q.yy),
+           all(q.yz),
+           all(q.zz),
+           {all(q.g.x), all(q.g.y), all(q.g.z)}},
+          {all(s.position.x), all(s.position.y), all(s.position.z)}};
+}
+
+/// Edges that wait until there are eight of them.
+class EightEdges {
+ public:
+  EightEdges(const Surface& surface, float* costs) : surface_(surface), costs_(costs) {}
+
+  void add(Halfedge h, std::size_t place) {
+    edges_[count_] = h;
+    places_[count_] = place;
+    if (++count_ == 8) flush();
+  }
+
+  void flush() {
+    if (count_ == 0) return;
+    std::fill(edges_.begin() + static_cast<std::ptrdiff_t>(count_), edges_.end(), edges_[0]);
+    const EdgeQuadric<Float8> quadrics = surface_.edge_quadrics(edges_);
+    const Float8 found = quadrics.ranked_cost(best_offset(quadrics));
+    std::array<float, 8> all{};
+    store4(all.data(), found.low);
+    store4(all.data() + 4, found.high);
+    for (std::size_t lane = 0; lane < count_; ++lane)
+      costs_[places_[lane]] = all[lane];
+    count_ = 0;
+  }
+
+ private:
+  const Surface& surface_;
+  float* costs_;
+  std::array<Halfedge, 8> edges_{};
+  std::array<std::size_t, 8> places_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+Candidate QuadricPolicy::evaluate(const Surface& surface, Halfedge h, Fit fit) const {
+  const EdgeQuadric<float> edge = surface.edge_quadric(h);
+  const Placed placed = place(surface, h, edge, placement_, fit);
+  return {edge.ranked_cost(placed.offset), std::max(edge.cost(placed.offset), 0.0F),
+          placed.position};
+}
+
+void QuadricPolicy::evaluate_costs(const Surface& surface, std::span<const Halfedge> edges,
+                                   float* costs) const {
+  if (placement_ != Placement::optimal) {
+    return CollapsePolicy::evaluate_costs(surface, edges, costs);
+  }
+  EightEdges eight(surface, costs);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Fit fit = surface.has_features() ? surface.fit(edges[i]) : Fit::anywhere;
+    if (fit == Fit::anywhere && !surface.is_feature(edges[i])) {
+      eight.add(edges[i], i);
+    } else {
+      costs[i] = fit == Fit::nowhere ? Candidate::kNever : evaluate(surface, edges[i], fit).cost;
+    }
+  }
+  eight.flush();
+}
+
+void QuadricPolicy::evaluate_around(const Surface& surface, Vertex v, const Fan& fan,
+                                    float* costs) const {
+  if (placement_ != Placement::optimal || !is_free(surface, v, fan)) {
+    return CollapsePolicy::evaluate_around(surface, v, fan, costs);
+  }
+  const StateLanes<Float8> from = broadcast_state<Float8>(surface.state(v));
+  for (std::size_t i = 0; i < fan.size(); i += 8) {
+    std::array<Vertex, 8> neighbours;
+    for (std::size_t lane = 0; lane < 8; ++lane)
+      neighbours[lane] = fan.ring()[std::min(i + lane, fan.size())];
+    const StateLanes<Float8> to = surface.states(neighbours);
+    const EdgeQuadric<Float8> edges(from.quadric, to.quadric,
+                                    fan.area_vectors_before(i) + fan.area_vectors(i),
+                                    to.position - from.position);
+    const Float8 found = edges.ranked_cost(best_offset(edges));
+    store4(costs + i, found.low);
+    store4(costs + i + 4, found.high);
+  }
+}
+
+}  // namespace mesher

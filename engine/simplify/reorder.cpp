@@ -1,0 +1,108 @@
+#include "engine/simplify/reorder.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "engine/core/parallel.h"
+#include "engine/simplify/morton.h"
+
+namespace mesher {
+namespace {
+
+constexpr std::size_t kGrain = 1U << 13;
+
+template <class Body>
+void for_each(std::size_t n, const Body& body) {
+  parallel_for(n, kGrain, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      body(static_cast<std::uint32_t>(i));
+  });
+}
+
+/// For each old id its new one; kNone where it is gone.
+template <class Id>
+Array<std::uint32_t> places(const Array<Id>& source, std::uint32_t old_count) {
+  Array<std::uint32_t> place(old_count);
+  if (source.size() < old_count) std::fill(place.begin(), place.end(), kNone);
+  for_each(source.size(), [&](std::uint32_t i) { place[source[i].index()] = i; });
+  return place;
+}
+
+Array<Vertex> vertices_by_place(const Mesh& mesh) {
+  std::vector<Vertex> all(mesh.vertex_count());
+  for_each(all.size(), [&](std::uint32_t v) { all[v] = Vertex(v); });
+  const std::vector<Vertex> order = morton_order(mesh.positions(), all, {});
+  return {order.begin(), order.end()};
+}
+
+Array<Face> faces_by_vertex(const Mesh& mesh, const Array<std::uint32_t>& vertex_place) {
+  const std::uint32_t faces = mesh.face_count();
+  Array<std::uint32_t> first(faces);
+  for_each(faces, [&](std::uint32_t f) {
+    const auto place = [&](std::uint32_t c) {
+      return vertex_place[mesh.origin(Halfedge(3 * f + c)).index()];
+    };
+    first[f] = std::min({place(0), place(1), place(2)});
+  });
+  Array<std::uint32_t> start(std::size_t{mesh.vertex_count()} + 1);
+  std::fill(start.begin(), start.end(), 0U);
+  for (const std::uint32_t v : first)
+    ++start[std::size_t{v} + 1];
+  for (std::size_t v = 1; v < start.size(); ++v)
+    start[v] += start[v - 1];
+  Array<Face> order(faces);
+  for (std::uint32_t f = 0; f < faces; ++f)
+    order[start[first[f]]++] = Face(f);
+  return order;
+}
+
+/// A mesh of the given vertices and faces. `vertex_place` is the inverse of `vertices`.
+Mesh rearranged(const Mesh& mesh, const Array<Vertex>& vertices, const Array<Face>& faces,
+                const Array<std::uint32_t>& vertex_place) {
+  const Array<std::uint32_t> face_place = places(faces, mesh.face_count());
+  const auto moved = [&](Halfedge h) {
+    return h.is_valid() ? Halfedge(3 * face_place[Mesh::face(h).index()] + Mesh::corner(h)) : h;
+  };
+  MeshArrays arrays;
+  arrays.position.resize(vertices.size());
+  arrays.outgoing.resize(vertices.size());
+  const bool has_own = !mesh.vertex_sharpnesses().empty();
+  if (has_own) arrays.vertex_sharpness.resize(vertices.size());
+  for_each(vertices.size(), [&](std::uint32_t v) {
+    arrays.position[v] = mesh.position(vertices[v]);
+    arrays.outgoing[v] = moved(mesh.outgoing(vertices[v]));
+    if (has_own) arrays.vertex_sharpness[v] = mesh.sharpness(vertices[v]);
+  });
+  const std::size_t halfedges = 3 * faces.size();
+  arrays.origin.resize(halfedges);
+  arrays.twin.resize(halfedges);
+  arrays.sharpness.resize(halfedges);
+  for_each(faces.size(), [&](std::uint32_t f) {
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      const Halfedge from = Mesh::halfedge(faces[f], c);
+      const std::size_t to = 3 * std::size_t{f} + c;
+      arrays.origin[to] = Vertex(vertex_place[mesh.origin(from).index()]);
+      arrays.twin[to] = moved(mesh.twin(from));
+      arrays.sharpness[to] = mesh.sharpness(from);
+    }
+  });
+  return std::move(arrays).finish();
+}
+
+}  // namespace
+
+Reordered reorder_by_place(const Mesh& mesh) {
+  Reordered result;
+  result.vertex_source = vertices_by_place(mesh);
+  const Array<std::uint32_t> place = places(result.vertex_source, mesh.vertex_count());
+  result.face_source = faces_by_vertex(mesh, place);
+  result.mesh = rearranged(mesh, result.vertex_source, result.face_source, place);
+  return result;
+}
+
+Mesh compact(const Mesh& mesh, const Survivors& survivors) {
+  return rearranged(mesh, survivors.vertices, survivors.faces,
+                    places(survivors.vertices, mesh.vertex_count()));
+}
+
+}  // namespace mesher

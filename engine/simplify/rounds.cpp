@@ -1,0 +1,185 @@
+#include "engine/simplify/rounds.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "engine/core/parallel.h"
+#include "engine/core/progress.h"
+#include "engine/simplify/morton.h"
+
+namespace mesher {
+namespace {
+
+// What a region's vertices and faces take (about 1 MB) fits the second-level cache.
+constexpr std::size_t kRegionVertices = 4096;
+// Below this one region is as quick, and its order is exact.
+constexpr std::size_t kFewVertices = 6000;
+// Part of the vertices whose cheapest edge a round may collapse, and of what is still to be
+// removed: more rounds follow the exact order more closely and cost more.
+constexpr double kShareOfVertices = 0.7;
+constexpr double kShareOfTarget = 0.7;
+// Rounds end where what is left to remove is a small part of the mesh.
+constexpr std::size_t kVerticesPerLastRemoved = 16;
+// How much dearer than thought an edge may turn out and still be collapsed at once: a quarter of an
+// octave where many rounds follow, nothing at the end.
+constexpr std::uint32_t kToleranceInRounds = 8;
+// A collapse that leaves more faces around a vertex than this waits until nothing else is left, so
+// that no hub makes the work quadratic; beyond the second limit it is refused.
+constexpr std::size_t kUsualValence = 64;
+constexpr std::size_t kLargestValence = 4096;
+
+// What all collapses pay, by area, against the mean square distance that is measured in the
+// end: 13.0 to 14.1 on the bunny and the armadillo at 10 and 1 %.
+constexpr double kTimesCounted = 13.4;
+
+std::unique_ptr<ErrorBound> make_bound(const Mesh& mesh, float scale,
+                                       const SimplifyOptions& options) {
+  if (!std::isfinite(options.max_error) || mesh.face_count() == 0) return nullptr;
+  return std::make_unique<ErrorBound>(mesh, double{scale} * options.max_error);
+}
+
+double total_area(const Surface& surface) {
+  double sum = 0.0;
+  for (std::uint32_t f = 0; f < surface.mesh().face_count(); ++f)
+    sum += double{surface.shape(Face(f)).area};
+  return sum;
+}
+
+}  // namespace
+
+Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, CollapseObserver& observer)
+    : options_(options),
+      observer_(observer),
+      scale_(scale),
+      bound_(make_bound(mesh, scale, options)),
+      surface_(std::move(mesh), options),
+      policy_(make_policy(options, surface_)),
+      schedule_(surface_),
+      context_{surface_, *policy_, schedule_, bound_.get(), options.progress},
+      faces_(surface_.mesh().face_count()),
+      area_(total_area(surface_)) {
+  if (faces_to_remove() == 0) return;
+  for (std::uint32_t v = 0; v < surface_.mesh().vertex_count(); ++v) {
+    if (!surface_.mesh().is_isolated(Vertex(v))) live_.emplace_back(v);
+  }
+  evaluate_all(context_);
+}
+
+void Rounds::run(SimplifyReport& report) {
+  if (faces_to_remove() == 0) {
+    report.reason = StopReason::already_there;
+    return;
+  }
+  context_.faces_to_remove = faces_to_remove();
+  for (std::uint32_t round = 0; !is_last_round(); ++round)
+    run_regions(round);
+  run_to_the_end();
+  report.reason = reason();
+  report.collapses = collapses_;
+  report.rejected = rejected_;
+  report.estimated_error = estimated_error();
+}
+
+bool Rounds::is_last_round() const {
+  return live_.size() < kFewVertices ||
+         faces_to_remove() / 2 * kVerticesPerLastRemoved < live_.size();
+}
+
+/// The cost under which the part of the vertices lies that this round is about.
+float Rounds::threshold() const {
+  std::vector<std::uint32_t> histogram(BucketQueue::kBuckets, 0);
+  for (const Vertex v : live_)
+    ++histogram[BucketQueue::bucket_of(schedule_.vertices[v.index()].cost)];
+  const double wanted = std::min(kShareOfVertices * static_cast<double>(live_.size()),
+                                 kShareOfTarget * 0.5 * faces_to_remove());
+  double sum = 0.0;
+  std::uint32_t bucket = 0;
+  for (; bucket + 1 < histogram.size() && sum < wanted; ++bucket)
+    sum += histogram[bucket];
+  return BucketQueue::highest_below(bucket);
+}
+
+void Rounds::run_regions(std::uint32_t round) {
+  constexpr std::uint32_t kBitsOfGrid = 7;
+  constexpr float kGoldenRatio = 0.618034F;  // its multiples spread evenly over 0 to 1
+  const float limit = threshold();
+  const float shift = kGoldenRatio * static_cast<float>(round + 1);
+  live_ = morton_order(surface_.mesh().positions(), live_,
+                       {.bits = kBitsOfGrid, .shift = shift - std::floor(shift)});
+  const std::size_t count = (live_.size() + kRegionVertices - 1) / kRegionVertices;
+  const auto region = [&](std::size_t i) {
+    const std::size_t begin = live_.size() * i / count;
+    return std::span(live_).subspan(begin, live_.size() * (i + 1) / count - begin);
+  };
+  parallel_for(count, 1, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      for (const Vertex v : region(i))
+        schedule_.vertices[v.index()].region = static_cast<std::uint32_t>(i);
+    }
+  });
+  std::vector<std::unique_ptr<Collapser>> done(count);
+  parallel_for(count, 1, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const auto cheap = static_cast<std::uint32_t>(
+          std::count_if(region(i).begin(), region(i).end(),
+                        [&](Vertex v) { return schedule_.vertices[v.index()].cost <= limit; }));
+      done[i] = std::make_unique<Collapser>(
+          context_, Collapser::Limits{.region = static_cast<std::uint32_t>(i),
+                                      .cost = limit,
+                                      .tolerance = kToleranceInRounds,
+                                      .faces = 2 * cheap,
+                                      .valence = kUsualValence});
+      done[i]->run(region(i));
+    }
+  });
+  for (const auto& collapser : done)
+    note(*collapser);
+  drop_removed();
+}
+
+void Rounds::run_to_the_end() {
+  for (const Vertex v : live_)
+    schedule_.vertices[v.index()].region = 0;
+  Collapser collapser(context_, {.faces = faces_to_remove(), .valence = kUsualValence});
+  collapser.run(live_);
+  note(collapser);
+  while (faces_to_remove() > 0 && try_refused_again(kLargestValence)) {
+  }
+}
+
+/// Looks at everything that was refused once more. False where nothing came of it.
+bool Rounds::try_refused_again(std::size_t valence) {
+  drop_removed();
+  Collapser collapser(context_, {.faces = faces_to_remove(), .valence = valence});
+  collapser.run_refused(live_);
+  note(collapser);
+  return collapser.removed_faces() > 0;
+}
+
+void Rounds::note(const Collapser& collapser) {
+  observer_.collapsed(collapser.records());
+  collapses_ += collapser.records().size();
+  faces_ -= collapser.removed_faces();
+  paid_ += collapser.paid();
+  for (std::size_t i = 0; i < kRejectionCount; ++i)
+    rejected_[i] += collapser.rejected()[i];
+}
+
+void Rounds::drop_removed() {
+  std::erase_if(live_, [&](Vertex v) { return is_removed(v); });
+}
+
+StopReason Rounds::reason() const {
+  if (faces_to_remove() == 0) return StopReason::target_reached;
+  const bool is_bounded = rejected_[static_cast<std::size_t>(Rejection::error_bound)] > 0;
+  return is_bounded ? StopReason::error_bound : StopReason::no_legal_collapse;
+}
+
+/// The errors of successive collapses add up as if they were independent.
+double Rounds::estimated_error() const {
+  if (!(area_ > 0.0)) return 0.0;
+  return std::sqrt(paid_ / (kTimesCounted * area_)) / double{scale_};
+}
+
+}  // namespace mesher

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/simplify/collapser.h"
+#include "engine/simplify/error_bound.h"
+#include "engine/simplify/observer.h"
+#include "engine/simplify/options.h"
+#include "engine/simplify/report.h"
+
+namespace mesher {
+
+/// Simplifies in rounds. In each the vertices are cut into regions of about kRegionVertices along a
+/// Morton curve, a threshold is set under which the cheapest part of all vertices lies, and every
+/// region collapses what is cheaper, each on its own: in parallel, and with all that it touches in
+/// the nearest cache. The grid is shifted from round to round, so that what lies at a border has
+/// its turn in the next. What is left when the mesh is small or the target near is done in one
+/// region, in exact order. Regions, thresholds and budgets follow from the mesh alone, so the
+/// result is the same for any number of threads.
+class Rounds {
+ public:
+  /// `scale`: what the mesh's units have been multiplied by.
+  Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, CollapseObserver& observer);
+
+  /// Collapses down to the target and fills in what the report says of it. Throws Cancelled.
+  void run(SimplifyReport& report);
+
+  const Surface& surface() const { return surface_; }
+  bool is_removed(Vertex v) const {
+    return schedule_.vertices[v.index()].region == QueueEntry::kGone;
+  }
+
+ private:
+  std::uint32_t faces_to_remove() const {
+    return faces_ > options_.target_faces ? faces_ - options_.target_faces : 0;
+  }
+  bool is_last_round() const;
+  void run_regions(std::uint32_t round);
+  void run_to_the_end();
+  bool try_refused_again(std::size_t valence);
+  float threshold() const;
+  void note(const Collapser& collapser);
+  void drop_removed();
+  StopReason reason() const;
+  double estimated_error() const;
+
+  const SimplifyOptions& options_;
+  CollapseObserver& observer_;
+  float scale_;
+  std::unique_ptr<ErrorBound> bound_;
+  Surface surface_;
+  std::unique_ptr<CollapsePolicy> policy_;
+  Schedule schedule_;
+  CollapseContext context_;
+  std::vector<Vertex> live_;
+  std::uint32_t faces_;
+  std::uint64_t collapses_ = 0;
+  double paid_ = 0.0;
+  double area_ = 0.0;
+  std::array<std::uint64_t, kRejectionCount> rejected_{};
+};
+
+}  // namespace mesher

@@ -1,0 +1,182 @@
+#include "engine/simplify/surface.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "engine/core/parallel.h"
+#include "engine/mesh/circulators.h"
+
+namespace mesher {
+namespace {
+
+constexpr std::size_t kGrain = 1U << 12;
+constexpr std::size_t kChunk = 1U << 16;
+// A feature edge weighs as a face of its length squared would, this many times: enough that a
+// boundary is straightened last, not so much that its surroundings do not count.
+constexpr float kFeatureWeight = 1.0F;
+
+/// Three components of ten bits.
+std::uint32_t pack(const glm::vec3& unit) {
+  const auto bits = [](float x) {
+    return static_cast<std::uint32_t>(
+               static_cast<std::int32_t>(x * 511.0F + (x < 0 ? -0.5F : 0.5F))) &
+           0x3FFU;
+  };
+  return bits(unit.x) | bits(unit.y) << 10U | bits(unit.z) << 20U;
+}
+
+template <class Body>
+void for_each(std::uint32_t n, const Body& body) {
+  parallel_for(n, kGrain, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      body(static_cast<std::uint32_t>(i));
+  });
+}
+
+}  // namespace
+
+Surface::Surface(Mesh&& mesh, const SimplifyOptions& options) : mesh_(std::move(mesh)) {
+  // All of it will have changed: noting single ranges would be wasted.
+  mesh_.changes().note_all();
+  find_shapes();
+  find_features(options);
+  find_kinds(options);
+  find_states();
+}
+
+void Surface::find_shapes() {
+  shape_.resize(mesh_.face_count());
+  first_normal_.resize(mesh_.face_count());
+  for_each(mesh_.face_count(), [&](std::uint32_t f) {
+    const auto corner = [&](std::uint32_t c) {
+      const glm::vec3& p = mesh_.position(mesh_.origin(Halfedge(3 * f + c)));
+      return Vec3<float>{p.x, p.y, p.z};
+    };
+    const auto [unit, area] = unit_and_area(corner(1) - corner(0), corner(2) - corner(0));
+    shape_[f] = {{unit.x, unit.y, unit.z}, area};
+    first_normal_[f] = pack(shape_[f].normal);
+  });
+}
+
+void Surface::find_features(const SimplifyOptions& options) {
+  const float least_cosine = std::cos(glm::radians(options.crease_angle_deg));
+  const bool by_angle = options.crease_angle_deg < 180.0F;
+  const auto is_feature = [&](Halfedge h) {
+    const Halfedge t = mesh_.twin(h);
+    if (!t.is_valid() || mesh_.sharpness(h) > 0.0F) return true;
+    return by_angle &&
+           glm::dot(shape(Mesh::face(h)).normal, shape(Mesh::face(t)).normal) < least_cosine;
+  };
+  // Most meshes are smooth and closed: memory only where there is a feature.
+  has_features_ =
+      parallel_sum<std::uint64_t>(mesh_.halfedge_count(), kChunk, [&](IndexRange range) {
+        std::uint64_t count = 0;
+        for (std::size_t i = range.begin; i < range.end; ++i)
+          count += is_feature(Halfedge(static_cast<std::uint32_t>(i))) ? 1 : 0;
+        return count;
+      }) > 0;
+  if (!has_features_) return;
+  feature_.resize(mesh_.halfedge_count());
+  for_each(mesh_.halfedge_count(),
+           [&](std::uint32_t h) { feature_[h] = is_feature(Halfedge(h)) ? 1 : 0; });
+}
+
+void Surface::find_kinds(const SimplifyOptions& options) {
+  kind_.assign(mesh_.vertex_count(), VertexKind::smooth);
+  const bool locks = options.boundary == BoundaryRule::lock;
+  if (!has_features_ && mesh_.vertex_sharpnesses().empty()) return;
+  for_each(mesh_.vertex_count(), [&](std::uint32_t i) {
+    const Vertex v(i);
+    if (mesh_.is_isolated(v)) return;
+    int features = 0;
+    for (const Edge e : edges_around(mesh_, v))
+      features += is_feature(Mesh::halfedge(e)) ? 1 : 0;
+    const bool is_fixed = mesh_.sharpness(v) > 0.0F || (locks && mesh_.is_boundary(v));
+    kind_[i] = is_fixed || features == 1 || features > 2 ? VertexKind::corner
+               : features == 2                           ? VertexKind::line
+                                                         : VertexKind::smooth;
+  });
+}
+
+void Surface::find_states() {
+  state_.resize(mesh_.vertex_count());
+  for_each(mesh_.vertex_count(), [&](std::uint32_t i) {
+    const Vertex v(i);
+    const glm::vec3& p = mesh_.position(v);
+    state_[i] = {{}, {p.x, p.y, p.z}};
+    QuadricRows sum{};
+    for (const Halfedge h : halfedges_around(mesh_, v)) {
+      const Face f = Mesh::face(h);
+      sum = sum + plane_rows(shape(f));
+      if (has_feature(f)) add_features(h);
+    }
+    add(v, sum);
+  });
+}
+
+/// Adds what the feature edges of the face contribute to its corner at origin(h).
+void Surface::add_features(Halfedge h) {
+  Quadric<float>& sum = state_[mesh_.origin(h).index()].quadric;
+  for (const Halfedge side : {h, Mesh::prev(h)}) {
+    if (is_feature(side)) sum = sum + across(side);
+  }
+}
+
+/// A plane through a feature edge, at right angles to the face of `h`; it sweeps no volume.
+Quadric<float> Surface::across(Halfedge h) const {
+  const glm::vec3 edge = mesh_.position(mesh_.target(h)) - mesh_.position(mesh_.origin(h));
+  // The normal is a unit and at right angles to the edge, so the product is as long as the edge.
+  const glm::vec3 out = glm::cross(edge, shape(Mesh::face(h)).normal);
+  Quadric<float> q = plane_quadric(Vec3<float>{out.x, out.y, out.z}, kFeatureWeight);
+  q.g = {};
+  return q;
+}
+
+std::array<Quadric<float>, 3> Surface::contributions(Face f) const {
+  const Quadric<float> plane = plane_quadric(shape(f));
+  std::array<Quadric<float>, 3> result{plane, plane, plane};
+  if (!has_feature(f)) return result;
+  for (std::uint32_t c = 0; c < 3; ++c) {
+    const Halfedge h = Mesh::halfedge(f, c);
+    if (!is_feature(h)) continue;
+    const Quadric<float> q = across(h);
+    result[c] = result[c] + q;
+    result[(c + 1) % 3] = result[(c + 1) % 3] + q;
+  }
+  return result;
+}
+
+Fit Surface::constrained_fit(Halfedge h, VertexKind from, VertexKind to) const {
+  if (from == VertexKind::smooth) return Fit::at_target;
+  if (to == VertexKind::smooth) return Fit::at_origin;
+  if (!is_feature(h) || (from == VertexKind::corner && to == VertexKind::corner)) {
+    return Fit::nowhere;
+  }
+  if (to == VertexKind::corner) return Fit::at_target;
+  return from == VertexKind::corner ? Fit::at_origin : Fit::anywhere;
+}
+
+EdgeQuadric<Float8> Surface::edge_quadrics(const std::array<Halfedge, 8>& edges) const {
+  std::array<Vertex, 8> from;
+  std::array<Vertex, 8> to;
+  std::array<std::array<Face, 4>, 2> left;
+  std::array<std::array<Face, 4>, 2> right;
+  for (std::size_t lane = 0; lane < 8; ++lane) {
+    const Halfedge h = edges[lane];
+    from[lane] = mesh_.origin(h);
+    to[lane] = mesh_.target(h);
+    left[lane / 4][lane % 4] = Mesh::face(h);
+    right[lane / 4][lane % 4] = Mesh::face(mesh_.twin(h));
+  }
+  const auto area_vectors = [&](const std::array<std::array<Face, 4>, 2>& faces) {
+    const ShapeLanes low = shapes(faces[0]);
+    const ShapeLanes high = shapes(faces[1]);
+    return pair(low.normal, high.normal) * Float8{low.area, high.area};
+  };
+  const StateLanes<Float8> u = states(from);
+  const StateLanes<Float8> w = states(to);
+  return {u.quadric, w.quadric, area_vectors(left) + area_vectors(right), w.position - u.position};
+}
+
+}  // namespace mesher

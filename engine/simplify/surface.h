@@ -1,0 +1,218 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "engine/core/array.h"
+#include "engine/mesh/mesh.h"
+#include "engine/simplify/options.h"
+#include "engine/simplify/quadric.h"
+
+namespace mesher {
+
+/// How far a vertex is free.
+enum class VertexKind : std::uint8_t {
+  smooth,  ///< no feature edge: free
+  line,    ///< two feature edges: may go along them
+  corner,  ///< one, three or more feature edges, a sharpness of its own, or locked: stays
+};
+
+/// Where the vertex of a merged edge may be.
+enum class Fit : std::uint8_t { anywhere, at_origin, at_target, nowhere };
+
+/// Unit normal and area of a face; a zero normal where it has no area. Loaded as four floats.
+struct alignas(16) FaceShape {
+  glm::vec3 normal{0.0F};
+  float area = 0.0F;
+
+  Vec3<float> area_vector() const { return {normal.x * area, normal.y * area, normal.z * area}; }
+};
+
+/// Four of them at once.
+struct ShapeLanes {
+  Vec3<Float4> normal;
+  Float4 area;
+};
+
+/// A vertex's quadric and a copy of its position, side by side: twelve floats, loaded as three
+/// times four.
+struct alignas(16) VertexState {
+  Quadric<float> quadric{};
+  Vec3<float> position{};
+};
+/// Several of them at once.
+template <class F>
+struct StateLanes {
+  Quadric<F> quadric;
+  Vec3<F> position;
+};
+static_assert(sizeof(FaceShape) == 16 && sizeof(VertexState) == 48);
+
+template <class F>
+struct UnitAndArea {
+  Vec3<F> unit;
+  F area;
+};
+
+/// Unit normal and area of a triangle from two of its sides; zero where it has no area. O(1).
+template <class F>
+UnitAndArea<F> unit_and_area(const Vec3<F>& ab, const Vec3<F>& ac) {
+  const Vec3<F> n = cross(ab, ac);
+  const F length = square_root(dot(n, n));
+  const F zero = broadcast<F>(0.0F);
+  const F inverse = select(length > zero, broadcast<F>(1.0F) / length, zero);
+  return {n * inverse, length * broadcast<F>(0.5F)};
+}
+
+/// What the plane of a face adds to the quadrics of its corners; the rest of the last row is zero.
+inline QuadricRows plane_rows(const FaceShape& shape) {
+  const Float4 n = load4(&shape.normal.x);  // x y z area
+  const Float4 w = n * __builtin_shufflevector(n, n, 3, 3, 3, 3);
+  const Float4 x =
+      __builtin_shufflevector(w, w, 0, 0, 0, 1) * __builtin_shufflevector(n, n, 0, 1, 2, 1);
+  const Float4 one = broadcast<Float4>(1.0F);
+  const Float4 z_one = __builtin_shufflevector(n, one, 2, 2, 4, 4);
+  const Float4 y = __builtin_shufflevector(w, w, 1, 2, 0, 1) * z_one;
+  const Float4 g = __builtin_shufflevector(w, Float4{}, 2, 4, 4, 4);
+  return {{x, y, g}};
+}
+
+/// What the plane of a face adds to the quadrics of its corners.
+inline Quadric<float> plane_quadric(const FaceShape& shape) {
+  return plane_quadric(Vec3<float>{shape.normal.x, shape.normal.y, shape.normal.z}, shape.area);
+}
+
+/// A mesh under simplification, and what is kept beside it. Removed faces and vertices leave holes
+/// until the end, so that ids stay.
+///
+/// Invariants beside those of Mesh (which hold for what is alive):
+///  S1. shape(f) is that of the face's corners as they are.
+///  S2. state(v).quadric is the sum of the contributions of the faces at v (within rounding), and
+///      state(v).position is the mesh's.
+///  S3. kind(v) follows from the feature edges at v as VertexKind says; both halves of an edge
+///  agree
+///      on being a feature; boundary edges are features.
+///  S4. A removed face has origins that are none; a removed vertex has no outgoing half-edge.
+class Surface {
+ public:
+  /// Takes a mesh over. O(F), parallel.
+  Surface(Mesh&& mesh, const SimplifyOptions& options);
+
+  const Mesh& mesh() const { return mesh_; }
+  Mesh& mesh() { return mesh_; }
+
+  bool is_removed(Face f) const { return !mesh_.origin(Mesh::halfedge(f)).is_valid(); }
+  const FaceShape& shape(Face f) const { return shape_[f.index()]; }
+  ShapeLanes shapes(const std::array<Face, 4>& faces) const {
+    std::array<Float4, 4> rows;
+    for (std::size_t lane = 0; lane < 4; ++lane)
+      rows[lane] = load4(&shape(faces[lane]).normal.x);
+    transpose(rows[0], rows[1], rows[2], rows[3]);
+    return {{rows[0], rows[1], rows[2]}, rows[3]};
+  }
+  /// The faces' normals in the input, within 0.1 degrees; zero where there was no area.
+  Vec3<Float4> first_normals(const std::array<Face, 4>& faces) const {
+    Int4 packed;
+    for (std::size_t lane = 0; lane < 4; ++lane)
+      packed[lane] = static_cast<std::int32_t>(first_normal_[faces[lane].index()]);
+    const auto unpack = [&](int shift) {
+      // Moved to the top, so that the sign comes down with it.
+      return to_float(packed << (22 - shift) >> 22) * broadcast<Float4>(1.0F / 511.0F);
+    };
+    return {unpack(0), unpack(10), unpack(20)};
+  }
+  const VertexState& state(Vertex v) const { return state_[v.index()]; }
+  /// Adds to a vertex's quadric. Pre: the rest of the last row is zero.
+  void add(Vertex v, const QuadricRows& rows) {
+    float* at = &state_[v.index()].quadric.xx;
+    for (std::size_t k = 0; k < 3; ++k)
+      store4(at + 4 * k, load4(at + 4 * k) + rows.row[k]);
+  }
+  StateLanes<Float4> states(const Vertex* four) const {
+    std::array<std::array<Float4, 4>, 3> rows;
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t lane = 0; lane < 4; ++lane)
+        rows[k][lane] = load4(&state(four[lane]).quadric.xx + 4 * k);
+      transpose(rows[k][0], rows[k][1], rows[k][2], rows[k][3]);
+    }
+    const auto& [a, b, c] = rows;
+    return {{a[0], a[1], a[2], a[3], b[0], b[1], {b[2], b[3], c[0]}}, {c[1], c[2], c[3]}};
+  }
+  StateLanes<Float8> states(const std::array<Vertex, 8>& eight) const {
+    const StateLanes<Float4> low = states(eight.data());
+    const StateLanes<Float4> high = states(eight.data() + 4);
+    const Quadric<Float4>& p = low.quadric;
+    const Quadric<Float4>& q = high.quadric;
+    return {{{p.xx, q.xx},
+             {p.xy, q.xy},
+             {p.xz, q.xz},
+             {p.yy, q.yy},
+             {p.yz, q.yz},
+             {p.zz, q.zz},
+             pair(p.g, q.g)},
+            pair(low.position, high.position)};
+  }
+  VertexKind kind(Vertex v) const { return kind_[v.index()]; }
+  bool is_feature(Halfedge h) const { return has_features_ && feature_[h.index()] != 0; }
+  bool has_features() const { return has_features_; }
+
+  /// Where the edge of `h` may merge: features go along themselves only. O(1).
+  Fit fit(Halfedge h) const {
+    const VertexKind from = kind(mesh_.origin(h));
+    const VertexKind to = kind(mesh_.target(h));
+    if (from == VertexKind::smooth && to == VertexKind::smooth) return Fit::anywhere;
+    return constrained_fit(h, from, to);
+  }
+  /// O(1).
+  Vec3<float> midpoint(Halfedge h) const {
+    const Vec3<float>& from = state(mesh_.origin(h)).position;
+    return from + (state(mesh_.target(h)).position - from) * 0.5F;
+  }
+  /// O(1).
+  EdgeQuadric<float> edge_quadric(Halfedge h) const {
+    const VertexState& from = state(mesh_.origin(h));
+    const VertexState& to = state(mesh_.target(h));
+    const Halfedge t = mesh_.twin(h);
+    Vec3<float> shared = shape(Mesh::face(h)).area_vector();
+    if (t.is_valid()) shared = shared + shape(Mesh::face(t)).area_vector();
+    return {from.quadric, to.quadric, shared, to.position - from.position};
+  }
+  /// Eight edges at once. Pre: none of them is a feature or at the boundary.
+  EdgeQuadric<Float8> edge_quadrics(const std::array<Halfedge, 8>& edges) const;
+
+  // What a collapse changes besides the mesh itself.
+
+  void set_shape(Face f, const FaceShape& shape) { shape_[f.index()] = shape; }
+  void set_kind(Vertex v, VertexKind kind) { kind_[v.index()] = kind; }
+  void set_feature(Halfedge h, bool is) { feature_[h.index()] = is ? 1 : 0; }
+  VertexState& state(Vertex v) { return state_[v.index()]; }
+
+  /// What a face, with its shape as it is kept, adds to the quadrics of its corners, in their
+  /// order: its plane by area, and for each feature edge a plane across it, so that features hold
+  /// their place. O(1).
+  std::array<Quadric<float>, 3> contributions(Face f) const;
+  bool has_feature(Face f) const {
+    const std::uint32_t h = 3 * f.index();
+    return has_features_ && (feature_[h] | feature_[h + 1] | feature_[h + 2]) != 0;
+  }
+
+ private:
+  Fit constrained_fit(Halfedge h, VertexKind from, VertexKind to) const;
+  Quadric<float> across(Halfedge h) const;
+  void add_features(Halfedge h);
+  void find_shapes();
+  void find_features(const SimplifyOptions& options);
+  void find_kinds(const SimplifyOptions& options);
+  void find_states();
+
+  Mesh mesh_;
+  bool has_features_ = false;
+  Array<FaceShape> shape_;
+  Array<std::uint32_t> first_normal_;
+  Array<VertexState> state_;
+  Array<VertexKind> kind_;
+  Array<std::uint8_t> feature_;
+};
+
+}  // namespace mesher

@@ -1,0 +1,68 @@
+#include "engine/simplify/bucket_queue.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+
+namespace mesher::test {
+namespace {
+
+TEST(BucketQueue, BucketsGrowWithCostAndAreNarrow) {
+  EXPECT_EQ(BucketQueue::bucket_of(0.0F), BucketQueue::bucket_of(-0.0F));
+  EXPECT_LT(BucketQueue::bucket_of(std::numeric_limits<float>::infinity()), BucketQueue::kBuckets);
+  std::uint32_t last = 0;
+  for (float cost = 1e-30F; cost < 1e30F; cost *= 1.01F) {
+    const std::uint32_t bucket = BucketQueue::bucket_of(cost);
+    EXPECT_GE(bucket, last);
+    EXPECT_GT(BucketQueue::bucket_of(cost * 1.04F), bucket);
+    EXPECT_LT(BucketQueue::highest_below(bucket), cost);
+    EXPECT_EQ(BucketQueue::bucket_of(BucketQueue::highest_below(bucket)) + 1, bucket);
+    last = bucket;
+  }
+  EXPECT_LT(BucketQueue::highest_below(0), 0.0F);
+}
+
+TEST(BucketQueue, EqualCostsAreServedInTheOrderInWhichTheyCame) {
+  std::vector<QueueEntry> entries(10);
+  BucketQueue queue(entries);
+  for (const std::uint32_t v : {7U, 2U, 9U, 4U})
+    queue.push(Vertex(v), 1.0F);
+  queue.remove(Vertex(9));
+  for (const std::uint32_t v : {7U, 2U, 4U}) {
+    EXPECT_EQ(queue.front(), Vertex(v));
+    queue.remove(Vertex(v));
+  }
+  EXPECT_FALSE(queue.front().is_valid());
+  queue.remove(Vertex(3));  // not in it: nothing happens
+  EXPECT_FALSE(queue.contains(Vertex(3)));
+}
+
+TEST(BucketQueue, AgreesWithASortedSetOverRandomWork) {
+  std::mt19937 random(11);
+  constexpr std::uint32_t kVertices = 500;
+  std::vector<QueueEntry> entries(kVertices);
+  BucketQueue queue(entries);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> oracle;  // bucket, vertex
+  for (int step = 0; step < 20'000; ++step) {
+    const Vertex v(static_cast<std::uint32_t>(random() % kVertices));
+    if (queue.contains(v)) {
+      oracle.erase({entries[v.index()].bucket, v.index()});
+      queue.remove(v);
+    } else {
+      const float cost = std::ldexp(static_cast<float>(random() % 1000), int(random() % 40) - 20);
+      queue.push(v, cost);
+      oracle.insert({BucketQueue::bucket_of(cost), v.index()});
+    }
+    const Vertex front = queue.front();
+    ASSERT_EQ(front.is_valid(), !oracle.empty());
+    if (front.is_valid()) {
+      ASSERT_EQ(entries[front.index()].bucket, oracle.begin()->first);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mesher::test

@@ -1,0 +1,151 @@
+// Flat planes, perfect grids, needles, equal costs, coincident vertices, hubs: no stall, no far
+// vertex, no quadratic time.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "engine/mesh/statistics.h"
+#include "engine/simplify/simplify.h"
+#include "tests/simplify/replay.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+void expect_sound(const Mesh& mesh, const Simplified& result) {
+  expect_valid(result.mesh);
+  EXPECT_EQ(topology(result.mesh), topology(mesh));
+  EXPECT_LE(count_folds(result.mesh), count_folds(mesh));
+  // No vertex outside of where the input was, but for a little.
+  const Box before = bounding_box(mesh);
+  const Box after = bounding_box(result.mesh);
+  const auto slack = static_cast<float>(0.05 * before.diagonal());
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_GE(after.min[axis], before.min[axis] - slack);
+    EXPECT_LE(after.max[axis], before.max[axis] + slack);
+  }
+}
+
+TEST(Degenerate, AFlatSheetGoesDownToTwoFaces) {
+  for (const std::uint32_t n : {7U, 40U, 130U}) {
+    const Mesh sheet = built(grid(n)).mesh;
+    const Simplified result = simplify(Mesh(sheet), {.target_faces = 2});
+    EXPECT_EQ(result.mesh.face_count(), 2U);
+    expect_sound(sheet, result);
+    EXPECT_NEAR(statistics(result.mesh).area, double(n) * n, 1e-3 * n * n);
+    EXPECT_LT(result.report.estimated_error, 3e-4 * bounding_box(sheet).diagonal());
+  }
+}
+
+TEST(Degenerate, AFlatSheetIsCoarsenedEvenly) {
+  const Mesh sheet = built(grid(100)).mesh;
+  const Simplified result = simplify(Mesh(sheet), {.target_faces = 2'000});
+  // No hub and no desert: the largest face is not many times the mean.
+  std::uint32_t most = 0;
+  for (std::uint32_t v = 0; v < result.mesh.vertex_count(); ++v)
+    most = std::max(most, result.mesh.valence(Vertex(v)));
+  EXPECT_LE(most, 24U);
+}
+
+TEST(Degenerate, NeedlesAreNoObstacle) {
+  // A sheet a thousand times longer than wide in every face, and one of random slivers.
+  Soup soup = grid(60);
+  for (glm::vec3& p : soup.positions)
+    p.x *= 1000.0F;
+  std::mt19937 random(5);
+  Soup slivers = grid(60);
+  for (glm::vec3& p : slivers.positions)
+    p.y += 0.9F * (static_cast<float>(random() % 1000) / 1000.0F - 0.5F);
+  for (const Soup& s : {soup, slivers}) {
+    const Mesh mesh = built(Soup(s)).mesh;
+    for (std::size_t p = 0; p < kCostPolicyCount; ++p) {
+      SCOPED_TRACE(key(static_cast<CostPolicy>(p)));
+      const Simplified result =
+          simplify(Mesh(mesh), {.target_faces = 72, .cost = static_cast<CostPolicy>(p)});
+      expect_sound(mesh, result);
+      EXPECT_LE(result.mesh.face_count(), 720U) << key(static_cast<CostPolicy>(p));
+    }
+  }
+}
+
+TEST(Degenerate, CoincidentVerticesAndFacesWithoutArea) {
+  // Every second row lies on the one before: half the faces have no area.
+  Soup soup = grid(40);
+  for (glm::vec3& p : soup.positions)
+    p.y = 2.0F * std::floor(p.y / 2.0F);
+  const Mesh mesh = built(std::move(soup)).mesh;
+  const Simplified result = simplify(Mesh(mesh), {.target_faces = 100});
+  expect_sound(mesh, result);
+  EXPECT_LE(result.mesh.face_count(), 100U);
+  // All in one point.
+  Soup point = torus(20, 10);
+  for (glm::vec3& p : point.positions)
+    p = glm::vec3(1.0F, 2.0F, 3.0F);
+  const Mesh nowhere = built(std::move(point)).mesh;
+  const Simplified collapsed = simplify(Mesh(nowhere), {.target_faces = 50});
+  expect_sound(nowhere, collapsed);
+  EXPECT_EQ(collapsed.mesh.face_count(), 50U);
+}
+
+TEST(Degenerate, HugeAndTinyCoordinates) {
+  for (const float size : {1e-38F, 1e-30F, 1e30F, 1e37F}) {
+    Soup soup = torus(40, 20);
+    for (glm::vec3& p : soup.positions)
+      p *= size;
+    const Mesh mesh = built(std::move(soup)).mesh;
+    const Simplified result = simplify(Mesh(mesh), {.target_faces = 100});
+    expect_valid(result.mesh);
+    EXPECT_EQ(result.mesh.face_count(), 100U);
+  }
+}
+
+/// A disc of so many spokes; `height` lifts the hub.
+Mesh disc(std::uint32_t spokes, float height) {
+  Soup soup;
+  soup.positions.push_back({0, 0, height});
+  for (std::uint32_t i = 0; i < spokes; ++i) {
+    const double a = 6.283185307179586 * i / spokes;
+    soup.positions.push_back(glm::vec3(glm::dvec3(std::cos(a), std::sin(a), 0.0)));
+    soup.corners.insert(soup.corners.end(), {0U, i + 1, (i + 1) % spokes + 1});
+  }
+  return built(std::move(soup)).mesh;
+}
+
+double seconds(const Mesh& mesh, const SimplifyOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const Simplified result = simplify(Mesh(mesh), options);
+  expect_valid(result.mesh);
+  EXPECT_LE(result.mesh.face_count(), std::max(options.target_faces, 8U) * 2);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Quadratic work on 80,000 spokes would take minutes; it is the growth that is tested, and with a
+// margin that no busy machine uses up.
+TEST(Degenerate, AHubIsNotQuadratic) {
+  for (const float height : {0.0F, 1.0F}) {
+    for (std::size_t p = 0; p < kCostPolicyCount; ++p) {
+      SCOPED_TRACE(key(static_cast<CostPolicy>(p)));
+      const SimplifyOptions options{.target_faces = 4, .cost = static_cast<CostPolicy>(p)};
+      const double few = seconds(disc(5'000, height), options);
+      const double many = seconds(disc(80'000, height), options);
+      EXPECT_LT(many, 16.0 * 8.0 * std::max(few, 0.005));
+    }
+  }
+}
+
+TEST(Degenerate, EqualCostsEverywhere) {
+  // An octahedron whose every edge costs the same.
+  const Mesh octahedron =
+      built(soup_of({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+                    {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5}))
+          .mesh;
+  const Simplified result = simplify(Mesh(octahedron), {.target_faces = 4});
+  expect_valid(result.mesh);
+  EXPECT_LE(result.mesh.face_count(), 6U);
+}
+
+}  // namespace
+}  // namespace mesher::test

@@ -1,0 +1,78 @@
+#include "engine/simplify/error_bound.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/analysis/distance.h"
+#include "engine/mesh/statistics.h"
+#include "engine/simplify/simplify.h"
+#include "tests/simplify/replay.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+Mesh wavy_sheet(std::uint32_t n) {
+  Soup soup = grid(n);
+  for (glm::vec3& p : soup.positions)
+    p.z = std::sin(0.35F * p.x) * std::cos(0.2F * p.y);
+  return built(std::move(soup)).mesh;
+}
+
+TEST(MaxError, IsHonouredBothWaysAndMeasured) {
+  for (const Mesh& mesh : {wavy_sheet(40), built(torus(60, 30)).mesh}) {
+    const double diagonal = bounding_box(mesh).diagonal();
+    std::uint32_t last = 0;
+    for (const double percent : {0.02, 0.1, 0.5, 2.0}) {
+      const double bound = percent / 100.0 * diagonal;
+      const Simplified result = simplify(Mesh(mesh), {.target_faces = 0, .max_error = bound});
+      expect_valid(result.mesh);
+      EXPECT_EQ(topology(result.mesh), topology(mesh));
+      EXPECT_LE(result.report.measured_error, bound);
+      // Measured again, with other samples.
+      const SurfaceDistance d = surface_distance(mesh, result.mesh, {.samples = 77'777});
+      EXPECT_LE(d.two_sided().max, bound * 1.02);
+      EXPECT_TRUE(last == 0 || result.mesh.face_count() < last) << "a wider bound leaves less";
+      EXPECT_GT(result.report.measured_error, 0.3 * bound) << "and is made use of";
+      last = result.mesh.face_count();
+    }
+  }
+}
+
+TEST(MaxError, EndsWhereTheTargetIsReachedFirst) {
+  const Mesh mesh = wavy_sheet(40);
+  const Simplified result = simplify(Mesh(mesh), {.target_faces = 2'000, .max_error = 10.0});
+  EXPECT_EQ(result.report.reason, StopReason::target_reached);
+  EXPECT_EQ(result.mesh.face_count(), 2'000U);
+  const Simplified bounded = simplify(Mesh(mesh), {.target_faces = 10, .max_error = 0.01});
+  EXPECT_EQ(bounded.report.reason, StopReason::error_bound);
+  EXPECT_GT(bounded.report[Rejection::error_bound], 0U);
+  EXPECT_GT(bounded.mesh.face_count(), 10U);
+}
+
+TEST(MaxError, OfZeroRemovesWhatIsFlat) {
+  // Exactly flat, on integers: everything inside is free, and the boundary along itself.
+  const Mesh sheet = built(grid(16)).mesh;
+  const Simplified result = simplify(Mesh(sheet), {.target_faces = 0, .max_error = 1e-6});
+  EXPECT_LT(result.mesh.face_count(), 20U);
+  EXPECT_LE(result.report.measured_error, 1e-6);
+  // Nothing is free on a wave.
+  const Simplified none = simplify(wavy_sheet(20), {.target_faces = 0, .max_error = 0.0});
+  EXPECT_EQ(none.mesh.face_count(), 800U);
+  EXPECT_EQ(none.report.reason, StopReason::error_bound);
+  EXPECT_EQ(none.report.measured_error, 0.0);
+}
+
+TEST(MaxError, TheObserverIsToldOfTheRunThatCounts) {
+  const Mesh mesh = wavy_sheet(30);
+  CollapseRecorder recorder;
+  const Simplified result =
+      simplify(Mesh(mesh), {.target_faces = 0, .max_error = 0.05, .observer = &recorder});
+  EXPECT_EQ(recorder.records().size(), result.report.collapses);
+  const Mesh replayed = replay(Mesh(mesh), recorder.records(), [](const Mesh&, std::size_t) {});
+  EXPECT_TRUE(is_same_surface(replayed, result.mesh));
+}
+
+}  // namespace
+}  // namespace mesher::test

@@ -1,0 +1,113 @@
+#include "engine/simplify/fan.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "engine/mesh/collapse.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+Soup random_soup(std::uint32_t seed) {
+  std::mt19937 random(seed);
+  Soup soup;
+  const std::uint32_t vertices = 4 + seed % 9;
+  for (std::uint32_t v = 0; v < vertices; ++v) {
+    soup.positions.push_back({float(random() % 100), float(random() % 100), float(random() % 100)});
+  }
+  for (std::uint32_t i = 0; i < 3 * (2 + seed % 40); ++i) {
+    soup.corners.push_back(static_cast<std::uint32_t>(random() % vertices));
+  }
+  return soup;
+}
+
+void expect_agreement(const Mesh& mesh) {
+  const Surface surface(Mesh(mesh), {});
+  Fan fan;
+  for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
+    const Halfedge h(i);
+    ASSERT_TRUE(fan.gather(surface, h, 1000));
+    const bool is_legal = fan.check_topology(surface) == Fan::kLegal;
+    ASSERT_EQ(is_legal, check_collapse(mesh, h).is_legal())
+        << "half-edge " << i << " of " << mesh.face_count() << " faces";
+    if (!is_legal) continue;
+    // What the fan says of the merged vertex is what is there after the collapse.
+    Mesh collapsed(mesh);
+    const Vertex kept = collapse(collapsed, h, mesh.position(mesh.target(h))).kept;
+    ASSERT_EQ(fan.is_closed(), !collapsed.is_boundary(kept));
+    ASSERT_EQ(fan.size() + (fan.is_closed() ? 0 : 1), collapsed.valence(kept));
+  }
+}
+
+TEST(Fan, AgreesWithCheckCollapseOnEveryEdgeOfManyMeshes) {
+  for (const Soup& soup : {tetrahedron(), cube(), grid(1), grid(2), grid(4), torus(3, 3),
+                           torus(5, 4), moebius(5), join(cube(), grid(2), {3, 0, 0})}) {
+    expect_agreement(built(Soup(soup)).mesh);
+  }
+  for (std::uint32_t seed = 0; seed < 600 && !testing::Test::HasFailure(); ++seed)
+    expect_agreement(built(random_soup(seed)).mesh);
+}
+
+TEST(Fan, GivesUpAtItsLimit) {
+  const Surface surface(built(grid(4)).mesh, {});
+  Fan fan;
+  const Halfedge inner = surface.mesh().find_halfedge(Vertex(12), Vertex(13));
+  EXPECT_TRUE(fan.gather(surface, inner, 8));
+  EXPECT_EQ(fan.size(), 8U);
+  EXPECT_FALSE(fan.gather(surface, inner, 7));
+  EXPECT_LE(fan.size(), 7U);
+}
+
+TEST(Fan, HoldsMoreFacesThanAtFirst) {
+  // A closed fan of 3,000 faces around a hub, and one rim edge pulled into it.
+  Soup soup;
+  soup.positions.push_back({0, 0, 1});
+  constexpr std::uint32_t kSpokes = 3'000;
+  for (std::uint32_t i = 0; i < kSpokes; ++i) {
+    const float a = 6.2831853F * static_cast<float>(i) / kSpokes;
+    soup.positions.push_back({std::cos(a), std::sin(a), 0});
+    soup.corners.insert(soup.corners.end(), {0U, i + 1, (i + 1) % kSpokes + 1});
+  }
+  const Surface surface(built(std::move(soup)).mesh, {});
+  Fan fan;
+  ASSERT_TRUE(fan.gather(surface, surface.mesh().find_halfedge(Vertex(0), Vertex(1)), 4096));
+  EXPECT_EQ(fan.size(), kSpokes - 2);
+  EXPECT_FALSE(fan.is_closed());
+  EXPECT_EQ(fan.check_topology(surface), Fan::kLegal);
+  EXPECT_EQ(fan.check_shape(surface, {1, 0, 0}), Fan::kLegal);
+}
+
+TEST(Fan, RefusesFacesThatTurnOver) {
+  const Surface surface(built(grid(4)).mesh, {});
+  Fan fan;
+  ASSERT_TRUE(fan.gather(surface, surface.mesh().find_halfedge(Vertex(12), Vertex(13)), 64));
+  EXPECT_EQ(fan.check_shape(surface, {2.5F, 2.0F, 0.0F}), Fan::kLegal);
+  EXPECT_EQ(fan.check_shape(surface, {2.5F, 2.0F, 0.2F}), Fan::kLegal);
+  EXPECT_EQ(fan.check_shape(surface, {5.0F, 2.0F, 0.0F}), Rejection::fold_over);
+  EXPECT_EQ(fan.check_shape(surface, {2.5F, 2.0F, 9.0F}), Rejection::fold_over) << "78 degrees";
+  // On the ring itself: faces without area.
+  EXPECT_EQ(fan.check_shape(surface, {1.0F, 2.0F, 0.0F}), Rejection::fold_over);
+}
+
+TEST(Fan, ShapesAreThoseOfTheFaces) {
+  const Surface surface(built(torus(9, 7)).mesh, {});
+  const Mesh& mesh = surface.mesh();
+  Fan fan;
+  const Halfedge h(40);
+  ASSERT_TRUE(fan.gather(surface, h, 64));
+  const glm::vec3 p = mesh.position(mesh.target(h));
+  static_cast<void>(fan.check_shape(surface, p));
+  for (std::size_t i = 0; i < fan.size(); ++i) {
+    const glm::vec3 a = mesh.position(fan.ring()[i]) - p;
+    const glm::vec3 b = mesh.position(fan.ring()[i + 1]) - p;
+    EXPECT_NEAR(double(fan.shape(i).area), 0.5 * double(glm::length(glm::cross(a, b))), 1e-5);
+    EXPECT_NEAR(double(glm::length(fan.shape(i).normal)), 1.0, 1e-5);
+  }
+}
+
+}  // namespace
+}  // namespace mesher::test

@@ -1,0 +1,98 @@
+// Every policy on every model, down to a thousandth: what must hold whatever the model is.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+#include "engine/core/parallel.h"
+#include "engine/io/read.h"
+#include "engine/simplify/simplify.h"
+#include "tests/simplify/replay.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+constexpr double kRatios[] = {0.5, 0.1, 0.01, 0.001};
+// Where every collapse of every run is checked; the larger models are checked at the end of each.
+constexpr std::uint32_t kFewFaces = 1'300;
+
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  if (!std::filesystem::is_directory(folder)) return files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".obj") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+void examine_run(const Mesh& mesh, CostPolicy policy, double ratio) {
+  SCOPED_TRACE(std::string(key(policy)) + " to " + std::to_string(ratio));
+  const auto target = static_cast<std::uint32_t>(std::lround(ratio * mesh.face_count()));
+  CollapseRecorder recorder;
+  const Simplified result = simplify(
+      Mesh(mesh), {.target_faces = std::max(target, 1U), .cost = policy, .observer = &recorder});
+  const SimplifyReport& report = result.report;
+  expect_valid(result.mesh);
+  EXPECT_EQ(topology(result.mesh), topology(mesh));
+  EXPECT_LE(count_folds(result.mesh), count_folds(mesh));
+  EXPECT_EQ(report.faces_reached, result.mesh.face_count());
+  EXPECT_EQ(report.collapses, recorder.records().size());
+  EXPECT_EQ(report.vertices_reached + report.collapses, report.vertices_before);
+  if (report.reason == StopReason::target_reached) {
+    // A closed mesh loses faces by twos.
+    EXPECT_LE(report.faces_reached, report.faces_asked);
+    EXPECT_LE(report.faces_asked - report.faces_reached, 1U);
+  } else {
+    EXPECT_EQ(report.reason, StopReason::no_legal_collapse);
+    EXPECT_GT(report.faces_reached, report.faces_asked);
+  }
+  if (mesh.face_count() > kFewFaces) return;
+  const Topology before = topology(mesh);
+  const Mesh replayed = replay(Mesh(mesh), recorder.records(), [&](const Mesh& step, std::size_t) {
+    expect_valid(step);
+    EXPECT_EQ(topology(step), before);
+  });
+  EXPECT_TRUE(is_same_surface(replayed, result.mesh));
+}
+
+void examine(const std::filesystem::path& file) {
+  SCOPED_TRACE(file.filename().string());
+  const Mesh mesh = read_model(file, {}).mesh;
+  for (std::size_t p = 0; p < kCostPolicyCount; ++p) {
+    for (const double ratio : kRatios) {
+      examine_run(mesh, static_cast<CostPolicy>(p), ratio);
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+}
+
+TEST(Models, AssetsKeepTheirTopologyAndReachTheirTarget) {
+  for (const std::filesystem::path& file : files_in(MESHER_SOURCE_DIR "/assets")) {
+    // The copy of a Debian package's bunny, as large as the scans.
+    if (file.stem() == "bunny_70k" || file.stem() == "bunny_40k") continue;
+    examine(file);
+  }
+}
+
+class Scan : public testing::TestWithParam<const char*> {};
+
+TEST_P(Scan, KeepsItsTopologyAndReachesItsTarget) {
+  const std::filesystem::path file =
+      std::filesystem::path(MESHER_SHARED_MODELS) / (std::string(GetParam()) + ".obj");
+  if (!std::filesystem::exists(file)) {
+    std::cerr << "*** NOT TESTED: " << file << " is missing ***\n";
+    return;
+  }
+  examine(file);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, Scan,
+                         testing::Values("armadillo", "bunny", "cactus", "fandisk", "spot",
+                                         "suzanne", "teapot"));
+
+}  // namespace
+}  // namespace mesher::test

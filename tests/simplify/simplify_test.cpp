@@ -1,0 +1,187 @@
+#include "engine/simplify/simplify.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+
+#include "engine/analysis/distance.h"
+#include "engine/core/error.h"
+#include "engine/core/parallel.h"
+#include "engine/mesh/statistics.h"
+#include "tests/simplify/replay.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+Mesh bumpy_torus(std::uint32_t n, std::uint32_t m) {
+  Soup soup = torus(n, m);
+  for (std::size_t i = 0; i < soup.positions.size(); ++i) {
+    const auto x = static_cast<float>(i);
+    soup.positions[i] *= 1.0F + 0.03F * std::sin(0.7F * x) * std::cos(0.13F * x);
+  }
+  return built(std::move(soup)).mesh;
+}
+
+TEST(Simplify, TheSameBytesForAnyNumberOfThreads) {
+  // Large enough for several regions a round.
+  const Mesh mesh = bumpy_torus(260, 120);
+  for (std::size_t p = 0; p < kCostPolicyCount; ++p) {
+    SCOPED_TRACE(key(static_cast<CostPolicy>(p)));
+    std::optional<Simplified> first;
+    std::vector<CollapseRecord> first_records;
+    for (const unsigned threads : {1U, 2U, 5U}) {
+      const ThreadLimit limit(threads);
+      CollapseRecorder recorder;
+      Simplified result = simplify(
+          Mesh(mesh),
+          {.target_faces = 1'000, .cost = static_cast<CostPolicy>(p), .observer = &recorder});
+      if (!first) {
+        first = std::move(result);
+        first_records = recorder.records();
+        continue;
+      }
+      EXPECT_TRUE(is_identical(first->mesh, result.mesh));
+      EXPECT_EQ(first->vertex_source, result.vertex_source);
+      EXPECT_EQ(first->report.rejected, result.report.rejected);
+      ASSERT_EQ(first_records.size(), recorder.records().size());
+      for (std::size_t i = 0; i < first_records.size(); ++i) {
+        ASSERT_EQ(first_records[i].halfedge, recorder.records()[i].halfedge);
+        ASSERT_EQ(first_records[i].position, recorder.records()[i].position);
+      }
+    }
+  }
+}
+
+TEST(Simplify, RecordsOfManyRegionsAreLegalOneAfterTheOther) {
+  const Mesh mesh = bumpy_torus(150, 80);
+  CollapseRecorder recorder;
+  const Simplified result = simplify(Mesh(mesh), {.target_faces = 400, .observer = &recorder});
+  const Mesh replayed = replay(Mesh(mesh), recorder.records(), [](const Mesh&, std::size_t) {});
+  expect_valid(replayed);
+  EXPECT_TRUE(is_same_surface(replayed, result.mesh));
+}
+
+TEST(Simplify, ReachesOddTargetsWhereThereIsABoundary) {
+  const Mesh sheet = built(grid(20)).mesh;
+  for (const std::uint32_t target : {701U, 700U, 333U, 100U, 57U, 56U, 3U, 2U}) {
+    const Simplified result = simplify(Mesh(sheet), {.target_faces = target});
+    EXPECT_EQ(result.mesh.face_count(), target);
+    EXPECT_EQ(result.report.reason, StopReason::target_reached);
+    expect_valid(result.mesh);
+  }
+  const Mesh closed = bumpy_torus(12, 9);
+  EXPECT_EQ(simplify(Mesh(closed), {.target_faces = 101}).mesh.face_count(), 100U);
+}
+
+TEST(Simplify, SaysWhatWasAskedAndReached) {
+  const Mesh mesh = bumpy_torus(12, 9);
+  const Simplified none = simplify(Mesh(mesh), {.target_faces = 1'000});
+  EXPECT_EQ(none.report.reason, StopReason::already_there);
+  EXPECT_TRUE(is_identical(none.mesh, mesh));
+  EXPECT_EQ(none.report.collapses, 0U);
+  EXPECT_EQ(none.report.estimated_error, 0.0);
+
+  const Simplified all = simplify(Mesh(mesh), {.target_faces = 0});
+  EXPECT_EQ(all.report.reason, StopReason::no_legal_collapse);
+  EXPECT_EQ(all.report.faces_before, 216U);
+  EXPECT_EQ(all.report.faces_asked, 0U);
+  EXPECT_GE(all.report.faces_reached, 14U) << "no torus has fewer faces (Moebius's)";
+  EXPECT_LT(all.report.faces_reached, 40U);
+  EXPECT_GT(all.report[Rejection::link_condition], 0U);
+  EXPECT_GT(all.report.estimated_error, 0.0);
+  EXPECT_LT(all.report.measured_error, 0.0) << "no bound was asked for";
+  EXPECT_GT(all.report.seconds.total(), 0.0);
+}
+
+TEST(Simplify, AnEmptyMeshAndIsolatedVerticesAreLeftAlone) {
+  EXPECT_EQ(simplify(Mesh(), {.target_faces = 0}).report.reason, StopReason::already_there);
+  Soup soup = join(torus(12, 9), soup_of({{9, 9, 9}, {8, 8, 8}}, {}));
+  const Mesh mesh = built(std::move(soup), {.keep_isolated_vertices = true}).mesh;
+  for (const ResultOrder order : {ResultOrder::input, ResultOrder::fill_holes}) {
+    const Simplified result = simplify(Mesh(mesh), {.target_faces = 50, .order = order});
+    expect_valid(result.mesh);
+    std::uint32_t isolated = 0;
+    for (std::uint32_t v = 0; v < result.mesh.vertex_count(); ++v)
+      isolated += result.mesh.is_isolated(Vertex(v)) ? 1 : 0;
+    EXPECT_EQ(isolated, 2U);
+  }
+}
+
+TEST(Simplify, EndpointsStayASubsetOfTheInput) {
+  const Mesh mesh = bumpy_torus(60, 40);
+  std::set<std::array<float, 3>> input;
+  for (const glm::vec3& p : mesh.positions())
+    input.insert({p.x, p.y, p.z});
+  for (const float scale : {1.0F, 0x1p-30F, 0x1p40F}) {
+    MeshArrays arrays = MeshArrays::take(Mesh(mesh));
+    for (glm::vec3& p : arrays.position)
+      p *= scale;
+    const Simplified result = simplify(std::move(arrays).finish(),
+                                       {.target_faces = 300, .placement = Placement::endpoint});
+    EXPECT_EQ(result.mesh.face_count(), 300U);
+    for (const glm::vec3& p : result.mesh.positions())
+      EXPECT_TRUE(input.contains({p.x / scale, p.y / scale, p.z / scale}));
+  }
+}
+
+TEST(Simplify, DoesNotDependOnScaleOrPlace) {
+  const Mesh mesh = bumpy_torus(40, 30);
+  const Simplified plain = simplify(Mesh(mesh), {.target_faces = 200});
+  for (const float scale : {0x1p-60F, 0x1p-20F, 0x1p8F, 0x1p55F}) {
+    MeshArrays arrays = MeshArrays::take(Mesh(mesh));
+    for (glm::vec3& p : arrays.position)
+      p *= scale;
+    const Simplified scaled = simplify(std::move(arrays).finish(), {.target_faces = 200});
+    ASSERT_EQ(scaled.mesh.vertex_count(), plain.mesh.vertex_count());
+    EXPECT_NEAR(scaled.report.estimated_error / double{scale}, plain.report.estimated_error,
+                1e-3 * plain.report.estimated_error);
+  }
+}
+
+TEST(Simplify, KeepsTheVolumeOfAClosedSurface) {
+  const Mesh mesh = bumpy_torus(100, 60);
+  const double before = statistics(mesh).volume;
+  const double after = statistics(simplify(Mesh(mesh), {.target_faces = 600}).mesh).volume;
+  EXPECT_NEAR(after / before, 1.0, 0.01);
+  const double midpoints =
+      statistics(simplify(Mesh(mesh), {.target_faces = 600, .placement = Placement::midpoint}).mesh)
+          .volume;
+  EXPECT_GT(std::abs(midpoints - before), 3.0 * std::abs(after - before));
+}
+
+TEST(Simplify, CanBeCancelledAndReportsProgress) {
+  class Canceller : public CollapseObserver {
+   public:
+    explicit Canceller(Progress& progress) : progress_(progress) {}
+    void collapsed(std::span<const CollapseRecord>) override { progress_.cancel(); }
+
+   private:
+    Progress& progress_;
+  };
+  Progress progress;
+  Canceller canceller(progress);
+  EXPECT_THROW(static_cast<void>(
+                   simplify(bumpy_torus(260, 120),
+                            {.target_faces = 100, .observer = &canceller, .progress = &progress})),
+               Cancelled);
+  Progress whole;
+  static_cast<void>(simplify(bumpy_torus(60, 40), {.target_faces = 100, .progress = &whole}));
+  EXPECT_GT(whole.fraction(), 0.9F);
+}
+
+TEST(Simplify, EstimatesTheDistanceThatIsMeasured) {
+  const Mesh mesh = bumpy_torus(120, 80);
+  for (const std::uint32_t target : {4'000U, 1'000U, 300U}) {
+    const Simplified result = simplify(Mesh(mesh), {.target_faces = target});
+    const double measured = surface_distance(mesh, result.mesh).two_sided().rms;
+    EXPECT_GT(result.report.estimated_error, 0.5 * measured);
+    EXPECT_LT(result.report.estimated_error, 2.0 * measured);
+  }
+}
+
+}  // namespace
+}  // namespace mesher::test
