@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/mesh/ids.h"
+
 namespace mesher {
 
 /// The arrays of a mesh that have a mirror on the GPU.
@@ -37,9 +39,11 @@ class ChangeLog {
   bool is_empty() const;
   /// True where the array must be copied whole.
   bool is_whole(GpuArray array) const { return whole_[index(array)]; }
-  /// The noted ranges, sorted, disjoint, and joined where at most `gap` elements lie between.
-  /// O(n log n) in their number. Empty where `is_whole`.
-  std::vector<ChangedRange> merged(GpuArray array, std::uint32_t gap = 0) const;
+  /// The noted ranges, sorted, disjoint, and joined where at most `gap` elements lie between; cut
+  /// off at `count`, the number of elements that are left. O(n log n) in their number. Empty where
+  /// `is_whole`.
+  std::vector<ChangedRange> merged(GpuArray array, std::uint32_t gap = 0,
+                                   std::uint32_t count = kNone) const;
 
  private:
   static std::size_t index(GpuArray array) { return static_cast<std::size_t>(array); }
