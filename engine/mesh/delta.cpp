@@ -8,6 +8,11 @@ void note(ChangeLog& changes, GpuArray array, const std::vector<ChangedRange>& r
     changes.note(array, range.begin, range.end - range.begin);
 }
 
+template <class T>
+ArrayDelta array_difference(const Array<T>& before, const Array<T>& after) {
+  return {std::span<const T>(before), std::span<const T>(after)};
+}
+
 }  // namespace
 
 MeshDelta::MeshDelta(const Mesh& before, const Mesh& after)
@@ -58,6 +63,47 @@ void apply(Mesh& mesh, const MeshDelta& delta) {
 
 void revert(Mesh& mesh, const MeshDelta& delta) {
   delta.write(mesh, Direction::back);
+}
+
+AttributesDelta::AttributesDelta(const Attributes& before, const Attributes& after)
+    : texcoord_(array_difference(before.texcoord, after.texcoord)),
+      normal_(array_difference(before.normal, after.normal)),
+      color_(array_difference(before.color, after.color)),
+      group_(array_difference(before.group, after.group)) {
+  if (before.group_names == after.group_names) return;
+  old_names_ = before.group_names;
+  new_names_ = after.group_names;
+}
+
+bool AttributesDelta::is_empty() const {
+  return texcoord_.is_empty() && normal_.is_empty() && color_.is_empty() && group_.is_empty() &&
+         old_names_ == new_names_;
+}
+
+std::size_t AttributesDelta::memory_bytes() const {
+  return texcoord_.memory_bytes() + normal_.memory_bytes() + color_.memory_bytes() +
+         group_.memory_bytes();
+}
+
+void AttributesDelta::write(Attributes& attributes, Direction direction) const {
+  texcoord_.write(attributes.texcoord, direction);
+  normal_.write(attributes.normal, direction);
+  color_.write(attributes.color, direction);
+  group_.write(attributes.group, direction);
+  if (old_names_ == new_names_) return;
+  attributes.group_names = direction == Direction::forward ? new_names_ : old_names_;
+}
+
+AttributesDelta difference(const Attributes& before, const Attributes& after) {
+  return {before, after};
+}
+
+void apply(Attributes& attributes, const AttributesDelta& delta) {
+  delta.write(attributes, Direction::forward);
+}
+
+void revert(Attributes& attributes, const AttributesDelta& delta) {
+  delta.write(attributes, Direction::back);
 }
 
 }  // namespace mesher

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 #include "engine/mesh/array_delta.h"
+#include "engine/mesh/attributes.h"
 #include "engine/mesh/mesh.h"
 
 namespace mesher {
@@ -45,5 +48,35 @@ MeshDelta difference(const Mesh& before, const Mesh& after);
 void apply(Mesh& mesh, const MeshDelta& delta);
 /// The way back. Pre: `mesh` has the arrays of `after`.
 void revert(Mesh& mesh, const MeshDelta& delta);
+
+/// The same for what a file says beyond shape.
+class AttributesDelta {
+ public:
+  AttributesDelta() = default;
+
+  bool is_empty() const;
+  std::size_t memory_bytes() const;
+
+ private:
+  friend AttributesDelta difference(const Attributes& before, const Attributes& after);
+  friend void apply(Attributes& attributes, const AttributesDelta& delta);
+  friend void revert(Attributes& attributes, const AttributesDelta& delta);
+
+  AttributesDelta(const Attributes& before, const Attributes& after);
+  void write(Attributes& attributes, Direction direction) const;
+
+  ArrayDelta texcoord_;
+  ArrayDelta normal_;
+  ArrayDelta color_;
+  ArrayDelta group_;
+  std::vector<std::string> old_names_;  ///< as new_names_: empty where they do not differ
+  std::vector<std::string> new_names_;
+};
+
+AttributesDelta difference(const Attributes& before, const Attributes& after);
+/// Pre: `attributes` are those of the delta's `before`.
+void apply(Attributes& attributes, const AttributesDelta& delta);
+/// Pre: they are those of its `after`.
+void revert(Attributes& attributes, const AttributesDelta& delta);
 
 }  // namespace mesher

@@ -181,5 +181,31 @@ TEST(MeshDelta, NotesAVertexThatLosesItsFaces) {
   expect_same_arrays(mesh, without);
 }
 
+TEST(AttributesDelta, GoesBackAndForth) {
+  Attributes before;
+  before.texcoord.assign(30, {0.5F, 0.5F});
+  before.color.assign(30, {1, 2, 3, 4});
+  before.group.assign(10, 1U);
+  before.group_names = {"a", "b"};
+  Attributes after = before;
+  after.texcoord = {};
+  after.color.resize(27);
+  after.color[5] = {9, 9, 9, 9};
+  after.group.resize(9);
+  after.group_names = {"a"};
+  const AttributesDelta delta = difference(before, after);
+  EXPECT_FALSE(delta.is_empty());
+  EXPECT_GE(delta.memory_bytes(), 30 * sizeof(glm::vec2));
+  Attributes a = before;
+  apply(a, delta);
+  EXPECT_TRUE(a.texcoord.empty());
+  EXPECT_TRUE(a.color == after.color && a.group == after.group);
+  EXPECT_EQ(a.group_names, after.group_names);
+  revert(a, delta);
+  EXPECT_TRUE(a.texcoord == before.texcoord && a.color == before.color && a.group == before.group);
+  EXPECT_EQ(a.group_names, before.group_names);
+  EXPECT_TRUE(difference(a, before).is_empty());
+}
+
 }  // namespace
 }  // namespace mesher
