@@ -15,6 +15,10 @@ constexpr std::array kBindings{
     Binding{Command::view_top, "7", "look from above"},
     Binding{Command::toggle_orthographic, "5", "orthographic or perspective"},
     Binding{Command::frame_model, "f", "show the whole model"},
+    Binding{Command::simplify, "d", "remove 10 % of the triangles"},
+    Binding{Command::simplify_edge, "shift+d", "collapse one edge"},
+    Binding{Command::undo, "ctrl+z", "undo"},
+    Binding{Command::redo, "ctrl+shift+z ctrl+y", "redo"},
     Binding{Command::toggle_info, "tab", "panel on and off"},
     Binding{Command::toggle_help, "f1 h shift+/", "this help"},
     Binding{Command::open_file, "ctrl+o", "open a file (or drop one on the window)"},
@@ -98,6 +102,14 @@ void run(Session& session, Command command) {
       return session.camera.set_orthographic(!session.camera.is_orthographic());
     case Command::frame_model:
       return session.camera.frame(session.statistics.box, session.aspect());
+    case Command::simplify:
+      return session.edits.waiting.push_back({EditRequest::Kind::remove_tenth});
+    case Command::simplify_edge:
+      return session.edits.waiting.push_back({EditRequest::Kind::remove_edge});
+    case Command::undo:
+      return session.edits.waiting.push_back({EditRequest::Kind::undo});
+    case Command::redo:
+      return session.edits.waiting.push_back({EditRequest::Kind::redo});
     case Command::toggle_info:
       return toggle(session.shows_info);
     case Command::toggle_help:
