@@ -61,6 +61,7 @@ Array<T> carry(const Array<T>& values, std::span<const Vertex> origins, const Si
 
 CarriedAttributes carry_attributes(const Attributes& before, std::span<const Vertex> origins,
                                    const Simplified& result) {
+  if (result.report.collapses == 0) return {before, {}};
   CarriedAttributes carried;
   Attributes& after = carried.attributes;
   after.texcoord = carry(before.texcoord, origins, result, "texture coordinates", carried.dropped);

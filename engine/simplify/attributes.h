@@ -18,8 +18,9 @@ struct CarriedAttributes {
 
 /// Carries attributes over a simplification where that is plain: a texture coordinate, normal or
 /// color stays where, at every surviving vertex, all corners of the input say the same, bit for
-/// bit; one that has a seam at a survivor is dropped whole. Groups follow their faces. `origins`
-/// are the input's (simplify takes the mesh itself over). O(faces before and after).
+/// bit; one that has a seam at a survivor is dropped whole. Groups follow their faces. Where
+/// nothing was collapsed everything stays. `origins` are the input's (simplify takes the mesh
+/// itself over). O(faces before and after).
 CarriedAttributes carry_attributes(const Attributes& before, std::span<const Vertex> origins,
                                    const Simplified& result);
 

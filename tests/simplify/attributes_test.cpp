@@ -109,7 +109,8 @@ TEST(CarryAttributes, OfNothingIsNothing) {
 }
 
 TEST(CarryAttributes, WithoutACollapseAllStays) {
-  const Case c(1000);
+  Case c(1000);
+  c.attributes.texcoord[0] = {7.0F, 7.0F};  // a seam, too
   const Attributes a = c.carried().attributes;
   EXPECT_TRUE(a.texcoord == c.attributes.texcoord);
   EXPECT_TRUE(a.group == c.attributes.group);

@@ -51,7 +51,7 @@ TEST_F(EditTest, KeysPressedQuicklyQueueUp) {
 TEST_F(EditTest, SaysWhenNoLegalCollapseIsLeft) {
   const auto v = open({"cube", "--size", "400x300", "--gouraud"});
   server_->xdotool({"key", "--repeat", "12", "--delay", "20", "d"});
-  EXPECT_REACHES(*v, s["faces"] == 4 && s["notice"] == "no legal collapse is left: 4 faces");
+  EXPECT_REACHES(*v, s["notice"].get<std::string>().find("no legal collapse is left") == 0);
   quit(*v);
 }
 
