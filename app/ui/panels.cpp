@@ -9,7 +9,7 @@ PanelActions Panels::draw(Session& session, const PanelFacts& facts) {
   areas_.clear();
   if (session.shows_info) {
     draw_info_panel(session, facts, areas_);
-    draw_simplify_panel(session, slider_faces_, areas_);
+    draw_simplify_panel(session, facts, slider_faces_, areas_);
   }
   if (session.shows_help) draw_help_panel(session, areas_);
   if (session.shows_open_dialog) {

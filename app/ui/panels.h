@@ -54,8 +54,9 @@ void draw_message_bar(Session& session, const PanelFacts& facts, PanelActions& a
 /// `submits`: as if the button were pressed.
 void draw_open_dialog(Session& session, std::string& typed, bool submits, PanelActions& actions,
                       PanelAreas& areas);
-/// `slider_faces`: where the slider stands while it is dragged.
-void draw_simplify_panel(Session& session, int& slider_faces, PanelAreas& areas);
+/// `slider_faces`: where the slider stands while it is dragged, and until that is done.
+void draw_simplify_panel(Session& session, const PanelFacts& facts, int& slider_faces,
+                         PanelAreas& areas);
 
 /// Adds the current ImGui window. Call between its Begin and End.
 void note_area(PanelAreas& areas);

@@ -83,8 +83,9 @@ void draw_rules(SimplifySettings& settings) {
                    settings.max_error_percent > 0.0F ? "%.3f %%" : "no bound",
                    ImGuiSliderFlags_AlwaysClamp);
   tooltip(
-      "The distance between input and result may not exceed this, in percent of the diagonal.\n"
-      "Drag, or Ctrl+click to type; 0: no bound. With a bound it takes about ten times as long.");
+      "No step may lead further than this from what it starts from, in percent of the diagonal;\n"
+      "the slider starts from the model as it was opened. Drag, or Ctrl+click to type; 0: no\n"
+      "bound. With a bound it takes about ten times as long.");
   ImGui::BeginDisabled(settings.cost != CostPolicy::random);
   label("seed");
   int seed = static_cast<int>(settings.seed);
@@ -95,7 +96,7 @@ void draw_rules(SimplifySettings& settings) {
 }
 
 /// Applies on release, since dragging passes through everything in between.
-void draw_target(Session& session, int& slider_faces) {
+void draw_target(Session& session, bool is_busy, int& slider_faces) {
   const auto most =
       static_cast<int>(std::max(session.edits.opened_faces, session.statistics.faces));
   const int fewest = std::min(session.statistics.is_closed() ? 4 : 1, most);
@@ -108,7 +109,7 @@ void draw_target(Session& session, int& slider_faces) {
   if (ImGui::IsItemDeactivatedAfterEdit()) {
     session.edits.waiting.push_back(
         {EditRequest::Kind::simplify_to, static_cast<std::uint32_t>(slider_faces)});
-  } else if (!ImGui::IsItemActive() && session.edits.waiting.empty()) {
+  } else if (!ImGui::IsItemActive() && !is_busy && session.edits.waiting.empty()) {
     slider_faces = static_cast<int>(session.statistics.faces);
   }
 }
@@ -191,7 +192,8 @@ void draw_ledger(const SimplifyOutcome& outcome) {
 
 }  // namespace
 
-void draw_simplify_panel(Session& session, int& slider_faces, PanelAreas& areas) {
+void draw_simplify_panel(Session& session, const PanelFacts& facts, int& slider_faces,
+                         PanelAreas& areas) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x - 10.0F, 10.0F}, ImGuiCond_Always, {1.0F, 0.0F});
   ImGui::SetNextWindowSizeConstraints({kWidth, 0.0F}, {kWidth, std::max(size.y - 20.0F, 80.0F)});
@@ -199,7 +201,7 @@ void draw_simplify_panel(Session& session, int& slider_faces, PanelAreas& areas)
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove;
   if (ImGui::Begin("Simplify", nullptr, kFlags)) {
     ImGui::BeginDisabled(session.statistics.faces == 0);
-    draw_target(session, slider_faces);
+    draw_target(session, facts.job != nullptr, slider_faces);
     ImGui::EndDisabled();
     draw_buttons(session);
     ImGui::Separator();
