@@ -19,11 +19,11 @@ constexpr std::array kBindings{
     Binding{Command::simplify_edge, "shift+d", "collapse one edge"},
     Binding{Command::undo, "ctrl+z", "undo"},
     Binding{Command::redo, "ctrl+shift+z ctrl+y", "redo"},
-    Binding{Command::toggle_info, "tab", "panel on and off"},
+    Binding{Command::toggle_info, "tab", "panels on and off"},
     Binding{Command::toggle_help, "f1 h shift+/", "this help"},
     Binding{Command::open_file, "ctrl+o", "open a file (or drop one on the window)"},
     Binding{Command::screenshot, "f12", "save a picture"},
-    Binding{Command::escape, "escape", "close what is open, then quit"},
+    Binding{Command::escape, "escape", "stop what runs, close what is open, then quit"},
     Binding{Command::quit, "q", "quit"},
 };
 

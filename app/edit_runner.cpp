@@ -1,5 +1,6 @@
 #include "app/edit_runner.h"
 
+#include <new>
 #include <utility>
 
 #include "engine/core/error.h"
@@ -13,16 +14,24 @@ bool EditRunner::advance() {
     has_changed = true;
   }
   while (!job_ && !session_.edits.waiting.empty()) {
+    start();
     has_changed = true;
-    if (auto task = begin_edit(session_)) {
-      std::string title = task->title;
-      job_ = std::make_unique<JobOf<EditResult>>(
-          std::move(title),
-          [task = std::move(*task)](Progress& progress) { return perform(task, &progress); },
-          wake_);
-    }
   }
   return has_changed;
+}
+
+void EditRunner::start() {
+  try {
+    auto task = begin_edit(session_);
+    if (!task) return;
+    const std::string title = task->title;
+    job_ = std::make_unique<JobOf<EditResult>>(
+        title, [task = std::move(*task)](Progress& progress) { return perform(task, &progress); },
+        wake_);
+  } catch (const std::bad_alloc&) {
+    session_.edits.waiting.clear();
+    session_.error = "not enough memory for another copy of the model";
+  }
 }
 
 void EditRunner::take() {

@@ -29,6 +29,7 @@ class EditRunner {
   void finish();
 
  private:
+  void start();
   void take();
 
   Session& session_;

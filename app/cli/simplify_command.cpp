@@ -176,7 +176,7 @@ void run_simplify(const InputOptions& input, const std::string& output, const Si
   if (!common.quiet) {
     if (distance) say_distance(*distance);
     for (const std::string& loss : losses)
-      say(output + " cannot hold " + loss);
+      std::cerr << "mesher: " << output << " cannot hold " << loss << '\n';
     say(output + ": " + with_commas(mesh.vertex_count()) + " vertices, " +
         with_commas(mesh.face_count()) + " faces");
   }

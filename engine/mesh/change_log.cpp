@@ -47,8 +47,10 @@ bool ChangeLog::is_empty() const {
 std::vector<ChangedRange> ChangeLog::merged(GpuArray array, std::uint32_t gap,
                                             std::uint32_t count) const {
   std::vector<ChangedRange> sorted = ranges_[index(array)];
-  std::sort(sorted.begin(), sorted.end(),
-            [](ChangedRange a, ChangedRange b) { return a.begin < b.begin; });
+  const auto is_before = [](ChangedRange a, ChangedRange b) { return a.begin < b.begin; };
+  if (!std::is_sorted(sorted.begin(), sorted.end(), is_before)) {
+    std::sort(sorted.begin(), sorted.end(), is_before);
+  }
   std::vector<ChangedRange> joined;
   for (ChangedRange range : sorted) {
     range.end = std::min(range.end, count);

@@ -26,10 +26,10 @@ struct ChangedRange {
 
 /// Which elements of which GPU arrays edits have touched since the log was last cleared. Noting is
 /// O(1); a range that continues or repeats the one noted before it is merged at once. Past
-/// kMaxRanges ranges an array counts as changed whole: one plain copy is then cheaper.
+/// kMaxRanges ranges an array counts as changed whole: sorting them would cost more than copying.
 class ChangeLog {
  public:
-  static constexpr std::size_t kMaxRanges = 10'000;
+  static constexpr std::size_t kMaxRanges = 100'000;
 
   void note(GpuArray array, std::uint32_t first, std::uint32_t count = 1);
   /// Everything may differ (a new mesh in the same place).

@@ -28,19 +28,26 @@ GpuNormals::Mode wanted_mode(const Settings& settings, bool has_creases) {
 std::optional<std::vector<Vertex>> touched_vertices(const Mesh& mesh) {
   const ChangeLog& changes = mesh.changes();
   std::vector<Vertex> touched;
-  const auto add_ring = [&](Vertex v) {
-    touched.push_back(v);
-    for (const Vertex neighbour : vertices_around(mesh, v))
-      touched.push_back(neighbour);
+  const auto add_around = [&](GpuArray array, std::uint32_t i) {
+    if (array == GpuArray::position) {  // the faces around it have another shape
+      touched.push_back(Vertex(i));
+      for (const Vertex neighbour : vertices_around(mesh, Vertex(i)))
+        touched.push_back(neighbour);
+      return;
+    }
+    // The face has other corners; or an end of the edge has another fan, or another split in it.
+    touched.push_back(mesh.origin(Halfedge(i)));
+    touched.push_back(mesh.target(Halfedge(i)));
+    if (array == GpuArray::origin) touched.push_back(mesh.origin(Mesh::prev(Halfedge(i))));
   };
   for (const GpuArray array : {GpuArray::position, GpuArray::origin, GpuArray::edge_class}) {
     if (changes.is_whole(array)) return std::nullopt;
-    const bool is_of_vertices = array == GpuArray::position;
-    const std::uint32_t count = is_of_vertices ? mesh.vertex_count() : mesh.halfedge_count();
+    const std::uint32_t count =
+        array == GpuArray::position ? mesh.vertex_count() : mesh.halfedge_count();
     for (const ChangedRange range : changes.merged(array, 0, count)) {
       if (touched.size() > mesh.vertex_count()) return std::nullopt;
       for (std::uint32_t i = range.begin; i < range.end; ++i) {
-        add_ring(is_of_vertices ? Vertex(i) : mesh.origin(Halfedge(i)));
+        add_around(array, i);
       }
     }
   }

@@ -5,6 +5,9 @@
 namespace mesher::render {
 namespace {
 
+/// Beyond, so many small copies cost more than the bytes that they save.
+constexpr std::size_t kMostRanges = 20'000;
+
 /// Elements between two ranges so near each other that one copy of both is cheaper than two.
 std::uint32_t worthwhile_gap(std::size_t element_bytes) {
   constexpr std::size_t kBytes = 64;  // a cache line
@@ -26,13 +29,16 @@ void upload_whole(gpu::Device& device, gpu::Buffer& buffer, std::span<const std:
 
 void upload_changes(gpu::Device& device, gpu::Buffer& buffer, std::span<const std::byte> source,
                     const ChangedElements& changed, VkBufferUsageFlags usage, UploadStats& stats) {
-  if (changed.log.is_whole(changed.array) || buffer.size() < source.size()) {
+  const auto count = static_cast<std::uint32_t>(source.size() / changed.element_bytes);
+  const std::vector<ChangedRange> ranges =
+      changed.log.merged(changed.array, worthwhile_gap(changed.element_bytes), count);
+  if (changed.log.is_whole(changed.array) || buffer.size() < source.size() ||
+      ranges.size() > kMostRanges) {
     return upload_whole(device, buffer, source, usage, stats);
   }
-  const auto count = static_cast<std::uint32_t>(source.size() / changed.element_bytes);
   std::vector<gpu::ByteRange> bytes;
-  for (const ChangedRange range :
-       changed.log.merged(changed.array, worthwhile_gap(changed.element_bytes), count)) {
+  bytes.reserve(ranges.size());
+  for (const ChangedRange range : ranges) {
     bytes.push_back({range.begin * changed.element_bytes, range.end * changed.element_bytes});
     stats.uploaded_bytes += bytes.back().size();
   }

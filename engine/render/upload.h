@@ -28,9 +28,9 @@ struct ChangedElements {
   std::size_t element_bytes;
 };
 
-/// Brings the start of `buffer` up to date with `source`: what has changed of it, or all of it
-/// where all has or the buffer is too small. What lies past the end of `source` stays: room to grow
-/// again.
+/// Brings the start of `buffer` up to date with `source`: what has changed of it; or all of it
+/// where all has, the buffer is too small, or the pieces are so many that one copy is cheaper. What
+/// lies past the end of `source` stays: room to grow again.
 void upload_changes(gpu::Device& device, gpu::Buffer& buffer, std::span<const std::byte> source,
                     const ChangedElements& changed, VkBufferUsageFlags usage, UploadStats& stats);
 

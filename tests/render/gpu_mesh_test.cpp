@@ -156,6 +156,23 @@ TEST_F(GpuMeshTest, OneCollapseCostsAFewBytesThereAndBack) {
   }
 }
 
+TEST_F(GpuMeshTest, UploadsInProportionToWhatAnEditChanged) {
+  Mesh mesh = build_mesh(test::torus(100, 100)).mesh;
+  GpuMesh mirror(device());
+  mirror.apply(mesh, kFlat);
+  std::mt19937 random(10);
+  std::uint64_t before = 0;
+  for (const int collapses : {1, 10, 100, 1000}) {
+    for (int i = 0; i < collapses; ++i)
+      collapse_any(mesh, random);
+    const UploadStats stats = mirror.apply(mesh, kFlat);
+    EXPECT_LT(stats.uploaded_bytes, 300U * collapses);
+    EXPECT_GT(stats.uploaded_bytes, 3 * before);
+    EXPECT_LT(2 * stats.uploaded_bytes, stats.total_bytes);
+    before = stats.uploaded_bytes;
+  }
+}
+
 TEST_F(GpuMeshTest, GrowingBeyondItsBuffersMakesLargerOnes) {
   for (const Settings& settings : {kFlat, kGouraud, kSplit}) {
     Mesh mesh = build_mesh(test::cube()).mesh;
@@ -183,7 +200,7 @@ TEST_F(GpuMeshTest, OneMovedVertexCostsAFewBytes) {
 }
 
 TEST_F(GpuMeshTest, VeryManyRangesBecomeOneCopy) {
-  Mesh mesh = build_mesh(test::grid(300)).mesh;
+  Mesh mesh = build_mesh(test::grid(450)).mesh;
   GpuMesh mirror(device());
   mirror.apply(mesh, kFlat);
   for (std::uint32_t v = 0; v < mesh.vertex_count(); v += 8) {
