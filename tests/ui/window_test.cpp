@@ -224,7 +224,7 @@ TEST_F(WindowTest, ThePanelsControlsWork) {
   EXPECT_REACHES(*v, s["shading"] == "gouraud");
   click(*v, 32, 390);
   EXPECT_REACHES(*v, s["wireframe"] == true);
-  v->drag(1, 135, 416, 80, 416);
+  slide(*v, 135, 80, 416);
   EXPECT_REACHES(*v, s["crease_angle_deg"] < 150.0);
   click(*v, 32, 520);
   EXPECT_REACHES(*v, s["background"] == "dark");
