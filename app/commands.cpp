@@ -15,16 +15,52 @@ constexpr std::array kBindings{
     Binding{Command::view_top, "7", "look from above"},
     Binding{Command::toggle_orthographic, "5", "orthographic or perspective"},
     Binding{Command::frame_model, "f", "show the whole model"},
-    Binding{Command::toggle_info, "tab", "panel on and off"},
+    Binding{Command::simplify, "d", "remove 10 % of the triangles"},
+    Binding{Command::simplify_edge, "shift+d", "collapse one edge"},
+    Binding{Command::undo, "ctrl+z", "undo"},
+    Binding{Command::redo, "ctrl+shift+z ctrl+y", "redo"},
+    Binding{Command::toggle_info, "tab", "panels on and off"},
     Binding{Command::toggle_help, "f1 h shift+/", "this help"},
     Binding{Command::open_file, "ctrl+o", "open a file (or drop one on the window)"},
     Binding{Command::screenshot, "f12", "save a picture"},
-    Binding{Command::escape, "escape", "close what is open, then quit"},
+    Binding{Command::escape, "escape", "stop what runs, close what is open, then quit"},
     Binding{Command::quit, "q", "quit"},
 };
 
 void toggle(bool& value) {
   value = !value;
+}
+
+void set(bool& value) {
+  value = true;
+}
+
+void toggle_gouraud(render::Settings& s) {
+  using render::Shading;
+  s.shading = s.shading == Shading::gouraud ? Shading::flat : Shading::gouraud;
+}
+
+void toggle_background(render::Settings& s) {
+  using render::Background;
+  s.background = s.background == Background::light ? Background::dark : Background::light;
+}
+
+render::View view_of(Command command) {
+  if (command == Command::view_front) return render::View::front;
+  return command == Command::view_right ? render::View::right : render::View::top;
+}
+
+EditRequest::Kind edit_of(Command command) {
+  switch (command) {
+    case Command::simplify:
+      return EditRequest::Kind::remove_tenth;
+    case Command::simplify_edge:
+      return EditRequest::Kind::remove_edge;
+    case Command::undo:
+      return EditRequest::Kind::undo;
+    default:
+      return EditRequest::Kind::redo;
+  }
 }
 
 void toggle_surface(Session& session) {
@@ -71,9 +107,6 @@ std::optional<Command> command_for(const KeyPress& key) {
 }
 
 void run(Session& session, Command command) {
-  using render::Background;
-  using render::Shading;
-  using render::View;
   render::Settings& settings = session.settings;
   session.notice.clear();
   switch (command) {
@@ -82,22 +115,22 @@ void run(Session& session, Command command) {
     case Command::toggle_surface:
       return toggle_surface(session);
     case Command::toggle_gouraud:
-      settings.shading = settings.shading == Shading::gouraud ? Shading::flat : Shading::gouraud;
-      return;
+      return toggle_gouraud(settings);
     case Command::toggle_background:
-      settings.background =
-          settings.background == Background::light ? Background::dark : Background::light;
-      return;
+      return toggle_background(settings);
     case Command::view_front:
-      return session.camera.set_view(View::front);
     case Command::view_right:
-      return session.camera.set_view(View::right);
     case Command::view_top:
-      return session.camera.set_view(View::top);
+      return session.camera.set_view(view_of(command));
     case Command::toggle_orthographic:
       return session.camera.set_orthographic(!session.camera.is_orthographic());
     case Command::frame_model:
       return session.camera.frame(session.statistics.box, session.aspect());
+    case Command::simplify:
+    case Command::simplify_edge:
+    case Command::undo:
+    case Command::redo:
+      return session.edits.waiting.push_back({edit_of(command)});
     case Command::toggle_info:
       return toggle(session.shows_info);
     case Command::toggle_help:
@@ -105,13 +138,11 @@ void run(Session& session, Command command) {
     case Command::open_file:
       return toggle(session.shows_open_dialog);
     case Command::screenshot:
-      session.wants_screenshot = true;
-      return;
+      return set(session.wants_screenshot);
     case Command::escape:
       return escape(session);
     case Command::quit:
-      session.wants_quit = true;
-      return;
+      return set(session.wants_quit);
   }
 }
 

@@ -27,6 +27,15 @@ Json to_json(const render::Camera& camera) {
           {"orthographic", camera.is_orthographic()}};
 }
 
+Json to_json(const SimplifySettings& s) {
+  return {{"cost", key(s.cost)},
+          {"placement", key(s.placement)},
+          {"boundary", s.boundary == BoundaryRule::lock ? "lock" : "preserve"},
+          {"crease_angle_deg", s.crease_angle_deg},
+          {"max_error_percent", s.max_error_percent},
+          {"seed", s.seed}};
+}
+
 }  // namespace
 
 Json to_json(const Statistics& s) {
@@ -84,10 +93,47 @@ Json to_json(const SurfaceDistance& distance) {
           {"backward", figures(distance.backward)}};
 }
 
+Json to_json(const SimplifyOutcome& outcome) {
+  const SimplifyReport& r = outcome.report;
+  Json rejected = Json::object();
+  for (std::size_t i = 0; i < kRejectionCount; ++i) {
+    const auto cause = static_cast<Rejection>(i);
+    rejected[std::string(key(cause))] = r[cause];
+  }
+  const auto if_any = [](bool is_there, double value) { return is_there ? Json(value) : Json(); };
+  const bool is_measured = r.measured_error >= 0.0;
+  return {{"asked_faces", r.faces_asked > 0 ? Json(r.faces_asked) : Json()},
+          {"faces_before", r.faces_before},
+          {"faces_reached", r.faces_reached},
+          {"vertices_before", r.vertices_before},
+          {"vertices_reached", r.vertices_reached},
+          {"stop_reason", key(r.reason)},
+          {"rejected", std::move(rejected)},
+          {"collapses", r.collapses},
+          {"estimated_error", r.estimated_error},
+          {"estimated_error_percent", outcome.percent(r.estimated_error)},
+          {"measured_error", if_any(is_measured, r.measured_error)},
+          {"measured_error_percent", if_any(is_measured, outcome.percent(r.measured_error))},
+          {"seconds",
+           {{"prepare", r.seconds.prepare},
+            {"collapse", r.seconds.collapse},
+            {"finish", r.seconds.finish},
+            {"measure", r.seconds.measure},
+            {"total", r.seconds.total()}}},
+          {"dropped", outcome.dropped}};
+}
+
 Json to_json(const Session& session) {
   const render::Settings& s = session.settings;
+  const Edits& edits = session.edits;
   return {{"file", session.file.string()},
+          {"vertices", session.statistics.vertices},
           {"faces", session.statistics.faces},
+          {"opened_faces", edits.opened_faces},
+          {"undo_depth", edits.history.undo_depth()},
+          {"redo_depth", edits.history.redo_depth()},
+          {"simplify", to_json(session.simplify)},
+          {"last_simplification", edits.last ? to_json(*edits.last) : Json()},
           {"shading", name(s.shading)},
           {"wireframe", s.wireframe},
           {"background", s.background == render::Background::light ? "light" : "dark"},

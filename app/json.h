@@ -17,6 +17,8 @@ Json to_json(const BuildReport& report);
 Json to_json(const Model& model, const Statistics& statistics, const std::filesystem::path& file);
 /// Both directions and the larger of them, each in units and percent.
 Json to_json(const SurfaceDistance& distance);
+/// The ledger of a simplification: asked, reached, why it ended, refusals, errors, seconds.
+Json to_json(const SimplifyOutcome& outcome);
 /// What a session shows: for `--json` and the state log.
 Json to_json(const Session& session);
 

@@ -49,6 +49,7 @@ void ScriptedSession::press(std::span<const KeyPress> keys) {
     const auto command = command_for(key);
     if (!command) throw UsageError("--keys: '" + to_text(key) + "' does nothing");
     run(session_, *command);
+    run_waiting_edits(session_);
     if (session_.wants_quit) return;
     if (!session_.wants_screenshot) continue;
     session_.wants_screenshot = false;

@@ -12,6 +12,8 @@ void show_model(Session& session, Model&& model, const Statistics& stats,
   session.model = std::move(model);
   session.statistics = stats;
   session.file = file;
+  session.edits = {};
+  session.edits.opened_faces = stats.faces;
   session.error.clear();
   session.notice.clear();
   ++session.model_generation;

@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 #include <string>
 
+#include "app/edits.h"
 #include "engine/mesh/model.h"
 #include "engine/mesh/statistics.h"
 #include "engine/render/camera.h"
@@ -17,7 +18,9 @@ struct Session {
   std::filesystem::path file;
   Model model;
   Statistics statistics;
+  Edits edits;
   render::Settings settings;
+  SimplifySettings simplify;
   render::Camera camera;
   glm::dvec2 window{800.0, 600.0};  ///< width and height in pixels: what "the whole model" must fit
 
@@ -36,7 +39,8 @@ struct Session {
   double aspect() const { return window.x / window.y; }
 };
 
-/// Shows a model: statistics are computed, the camera frames it from its present angle. O(F).
+/// Shows a model: statistics are computed, the camera frames it from its present angle. Edits of
+/// the one before are forgotten. O(F).
 void show_model(Session& session, Model&& model, const std::filesystem::path& file);
 /// The same with statistics that were computed elsewhere (a background job). O(1).
 void show_model(Session& session, Model&& model, const Statistics& statistics,

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/commands.h"
+#include "app/edit_runner.h"
 #include "app/gestures.h"
 #include "app/load_job.h"
 #include "app/paths.h"
@@ -38,6 +39,7 @@ class Viewer {
         renderer_(device_),
         mesh_(device_),
         gestures_(session),
+        edits_(session, Window::wake),
         log_(options.state_log) {
     window_.set_events(events());
     overlay_ = std::make_unique<Overlay>(instance_, device_, presenter_.format(), window_.handle());
@@ -47,13 +49,15 @@ class Viewer {
     prepare_scene();
     for (const KeyPress& key : keys) {
       press_key(key);
+      edits_.finish();  // as in a script, the next key finds it done
       prepare_scene();
       if (session_.wants_screenshot) save_screenshot();
       if (session_.wants_quit) break;
     }
     while (!session_.wants_quit && !window_.should_close()) {
       wait();
-      finish_job();
+      finish_load();
+      if (edits_.advance()) want_frames();
       if (frames_wanted_ > 0) draw();
       if (session_.wants_screenshot) save_screenshot();
       log_.note(session_);
@@ -105,9 +109,12 @@ class Viewer {
     const bool is_typing = session_.shows_open_dialog || overlay_->wants_text();
     if (key.name == "escape") {
       if (overlay_->close_popups()) return;
-      if (job_) return job_->cancel();
+      if (load_) return load_->cancel();
+      if (edits_.is_running()) return edits_.cancel();
       if (is_typing && !session_.shows_open_dialog) return;  // ImGui ends the typing
     } else if (is_typing) {
+      // ImGui looks at keys once a frame, and misses one that was let go by then.
+      if (session_.shows_open_dialog && key.name == "enter") panels_.submit_path();
       return;
     }
     if (const auto command = command_for(key)) app::run(session_, *command);
@@ -116,13 +123,13 @@ class Viewer {
   void open(const std::filesystem::path& file) {
     session_.shows_open_dialog = false;
     session_.error.clear();
-    job_ = std::make_unique<LoadJob>(file, options_.read, Window::wake);
+    load_ = std::make_unique<LoadJob>(file, options_.read, Window::wake);
     want_frames();
   }
 
   void wait() {
     if (frames_wanted_ > 0) return Window::poll_events();
-    if (job_) {
+    if (running_job() != nullptr) {
       want_frames();  // the progress bar
       return Window::wait_events(kJobPollSeconds);
     }
@@ -133,9 +140,12 @@ class Viewer {
     Window::wait_events(-1.0);
   }
 
-  void finish_job() {
-    if (!job_ || !job_->is_done()) return;
-    const std::unique_ptr<LoadJob> job = std::move(job_);
+  /// What a person waits for, if anything.
+  const Job* running_job() const { return load_ ? load_.get() : edits_.job(); }
+
+  void finish_load() {
+    if (!load_ || !load_->is_done()) return;
+    const std::unique_ptr<LoadJob> job = std::move(load_);
     want_frames();
     try {
       show(job->take());
@@ -148,8 +158,10 @@ class Viewer {
 
   // What the GPU cannot hold is refused, and what was shown before stays.
   void show(LoadedModel&& loaded) {
+    edits_.stop();
     Session before;
     std::swap(before.model, session_.model);
+    std::swap(before.edits, session_.edits);
     before.statistics = session_.statistics;
     before.file = session_.file;
     before.camera = session_.camera;
@@ -158,6 +170,7 @@ class Viewer {
       upload();
     } catch (const Error& error) {
       show_model(session_, std::move(before.model), before.statistics, before.file);
+      session_.edits = std::move(before.edits);
       session_.camera = before.camera;
       session_.error = error.what();
     }
@@ -186,11 +199,15 @@ class Viewer {
     overlay_->begin(session_.window);
     const PanelActions actions = panels_.draw(
         session_,
-        {.load = job_.get(), .upload = upload_, .frame_ms = frame_ms_, .device = device_.name()});
+        {.job = running_job(), .upload = upload_, .frame_ms = frame_ms_, .device = device_.name()});
     overlay_->end();
-    if (actions.cancels_load && job_) job_->cancel();
+    if (actions.cancels_job && load_) {
+      load_->cancel();
+    } else if (actions.cancels_job) {
+      edits_.cancel();
+    }
     if (!actions.open.empty()) open(actions.open);
-    if (actions.wants_frames) want_frames();
+    if (actions.wants_frames || !session_.edits.waiting.empty()) want_frames();
   }
 
   /// Brings the GPU's mirror up to date. Throws DeviceError.
@@ -200,8 +217,9 @@ class Viewer {
       drawn_.reset();
       mesh_generation_ = session_.model_generation;
     }
+    const std::uint32_t faces_before = mesh_.face_count();
     const render::UploadStats stats = mesh_.apply(session_.model.mesh, session_.settings);
-    if (stats.uploaded_bytes == 0) return;
+    if (stats.uploaded_bytes == 0 && mesh_.face_count() == faces_before) return;
     upload_ = stats;
     drawn_.reset();
   }
@@ -280,8 +298,9 @@ class Viewer {
   std::unique_ptr<Overlay> overlay_;
   Panels panels_;
   Gestures gestures_;
+  EditRunner edits_;
   StateLog log_;
-  std::unique_ptr<LoadJob> job_;
+  std::unique_ptr<LoadJob> load_;
   std::optional<Drawn> drawn_;
   std::optional<render::Settings> drawable_settings_;  ///< those that the mirror was made for
   render::UploadStats upload_;

@@ -1,13 +1,14 @@
 #include "app/cli/batch.h"
 
-#include <cstdio>
 #include <iomanip>
 #include <iostream>
 
 #include "app/cli/progress_line.h"
+#include "app/cli/simplify_command.h"
 #include "app/json.h"
 #include "app/paths.h"
 #include "app/scripted_session.h"
+#include "app/words.h"
 #include "engine/core/error.h"
 #include "engine/io/losses.h"
 #include "engine/io/png.h"
@@ -23,12 +24,6 @@ void print(const char* label, const std::string& value) {
 
 void print(const char* label, std::int64_t value) {
   print(label, std::to_string(value));
-}
-
-std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
 }
 
 std::string size_text(const Box& box) {
@@ -145,11 +140,12 @@ void run_compare(const InputOptions& first, const InputOptions& second, std::uin
 }
 
 void run_render(const InputOptions& input, const std::string& output, const LookOptions& look,
-                const CommonOptions& common) {
+                std::optional<std::uint32_t> faces, const CommonOptions& common) {
   const Size size = parse_size(look.size.empty() ? "800x600" : look.size);
   if (!look.camera.empty()) parse_camera(look.camera);  // refuse before the work, not after it
   if (!is_png_name(output)) throw UsageError("-o: '" + output + "' does not end in .png");
   LoadedModel loaded = load(input, common);
+  if (faces) simplify_model(loaded, {.target_faces = *faces}, common);
   Session session;
   session.window = {size.width, size.height};
   show_model(session, std::move(loaded.model), loaded.statistics, loaded.file);

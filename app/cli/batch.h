@@ -19,9 +19,9 @@ void run_convert(const InputOptions& input, const std::string& output, bool asci
 void run_compare(const InputOptions& first, const InputOptions& second, std::uint64_t samples,
                  const CommonOptions& common);
 
-/// Draws one picture of a model without a window.
+/// Draws one picture of a model without a window, simplified to `faces` where that is given.
 void run_render(const InputOptions& input, const std::string& output, const LookOptions& look,
-                const CommonOptions& common);
+                std::optional<std::uint32_t> faces, const CommonOptions& common);
 
 /// Reads a model as the options say, with progress on a terminal, and says on stderr what was
 /// repaired unless `common.quiet`. Throws InputError.

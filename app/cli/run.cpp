@@ -4,10 +4,12 @@
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <new>
 
 #include "app/cli/arguments.h"
 #include "app/cli/batch.h"
+#include "app/cli/simplify_command.h"
 #include "app/cli/view.h"
 #include "engine/analysis/distance.h"
 #include "engine/core/error.h"
@@ -40,6 +42,7 @@ class CommandLine {
     add_render();
     add_info();
     add_convert();
+    add_simplify();
     add_compare();
   }
 
@@ -129,10 +132,12 @@ class CommandLine {
   }
 
   void add_render() {
-    CLI::App* command = add_command("render", "draw a picture without a window",
-                                    [this] { run_render(input_, output_, look_, common_); });
+    CLI::App* command = add_command("render", "draw a picture without a window", [this] {
+      run_render(input_, output_, look_, simplify_.faces, common_);
+    });
     add_input(command)->required();
     command->add_option("-o,--output", output_, "PNG to write")->required();
+    add_faces(command, "simplify to so many faces first");
     add_look(command);
   }
 
@@ -150,6 +155,41 @@ class CommandLine {
     command->add_flag("--ascii", ascii_, "PLY and STL as text");
   }
 
+  CLI::Option* add_faces(CLI::App* command, const char* what) {
+    return command->add_option("--faces", simplify_.faces, what)
+        ->check(CLI::Range(1U, std::numeric_limits<std::uint32_t>::max()));
+  }
+
+  void add_simplify() {
+    CLI::App* command = add_command("simplify", "fewer triangles, by edge collapse",
+                                    [this] { run_simplify(input_, output_, simplify_, common_); });
+    add_input(command)->required();
+    command->add_option("OUT,-o,--output", output_, "file to write")->required();
+    CLI::Option* faces = add_faces(command, "how many faces to leave");
+    command
+        ->add_option("--ratio", simplify_.ratio,
+                     "the share of the faces to leave: above 0, at most 1")
+        ->excludes(faces);
+    command->add_option("--max-error", simplify_.max_error,
+                        "how far the result may be from the input: model units, or 0.5% of the "
+                        "diagonal; with --faces or --ratio, what comes first ends it");
+    command->add_option("--cost", simplify_.cost, "which edge goes first (default: quadric)")
+        ->check(CLI::IsMember(cost_words()));
+    command
+        ->add_option("--placement", simplify_.placement,
+                     "where the vertex goes that two become (default: optimal)")
+        ->check(CLI::IsMember(placement_words()));
+    command->add_option("--boundary", simplify_.boundary, "preserve (default) or lock")
+        ->check(CLI::IsMember({"preserve", "lock"}));
+    command
+        ->add_option("--crease-angle", simplify_.crease_angle_deg,
+                     "degrees: edges whose faces turn by more are creases, too (default: 180)")
+        ->check(CLI::Validator(check_angle, "0 TO 180"));
+    command->add_option("--seed", simplify_.seed, "of the random policy (default: 1)");
+    command->add_flag("--measure", simplify_.measure,
+                      "measure the distance between input and result, too");
+  }
+
   void add_compare() {
     CLI::App* command =
         add_command("compare", "how far two surfaces lie apart (RMS, mean, max, both ways)",
@@ -165,6 +205,7 @@ class CommandLine {
   InputOptions input_;
   LookOptions look_;
   ViewOptions view_;
+  SimplifyWords simplify_;
   InputOptions second_;
   std::uint64_t samples_ = DistanceOptions{}.samples;
   std::string output_;

@@ -5,11 +5,14 @@
 namespace mesher::app {
 namespace {
 
-void draw_progress(const LoadJob& load, PanelActions& actions) {
-  ImGui::Text("Opening %s", load.file().filename().string().c_str());
-  ImGui::ProgressBar(load.progress().fraction(), {260.0F, 0.0F}, load.progress().stage().c_str());
+// What takes no longer than a moment needs no bar that comes and goes.
+constexpr double kMomentSeconds = 0.25;
+
+void draw_progress(const Job& job, PanelActions& actions) {
+  ImGui::TextUnformatted(job.title().c_str());
+  ImGui::ProgressBar(job.progress().fraction(), {260.0F, 0.0F}, job.progress().stage().c_str());
   ImGui::SameLine();
-  if (ImGui::Button("Cancel")) actions.cancels_load = true;
+  if (ImGui::Button("Cancel")) actions.cancels_job = true;
 }
 
 void draw_error(Session& session) {
@@ -24,15 +27,16 @@ void draw_error(Session& session) {
 
 void draw_message_bar(Session& session, const PanelFacts& facts, PanelActions& actions,
                       PanelAreas& areas) {
-  if (facts.load == nullptr && session.error.empty() && session.notice.empty()) return;
+  const bool shows_job = facts.job != nullptr && facts.job->age_s() > kMomentSeconds;
+  if (!shows_job && session.error.empty() && session.notice.empty()) return;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x / 2, size.y - 16.0F}, ImGuiCond_Always, {0.5F, 1.0F});
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_AlwaysAutoResize |
                                       ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                       ImGuiWindowFlags_NoFocusOnAppearing;
   ImGui::Begin("message", nullptr, kFlags);
-  if (facts.load != nullptr) {
-    draw_progress(*facts.load, actions);
+  if (shows_job) {
+    draw_progress(*facts.job, actions);
   } else if (!session.error.empty()) {
     draw_error(session);
   } else {

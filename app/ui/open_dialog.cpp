@@ -6,7 +6,7 @@
 
 namespace mesher::app {
 
-void draw_open_dialog(Session& session, std::string& typed, PanelActions& actions,
+void draw_open_dialog(Session& session, std::string& typed, bool submits, PanelActions& actions,
                       PanelAreas& areas) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x / 2, size.y / 3}, ImGuiCond_Always, {0.5F, 0.5F});
@@ -17,9 +17,10 @@ void draw_open_dialog(Session& session, std::string& typed, PanelActions& action
     ImGui::TextDisabled("obj, ply, stl, off, gltf, glb: a path, or a name in assets/");
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(380.0F);
-    bool opens = ImGui::InputText("##path", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+    // Enter comes by `submits` alone: that ImGui sees it, too, must not open the file twice.
+    ImGui::InputText("##path", &typed);
     ImGui::SameLine();
-    opens |= ImGui::Button("Open");
+    const bool opens = ImGui::Button("Open") || submits;
     const std::filesystem::path path = opens ? typed_path(typed) : std::filesystem::path();
     if (!path.empty()) actions.open = find_model(path.string());
   }

@@ -7,9 +7,15 @@ namespace mesher::app {
 PanelActions Panels::draw(Session& session, const PanelFacts& facts) {
   PanelActions actions;
   areas_.clear();
-  if (session.shows_info) draw_info_panel(session, facts, areas_);
+  if (session.shows_info) {
+    draw_info_panel(session, facts, areas_);
+    draw_simplify_panel(session, facts, slider_faces_, areas_);
+  }
   if (session.shows_help) draw_help_panel(session, areas_);
-  if (session.shows_open_dialog) draw_open_dialog(session, typed_path_, actions, areas_);
+  if (session.shows_open_dialog) {
+    draw_open_dialog(session, typed_path_, submits_path_, actions, areas_);
+  }
+  submits_path_ = false;
   draw_message_bar(session, facts, actions, areas_);
   if (ImGui::IsAnyItemActive()) actions.wants_frames = true;
   return actions;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/load_job.h"
+#include "app/job.h"
 #include "app/session.h"
 #include "engine/render/gpu_mesh.h"
 
@@ -14,16 +14,16 @@ namespace mesher::app {
 
 /// What panels show beside the session.
 struct PanelFacts {
-  const LoadJob* load = nullptr;  ///< a file being opened
-  render::UploadStats upload;     ///< the last upload that was not empty
-  double frame_ms = 0.0;          ///< how long the last frame took; 0: not known
+  const Job* job = nullptr;    ///< what runs in the background
+  render::UploadStats upload;  ///< the last upload that was not empty
+  double frame_ms = 0.0;       ///< how long the last frame took; 0: not known
   std::string device;
 };
 
 /// What a person asked for in a panel, beyond what the session itself can hold.
 struct PanelActions {
   std::filesystem::path open;
-  bool cancels_load = false;
+  bool cancels_job = false;
   bool wants_frames = false;  ///< something moves: draw again
 };
 
@@ -34,12 +34,16 @@ using PanelAreas = std::vector<glm::vec4>;  ///< x0, y0, x1, y1 in pixels
 class Panels {
  public:
   PanelActions draw(Session& session, const PanelFacts& facts);
+  /// Opens what is typed in the open dialog when that is drawn next.
+  void submit_path() { submits_path_ = true; }
   /// Whether a panel, as last drawn, is at this point.
   bool covers(const glm::dvec2& at) const;
 
  private:
   PanelAreas areas_;
   std::string typed_path_;
+  bool submits_path_ = false;
+  int slider_faces_ = 0;
 };
 
 // One panel a file; each notes the area it covers.
@@ -47,8 +51,12 @@ void draw_info_panel(Session& session, const PanelFacts& facts, PanelAreas& area
 void draw_help_panel(Session& session, PanelAreas& areas);
 void draw_message_bar(Session& session, const PanelFacts& facts, PanelActions& actions,
                       PanelAreas& areas);
-void draw_open_dialog(Session& session, std::string& typed, PanelActions& actions,
+/// `submits`: as if the button were pressed.
+void draw_open_dialog(Session& session, std::string& typed, bool submits, PanelActions& actions,
                       PanelAreas& areas);
+/// `slider_faces`: where the slider stands while it is dragged, and until that is done.
+void draw_simplify_panel(Session& session, const PanelFacts& facts, int& slider_faces,
+                         PanelAreas& areas);
 
 /// Adds the current ImGui window. Call between its Begin and End.
 void note_area(PanelAreas& areas);

@@ -26,7 +26,11 @@ void apply_style() {
   style.WindowPadding = {12.0F, 10.0F};
   style.ItemSpacing = {8.0F, 5.0F};
   style.Colors[ImGuiCol_WindowBg] = {0.11F, 0.12F, 0.14F, 0.92F};
-  style.Colors[ImGuiCol_TitleBgActive] = style.Colors[ImGuiCol_TitleBg] = {0.16F, 0.18F, 0.22F, 1};
+  const ImVec4 title_color{0.16F, 0.18F, 0.22F, 1.0F};
+  for (const ImGuiCol title :
+       {ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TitleBgCollapsed}) {
+    style.Colors[title] = title_color;
+  }
 }
 
 }  // namespace mesher::app

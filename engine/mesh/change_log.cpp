@@ -43,12 +43,17 @@ bool ChangeLog::is_empty() const {
   return true;
 }
 
-std::vector<ChangedRange> ChangeLog::merged(GpuArray array, std::uint32_t gap) const {
+std::vector<ChangedRange> ChangeLog::merged(GpuArray array, std::uint32_t gap,
+                                            std::uint32_t count) const {
   std::vector<ChangedRange> sorted = ranges_[index(array)];
-  std::sort(sorted.begin(), sorted.end(),
-            [](ChangedRange a, ChangedRange b) { return a.begin < b.begin; });
+  const auto is_before = [](ChangedRange a, ChangedRange b) { return a.begin < b.begin; };
+  if (!std::is_sorted(sorted.begin(), sorted.end(), is_before)) {
+    std::sort(sorted.begin(), sorted.end(), is_before);
+  }
   std::vector<ChangedRange> joined;
-  for (const ChangedRange range : sorted) {
+  for (ChangedRange range : sorted) {
+    range.end = std::min(range.end, count);
+    if (range.begin >= range.end) continue;
     if (!joined.empty() && range.begin <= joined.back().end + gap) {
       joined.back().end = std::max(joined.back().end, range.end);
     } else {

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/mesh/ids.h"
+
 namespace mesher {
 
 /// The arrays of a mesh that have a mirror on the GPU.
@@ -24,10 +26,10 @@ struct ChangedRange {
 
 /// Which elements of which GPU arrays edits have touched since the log was last cleared. Noting is
 /// O(1); a range that continues or repeats the one noted before it is merged at once. Past
-/// kMaxRanges ranges an array counts as changed whole: one plain copy is then cheaper.
+/// kMaxRanges ranges an array counts as changed whole: sorting them would cost more than copying.
 class ChangeLog {
  public:
-  static constexpr std::size_t kMaxRanges = 10'000;
+  static constexpr std::size_t kMaxRanges = 100'000;
 
   void note(GpuArray array, std::uint32_t first, std::uint32_t count = 1) {
     if (!whole_[index(array)] && count > 0) add(array, first, count);
@@ -39,9 +41,11 @@ class ChangeLog {
   bool is_empty() const;
   /// True where the array must be copied whole.
   bool is_whole(GpuArray array) const { return whole_[index(array)]; }
-  /// The noted ranges, sorted, disjoint, and joined where at most `gap` elements lie between.
-  /// O(n log n) in their number. Empty where `is_whole`.
-  std::vector<ChangedRange> merged(GpuArray array, std::uint32_t gap = 0) const;
+  /// The noted ranges, sorted, disjoint, and joined where at most `gap` elements lie between; cut
+  /// off at `count`, the number of elements that are left. O(n log n) in their number. Empty where
+  /// `is_whole`.
+  std::vector<ChangedRange> merged(GpuArray array, std::uint32_t gap = 0,
+                                   std::uint32_t count = kNone) const;
 
  private:
   void add(GpuArray array, std::uint32_t first, std::uint32_t count);

@@ -142,6 +142,7 @@ class Mesh {
  private:
   // MeshArrays is how bulk builders (soup, subdivision, codecs) make a mesh of finished arrays.
   friend class MeshArrays;
+  friend class MeshDelta;
   friend class MeshEditor;
 
   Array<glm::vec3> position_;

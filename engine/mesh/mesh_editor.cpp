@@ -87,7 +87,8 @@ CollapseResult::Move MeshEditor::remove_face(Face f) {
       mesh_.origin_[to.index()] = v;
       mesh_.twin_[to.index()] = mesh_.twin(from);
       mesh_.sharpness_[to.index()] = mesh_.sharpness(from);
-      if (mesh_.twin(from).is_valid()) mesh_.twin_[mesh_.twin(from).index()] = to;
+      // Noted though its class stays: which of the two stands for the edge may change.
+      if (mesh_.twin(from).is_valid()) set_twin(mesh_.twin(from), to);
       if (mesh_.outgoing(v) == from) mesh_.outgoing_[v.index()] = to;
     }
     mesh_.changes_.note(GpuArray::origin, 3 * f.index(), 3);

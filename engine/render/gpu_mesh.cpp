@@ -23,121 +23,140 @@ std::uint32_t class_word(const Mesh& mesh, std::uint32_t word) {
   return packed;
 }
 
-template <class T>
-std::span<const std::byte> bytes_of(std::span<const T> elements) {
-  return std::as_bytes(elements);
+std::uint32_t word_count(std::uint32_t halfedges) {
+  return halfedges / kClassesPerWord + (halfedges % kClassesPerWord == 0 ? 0 : 1);
+}
+
+template <class Elements>
+std::span<const std::byte> bytes_of(const Elements& elements) {
+  return std::as_bytes(std::span(elements));
+}
+
+/// The places where a list differs from what it was.
+ChangeLog differences(const std::vector<Halfedge>& before, const std::vector<Halfedge>& after) {
+  ChangeLog log;
+  for (std::uint32_t i = 0; i < after.size(); ++i) {
+    if (i >= before.size() || before[i] != after[i]) log.note(GpuArray::origin, i);
+  }
+  return log;
 }
 
 }  // namespace
 
 UploadStats GpuMesh::apply(Mesh& mesh, const Settings& settings) {
   UploadStats stats;
-  const bool is_new =
-      !is_valid_ || mesh.vertex_count() != vertex_count_ || mesh.face_count() != face_count_;
+  const bool is_new = !is_valid_;
   is_valid_ = false;  // until all of it worked
   if (is_new) {
-    copy_whole(mesh, stats);
-  } else if (!mesh.changes().is_empty()) {
-    copy_changes(mesh, stats);
+    forget_buffers();
+    mesh.changes().note_all();
+  }
+  if (!mesh.changes().is_empty() || mesh.vertex_count() != vertex_count_ ||
+      mesh.face_count() != face_count_) {
+    copy_arrays(mesh, stats);
   }
   normals_.update(mesh, settings, !lines_.creases.empty(), is_new, stats);
   is_valid_ = true;
   mesh.changes().clear();
-  stats.total_bytes = total_bytes();
+  for (const Part& part : parts())
+    stats.total_bytes += part.bytes;
   return stats;
 }
 
-void GpuMesh::copy_whole(const Mesh& mesh, UploadStats& stats) {
-  vertex_count_ = mesh.vertex_count();
-  face_count_ = mesh.face_count();
-  box_ = bounding_box(mesh);
-  upload_whole(device_, positions_, bytes_of(mesh.positions()), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
-               stats);
-  upload_whole(device_, indices_, bytes_of(mesh.origins()), VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
-               stats);
-  copy_all_classes(mesh, stats);
+void GpuMesh::forget_buffers() {
+  for (gpu::Buffer* buffer :
+       {&positions_, &indices_, &class_buffer_, &crease_buffer_, &boundary_buffer_}) {
+    *buffer = {};
+  }
 }
 
-void GpuMesh::copy_all_classes(const Mesh& mesh, UploadStats& stats) {
-  classes_.resize((std::size_t{mesh.halfedge_count()} + kClassesPerWord - 1) / kClassesPerWord);
-  parallel_for(classes_.size(), kWordGrain, [&](IndexRange range) {
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      classes_[i] = class_word(mesh, static_cast<std::uint32_t>(i));
-    }
-  });
-  upload_whole(device_, class_buffer_, std::as_bytes(std::span(classes_)), 0, stats);
-  lines_ = find_line_edges(mesh);
-  copy_lines(stats);
-}
-
-void GpuMesh::copy_lines(UploadStats& stats) {
-  std::vector<Halfedge> all = lines_.creases;
-  all.insert(all.end(), lines_.boundaries.begin(), lines_.boundaries.end());
-  upload_whole(device_, line_buffer_, std::as_bytes(std::span(all)), 0, stats);
-}
-
-void GpuMesh::copy_changes(const Mesh& mesh, UploadStats& stats) {
+void GpuMesh::copy_arrays(const Mesh& mesh, UploadStats& stats) {
   const ChangeLog& changes = mesh.changes();
-  if (changes.is_whole(GpuArray::position)) {
-    box_ = bounding_box(mesh);
-    upload_whole(device_, positions_, bytes_of(mesh.positions()), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+  update_box(mesh);
+  upload_changes(device_, positions_, bytes_of(mesh.positions()),
+                 {changes, GpuArray::position, sizeof(glm::vec3)},
+                 VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, stats);
+  upload_changes(device_, indices_, bytes_of(mesh.origins()),
+                 {changes, GpuArray::origin, sizeof(Vertex)}, VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
                  stats);
-  } else {
-    const auto ranges = changes.merged(GpuArray::position, worthwhile_gap(sizeof(glm::vec3)));
-    for (const ChangedRange range : ranges) {
-      for (std::uint32_t i = range.begin; i < range.end; ++i) {
-        box_.min = glm::min(box_.min, mesh.position(Vertex(i)));
-        box_.max = glm::max(box_.max, mesh.position(Vertex(i)));
-      }
-    }
-    upload_ranges(device_, positions_, bytes_of(mesh.positions()), ranges, sizeof(glm::vec3),
-                  stats);
-  }
-  if (changes.is_whole(GpuArray::origin)) {
-    upload_whole(device_, indices_, bytes_of(mesh.origins()), VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
-                 stats);
-  } else {
-    upload_ranges(device_, indices_, bytes_of(mesh.origins()),
-                  changes.merged(GpuArray::origin, worthwhile_gap(sizeof(Vertex))), sizeof(Vertex),
-                  stats);
-  }
   if (changes.is_whole(GpuArray::edge_class)) {
     copy_all_classes(mesh, stats);
   } else {
     copy_changed_classes(mesh, stats);
   }
+  vertex_count_ = mesh.vertex_count();
+  face_count_ = mesh.face_count();
+}
+
+void GpuMesh::update_box(const Mesh& mesh) {
+  if (mesh.changes().is_whole(GpuArray::position)) {
+    box_ = bounding_box(mesh);
+    return;
+  }
+  const auto changed = mesh.changes().merged(GpuArray::position, 0, mesh.vertex_count());
+  for (const ChangedRange range : changed) {
+    for (std::uint32_t i = range.begin; i < range.end; ++i) {
+      box_.min = glm::min(box_.min, mesh.position(Vertex(i)));
+      box_.max = glm::max(box_.max, mesh.position(Vertex(i)));
+    }
+  }
+}
+
+void GpuMesh::copy_all_classes(const Mesh& mesh, UploadStats& stats) {
+  classes_.resize(word_count(mesh.halfedge_count()));
+  parallel_for(classes_.size(), kWordGrain, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      classes_[i] = class_word(mesh, static_cast<std::uint32_t>(i));
+    }
+  });
+  upload_whole(device_, class_buffer_, bytes_of(classes_), 0, stats);
+  lines_ = find_line_edges(mesh);
+  upload_whole(device_, crease_buffer_, bytes_of(lines_.creases), 0, stats);
+  upload_whole(device_, boundary_buffer_, bytes_of(lines_.boundaries), 0, stats);
 }
 
 void GpuMesh::copy_changed_classes(const Mesh& mesh, UploadStats& stats) {
-  const std::vector<ChangedRange> changed = mesh.changes().merged(GpuArray::edge_class);
-  if (changed.empty()) return;
+  const std::uint32_t count = mesh.halfedge_count();
+  const std::vector<ChangedRange> changed = mesh.changes().merged(GpuArray::edge_class, 0, count);
+  classes_.resize(word_count(count));
   ChangeLog words;  // sorts and joins; what it counts here are words
-  for (const ChangedRange range : changed) {
-    const std::uint32_t first = range.begin / kClassesPerWord;
-    const std::uint32_t last = (range.end - 1) / kClassesPerWord;
+  const auto pack = [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t word = first; word <= last; ++word)
       classes_[word] = class_word(mesh, word);
     words.note(GpuArray::edge_class, first, last - first + 1);
-  }
-  constexpr std::size_t kWord = sizeof(std::uint32_t);
-  upload_ranges(device_, class_buffer_, std::as_bytes(std::span(classes_)),
-                words.merged(GpuArray::edge_class, worthwhile_gap(kWord)), kWord, stats);
-  LineEdges before = lines_;
+  };
+  for (const ChangedRange range : changed)
+    pack(range.begin / kClassesPerWord, (range.end - 1) / kClassesPerWord);
+  // Past the live half-edges the last word is zeros, whatever lived there.
+  if (count != halfedge_count() && count > 0) pack(word_count(count) - 1, word_count(count) - 1);
+  upload_changes(device_, class_buffer_, bytes_of(classes_),
+                 {words, GpuArray::edge_class, sizeof(std::uint32_t)}, 0, stats);
+
+  const LineEdges before = lines_;
   update_line_edges(mesh, changed, lines_);
-  if (lines_ != before) copy_lines(stats);
+  const auto copy_lines = [&](const std::vector<Halfedge>& old, const std::vector<Halfedge>& now,
+                              gpu::Buffer& buffer) {
+    upload_changes(device_, buffer, bytes_of(now),
+                   {differences(old, now), GpuArray::origin, sizeof(Halfedge)}, 0, stats);
+  };
+  copy_lines(before.creases, lines_.creases, crease_buffer_);
+  copy_lines(before.boundaries, lines_.boundaries, boundary_buffer_);
 }
 
-std::uint64_t GpuMesh::total_bytes() const {
-  return positions_.size() + indices_.size() + class_buffer_.size() + line_buffer_.size() +
-         normals_.buffer().size();
+std::array<GpuMesh::Part, 6> GpuMesh::parts() const {
+  return {{{&positions_, sizeof(glm::vec3) * vertex_count_},
+           {&indices_, sizeof(Vertex) * halfedge_count()},
+           {&class_buffer_, bytes_of(classes_).size()},
+           {&crease_buffer_, bytes_of(lines_.creases).size()},
+           {&boundary_buffer_, bytes_of(lines_.boundaries).size()},
+           {&normals_.buffer(), normals_.bytes()}}};
 }
 
 std::vector<std::byte> GpuMesh::read_back() const {
   std::vector<std::byte> all;
-  for (const gpu::Buffer* buffer :
-       {&positions_, &indices_, &class_buffer_, &line_buffer_, &normals_.buffer()}) {
-    const std::vector<std::byte> part = gpu::download(device_, *buffer, buffer->size());
-    all.insert(all.end(), part.begin(), part.end());
+  for (const Part& part : parts()) {
+    const std::vector<std::byte> content = gpu::download(device_, *part.buffer, part.bytes);
+    all.insert(all.end(), content.begin(), content.end());
   }
   return all;
 }

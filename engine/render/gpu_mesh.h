@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -24,9 +25,11 @@ class GpuMesh {
 
   /// Brings the mirror up to date with `mesh` and with the normals that `settings` want, and clears
   /// `mesh.changes()`. Only changed ranges are copied (and the normals of the one-rings they
-  /// touch); everything where the array sizes differ or the mesh is new. Waits for frames in flight
-  /// where it copies at all. Throws DeviceError where the mesh is too large for the device.
-  /// O(changes), O(V + F) when whole.
+  /// touch); everything where the mesh is new. Live elements are a prefix of the buffers: a mesh
+  /// that shrinks keeps its buffers, and one that grows again within them uploads what it has noted
+  /// as changed, new elements included; past them an array is copied whole into a larger buffer.
+  /// Waits for frames in flight where it copies at all. Throws DeviceError where the mesh is too
+  /// large for the device. O(changes + crease and boundary edges), O(V + F) when whole.
   UploadStats apply(Mesh& mesh, const Settings& settings);
   /// The next apply() copies everything: for another mesh object than before.
   void invalidate() { is_valid_ = false; }
@@ -46,21 +49,29 @@ class GpuMesh {
   const gpu::Buffer& indices() const { return indices_; }       ///< uint a half-edge
   const gpu::Buffer& classes() const { return class_buffer_; }  ///< 16 half-edges a uint
   const GpuNormals& normals() const { return normals_; }
-  /// Half-edges of the edges that are lines of their own: creases, then (from crease_count())
-  /// boundaries.
-  const gpu::Buffer& lines() const { return line_buffer_; }
+  /// Half-edges of the edges that are lines of their own, ascending: so the picture does not depend
+  /// on the edits that led to a mesh.
+  const gpu::Buffer& creases() const { return crease_buffer_; }
+  const gpu::Buffer& boundaries() const { return boundary_buffer_; }
 
-  /// Everything the GPU holds, read back: positions, indices, classes, lines, normals, one after
-  /// the other. For tests: equal to that of a fresh mirror after any sequence of edits.
+  /// The live part of what the GPU holds, read back: positions, indices, classes, creases,
+  /// boundaries, normals, one after the other. For tests: equal to that of a fresh mirror after any
+  /// sequence of edits.
   std::vector<std::byte> read_back() const;
 
  private:
-  void copy_whole(const Mesh& mesh, UploadStats& stats);
-  void copy_changes(const Mesh& mesh, UploadStats& stats);
-  void copy_changed_classes(const Mesh& mesh, UploadStats& stats);
+  /// A buffer and how much of it is live.
+  struct Part {
+    const gpu::Buffer* buffer;
+    std::size_t bytes;
+  };
+
+  void forget_buffers();
+  void copy_arrays(const Mesh& mesh, UploadStats& stats);
+  void update_box(const Mesh& mesh);
   void copy_all_classes(const Mesh& mesh, UploadStats& stats);
-  void copy_lines(UploadStats& stats);
-  std::uint64_t total_bytes() const;
+  void copy_changed_classes(const Mesh& mesh, UploadStats& stats);
+  std::array<Part, 6> parts() const;
 
   gpu::Device& device_;
   bool is_valid_ = false;
@@ -68,11 +79,12 @@ class GpuMesh {
   std::uint32_t face_count_ = 0;
   Box box_;
   Array<std::uint32_t> classes_;  ///< what class_buffer_ holds
-  LineEdges lines_;               ///< what line_buffer_ holds
+  LineEdges lines_;               ///< what the buffers of lines hold
   gpu::Buffer positions_;
   gpu::Buffer indices_;
   gpu::Buffer class_buffer_;
-  gpu::Buffer line_buffer_;
+  gpu::Buffer crease_buffer_;
+  gpu::Buffer boundary_buffer_;
   GpuNormals normals_;
 };
 

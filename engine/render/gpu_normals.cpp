@@ -28,17 +28,26 @@ GpuNormals::Mode wanted_mode(const Settings& settings, bool has_creases) {
 std::optional<std::vector<Vertex>> touched_vertices(const Mesh& mesh) {
   const ChangeLog& changes = mesh.changes();
   std::vector<Vertex> touched;
-  const auto add_ring = [&](Vertex v) {
-    touched.push_back(v);
-    for (const Vertex neighbour : vertices_around(mesh, v))
-      touched.push_back(neighbour);
+  const auto add_around = [&](GpuArray array, std::uint32_t i) {
+    if (array == GpuArray::position) {  // the faces around it have another shape
+      touched.push_back(Vertex(i));
+      for (const Vertex neighbour : vertices_around(mesh, Vertex(i)))
+        touched.push_back(neighbour);
+      return;
+    }
+    // The face has other corners; or an end of the edge has another fan, or another split in it.
+    touched.push_back(mesh.origin(Halfedge(i)));
+    touched.push_back(mesh.target(Halfedge(i)));
+    if (array == GpuArray::origin) touched.push_back(mesh.origin(Mesh::prev(Halfedge(i))));
   };
   for (const GpuArray array : {GpuArray::position, GpuArray::origin, GpuArray::edge_class}) {
     if (changes.is_whole(array)) return std::nullopt;
-    for (const ChangedRange range : changes.merged(array)) {
+    const std::uint32_t count =
+        array == GpuArray::position ? mesh.vertex_count() : mesh.halfedge_count();
+    for (const ChangedRange range : changes.merged(array, 0, count)) {
       if (touched.size() > mesh.vertex_count()) return std::nullopt;
       for (std::uint32_t i = range.begin; i < range.end; ++i) {
-        add_ring(array == GpuArray::position ? Vertex(i) : mesh.origin(Halfedge(i)));
+        add_around(array, i);
       }
     }
   }
@@ -78,8 +87,9 @@ void GpuNormals::update(const Mesh& mesh, const Settings& settings, bool has_cre
     packed_ = {};
     buffer_ = {};
   } else if (!is_same) {
+    buffer_ = {};
     build(mesh, stats);
-  } else if (!mesh.changes().is_empty()) {
+  } else {
     update_changed(mesh, stats);
   }
 }
@@ -102,6 +112,8 @@ void GpuNormals::build(const Mesh& mesh, UploadStats& stats) {
 void GpuNormals::update_changed(const Mesh& mesh, UploadStats& stats) {
   const std::optional<std::vector<Vertex>> touched = touched_vertices(mesh);
   if (!touched) return build(mesh, stats);
+  packed_.resize(mode_ == Mode::vertex ? mesh.vertex_count() : mesh.halfedge_count());
+  if (mode_ == Mode::corner) corner_.resize(mesh.halfedge_count());
   ChangeLog log;  // sorts and joins; what it counts here are normals
   const auto store = [&](std::uint32_t i, const glm::vec3& normal) {
     packed_[i] = encode_normal(normal);
@@ -116,13 +128,9 @@ void GpuNormals::update_changed(const Mesh& mesh, UploadStats& stats) {
     for (const Halfedge h : halfedges_around(mesh, v))
       store(h.index(), corner_[h.index()]);
   }
-  const auto bytes = std::as_bytes(std::span(packed_));
-  if (log.is_whole(GpuArray::position)) {
-    return upload_whole(device_, buffer_, bytes, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, stats);
-  }
-  upload_ranges(device_, buffer_, bytes,
-                log.merged(GpuArray::position, worthwhile_gap(sizeof(std::uint32_t))),
-                sizeof(std::uint32_t), stats);
+  upload_changes(device_, buffer_, std::as_bytes(std::span(packed_)),
+                 {log, GpuArray::position, sizeof(std::uint32_t)},
+                 VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, stats);
 }
 
 }  // namespace mesher::render

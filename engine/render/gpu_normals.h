@@ -30,6 +30,8 @@ class GpuNormals {
 
   Mode mode() const { return mode_; }
   const gpu::Buffer& buffer() const { return buffer_; }
+  /// How much of the buffer is live: four bytes a normal.
+  std::size_t bytes() const { return packed_.size() * sizeof(packed_[0]); }
 
  private:
   void build(const Mesh& mesh, UploadStats& stats);

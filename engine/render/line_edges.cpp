@@ -20,13 +20,15 @@ void append(const std::vector<Halfedge>& from, std::vector<Halfedge>& to) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-/// `sorted` without what lies in `changed`, with `fresh` (all of which does) in its place.
-std::vector<Halfedge> replace(const std::vector<Halfedge>& sorted,
+/// `sorted` up to `count` without what lies in `changed`, with `fresh` (all of which does) in its
+/// place.
+std::vector<Halfedge> replace(const std::vector<Halfedge>& sorted, std::uint32_t count,
                               std::span<const ChangedRange> changed,
                               const std::vector<Halfedge>& fresh) {
   std::vector<Halfedge> kept;
   auto range = changed.begin();
   for (const Halfedge h : sorted) {
+    if (h.index() >= count) break;
     while (range != changed.end() && range->end <= h.index())
       ++range;
     if (range == changed.end() || h.index() < range->begin) kept.push_back(h);
@@ -55,8 +57,9 @@ void update_line_edges(const Mesh& mesh, std::span<const ChangedRange> changed, 
   LineEdges fresh;
   for (const ChangedRange range : changed)
     append(mesh, {range.begin, range.end}, fresh);
-  edges.creases = replace(edges.creases, changed, fresh.creases);
-  edges.boundaries = replace(edges.boundaries, changed, fresh.boundaries);
+  const std::uint32_t count = mesh.halfedge_count();
+  edges.creases = replace(edges.creases, count, changed, fresh.creases);
+  edges.boundaries = replace(edges.boundaries, count, changed, fresh.boundaries);
 }
 
 }  // namespace mesher::render

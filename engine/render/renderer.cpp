@@ -87,8 +87,8 @@ class Recording {
   void wire_alone(const Settings& settings);
 
  private:
-  struct LineRange {
-    std::uint32_t first;
+  struct LineList {
+    VkDeviceAddress halfedges;  ///< 0: all there are
     std::uint32_t count;
   };
 
@@ -101,7 +101,7 @@ class Recording {
                        VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
                        sizeof(constants), &constants);
   }
-  void draw_lines(LineRange range, const Color& color, float width, float strength);
+  void draw_lines(LineList list, const Color& color, float width, float strength);
 
   VkCommandBuffer commands_;
   ScenePipelines& pipelines_;
@@ -179,7 +179,7 @@ void Recording::surface(Pass pass, const Settings& settings, float line_strength
 
 void Recording::edges(Pass pass, const Settings& settings, float strength) {
   bind(pass);
-  draw_lines({.first = 0, .count = mesh_.halfedge_count()}, edge_color(settings), kEdgeWidth,
+  draw_lines({.halfedges = 0, .count = mesh_.halfedge_count()}, edge_color(settings), kEdgeWidth,
              strength);
 }
 
@@ -188,24 +188,25 @@ void Recording::lines(Pass pass, const Settings& settings, float strength) {
   const std::uint32_t boundaries = mesh_.boundary_count();
   if (creases + boundaries == 0) return;
   bind(pass);
-  draw_lines({.first = 0, .count = creases}, settings.crease, kCreaseWidth, strength);
-  draw_lines({.first = creases, .count = boundaries}, settings.boundary, kBoundaryWidth, strength);
+  draw_lines({mesh_.creases().address(), creases}, settings.crease, kCreaseWidth, strength);
+  draw_lines({mesh_.boundaries().address(), boundaries}, settings.boundary, kBoundaryWidth,
+             strength);
 }
 
-void Recording::draw_lines(LineRange range, const Color& color, float width, float strength) {
-  if (range.count == 0) return;
+void Recording::draw_lines(LineList list, const Color& color, float width, float strength) {
+  if (list.count == 0) return;
   const VkExtent2D extent = target_.extent();
   constexpr std::uint32_t kVerticesALine = 6;
   push(shared::LineConstants{
       .view = view_,
       .positions = mesh_.positions().address(),
       .indices = mesh_.indices().address(),
-      .edges = mesh_.lines().address() + std::uint64_t{range.first} * sizeof(Halfedge),
+      .edges = list.halfedges,
       .classes = mesh_.classes().address(),
       .color = pack(color, strength),
       .half_width = 0.5F * width * line_scale(extent),
       .viewport = {static_cast<float>(extent.width), static_cast<float>(extent.height)}});
-  vkCmdDraw(commands_, kVerticesALine * range.count, 1, 0, 0);
+  vkCmdDraw(commands_, kVerticesALine * list.count, 1, 0, 0);
 }
 
 /// What a surface would hide is drawn too, but faintly: one sees through without mistaking the back

@@ -3,10 +3,22 @@
 #include <vector>
 
 namespace mesher::render {
+namespace {
+
+/// Beyond, so many small copies cost more than the bytes that they save.
+constexpr std::size_t kMostRanges = 20'000;
+
+/// Elements between two ranges so near each other that one copy of both is cheaper than two.
+std::uint32_t worthwhile_gap(std::size_t element_bytes) {
+  constexpr std::size_t kBytes = 64;  // a cache line
+  return static_cast<std::uint32_t>(kBytes / element_bytes);
+}
+
+}  // namespace
 
 void upload_whole(gpu::Device& device, gpu::Buffer& buffer, std::span<const std::byte> source,
                   VkBufferUsageFlags usage, UploadStats& stats) {
-  if (buffer.size() != source.size()) {
+  if (buffer.size() < source.size()) {
     buffer = gpu::Buffer(device, source.size(), usage, gpu::MemoryIntent::fixed);
   }
   if (source.empty()) return;
@@ -15,22 +27,23 @@ void upload_whole(gpu::Device& device, gpu::Buffer& buffer, std::span<const std:
   ++stats.ranges;
 }
 
-void upload_ranges(gpu::Device& device, gpu::Buffer& buffer, std::span<const std::byte> source,
-                   std::span<const ChangedRange> ranges, std::size_t element_bytes,
-                   UploadStats& stats) {
+void upload_changes(gpu::Device& device, gpu::Buffer& buffer, std::span<const std::byte> source,
+                    const ChangedElements& changed, VkBufferUsageFlags usage, UploadStats& stats) {
+  const auto count = static_cast<std::uint32_t>(source.size() / changed.element_bytes);
+  const std::vector<ChangedRange> ranges =
+      changed.log.merged(changed.array, worthwhile_gap(changed.element_bytes), count);
+  if (changed.log.is_whole(changed.array) || buffer.size() < source.size() ||
+      ranges.size() > kMostRanges) {
+    return upload_whole(device, buffer, source, usage, stats);
+  }
   std::vector<gpu::ByteRange> bytes;
   bytes.reserve(ranges.size());
   for (const ChangedRange range : ranges) {
-    bytes.push_back({range.begin * element_bytes, range.end * element_bytes});
+    bytes.push_back({range.begin * changed.element_bytes, range.end * changed.element_bytes});
     stats.uploaded_bytes += bytes.back().size();
   }
-  stats.ranges += static_cast<std::uint32_t>(ranges.size());
+  stats.ranges += static_cast<std::uint32_t>(bytes.size());
   gpu::upload(device, buffer, source, bytes);
-}
-
-std::uint32_t worthwhile_gap(std::size_t element_bytes) {
-  constexpr std::size_t kBytes = 64;  // a cache line
-  return static_cast<std::uint32_t>(kBytes / element_bytes);
 }
 
 }  // namespace mesher::render

@@ -16,17 +16,22 @@ struct UploadStats {
   std::uint32_t ranges = 0;       ///< pieces copied
 };
 
-/// Makes `buffer` hold all of `source`, in a new buffer where the size differs.
+/// Makes `buffer` hold all of `source` from its start; in a new buffer of just that size where it
+/// is too small.
 void upload_whole(gpu::Device& device, gpu::Buffer& buffer, std::span<const std::byte> source,
                   VkBufferUsageFlags usage, UploadStats& stats);
 
-/// Copies elements of `source`, which the whole of `buffer` mirrors. Pre: the ranges are as
-/// ChangeLog::merged returns them.
-void upload_ranges(gpu::Device& device, gpu::Buffer& buffer, std::span<const std::byte> source,
-                   std::span<const ChangedRange> ranges, std::size_t element_bytes,
-                   UploadStats& stats);
+/// Elements of a mirrored array that have changed.
+struct ChangedElements {
+  const ChangeLog& log;
+  GpuArray array;  ///< whose list of the log counts
+  std::size_t element_bytes;
+};
 
-/// Ranges of changed elements so near each other that one copy of both is cheaper than two.
-std::uint32_t worthwhile_gap(std::size_t element_bytes);
+/// Brings the start of `buffer` up to date with `source`: what has changed of it; or all of it
+/// where all has, the buffer is too small, or the pieces are so many that one copy is cheaper. What
+/// lies past the end of `source` stays: room to grow again.
+void upload_changes(gpu::Device& device, gpu::Buffer& buffer, std::span<const std::byte> source,
+                    const ChangedElements& changed, VkBufferUsageFlags usage, UploadStats& stats);
 
 }  // namespace mesher::render

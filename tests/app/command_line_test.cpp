@@ -123,6 +123,81 @@ TEST_F(CommandLine, ConvertSaysWhatAFormatCannotHold) {
           .empty());
 }
 
+TEST_F(CommandLine, SimplifyReachesItsTargetAndReports) {
+  const Finished run = mesher({"simplify", "knot", "-o", "k.obj", "--faces", "2000", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["output"], "k.obj");
+  EXPECT_EQ(json["asked_faces"], 2000);
+  EXPECT_EQ(json["faces_before"], 2880);
+  EXPECT_EQ(json["faces_reached"], 2000);
+  EXPECT_EQ(json["vertices_reached"], 1000);
+  EXPECT_EQ(json["stop_reason"], "target_reached");
+  EXPECT_EQ(json["collapses"], 440);
+  EXPECT_TRUE(json["measured_error"].is_null());
+  EXPECT_TRUE(json["distance"].is_null());
+  for (const char* phase : {"prepare", "collapse", "finish", "measure", "total"})
+    EXPECT_GE(json["seconds"][phase], 0.0);
+  EXPECT_TRUE(json["rejected"].contains("fold_over"));
+  EXPECT_TRUE(json["dropped"].empty());
+  EXPECT_TRUE(json["lost"].empty());
+  EXPECT_EQ(json["repairs"]["faces_flipped"], 0);
+  EXPECT_NE(run.err.find("asked for 2,000 faces, reached 2,000 of 2,880"), std::string::npos)
+      << run.err;
+  const auto info = nlohmann::json::parse(mesher({"info", "k.obj", "--json"}).out);
+  EXPECT_EQ(info["statistics"]["faces"], 2000);
+  EXPECT_EQ(info["statistics"]["euler_characteristic"], 0);
+}
+
+TEST_F(CommandLine, SimplifyTakesARatioOrTheLimitOfWhatIsLegal) {
+  const Finished half =
+      mesher({"simplify", "knot", "half.ply", "--ratio", "0.5", "--json", "--quiet", "--measure",
+              "--cost", "qem", "--placement", "midpoint", "--boundary", "lock"});
+  ASSERT_EQ(half.exit_code, 0) << half.err;
+  EXPECT_TRUE(half.err.empty());
+  const auto json = nlohmann::json::parse(half.out);
+  EXPECT_EQ(json["asked_faces"], 1440);
+  EXPECT_GT(json["distance"]["two_sided"]["rms"], 0.0);
+  const Finished cube = mesher({"simplify", "cube", "-o", "c.stl", "--faces", "2"});
+  EXPECT_EQ(cube.exit_code, 0);
+  EXPECT_NE(cube.err.find("no legal collapse is left"), std::string::npos) << cube.err;
+}
+
+TEST_F(CommandLine, SimplifyKeepsWhatItCanOfAttributesAndSaysTheRest) {
+  // A bumpy sheet whose faces have texture coordinates of their own: seams everywhere.
+  std::string text = "vt 0 0\nvt 1 1\n";
+  constexpr int kSide = 4;
+  for (int i = 0; i < (kSide + 1) * (kSide + 1); ++i) {
+    text += "v " + std::to_string(i % (kSide + 1)) + ' ' + std::to_string(i / (kSide + 1)) + ' ' +
+            std::to_string(0.1 * (i % 3)) + '\n';
+  }
+  const auto face = [&](int a, int b, int c, const char* vt) {
+    for (const int v : {a, b, c})
+      text += (v == a ? "f " : " ") + std::to_string(v + 1) + vt;
+    text += '\n';
+  };
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const int a = i / kSide * (kSide + 1) + i % kSide;
+    face(a, a + 1, a + kSide + 2, "/1");
+    face(a, a + kSide + 2, a + kSide + 1, "/2");
+  }
+  folder_.write("t.obj", text);
+  const Finished run = mesher({"simplify", "t.obj", "-o", "o.obj", "--faces", "28", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  ASSERT_EQ(json["dropped"].size(), 1U);
+  EXPECT_NE(run.err.find("dropped texture coordinates (seams at "), std::string::npos) << run.err;
+  const Finished all = mesher({"simplify", "t.obj", "-o", "o.obj", "--faces", "32", "--json"});
+  EXPECT_TRUE(nlohmann::json::parse(all.out)["dropped"].empty()) << all.out;
+}
+
+TEST_F(CommandLine, RenderSimplifiesFirstWhereAsked) {
+  const Finished run =
+      mesher({"render", "knot", "-o", "k.png", "--size", "60", "--faces", "2000", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(nlohmann::json::parse(run.out)["faces"], 2000);
+}
+
 TEST_F(CommandLine, CompareMeasuresBothWays) {
   const Finished run = mesher({"compare", "cube", "open_box", "--json", "--samples", "20000"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -140,6 +215,7 @@ TEST_F(CommandLine, ConvertRefusesAMeshWithoutFaces) {
   for (const char* output : {"o.obj", "o.ply", "o.stl", "o.off", "o.glb"}) {
     EXPECT_EQ(mesher({"convert", "points.obj", output}).exit_code, 2);
   }
+  EXPECT_EQ(mesher({"simplify", "points.obj", "o.obj", "--faces", "1"}).exit_code, 2);
   EXPECT_EQ(folder_.count_files(), 1U);
 }
 
@@ -187,7 +263,22 @@ TEST_F(CommandLine, UsageErrorsExitWithOne) {
       {"view", "cube", "--screenshot", "x.png", "--keys", "f9"},
       {"render", "cube", "-o", "x.jpg"},
       {"render", "cube", "-o", "x.png", "--crease-angle", "nan"},
-      {"convert", "cube", "x.unknown"}};
+      {"convert", "cube", "x.unknown"},
+      {"simplify", "cube", "-o", "x.obj"},
+      {"simplify", "cube", "--faces", "6"},
+      {"simplify", "cube", "-o", "x.obj", "--faces", "0"},
+      {"simplify", "cube", "-o", "x.obj", "--faces", "-3"},
+      {"simplify", "cube", "-o", "x.obj", "--faces", "6", "--ratio", "0.5"},
+      {"simplify", "cube", "-o", "x.obj", "--ratio", "0"},
+      {"simplify", "cube", "-o", "x.obj", "--ratio", "1.5"},
+      {"simplify", "cube", "-o", "x.obj", "--ratio", "nan"},
+      {"simplify", "cube", "-o", "x.obj", "--max-error", "lots"},
+      {"simplify", "cube", "-o", "x.obj", "--max-error", "-1%"},
+      {"simplify", "cube", "-o", "x.obj", "--faces", "6", "--cost", "vanity"},
+      {"simplify", "cube", "-o", "x.obj", "--faces", "6", "--placement", "left"},
+      {"simplify", "cube", "-o", "x.obj", "--faces", "6", "--crease-angle", "nan"},
+      {"simplify", "cube", "-o", "x.unknown", "--faces", "6"},
+      {"render", "cube", "-o", "x.png", "--faces", "0"}};
   for (const auto& arguments : bad) {
     const Finished run = mesher(arguments);
     EXPECT_EQ(run.exit_code, 1) << arguments[0] << " " << arguments.back() << ": " << run.err;
@@ -241,7 +332,7 @@ TEST_F(CommandLine, AnUnknownDeviceIsNamedWithThoseThereAre) {
 TEST_F(CommandLine, HelpAndVersionGoToStdout) {
   const Finished help = mesher({"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* word : {"view", "render", "info", "convert"}) {
+  for (const char* word : {"view", "render", "info", "convert", "simplify"}) {
     EXPECT_NE(help.out.find(word), std::string::npos);
   }
   EXPECT_EQ(mesher({"render", "--help"}).exit_code, 0);

@@ -130,6 +130,18 @@ TEST(Commands, PanelBackgroundScreenshotAndQuit) {
   EXPECT_TRUE(s.wants_quit);
 }
 
+TEST(Commands, EditsWaitForWhoeverRunsTheSession) {
+  using Kind = EditRequest::Kind;
+  Session s = session_with_cube();
+  press(s, "d shift+d ctrl+z ctrl+shift+z ctrl+y");
+  ASSERT_EQ(s.edits.waiting.size(), 5U);
+  const Kind expected[] = {Kind::remove_tenth, Kind::remove_edge, Kind::undo, Kind::redo,
+                           Kind::redo};
+  for (std::size_t i = 0; i < 5; ++i)
+    EXPECT_EQ(s.edits.waiting[i].kind, expected[i]);
+  EXPECT_EQ(s.statistics.faces, 12U);
+}
+
 TEST(Session, ShowingAModelCountsAndFramesIt) {
   Session s = session_with_cube();
   EXPECT_EQ(s.statistics.faces, 12U);

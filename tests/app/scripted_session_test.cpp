@@ -64,6 +64,18 @@ TEST_F(ScriptedSessionTest, StopsAtQuitAndRefusesKeysThatDoNothing) {
   EXPECT_THROW(script_.press(parse_keys("f9")), UsageError);
 }
 
+TEST_F(ScriptedSessionTest, EditsAreDoneBeforeTheNextKey) {
+  show(test::torus(12, 10));
+  const Image full = script_.picture();
+  script_.press(parse_keys("d d"));
+  EXPECT_LE(session_.statistics.faces, 195U);
+  EXPECT_EQ(session_.edits.history.undo_depth(), 2U);
+  EXPECT_NE(script_.picture().rgba, full.rgba);
+  script_.press(parse_keys("ctrl+z ctrl+z"));
+  EXPECT_EQ(script_.picture().rgba, full.rgba);
+  script_.expect_no_messages();
+}
+
 TEST(ScriptedSession, NamesTheDevicesWhereNoneMatches) {
   Session session;
   ScriptedSession script(session, {.device = "no such device", .validation = false});

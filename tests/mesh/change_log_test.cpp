@@ -27,6 +27,16 @@ TEST(ChangeLog, MergedIsSortedAndDisjoint) {
   EXPECT_EQ(log.merged(GpuArray::position, 1), (Ranges{{3, 6}, {20, 32}}));
 }
 
+TEST(ChangeLog, RangesEndWhereTheArrayEnds) {
+  ChangeLog log;
+  log.note(GpuArray::origin, 3, 9);
+  log.note(GpuArray::origin, 20, 2);
+  EXPECT_EQ(log.merged(GpuArray::origin, 0, 21), (Ranges{{3, 12}, {20, 21}}));
+  EXPECT_EQ(log.merged(GpuArray::origin, 0, 20), (Ranges{{3, 12}}));
+  EXPECT_EQ(log.merged(GpuArray::origin, 0, 5), (Ranges{{3, 5}}));
+  EXPECT_TRUE(log.merged(GpuArray::origin, 0, 3).empty());
+}
+
 TEST(ChangeLog, NotingNothingChangesNothing) {
   ChangeLog log;
   log.note(GpuArray::origin, 7, 0);

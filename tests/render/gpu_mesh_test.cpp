@@ -4,6 +4,8 @@
 #include <glm/packing.hpp>
 #include <random>
 
+#include "engine/mesh/collapse.h"
+#include "engine/mesh/delta.h"
 #include "tests/support/gpu_test.h"
 #include "tests/support/meshes.h"
 
@@ -25,15 +27,28 @@ std::vector<std::byte> fresh_content(gpu::Device& device, const Mesh& mesh,
   return mirror.read_back();
 }
 
+/// Any legal collapse, where a few tries find one.
+void collapse_any(Mesh& mesh, std::mt19937& random) {
+  for (int tries = 0; tries < 50; ++tries) {
+    const Halfedge h(static_cast<std::uint32_t>(random() % mesh.halfedge_count()));
+    if (!check_collapse(mesh, h).is_legal()) continue;
+    collapse(mesh, h, 0.5F * (mesh.position(mesh.origin(h)) + mesh.position(mesh.target(h))));
+    return;
+  }
+}
+
 void edit(Mesh& mesh, std::mt19937& random) {
   std::uniform_real_distribution<float> jitter(-0.2F, 0.2F);
   const Vertex v(static_cast<std::uint32_t>(random() % mesh.vertex_count()));
   const Halfedge h(static_cast<std::uint32_t>(random() % mesh.halfedge_count()));
-  switch (random() % 3) {
+  switch (random() % 4) {
     case 0:
     case 1:
       mesh.set_position(
           v, mesh.position(v) + glm::vec3(jitter(random), jitter(random), jitter(random)));
+      break;
+    case 2:
+      collapse_any(mesh, random);
       break;
     default:
       mesh.set_sharpness(mesh.edge(h), mesh.sharpness(h) > 0.0F ? 0.0F : 1.0F);
@@ -87,6 +102,89 @@ TEST_F(GpuMeshTest, AfterAnyEditsEqualsAFreshMirror) {
   }
 }
 
+TEST_F(GpuMeshTest, ShrinkingAndGrowingAgainEqualsAFreshMirror) {
+  for (const Settings& settings : {kFlat, kGouraud, kSplit}) {
+    Mesh mesh = build_mesh(test::join(test::grid(12), test::torus(10, 8), {0, 0, 9})).mesh;
+    for (std::uint32_t i = 0; i < mesh.halfedge_count(); i += 97)
+      mesh.set_sharpness(mesh.edge(Halfedge(i)), 1.0F);
+    GpuMesh mirror(device());
+    mirror.apply(mesh, settings);
+    std::mt19937 random(8);
+    std::vector<MeshDelta> deltas;
+    const auto expect_mirrored = [&] {
+      const UploadStats stats = mirror.apply(mesh, settings);
+      EXPECT_EQ(mirror.face_count(), mesh.face_count());
+      EXPECT_EQ(mirror.vertex_count(), mesh.vertex_count());
+      EXPECT_LE(stats.uploaded_bytes, stats.total_bytes);
+      ASSERT_TRUE(mirror.read_back() == fresh_content(device(), mesh, settings));
+    };
+    for (int round = 0; round < 8; ++round) {
+      const Mesh before = mesh;
+      for (int i = 0; i < 1 + 4 * round; ++i)
+        edit(mesh, random);
+      deltas.push_back(difference(before, mesh));
+      expect_mirrored();
+    }
+    for (auto delta = deltas.rbegin(); delta != deltas.rend(); ++delta) {
+      revert(mesh, *delta);
+      expect_mirrored();
+    }
+    for (const MeshDelta& delta : deltas) {
+      apply(mesh, delta);
+      if (random() % 2 == 0) expect_mirrored();  // several at once are as good
+    }
+    expect_mirrored();
+  }
+}
+
+TEST_F(GpuMeshTest, OneCollapseCostsAFewBytesThereAndBack) {
+  std::mt19937 random(9);
+  for (const Settings& settings : {kFlat, kGouraud, kSplit}) {
+    Mesh mesh = build_mesh(test::join(test::torus(100, 100), test::grid(30))).mesh;
+    GpuMesh mirror(device());
+    mirror.apply(mesh, settings);
+    const Mesh before = mesh;
+    collapse_any(mesh, random);
+    const MeshDelta delta = difference(before, mesh);
+    const UploadStats stats = mirror.apply(mesh, settings);
+    EXPECT_GT(stats.uploaded_bytes, sizeof(glm::vec3));
+    EXPECT_LT(stats.uploaded_bytes, 3000U);
+    EXPECT_GT(stats.total_bytes, 400'000U);
+    revert(mesh, delta);
+    EXPECT_LT(mirror.apply(mesh, settings).uploaded_bytes, 3000U);
+    EXPECT_EQ(mirror.read_back(), fresh_content(device(), mesh, settings));
+  }
+}
+
+TEST_F(GpuMeshTest, UploadsInProportionToWhatAnEditChanged) {
+  Mesh mesh = build_mesh(test::torus(100, 100)).mesh;
+  GpuMesh mirror(device());
+  mirror.apply(mesh, kFlat);
+  std::mt19937 random(10);
+  std::uint64_t before = 0;
+  for (const int collapses : {1, 10, 100, 1000}) {
+    for (int i = 0; i < collapses; ++i)
+      collapse_any(mesh, random);
+    const UploadStats stats = mirror.apply(mesh, kFlat);
+    EXPECT_LT(stats.uploaded_bytes, 300U * collapses);
+    EXPECT_GT(stats.uploaded_bytes, 3 * before);
+    EXPECT_LT(2 * stats.uploaded_bytes, stats.total_bytes);
+    before = stats.uploaded_bytes;
+  }
+}
+
+TEST_F(GpuMeshTest, GrowingBeyondItsBuffersMakesLargerOnes) {
+  for (const Settings& settings : {kFlat, kGouraud, kSplit}) {
+    Mesh mesh = build_mesh(test::cube()).mesh;
+    GpuMesh mirror(device());
+    mirror.apply(mesh, settings);
+    const Mesh large = build_mesh(test::torus(20, 10)).mesh;
+    apply(mesh, difference(mesh, large));
+    mirror.apply(mesh, settings);
+    EXPECT_EQ(mirror.read_back(), fresh_content(device(), large, settings));
+  }
+}
+
 TEST_F(GpuMeshTest, OneMovedVertexCostsAFewBytes) {
   Mesh mesh = build_mesh(test::torus(100, 100)).mesh;
   GpuMesh mirror(device());
@@ -102,7 +200,7 @@ TEST_F(GpuMeshTest, OneMovedVertexCostsAFewBytes) {
 }
 
 TEST_F(GpuMeshTest, VeryManyRangesBecomeOneCopy) {
-  Mesh mesh = build_mesh(test::grid(300)).mesh;
+  Mesh mesh = build_mesh(test::grid(450)).mesh;
   GpuMesh mirror(device());
   mirror.apply(mesh, kFlat);
   for (std::uint32_t v = 0; v < mesh.vertex_count(); v += 8) {

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "engine/core/parallel.h"
+#include "engine/mesh/collapse.h"
 #include "tests/support/meshes.h"
 
 namespace mesher::render {
@@ -37,6 +38,23 @@ TEST(LineEdges, UpdatingIsFindingAgain) {
       mesh.set_sharpness(mesh.edge(h), random() % 2 == 0 ? 0.0F : 3.0F);
     }
     update_line_edges(mesh, mesh.changes().merged(GpuArray::edge_class), edges);
+    ASSERT_EQ(edges, find_line_edges(mesh));
+  }
+}
+
+TEST(LineEdges, FollowCollapses) {
+  Mesh mesh = build_mesh(test::grid(12)).mesh;
+  for (std::uint32_t i = 0; i < mesh.halfedge_count(); i += 13)
+    mesh.set_sharpness(mesh.edge(Halfedge(i)), 1.0F);
+  LineEdges edges = find_line_edges(mesh);
+  std::mt19937 random(6);
+  for (int i = 0; i < 2000 && mesh.face_count() > 20; ++i) {
+    const Halfedge h(static_cast<std::uint32_t>(random() % mesh.halfedge_count()));
+    if (!check_collapse(mesh, h).is_legal()) continue;
+    mesh.changes().clear();
+    collapse(mesh, h, mesh.position(mesh.target(h)));
+    update_line_edges(mesh, mesh.changes().merged(GpuArray::edge_class, 0, mesh.halfedge_count()),
+                      edges);
     ASSERT_EQ(edges, find_line_edges(mesh));
   }
 }

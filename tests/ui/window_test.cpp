@@ -10,45 +10,11 @@
 #include <thread>
 
 #include "engine/io/png.h"
-#include "tests/ui/viewer_process.h"
+#include "tests/ui/window_fixture.h"
 #include "tests/ui/xdnd_source.h"
 
 namespace mesher::test {
 namespace {
-
-using nlohmann::json;
-
-class WindowTest : public testing::Test {
- protected:
-  static void SetUpTestSuite() { server_ = std::make_unique<XServer>(); }
-  static void TearDownTestSuite() { server_.reset(); }
-
-  static std::unique_ptr<ViewerProcess> open(std::vector<std::string> arguments) {
-    return std::make_unique<ViewerProcess>(*server_, std::move(arguments));
-  }
-  static void quit(ViewerProcess& viewer) {
-    viewer.key("q");
-    EXPECT_EQ(viewer.wait_for_end(), 0);
-  }
-  /// A click as a hand makes it: ImGui sees the pointer arrive, the button go down, and come up
-  /// where it went down. It reads the pointer once a frame: moved on at once, the release would be
-  /// seen elsewhere.
-  static void click(const ViewerProcess& viewer, int x, int y) {
-    viewer.move(x, y);
-    viewer.settle();
-    viewer.press(1);
-    std::this_thread::sleep_for(std::chrono::milliseconds(150));
-    viewer.release(1);
-    viewer.settle();
-  }
-  static double number(const json& state, const char* name) {
-    return state["camera"][name].get<double>();
-  }
-
-  static std::unique_ptr<XServer> server_;
-};
-
-std::unique_ptr<XServer> WindowTest::server_;
 
 std::size_t differing_bytes(const std::vector<std::uint8_t>& a,
                             const std::vector<std::uint8_t>& b) {
@@ -57,11 +23,6 @@ std::size_t differing_bytes(const std::vector<std::uint8_t>& a,
     count += a[i] != b[i] ? 1 : 0;
   return count;
 }
-
-#define EXPECT_REACHES(viewer, condition)                                       \
-  EXPECT_TRUE((viewer).reaches([&](const json& s) { return bool(condition); })) \
-      << #condition << "\n"                                                     \
-      << (viewer).state().dump(2)
 
 TEST_F(WindowTest, TheAssignmentsCommandLineOpensAWindowOfThatSize) {
   const auto v = open({"-input", "bunny.obj", "-size", "500", "-gouraud"});
@@ -263,7 +224,7 @@ TEST_F(WindowTest, ThePanelsControlsWork) {
   EXPECT_REACHES(*v, s["shading"] == "gouraud");
   click(*v, 32, 390);
   EXPECT_REACHES(*v, s["wireframe"] == true);
-  v->drag(1, 135, 416, 80, 416);
+  slide(*v, 135, 80, 416);
   EXPECT_REACHES(*v, s["crease_angle_deg"] < 150.0);
   click(*v, 32, 520);
   EXPECT_REACHES(*v, s["background"] == "dark");

@@ -1,0 +1,192 @@
+#include "app/cli/simplify_command.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iostream>
+
+#include "app/cli/batch.h"
+#include "app/cli/progress_line.h"
+#include "app/json.h"
+#include "app/words.h"
+#include "engine/analysis/distance.h"
+#include "engine/core/error.h"
+#include "engine/io/format.h"
+#include "engine/io/losses.h"
+#include "engine/io/write.h"
+#include "engine/simplify/attributes.h"
+#include "engine/simplify/simplify.h"
+
+namespace mesher::app {
+namespace {
+
+/// The value whose key is `word`; the first where there is none.
+template <class Enum, std::size_t N>
+Enum named(const std::string& word) {
+  for (std::size_t i = 0; i < N; ++i) {
+    if (key(static_cast<Enum>(i)) == word) return static_cast<Enum>(i);
+  }
+  return Enum{};
+}
+
+template <class Enum, std::size_t N>
+std::vector<std::string> keys() {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < N; ++i)
+    words.emplace_back(key(static_cast<Enum>(i)));
+  return words;
+}
+
+double parse_max_error(const std::string& text, double diagonal) {
+  const bool is_percent = text.ends_with('%');
+  const char* end = text.data() + text.size() - (is_percent ? 1 : 0);
+  double value = 0.0;
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value) || value <= 0.0) {
+    throw UsageError("--max-error: '" + text +
+                     "' is not a number above 0 (model units, or percent of the diagonal: 0.5%)");
+  }
+  return is_percent ? 0.01 * value * diagonal : value;
+}
+
+void check_output(const std::string& output) {
+  if (format_of(output)) return;
+  throw UsageError("-o: '" + output + "': unknown kind of file; known are " +
+                   std::string(kFormatNames));
+}
+
+std::string with_percent(const SimplifyOutcome& outcome, double error) {
+  return short_number(error) + " (" + short_number(outcome.percent(error)) + " % of the diagonal)";
+}
+
+void say(const std::string& words) {
+  std::cerr << "mesher: " << words << '\n';
+}
+
+void say_outcome(const SimplifyOutcome& outcome) {
+  const SimplifyReport& r = outcome.report;
+  say((r.faces_asked > 0 ? "asked for " + with_commas(r.faces_asked) + " faces, " : std::string()) +
+      "reached " + with_commas(r.faces_reached) + " of " + with_commas(r.faces_before) + " in " +
+      short_number(r.seconds.total()) + " s: " + std::string(describe(r.reason)));
+  std::string refused;
+  for (std::size_t i = 0; i < kRejectionCount; ++i) {
+    const auto cause = static_cast<Rejection>(i);
+    if (r[cause] == 0) continue;
+    refused += (refused.empty() ? "" : ", ") + with_commas(r[cause]) + " by " +
+               std::string(describe(cause));
+  }
+  if (!refused.empty()) say("collapses refused: " + refused);
+  say("estimated error (RMS): " + with_percent(outcome, r.estimated_error));
+  if (r.measured_error >= 0.0) {
+    say("measured error (max): " + with_percent(outcome, r.measured_error));
+  }
+  for (const std::string& dropped : outcome.dropped)
+    say("dropped " + dropped);
+}
+
+void say_distance(const SurfaceDistance& distance) {
+  const OneSidedDistance both = distance.two_sided();
+  say("distance, both ways: rms " + short_number(both.rms) + " (" +
+      short_number(distance.percent(both.rms)) + " %), max " + short_number(both.max) + " (" +
+      short_number(distance.percent(both.max)) + " %)");
+}
+
+/// Empty unless it is wanted and both meshes have faces.
+std::optional<SurfaceDistance> measured(const Mesh& before, const Mesh& after,
+                                        const CommonOptions& common) {
+  if (before.face_count() == 0 || after.face_count() == 0) return std::nullopt;
+  ProgressLine line(!common.quiet);
+  return surface_distance(before, after, {.progress = line.progress()});
+}
+
+}  // namespace
+
+std::vector<std::string> cost_words() {
+  std::vector<std::string> words = keys<CostPolicy, kCostPolicyCount>();
+  words.emplace_back("qem");
+  return words;
+}
+
+std::vector<std::string> placement_words() {
+  return keys<Placement, kPlacementCount>();
+}
+
+SimplifyOptions simplify_options(const SimplifyWords& words, std::uint32_t faces, double diagonal) {
+  if (!words.faces && !words.ratio && words.max_error.empty()) {
+    throw UsageError("simplify: say how far: --faces N, --ratio R or --max-error E");
+  }
+  // The first cost is the quadric, of which "qem" is another name.
+  SimplifyOptions options{
+      .cost = named<CostPolicy, kCostPolicyCount>(words.cost),
+      .placement = named<Placement, kPlacementCount>(words.placement),
+      .boundary = words.boundary == "lock" ? BoundaryRule::lock : BoundaryRule::preserve,
+      .crease_angle_deg = words.crease_angle_deg,
+      .seed = words.seed};
+  if (words.faces) options.target_faces = *words.faces;
+  if (words.ratio) {
+    if (!(*words.ratio > 0.0 && *words.ratio <= 1.0)) {
+      throw UsageError("--ratio: " + short_number(*words.ratio) + " is not above 0 and at most 1");
+    }
+    options.target_faces =
+        std::max(1U, static_cast<std::uint32_t>(std::llround(*words.ratio * faces)));
+  }
+  if (!words.max_error.empty()) options.max_error = parse_max_error(words.max_error, diagonal);
+  return options;
+}
+
+SimplifyOutcome simplify_model(LoadedModel& loaded, SimplifyOptions options,
+                               const CommonOptions& common) {
+  Model& model = loaded.model;
+  SimplifyOutcome outcome;
+  outcome.diagonal = loaded.statistics.box.diagonal();
+  {
+    ProgressLine line(!common.quiet);
+    begin_stage(line.progress(), "simplifying");
+    options.progress = line.progress();
+    Array<Vertex> origins;  // what attributes need of the input
+    if (!model.attributes.is_empty()) {
+      origins.assign(model.mesh.origins().begin(), model.mesh.origins().end());
+    }
+    Simplified simplified = simplify(std::move(model.mesh), options);
+    CarriedAttributes carried = carry_attributes(model.attributes, origins, simplified);
+    outcome.report = simplified.report;
+    outcome.dropped = std::move(carried.dropped);
+    model.attributes = std::move(carried.attributes);
+    model.mesh = std::move(simplified.mesh);
+    loaded.statistics = statistics(model.mesh);
+  }
+  if (!common.quiet) say_outcome(outcome);
+  return outcome;
+}
+
+void run_simplify(const InputOptions& input, const std::string& output, const SimplifyWords& words,
+                  const CommonOptions& common) {
+  simplify_options(words, 1, 1.0);  // refuse before the work, not after it
+  check_output(output);
+  LoadedModel loaded = load(input, common);
+  Mesh& mesh = loaded.model.mesh;
+  if (mesh.face_count() == 0) throw InputError(loaded.file.string(), 0, "has no faces to simplify");
+  const Mesh before = words.measure ? mesh : Mesh();
+  const SimplifyOptions options =
+      simplify_options(words, mesh.face_count(), loaded.statistics.box.diagonal());
+  const SimplifyOutcome outcome = simplify_model(loaded, options, common);
+  const std::vector<std::string> losses = losses_in_format(output, mesh, loaded.model.attributes);
+  write_model(output, mesh, loaded.model.attributes);
+  const auto distance = measured(before, mesh, common);
+  if (!common.quiet) {
+    if (distance) say_distance(*distance);
+    for (const std::string& loss : losses)
+      std::cerr << "mesher: " << output << " cannot hold " << loss << '\n';
+    say(output + ": " + with_commas(mesh.vertex_count()) + " vertices, " +
+        with_commas(mesh.face_count()) + " faces");
+  }
+  if (!common.json) return;
+  Json json{{"input", loaded.file.string()}, {"output", output}};
+  json.update(to_json(outcome));
+  json["distance"] = distance ? to_json(*distance) : Json();
+  json["lost"] = losses;
+  json["repairs"] = to_json(loaded.model.report);
+  std::cout << to_text(json) << '\n';
+}
+
+}  // namespace mesher::app

@@ -1,0 +1,145 @@
+#include "app/edits.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/session.h"
+#include "app/words.h"
+#include "engine/simplify/attributes.h"
+#include "engine/simplify/simplify.h"
+
+namespace mesher::app {
+namespace {
+
+/// Faces that are left to ask for. One that does not divide evenly counts: at least one goes.
+std::uint32_t target_of(const EditRequest& request, std::uint32_t faces) {
+  switch (request.kind) {
+    case EditRequest::Kind::remove_tenth:
+      return faces - (faces / 10 + (faces % 10 == 0 ? 0 : 1));
+    case EditRequest::Kind::remove_edge:
+      return faces - 1;
+    default:
+      return std::max(request.target_faces, 1U);
+  }
+}
+
+SimplifyOptions options_of(const SimplifySettings& settings, double diagonal) {
+  SimplifyOptions options{.cost = settings.cost,
+                          .placement = settings.placement,
+                          .boundary = settings.boundary,
+                          .crease_angle_deg = settings.crease_angle_deg,
+                          .seed = settings.seed,
+                          .order = ResultOrder::fill_holes};
+  if (settings.max_error_percent > 0.0F) {
+    options.max_error = 0.01 * settings.max_error_percent * diagonal;
+  }
+  return options;
+}
+
+std::shared_ptr<const Shape> copy_of(const Model& model) {
+  return std::make_shared<const Shape>(Shape{model.mesh, model.attributes});
+}
+
+void undo(Session& session) {
+  History& history = session.edits.history;
+  if (history.undo_depth() == 0) {
+    session.notice = "nothing to undo";
+    return;
+  }
+  session.notice = "undone: " + history.undo_name();
+  history.undo(session.model, session.statistics);
+}
+
+void redo(Session& session) {
+  History& history = session.edits.history;
+  if (history.redo_depth() == 0) {
+    session.notice = "nothing to redo";
+    return;
+  }
+  session.notice = "done again: " + history.redo_name();
+  history.redo(session.model, session.statistics);
+}
+
+EditTask task_for(Session& session, const EditRequest& request) {
+  Edits& edits = session.edits;
+  EditTask task;
+  task.shown = edits.opened ? copy_of(session.model) : nullptr;
+  if (!edits.opened) edits.opened = task.shown = copy_of(session.model);  // what is shown, still
+  const bool is_from_opened = request.kind == EditRequest::Kind::simplify_to;
+  task.start = is_from_opened ? edits.opened : task.shown;
+  task.statistics = session.statistics;
+  task.options = options_of(session.simplify, session.statistics.box.diagonal());
+  task.options.target_faces = target_of(request, task.start->mesh.face_count());
+  if (request.kind == EditRequest::Kind::remove_edge) {
+    task.title = "Collapsing an edge";
+    task.name = "collapse an edge";
+  } else {
+    task.title = "Simplifying to " + with_commas(task.options.target_faces) + " faces";
+  }
+  return task;
+}
+
+/// What a person cannot see in the picture.
+std::string notice_for(const SimplifyOutcome& outcome) {
+  std::string notice;
+  const SimplifyReport& report = outcome.report;
+  if (report.reason == StopReason::no_legal_collapse || report.reason == StopReason::error_bound) {
+    notice = std::string(describe(report.reason)) + ": " + with_commas(report.faces_reached) +
+             (report.faces_reached == 1 ? " face" : " faces");
+  }
+  for (const std::string& dropped : outcome.dropped)
+    notice += (notice.empty() ? "dropped " : "; dropped ") + dropped;
+  return notice;
+}
+
+}  // namespace
+
+std::optional<EditTask> begin_edit(Session& session) {
+  const EditRequest request = session.edits.waiting.front();
+  session.edits.waiting.pop_front();
+  session.notice.clear();
+  if (request.kind == EditRequest::Kind::undo) {
+    undo(session);
+  } else if (request.kind == EditRequest::Kind::redo) {
+    redo(session);
+  } else if (session.model.mesh.face_count() == 0) {
+    session.notice = "there is nothing to simplify";
+  } else {
+    return task_for(session, request);
+  }
+  return std::nullopt;
+}
+
+EditResult perform(const EditTask& task, Progress* progress) {
+  begin_stage(progress, "simplifying");
+  SimplifyOptions options = task.options;
+  options.progress = progress;
+  const Simplified simplified = simplify(Mesh(task.start->mesh), options);
+  CarriedAttributes carried =
+      carry_attributes(task.start->attributes, task.start->mesh.origins(), simplified);
+  EditResult result;
+  result.outcome = {simplified.report, task.statistics.box.diagonal(), std::move(carried.dropped)};
+  result.edit.name = task.name.empty()
+                         ? "simplify to " + with_commas(simplified.report.faces_reached) + " faces"
+                         : task.name;
+  result.edit.mesh = difference(task.shown->mesh, simplified.mesh);
+  result.edit.attributes = difference(task.shown->attributes, carried.attributes);
+  result.edit.before = task.statistics;
+  result.edit.after = statistics(simplified.mesh);
+  return result;
+}
+
+void finish_edit(Session& session, EditResult&& result) {
+  session.notice = notice_for(result.outcome);
+  session.edits.last = std::move(result.outcome);
+  if (!result.edit.changes_anything()) return;
+  session.edits.history.perform(std::move(result.edit), session.model, session.statistics);
+}
+
+void run_waiting_edits(Session& session) {
+  while (!session.edits.waiting.empty()) {
+    if (const auto task = begin_edit(session)) finish_edit(session, perform(*task, nullptr));
+  }
+}
+
+}  // namespace mesher::app

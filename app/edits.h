@@ -1,0 +1,96 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/history.h"
+#include "engine/mesh/model.h"
+#include "engine/simplify/options.h"
+#include "engine/simplify/report.h"
+
+namespace mesher::app {
+
+/// By which rules the next simplification goes, as the panel shows them.
+struct SimplifySettings {
+  CostPolicy cost = CostPolicy::quadric;
+  Placement placement = Placement::optimal;
+  BoundaryRule boundary = BoundaryRule::preserve;
+  float crease_angle_deg = 180.0F;  ///< 180: tagged creases only
+  float max_error_percent = 0.0F;   ///< of the diagonal; 0: no bound
+  std::uint32_t seed = 1;           ///< of the random policy
+
+  friend bool operator==(const SimplifySettings&, const SimplifySettings&) = default;
+};
+
+/// What a command or a panel asks to be done to the model.
+struct EditRequest {
+  enum class Kind : std::uint8_t {
+    remove_tenth,  ///< about 10 % of the faces, at least one collapse
+    remove_edge,   ///< one collapse
+    simplify_to,   ///< `target_faces`, from the model as it was opened: so detail comes back, too
+    undo,
+    redo,
+  };
+  Kind kind = Kind::remove_tenth;
+  std::uint32_t target_faces = 0;
+};
+
+/// The parts of a model that edits change.
+struct Shape {
+  Mesh mesh;
+  Attributes attributes;
+};
+
+/// The ledger of a simplification.
+struct SimplifyOutcome {
+  SimplifyReport report;
+  double diagonal = 0.0;             ///< of the input's box: what percentages refer to
+  std::vector<std::string> dropped;  ///< attributes that could not be carried
+  double percent(double distance) const { return diagonal > 0.0 ? 100.0 * distance / diagonal : 0; }
+};
+
+/// What has been done to the model that is shown, and what is to be done.
+struct Edits {
+  History history;
+  std::shared_ptr<const Shape> opened;  ///< as it was opened; null until it is first edited
+  std::uint32_t opened_faces = 0;
+  std::optional<SimplifyOutcome> last;
+  /// What a command asks of whoever runs the session: to be done in this order.
+  std::deque<EditRequest> waiting;
+};
+
+struct Session;
+
+/// Everything that a simplification needs and nothing that anybody else changes: it may run on
+/// another thread.
+struct EditTask {
+  std::string title;  ///< "Simplifying to 4,500 faces"
+  std::string name;   ///< in the history; empty: after the number of faces reached
+  std::shared_ptr<const Shape> shown;
+  std::shared_ptr<const Shape> start;  ///< what is simplified: what is shown, or what was opened
+  Statistics statistics;               ///< of what is shown
+  SimplifyOptions options;
+};
+
+struct EditResult {
+  Edit edit;
+  SimplifyOutcome outcome;
+};
+
+/// Takes the first waiting request. Undo and redo are done at once and give nothing; so does what
+/// cannot be done, with a notice. Otherwise the task to perform. O(V + F): the model is copied.
+/// Pre: something waits.
+std::optional<EditTask> begin_edit(Session& session);
+/// Does the work; touches no session. Throws Cancelled.
+EditResult perform(const EditTask& task, Progress* progress);
+/// Changes the model as the result says, in place, so that a mirror has only the difference to
+/// copy; says in the notice what a person should know. The camera stays. O(differences).
+void finish_edit(Session& session, EditResult&& result);
+
+/// All that waits, one after the other, here and now.
+void run_waiting_edits(Session& session);
+
+}  // namespace mesher::app

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "engine/mesh/delta.h"
+#include "engine/mesh/model.h"
+#include "engine/mesh/statistics.h"
+
+namespace mesher::app {
+
+/// An edit that can be taken back and done again: what it changed of a model, and what is known of
+/// the model on either side, so that neither way has to count.
+struct Edit {
+  std::string name;  ///< "simplify to 4,500 faces"
+  MeshDelta mesh;
+  AttributesDelta attributes;
+  Statistics before;
+  Statistics after;
+
+  bool changes_anything() const { return !mesh.is_empty() || !attributes.is_empty(); }
+  std::size_t memory_bytes() const { return mesh.memory_bytes() + attributes.memory_bytes(); }
+};
+
+/// The edits of a model, done and undone. Past a limit of memory the oldest are forgotten, though
+/// never the last one.
+class History {
+ public:
+  static constexpr std::size_t kMemoryBudget = std::size_t{1} << 30U;
+
+  History() = default;
+  explicit History(std::size_t budget_bytes) : budget_bytes_(budget_bytes) {}
+
+  /// Does an edit and keeps it; what was undone before is forgotten. Pre: the model is in the state
+  /// from which the edit starts. O(what it changes).
+  void perform(Edit&& edit, Model& model, Statistics& statistics);
+  /// Takes the last edit back. Pre: undo_depth() > 0, and the model is as the last call left it.
+  void undo(Model& model, Statistics& statistics);
+  /// Does the edit again that was undone last. Pre: redo_depth() > 0, the same.
+  void redo(Model& model, Statistics& statistics);
+
+  std::size_t undo_depth() const { return done_.size(); }
+  std::size_t redo_depth() const { return undone_.size(); }
+  /// What undo would take back, and redo would do. Pre: there is one.
+  const std::string& undo_name() const { return done_.back().name; }
+  const std::string& redo_name() const { return undone_.back().name; }
+  std::size_t memory_bytes() const { return bytes_; }
+
+ private:
+  std::size_t budget_bytes_ = kMemoryBudget;
+  std::size_t bytes_ = 0;
+  std::deque<Edit> done_;
+  std::vector<Edit> undone_;  ///< the last undone at the end
+};
+
+}  // namespace mesher::app

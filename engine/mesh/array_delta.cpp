@@ -1,0 +1,118 @@
+#include "engine/mesh/array_delta.h"
+
+#include <cstring>
+
+#include "engine/core/parallel.h"
+
+namespace mesher {
+namespace {
+
+constexpr std::size_t kChunk = std::size_t{1} << 16U;
+// So much is compared at once before single elements are looked at.
+constexpr std::size_t kBlock = 64;
+
+/// Two arrays of the same number of elements, side by side.
+struct Pair {
+  const std::byte* before;
+  const std::byte* after;
+  std::size_t element_bytes;
+
+  bool is_same(std::size_t first, std::size_t count) const {
+    return std::memcmp(before + first * element_bytes, after + first * element_bytes,
+                       count * element_bytes) == 0;
+  }
+  // A call of memcmp would cost more than the few words of one element.
+  bool is_same_element(std::size_t i) const {
+    for (std::size_t at = i * element_bytes; at < (i + 1) * element_bytes; at += 4) {
+      std::uint32_t a = 0;
+      std::uint32_t b = 0;
+      std::memcpy(&a, before + at, sizeof a);
+      std::memcpy(&b, after + at, sizeof b);
+      if (a != b) return false;
+    }
+    return true;
+  }
+};
+
+void append(std::vector<ChangedRange>& ranges, ChangedRange range) {
+  if (!ranges.empty() && ranges.back().end == range.begin) {
+    ranges.back().end = range.end;
+  } else {
+    ranges.push_back(range);
+  }
+}
+
+std::vector<ChangedRange> differing(const Pair& pair, IndexRange chunk) {
+  std::vector<ChangedRange> ranges;
+  for (std::size_t begin = chunk.begin; begin < chunk.end; begin += kBlock) {
+    const std::size_t end = std::min(begin + kBlock, chunk.end);
+    if (pair.is_same(begin, end - begin)) continue;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (pair.is_same_element(i)) continue;
+      const auto element = static_cast<std::uint32_t>(i);
+      append(ranges, {element, element + 1});
+    }
+  }
+  return ranges;
+}
+
+}  // namespace
+
+ArrayDelta::ArrayDelta(std::span<const std::byte> before, std::span<const std::byte> after,
+                       std::size_t element_bytes)
+    : element_bytes_(element_bytes),
+      old_count_(before.size() / element_bytes),
+      new_count_(after.size() / element_bytes) {
+  const Pair pair{before.data(), after.data(), element_bytes};
+  std::vector<std::vector<ChangedRange>> parts(chunk_count(common(), kChunk));
+  parallel_chunks(common(), kChunk,
+                  [&](std::size_t i, IndexRange chunk) { parts[i] = differing(pair, chunk); });
+  for (const std::vector<ChangedRange>& part : parts) {
+    for (const ChangedRange range : part)
+      append(ranges_, range);
+  }
+  ranges_.shrink_to_fit();
+  before_ = gather(before);
+  after_ = gather(after);
+}
+
+std::size_t ArrayDelta::memory_bytes() const {
+  return ranges_.capacity() * sizeof(ChangedRange) + before_.capacity() + after_.capacity();
+}
+
+std::vector<ChangedRange> ArrayDelta::written(Direction direction) const {
+  std::vector<ChangedRange> ranges = ranges_;
+  if (count(direction) > common()) {
+    append(ranges,
+           {static_cast<std::uint32_t>(common()), static_cast<std::uint32_t>(count(direction))});
+  }
+  return ranges;
+}
+
+Array<std::byte> ArrayDelta::gather(std::span<const std::byte> bytes) const {
+  const std::size_t tail = common() * element_bytes_;
+  std::size_t size = bytes.size() - tail;
+  for (const ChangedRange range : ranges_)
+    size += (range.end - range.begin) * element_bytes_;
+  Array<std::byte> content(size);
+  auto to = content.begin();
+  for (const ChangedRange range : ranges_) {
+    to = std::copy(bytes.begin() + range.begin * element_bytes_,
+                   bytes.begin() + range.end * element_bytes_, to);
+  }
+  std::copy(bytes.begin() + tail, bytes.end(), to);
+  return content;
+}
+
+void ArrayDelta::write_bytes(std::span<std::byte> bytes, Direction direction) const {
+  const Array<std::byte>& content = direction == Direction::forward ? after_ : before_;
+  auto from = content.begin();
+  for (const ChangedRange range : ranges_) {
+    const auto size = (range.end - range.begin) * element_bytes_;
+    std::copy(from, from + size, bytes.begin() + range.begin * element_bytes_);
+    from += size;
+  }
+  std::copy(from, content.end(), bytes.begin() + common() * element_bytes_);
+}
+
+}  // namespace mesher

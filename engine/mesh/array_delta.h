@@ -1,0 +1,70 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "engine/core/array.h"
+#include "engine/core/assert.h"
+#include "engine/mesh/change_log.h"
+
+namespace mesher {
+
+/// Which way a difference is written.
+enum class Direction : std::uint8_t { forward, back };
+
+/// The difference between two states of an array of plain values, bit by bit: the ranges that
+/// differ, with what they held before and after. What is the same costs nothing.
+class ArrayDelta {
+ public:
+  ArrayDelta() = default;
+  /// O(n) at the speed of memory, parallel.
+  template <class T>
+  ArrayDelta(std::span<const T> before, std::span<const T> after)
+      : ArrayDelta(std::as_bytes(before), std::as_bytes(after), sizeof(T)) {
+    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(std::uint32_t) == 0);
+  }
+
+  bool is_empty() const { return old_count_ == new_count_ && ranges_.empty(); }
+  /// Bytes that the difference occupies.
+  std::size_t memory_bytes() const;
+
+  /// Takes `array` from one state to the other. O(differences), apart from resizing.
+  /// Pre: it is in the state that `direction` starts from.
+  template <class T>
+  void write(Array<T>& array, Direction direction) const {
+    MESHER_ASSERT(array.size() == count(reverse(direction)));
+    array.resize(count(direction));
+    write_bytes(std::as_writable_bytes(std::span(array)), direction);
+  }
+  /// The elements that writing changes or adds, sorted and disjoint.
+  std::vector<ChangedRange> written(Direction direction) const;
+
+ private:
+  ArrayDelta(std::span<const std::byte> before, std::span<const std::byte> after,
+             std::size_t element_bytes);
+
+  static Direction reverse(Direction direction) {
+    return direction == Direction::forward ? Direction::back : Direction::forward;
+  }
+  /// Number of elements in the state that `direction` leads to.
+  std::size_t count(Direction direction) const {
+    return direction == Direction::forward ? new_count_ : old_count_;
+  }
+  std::size_t common() const { return std::min(old_count_, new_count_); }
+  /// What the changed ranges hold, one after the other, then what lies past the common elements.
+  Array<std::byte> gather(std::span<const std::byte> bytes) const;
+  void write_bytes(std::span<std::byte> bytes, Direction direction) const;
+
+  std::size_t element_bytes_ = 0;
+  std::size_t old_count_ = 0;
+  std::size_t new_count_ = 0;
+  std::vector<ChangedRange> ranges_;  ///< of the elements that both states have
+  Array<std::byte> before_;
+  Array<std::byte> after_;
+};
+
+}  // namespace mesher

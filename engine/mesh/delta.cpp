@@ -1,0 +1,109 @@
+#include "engine/mesh/delta.h"
+
+namespace mesher {
+namespace {
+
+void note(ChangeLog& changes, GpuArray array, const std::vector<ChangedRange>& ranges) {
+  for (const ChangedRange range : ranges)
+    changes.note(array, range.begin, range.end - range.begin);
+}
+
+template <class T>
+ArrayDelta array_difference(const Array<T>& before, const Array<T>& after) {
+  return {std::span<const T>(before), std::span<const T>(after)};
+}
+
+}  // namespace
+
+MeshDelta::MeshDelta(const Mesh& before, const Mesh& after)
+    : position_(before.positions(), after.positions()),
+      origin_(before.origins(), after.origins()),
+      twin_(before.twins(), after.twins()),
+      outgoing_(before.outgoings(), after.outgoings()),
+      sharpness_(before.sharpnesses(), after.sharpnesses()),
+      vertex_sharpness_(before.vertex_sharpnesses(), after.vertex_sharpnesses()) {}
+
+bool MeshDelta::is_empty() const {
+  return position_.is_empty() && origin_.is_empty() && twin_.is_empty() && outgoing_.is_empty() &&
+         sharpness_.is_empty() && vertex_sharpness_.is_empty();
+}
+
+std::size_t MeshDelta::memory_bytes() const {
+  return position_.memory_bytes() + origin_.memory_bytes() + twin_.memory_bytes() +
+         outgoing_.memory_bytes() + sharpness_.memory_bytes() + vertex_sharpness_.memory_bytes();
+}
+
+void MeshDelta::write(Mesh& mesh, Direction direction) const {
+  position_.write(mesh.position_, direction);
+  origin_.write(mesh.origin_, direction);
+  twin_.write(mesh.twin_, direction);
+  outgoing_.write(mesh.outgoing_, direction);
+  sharpness_.write(mesh.sharpness_, direction);
+  vertex_sharpness_.write(mesh.vertex_sharpness_, direction);
+  ChangeLog& changes = mesh.changes_;
+  note(changes, GpuArray::position, position_.written(direction));
+  note(changes, GpuArray::origin, origin_.written(direction));
+  note(changes, GpuArray::edge_class, twin_.written(direction));
+  note(changes, GpuArray::edge_class, sharpness_.written(direction));
+  // Where a vertex has lost its last face, no other element tells that its normal is gone.
+  for (const ChangedRange range : outgoing_.written(direction)) {
+    for (std::uint32_t v = range.begin; v < range.end; ++v) {
+      if (!mesh.outgoing_[v].is_valid()) changes.note(GpuArray::position, v);
+    }
+  }
+}
+
+MeshDelta difference(const Mesh& before, const Mesh& after) {
+  return {before, after};
+}
+
+void apply(Mesh& mesh, const MeshDelta& delta) {
+  delta.write(mesh, Direction::forward);
+}
+
+void revert(Mesh& mesh, const MeshDelta& delta) {
+  delta.write(mesh, Direction::back);
+}
+
+AttributesDelta::AttributesDelta(const Attributes& before, const Attributes& after)
+    : texcoord_(array_difference(before.texcoord, after.texcoord)),
+      normal_(array_difference(before.normal, after.normal)),
+      color_(array_difference(before.color, after.color)),
+      group_(array_difference(before.group, after.group)) {
+  if (before.group_names == after.group_names) return;
+  old_names_ = before.group_names;
+  new_names_ = after.group_names;
+}
+
+bool AttributesDelta::is_empty() const {
+  return texcoord_.is_empty() && normal_.is_empty() && color_.is_empty() && group_.is_empty() &&
+         old_names_ == new_names_;
+}
+
+std::size_t AttributesDelta::memory_bytes() const {
+  return texcoord_.memory_bytes() + normal_.memory_bytes() + color_.memory_bytes() +
+         group_.memory_bytes();
+}
+
+void AttributesDelta::write(Attributes& attributes, Direction direction) const {
+  texcoord_.write(attributes.texcoord, direction);
+  normal_.write(attributes.normal, direction);
+  color_.write(attributes.color, direction);
+  group_.write(attributes.group, direction);
+  if (old_names_ == new_names_) return;
+  attributes.group_names = direction == Direction::forward ? new_names_ : old_names_;
+}
+
+AttributesDelta difference(const Attributes& before, const Attributes& after) {
+  return {before, after};
+}
+
+void apply(Attributes& attributes, const AttributesDelta& delta) {
+  delta.write(attributes, Direction::forward);
+}
+
+void revert(Attributes& attributes, const AttributesDelta& delta) {
+  delta.write(attributes, Direction::back);
+}
+
+}  // namespace mesher

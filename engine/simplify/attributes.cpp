@@ -1,0 +1,79 @@
+#include "engine/simplify/attributes.h"
+
+#include <cstring>
+#include <string_view>
+
+namespace mesher {
+namespace {
+
+/// Which input corner speaks for a vertex, and where corners contradict each other.
+struct Spokesmen {
+  std::vector<Halfedge>
+      corner;  ///< for each input vertex one of its corners; none: no face uses it
+  std::vector<bool> has_seam;
+};
+
+// Bit for bit: a corner without a value has NaN, which equals nothing.
+template <class T>
+bool is_same(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+template <class T>
+Spokesmen find_spokesmen(const Array<T>& values, std::span<const Vertex> origins,
+                         std::size_t vertices) {
+  Spokesmen found{std::vector<Halfedge>(vertices), std::vector<bool>(vertices)};
+  for (std::uint32_t i = 0; i < origins.size(); ++i) {
+    const std::uint32_t v = origins[i].index();
+    Halfedge& corner = found.corner[v];
+    if (!corner.is_valid()) {
+      corner = Halfedge(i);
+    } else if (!is_same(values[corner.index()], values[i])) {
+      found.has_seam[v] = true;
+    }
+  }
+  return found;
+}
+
+/// Empty, with a word in `dropped`, where a survivor has a seam.
+template <class T>
+Array<T> carry(const Array<T>& values, std::span<const Vertex> origins, const Simplified& result,
+               std::string_view name, std::vector<std::string>& dropped) {
+  if (values.empty()) return {};
+  const Spokesmen input = find_spokesmen(values, origins, result.report.vertices_before);
+  std::size_t seams = 0;
+  for (const Vertex source : result.vertex_source)
+    seams += input.has_seam[source.index()] ? 1 : 0;
+  if (seams > 0) {
+    dropped.push_back(std::string(name) + " (seams at " + std::to_string(seams) + " of the " +
+                      std::to_string(result.vertex_source.size()) + " vertices that are left)");
+    return {};
+  }
+  Array<T> carried(result.mesh.halfedge_count());
+  for (std::uint32_t i = 0; i < result.mesh.halfedge_count(); ++i) {
+    const Vertex source = result.vertex_source[result.mesh.origin(Halfedge(i)).index()];
+    carried[i] = values[input.corner[source.index()].index()];
+  }
+  return carried;
+}
+
+}  // namespace
+
+CarriedAttributes carry_attributes(const Attributes& before, std::span<const Vertex> origins,
+                                   const Simplified& result) {
+  if (result.report.collapses == 0) return {before, {}};
+  CarriedAttributes carried;
+  Attributes& after = carried.attributes;
+  after.texcoord = carry(before.texcoord, origins, result, "texture coordinates", carried.dropped);
+  after.normal = carry(before.normal, origins, result, "normals", carried.dropped);
+  after.color = carry(before.color, origins, result, "colors", carried.dropped);
+  if (!before.group.empty()) {
+    after.group.resize(result.face_source.size());
+    for (std::size_t f = 0; f < result.face_source.size(); ++f)
+      after.group[f] = before.group[result.face_source[f].index()];
+  }
+  after.group_names = before.group_names;
+  return carried;
+}
+
+}  // namespace mesher

@@ -1,0 +1,94 @@
+#include "app/history.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/meshes.h"
+
+namespace mesher::app {
+namespace {
+
+/// A model, and edits of it that each move a vertex.
+struct Document {
+  Document() {
+    model.mesh = build_mesh(test::grid(4)).mesh;
+    stats = statistics(model.mesh);
+  }
+  Edit moved(std::uint32_t v, float z) const {
+    Mesh after = model.mesh;
+    after.set_position(Vertex(v), {0.0F, 0.0F, z});
+    return {.name = "move " + std::to_string(v),
+            .mesh = difference(model.mesh, after),
+            .attributes = {},
+            .before = stats,
+            .after = statistics(after)};
+  }
+  void move(History& history, std::uint32_t v, float z) {
+    history.perform(moved(v, z), model, stats);
+  }
+  float height(std::uint32_t v) const { return model.mesh.position(Vertex(v)).z; }
+
+  Model model;
+  Statistics stats;
+};
+
+TEST(History, GoesBackAndForth) {
+  Document d;
+  History history;
+  d.move(history, 0, 5.0F);
+  d.move(history, 1, 6.0F);
+  EXPECT_EQ(history.undo_name(), "move 1");
+  EXPECT_EQ(d.stats.box.max.z, 6.0F);
+  history.undo(d.model, d.stats);
+  EXPECT_EQ(d.height(1), 0.0F);
+  EXPECT_EQ(d.stats.box.max.z, 5.0F);
+  EXPECT_EQ(history.redo_name(), "move 1");
+  history.undo(d.model, d.stats);
+  EXPECT_EQ(d.height(0), 0.0F);
+  EXPECT_EQ(history.undo_depth(), 0U);
+  EXPECT_EQ(history.redo_depth(), 2U);
+  history.redo(d.model, d.stats);
+  history.redo(d.model, d.stats);
+  EXPECT_EQ(d.height(1), 6.0F);
+  EXPECT_EQ(d.stats.box.max.z, 6.0F);
+}
+
+TEST(History, ANewEditForgetsWhatWasUndone) {
+  Document d;
+  History history;
+  d.move(history, 0, 5.0F);
+  history.undo(d.model, d.stats);
+  d.move(history, 1, 6.0F);
+  EXPECT_EQ(history.redo_depth(), 0U);
+  EXPECT_EQ(history.undo_depth(), 1U);
+}
+
+TEST(History, ForgetsTheOldestPastItsBudgetButNeverTheLast) {
+  Document d;
+  const std::size_t one = d.moved(0, 1.0F).memory_bytes();
+  ASSERT_GT(one, 0U);
+  History history(3 * one);
+  for (std::uint32_t v = 0; v < 5; ++v)
+    d.move(history, v, 1.0F);
+  EXPECT_EQ(history.undo_depth(), 3U);
+  EXPECT_LE(history.memory_bytes(), 3 * one);
+  History tiny(1);
+  d.move(tiny, 7, 1.0F);
+  d.move(tiny, 8, 1.0F);
+  EXPECT_EQ(tiny.undo_depth(), 1U);
+  EXPECT_EQ(tiny.undo_name(), "move 8");
+}
+
+TEST(History, CountsItsMemory) {
+  Document d;
+  History history;
+  d.move(history, 0, 5.0F);
+  const std::size_t one = history.memory_bytes();
+  d.move(history, 1, 5.0F);
+  history.undo(d.model, d.stats);
+  EXPECT_EQ(history.memory_bytes(), 2 * one);
+  d.move(history, 2, 5.0F);
+  EXPECT_EQ(history.memory_bytes(), 2 * one);
+}
+
+}  // namespace
+}  // namespace mesher::app

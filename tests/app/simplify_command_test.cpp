@@ -1,0 +1,56 @@
+#include "app/cli/simplify_command.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/core/error.h"
+
+namespace mesher::app {
+namespace {
+
+TEST(SimplifyWords, TargetsAreFacesARatioOrAnError) {
+  EXPECT_EQ(simplify_options({.faces = 50}, 1000, 10.0).target_faces, 50U);
+  EXPECT_EQ(simplify_options({.ratio = 0.25}, 1000, 10.0).target_faces, 250U);
+  EXPECT_EQ(simplify_options({.ratio = 1e-9}, 1000, 10.0).target_faces, 1U);
+  EXPECT_EQ(simplify_options({.ratio = 1.0}, 1000, 10.0).target_faces, 1000U);
+  const SimplifyOptions units = simplify_options({.max_error = "0.25"}, 1000, 10.0);
+  EXPECT_EQ(units.target_faces, 0U);
+  EXPECT_EQ(units.max_error, 0.25);
+  const SimplifyOptions percent = simplify_options({.faces = 9, .max_error = "5%"}, 1000, 10.0);
+  EXPECT_EQ(percent.target_faces, 9U);
+  EXPECT_DOUBLE_EQ(percent.max_error, 0.5);
+  EXPECT_TRUE(std::isinf(simplify_options({.faces = 9}, 1000, 10.0).max_error));
+}
+
+TEST(SimplifyWords, PoliciesHaveTheirKeysAndQemIsTheQuadric) {
+  const std::vector<std::string> costs = cost_words();
+  ASSERT_EQ(costs.size(), kCostPolicyCount + 1);
+  for (std::size_t i = 0; i < kCostPolicyCount; ++i) {
+    EXPECT_EQ(simplify_options({.faces = 1, .cost = costs[i]}, 9, 1.0).cost,
+              static_cast<CostPolicy>(i));
+  }
+  EXPECT_EQ(simplify_options({.faces = 1, .cost = "qem"}, 9, 1.0).cost, CostPolicy::quadric);
+  EXPECT_EQ(placement_words().size(), kPlacementCount);
+  const SimplifyOptions o = simplify_options({.faces = 1,
+                                              .placement = "endpoint",
+                                              .boundary = "lock",
+                                              .crease_angle_deg = 30.0F,
+                                              .seed = 7},
+                                             9, 1.0);
+  EXPECT_EQ(o.placement, Placement::endpoint);
+  EXPECT_EQ(o.boundary, BoundaryRule::lock);
+  EXPECT_EQ(o.crease_angle_deg, 30.0F);
+  EXPECT_EQ(o.seed, 7U);
+}
+
+TEST(SimplifyWords, WithoutMeaningAreRefused) {
+  EXPECT_THROW((void)simplify_options({}, 9, 1.0), UsageError);
+  for (const double ratio : {0.0, -0.5, 1.01, std::nan("")})
+    EXPECT_THROW((void)simplify_options({.ratio = ratio}, 9, 1.0), UsageError) << ratio;
+  for (const char* error : {"%", "x", "0", "-1", "1 %", "nan", "inf", "1%%", "0%"})
+    EXPECT_THROW((void)simplify_options({.max_error = error}, 9, 1.0), UsageError) << error;
+}
+
+}  // namespace
+}  // namespace mesher::app

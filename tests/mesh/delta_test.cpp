@@ -1,0 +1,211 @@
+#include "engine/mesh/delta.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+#include <vector>
+
+#include "engine/core/parallel.h"
+#include "engine/mesh/collapse.h"
+#include "tests/support/meshes.h"
+
+namespace mesher {
+namespace {
+
+template <class T>
+bool is_same(std::span<const T> a, std::span<const T> b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
+}
+
+void expect_same_arrays(const Mesh& a, const Mesh& b) {
+  EXPECT_TRUE(is_same(a.positions(), b.positions()));
+  EXPECT_TRUE(is_same(a.origins(), b.origins()));
+  EXPECT_TRUE(is_same(a.twins(), b.twins()));
+  EXPECT_TRUE(is_same(a.outgoings(), b.outgoings()));
+  EXPECT_TRUE(is_same(a.sharpnesses(), b.sharpnesses()));
+  EXPECT_TRUE(is_same(a.vertex_sharpnesses(), b.vertex_sharpnesses()));
+}
+
+bool is_noted(const Mesh& mesh, GpuArray array, std::uint32_t i) {
+  if (mesh.changes().is_whole(array)) return true;
+  for (const ChangedRange range : mesh.changes().merged(array)) {
+    if (i >= range.begin && i < range.end) return true;
+  }
+  return false;
+}
+
+/// Every element of `now` that is not as in `before` is in the log of `now`.
+void expect_noted(const Mesh& now, const Mesh& before) {
+  for (std::uint32_t v = 0; v < now.vertex_count(); ++v) {
+    if (v < before.vertex_count() && now.position(Vertex(v)) == before.position(Vertex(v)))
+      continue;
+    EXPECT_TRUE(is_noted(now, GpuArray::position, v)) << v;
+  }
+  for (std::uint32_t i = 0; i < now.halfedge_count(); ++i) {
+    const Halfedge h(i);
+    const bool is_old = i < before.halfedge_count();
+    if (!is_old || now.origin(h) != before.origin(h)) {
+      EXPECT_TRUE(is_noted(now, GpuArray::origin, i)) << i;
+    }
+    if (!is_old || now.twin(h) != before.twin(h) || now.sharpness(h) != before.sharpness(h)) {
+      EXPECT_TRUE(is_noted(now, GpuArray::edge_class, i)) << i;
+    }
+  }
+}
+
+void collapse_some(Mesh& mesh, int count, std::mt19937& random) {
+  for (int tries = 0; count > 0 && tries < 1000; ++tries) {
+    const Halfedge h(static_cast<std::uint32_t>(random() % mesh.halfedge_count()));
+    if (!check_collapse(mesh, h).is_legal()) continue;
+    collapse(mesh, h, 0.5F * (mesh.position(mesh.origin(h)) + mesh.position(mesh.target(h))));
+    --count;
+  }
+}
+
+Mesh creased_mesh() {
+  Mesh mesh = build_mesh(test::join(test::grid(12), test::torus(12, 9), {0, 0, 9})).mesh;
+  for (std::uint32_t i = 0; i < mesh.halfedge_count(); i += 11)
+    mesh.set_sharpness(mesh.edge(Halfedge(i)), 2.0F);
+  mesh.set_sharpness(Vertex(3), kInfinitelySharp);
+  mesh.changes().clear();
+  return mesh;
+}
+
+/// There and back, each time with the validator and a look at the log.
+void expect_round_trip(const Mesh& before, const Mesh& after) {
+  const MeshDelta delta = difference(before, after);
+  Mesh mesh = before;
+  mesh.changes().clear();
+  apply(mesh, delta);
+  expect_same_arrays(mesh, after);
+  expect_noted(mesh, before);
+  test::expect_valid(mesh);
+  mesh.changes().clear();
+  revert(mesh, delta);
+  expect_same_arrays(mesh, before);
+  expect_noted(mesh, after);
+  test::expect_valid(mesh);
+}
+
+TEST(MeshDelta, OfTheSameMeshIsEmpty) {
+  const Mesh mesh = creased_mesh();
+  const MeshDelta nothing = difference(mesh, mesh);
+  EXPECT_TRUE(nothing.is_empty());
+  EXPECT_EQ(nothing.memory_bytes(), 0U);
+  Mesh copy = mesh;
+  apply(copy, nothing);
+  EXPECT_TRUE(copy.changes().is_empty());
+  EXPECT_TRUE(MeshDelta().is_empty());
+}
+
+TEST(MeshDelta, GoesBackAndForthOverRandomCollapses) {
+  std::mt19937 random(11);
+  Mesh mesh = creased_mesh();
+  for (const int count : {1, 1, 2, 5, 20, 60}) {
+    const Mesh before = mesh;
+    collapse_some(mesh, count, random);
+    expect_round_trip(before, mesh);
+  }
+}
+
+TEST(MeshDelta, AStackOfThemRestoresEveryState) {
+  std::mt19937 random(12);
+  Mesh mesh = creased_mesh();
+  std::vector<Mesh> states{mesh};
+  std::vector<MeshDelta> deltas;
+  for (int i = 0; i < 15; ++i) {
+    collapse_some(mesh, 1 + i, random);
+    deltas.push_back(difference(states.back(), mesh));
+    states.push_back(mesh);
+  }
+  for (std::size_t i = deltas.size(); i-- > 0;) {
+    revert(mesh, deltas[i]);
+    expect_same_arrays(mesh, states[i]);
+  }
+  for (std::size_t i = 0; i < deltas.size(); ++i) {
+    apply(mesh, deltas[i]);
+    expect_same_arrays(mesh, states[i + 1]);
+  }
+}
+
+TEST(MeshDelta, ReplacesAWholeMeshByAnother) {
+  const Mesh small = build_mesh(test::cube()).mesh;
+  const Mesh large = creased_mesh();
+  expect_round_trip(small, large);
+  expect_round_trip(large, small);
+  expect_round_trip(Mesh(), large);
+}
+
+TEST(MeshDelta, ComparesPositionsBitByBit) {
+  Mesh mesh = build_mesh(test::cube()).mesh;
+  mesh.set_position(Vertex(0), {0.0F, -0.5F, -0.5F});
+  const Mesh before = mesh;
+  mesh.set_position(Vertex(0), {-0.0F, -0.5F, -0.5F});
+  EXPECT_FALSE(difference(before, mesh).is_empty());
+  expect_round_trip(before, mesh);
+}
+
+TEST(MeshDelta, IsSmallWhereLittleDiffers) {
+  std::mt19937 random(13);
+  Mesh mesh = build_mesh(test::torus(100, 100)).mesh;
+  const Mesh before = mesh;
+  collapse_some(mesh, 1, random);
+  EXPECT_LT(difference(before, mesh).memory_bytes(), 2000U);
+  EXPECT_GT(mesh.memory_bytes(), 800'000U);
+}
+
+TEST(MeshDelta, IsTheSameOnAnyNumberOfThreads) {
+  std::mt19937 random(14);
+  Mesh mesh = build_mesh(test::torus(400, 300)).mesh;
+  const Mesh before = mesh;
+  collapse_some(mesh, 200, random);
+  const std::size_t bytes = difference(before, mesh).memory_bytes();
+  const ThreadLimit one(1);
+  EXPECT_EQ(difference(before, mesh).memory_bytes(), bytes);
+  expect_round_trip(before, mesh);
+}
+
+TEST(MeshDelta, NotesAVertexThatLosesItsFaces) {
+  const Mesh with_face = build_mesh(test::soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2}),
+                                    {.keep_isolated_vertices = true})
+                             .mesh;
+  const Mesh without = build_mesh(test::soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}),
+                                  {.keep_isolated_vertices = true})
+                           .mesh;
+  Mesh mesh = with_face;
+  mesh.changes().clear();
+  apply(mesh, difference(with_face, without));
+  EXPECT_TRUE(is_noted(mesh, GpuArray::position, 1));
+  expect_same_arrays(mesh, without);
+}
+
+TEST(AttributesDelta, GoesBackAndForth) {
+  Attributes before;
+  before.texcoord.assign(30, {0.5F, 0.5F});
+  before.color.assign(30, {1, 2, 3, 4});
+  before.group.assign(10, 1U);
+  before.group_names = {"a", "b"};
+  Attributes after = before;
+  after.texcoord = {};
+  after.color.resize(27);
+  after.color[5] = {9, 9, 9, 9};
+  after.group.resize(9);
+  after.group_names = {"a"};
+  const AttributesDelta delta = difference(before, after);
+  EXPECT_FALSE(delta.is_empty());
+  EXPECT_GE(delta.memory_bytes(), 30 * sizeof(glm::vec2));
+  Attributes a = before;
+  apply(a, delta);
+  EXPECT_TRUE(a.texcoord.empty());
+  EXPECT_TRUE(a.color == after.color && a.group == after.group);
+  EXPECT_EQ(a.group_names, after.group_names);
+  revert(a, delta);
+  EXPECT_TRUE(a.texcoord == before.texcoord && a.color == before.color && a.group == before.group);
+  EXPECT_EQ(a.group_names, before.group_names);
+  EXPECT_TRUE(difference(a, before).is_empty());
+}
+
+}  // namespace
+}  // namespace mesher

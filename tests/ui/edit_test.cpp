@@ -1,0 +1,114 @@
+// Live simplification in a real window: keys, buttons and the slider reach the states wanted, and
+// the camera does not move.
+#include "tests/ui/window_fixture.h"
+
+namespace mesher::test {
+namespace {
+
+class EditTest : public WindowTest {
+ protected:
+  // The panel's places in a window of 1280 x 800.
+  static constexpr int kSliderY = 51;
+  static constexpr int kButtonsY = 78;
+  static constexpr int kUndoY = 104;
+  static constexpr int kLeftButtonX = 1056;
+  static constexpr int kRightButtonX = 1193;
+};
+
+TEST_F(EditTest, DAndShiftDSimplifyAndUndoBringsBack) {
+  const auto v = open({"knot", "--size", "800x600"});
+  v->settle();
+  const json start = v->state();
+  const auto before = v->screenshot();
+  ASSERT_EQ(start["faces"], 2880);
+  v->key("d");
+  EXPECT_REACHES(*v, s["faces"] == 2592 && s["undo_depth"] == 1);
+  v->key("shift+d");
+  EXPECT_REACHES(*v, s["faces"] == 2590 && s["undo_depth"] == 2);
+  EXPECT_EQ(v->state()["camera"], start["camera"]);
+  v->settle();
+  EXPECT_NE(v->screenshot(), before);
+  v->key("ctrl+z");
+  EXPECT_REACHES(*v, s["faces"] == 2592 && s["redo_depth"] == 1);
+  v->key("ctrl+z");
+  EXPECT_REACHES(*v, s["faces"] == 2880 && s["redo_depth"] == 2);
+  v->key("ctrl+shift+z");
+  EXPECT_REACHES(*v, s["faces"] == 2592);
+  v->key("ctrl+y");
+  EXPECT_REACHES(*v, s["faces"] == 2590 && s["redo_depth"] == 0);
+  EXPECT_EQ(v->state()["camera"], start["camera"]);
+  quit(*v);
+}
+
+TEST_F(EditTest, KeysPressedQuicklyQueueUp) {
+  const auto v = open({"knot", "--size", "400x300"});
+  server_->xdotool({"key", "--delay", "1", "d", "d", "d"});
+  EXPECT_REACHES(*v, s["undo_depth"] == 3);
+  EXPECT_LE(v->state()["faces"], 2099);
+  quit(*v);
+}
+
+TEST_F(EditTest, SaysWhenNoLegalCollapseIsLeft) {
+  const auto v = open({"cube", "--size", "400x300", "--gouraud"});
+  server_->xdotool({"key", "--repeat", "12", "--delay", "20", "d"});
+  EXPECT_REACHES(*v, s["notice"].get<std::string>().find("no legal collapse is left") == 0);
+  quit(*v);
+}
+
+TEST_F(EditTest, TheSliderAppliesOnReleaseAndBringsDetailBack) {
+  const auto v = open({"knot", "--size", "1280x800"});
+  v->settle();
+  slide(*v, 1245, 1180, kSliderY);
+  EXPECT_REACHES(*v, s["faces"] < 2500 && s["undo_depth"] == 1);
+  const auto coarse = v->state()["faces"].get<int>();
+  v->settle();
+  slide(*v, 1180, 1255, kSliderY);
+  EXPECT_REACHES(*v, s["faces"] == 2880 && s["undo_depth"] == 2);
+  v->key("ctrl+z");
+  EXPECT_REACHES(*v, s["faces"] == coarse);
+  quit(*v);
+}
+
+TEST_F(EditTest, ThePanelsButtonsWork) {
+  const auto v = open({"knot", "--size", "1280x800"});
+  v->settle();
+  const json start = v->state();
+  click(*v, kLeftButtonX, kButtonsY);
+  EXPECT_REACHES(*v, s["faces"] == 2592);
+  click(*v, kRightButtonX, kButtonsY);
+  EXPECT_REACHES(*v, s["faces"] == 2590);
+  click(*v, kLeftButtonX, kUndoY);
+  EXPECT_REACHES(*v, s["faces"] == 2592);
+  click(*v, kRightButtonX, kUndoY);
+  EXPECT_REACHES(*v, s["faces"] == 2590);
+  click(*v, 1175, 134);  // costs: opens the list
+  click(*v, 1140, 239);  // its last entry
+  EXPECT_REACHES(*v, s["simplify"]["cost"] == "random");
+  EXPECT_EQ(v->state()["camera"], start["camera"]);
+  quit(*v);
+}
+
+TEST_F(EditTest, AnotherFileForgetsTheEditsOfTheOneBefore) {
+  const auto v = open({"knot", "--size", "800x600"});
+  v->key("d");
+  EXPECT_REACHES(*v, s["undo_depth"] == 1);
+  v->key("ctrl+o");
+  EXPECT_REACHES(*v, s["open_dialog"] == true);
+  v->settle();
+  server_->xdotool({"type", "--delay", "60", "cube"});
+  v->settle();
+  v->key("KP_Enter");
+  EXPECT_REACHES(*v, s["faces"] == 12 && s["undo_depth"] == 0);
+  v->key("ctrl+z");
+  EXPECT_REACHES(*v, s["notice"] == "nothing to undo" && s["faces"] == 12);
+  quit(*v);
+}
+
+TEST_F(EditTest, KeysOnTheCommandLineGiveWhatAScriptGives) {
+  const auto v = open({"knot", "--size", "400x300", "--keys", "d shift+d ctrl+z"});
+  EXPECT_REACHES(*v, s["faces"] == 2592 && s["redo_depth"] == 1);
+  quit(*v);
+}
+
+}  // namespace
+}  // namespace mesher::test
