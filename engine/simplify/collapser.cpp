@@ -34,7 +34,7 @@ class FirstCosts {
       }
     }
     costs_.resize(edges_.size());
-    context_.policy.evaluate_costs(context_.surface, edges_, costs_.data());
+    context_.policy.evaluate_costs(context_.surface, edges_, context_.care, costs_.data());
     for (std::size_t i = vertices.begin; i < vertices.end; ++i)
       context_.schedule.vertices[i].cost = Candidate::kNever;
     for (std::size_t i = 0; i < edges_.size(); ++i)
@@ -78,6 +78,7 @@ void Collapser::run(std::span<const Vertex> vertices) {
   records_.reserve(std::min<std::size_t>(vertices.size(), limits_.faces / 2 + 1));
   for (const Vertex v : vertices) {
     const float cost = entry(v).cost;
+    has_refused_ |= entry(v).has_refused;
     if (cost <= limits_.cost && cost < Candidate::kNever) queue_.push(v, cost);
   }
   take_turns();
@@ -213,7 +214,7 @@ void Collapser::evaluate_fan(Vertex v) {
   Schedule& s = context_.schedule;
   const Mesh& mesh = context_.surface.mesh();
   costs_.resize(fan_.size() + 8);
-  context_.policy.evaluate_around(context_.surface, v, fan_, costs_.data());
+  context_.policy.evaluate_around(context_.surface, v, fan_, context_.care, costs_.data());
   Halfedge best;
   float cost = Candidate::kNever;
   for (std::size_t i = 0; i < fan_.size(); ++i) {
@@ -258,6 +259,7 @@ void Collapser::refuse(Halfedge h, Rejection cause) {
   s.edge_cost[h.index()] = Candidate::kNever;
   for (const Vertex v : {mesh.origin(h), mesh.target(h)})
     entry(v).has_refused = true;
+  has_refused_ = true;
 }
 
 /// Pre: the fan is gathered, whole where `is_small`.
@@ -303,10 +305,10 @@ void Collapser::collapse(Halfedge h, const Candidate& candidate) {
   queue_.remove(removed);
   queue_.remove(kept);
   entry(removed).region = QueueEntry::kGone;
-  if (is_near_feature(h)) {
-    merge_near_feature(h, candidate.position);
-  } else {
+  if (fan_.is_smooth()) {
     merge_smooth(h, candidate.position);
+  } else {
+    merge_near_feature(h, candidate.position);
   }
   context_.policy.collapsed(removed, kept);
   if (context_.bound != nullptr) context_.bound->collapsed(removed, kept);
@@ -317,6 +319,7 @@ void Collapser::collapse(Halfedge h, const Candidate& candidate) {
 
 /// What was refused near a collapse may be allowed after it.
 void Collapser::wake_ring() {
+  if (!has_refused_) return;
   for (const Vertex v : fan_.ring()) {
     if (!entry(v).has_refused) continue;
     entry(v).has_refused = false;
@@ -324,18 +327,6 @@ void Collapser::wake_ring() {
     queue_.remove(v);
     choose_cheapest_edge(v);
   }
-}
-
-/// Whether a face of the fan or of the edge has a feature, so that quadrics hold more than planes.
-bool Collapser::is_near_feature(Halfedge h) const {
-  const Surface& surface = context_.surface;
-  if (!surface.has_features()) return false;
-  const Halfedge t = surface.mesh().twin(h);
-  bool has =
-      !t.is_valid() || surface.has_feature(Mesh::face(h)) || surface.has_feature(Mesh::face(t));
-  for (const Halfedge spoke : fan_.spokes())
-    has |= surface.has_feature(Mesh::face(spoke));
-  return has;
 }
 
 /// Takes (-1) from or gives (+1) to the corners of a face what it says as it is.
@@ -361,7 +352,7 @@ void Collapser::merge_near_feature(Halfedge h, const glm::vec3& p) {
   merge(h, p);
   surface.state(kept) = {{}, {p.x, p.y, p.z}};
   for (std::size_t i = 0; i < fan_.size(); ++i)
-    surface.set_shape(Mesh::face(fan_.spokes()[i]), fan_.shape(i));
+    surface.set_shape(Mesh::face(fan_.spokes()[i]), fan_.four_shapes(i)[0]);
   for (const Halfedge spoke : fan_.spokes())
     add_contributions(Mesh::face(spoke), 1.0F);
 }
@@ -373,19 +364,21 @@ void Collapser::merge_smooth(Halfedge h, const glm::vec3& p) {
   const Vertex kept = mesh.target(h);
   for (const Halfedge side : {h, mesh.twin(h)}) {
     surface.add(mesh.origin(Mesh::prev(side)),
-                QuadricRows{} - plane_rows(surface.shape(Mesh::face(side))));
+                QuadricRows{} - plane_rows(load4(&surface.shape(Mesh::face(side)).normal.x)));
   }
   QuadricRows total{};
   QuadricRows previous{};
-  for (std::size_t i = 0; i < fan_.size(); ++i) {
-    const Face f = Mesh::face(fan_.spokes()[i]);
-    const FaceShape shape = fan_.shape(i);
-    const QuadricRows after = plane_rows(shape);
-    const QuadricRows change = after - plane_rows(surface.shape(f));
-    surface.add(fan_.ring()[i], previous + change);
-    surface.set_shape(f, shape);
-    total = total + after;
-    previous = change;
+  for (std::size_t i = 0; i < fan_.size(); i += 4) {
+    const std::array<Float4, 4> shapes = fan_.four_shapes(i);
+    for (std::size_t k = 0; k < 4 && i + k < fan_.size(); ++k) {
+      const Face f = Mesh::face(fan_.spokes()[i + k]);
+      const QuadricRows after = plane_rows(shapes[k]);
+      const QuadricRows change = after - plane_rows(load4(&surface.shape(f).normal.x));
+      surface.add(fan_.ring()[i + k], previous + change);
+      surface.set_shape(f, shapes[k]);
+      total = total + after;
+      previous = change;
+    }
   }
   surface.add(fan_.ring().back(), previous);
   merge(h, p);

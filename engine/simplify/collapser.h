@@ -39,6 +39,7 @@ struct CollapseContext {
   CollapsePolicy& policy;
   Schedule& schedule;
   ErrorBound* bound = nullptr;
+  Care care = Care::exact;  ///< with which edges are looked at before their turn
   Progress* progress = nullptr;
   std::uint32_t faces_to_remove = 0;            ///< in all
   std::atomic<std::uint32_t> removed_faces{0};  ///< so far, for the progress
@@ -92,7 +93,6 @@ class Collapser {
   Rejection check(Halfedge h, const Candidate& candidate, bool is_small);
   void collapse(Halfedge h, const Candidate& candidate);
   bool makes_feature_triangle(Halfedge h) const;
-  bool is_near_feature(Halfedge h) const;
   void add_contributions(Face f, float sign);
   void merge(Halfedge h, const glm::vec3& p);
   void merge_near_feature(Halfedge h, const glm::vec3& p);
@@ -104,6 +104,7 @@ class Collapser {
   BucketQueue queue_;
   Fan fan_;
   std::vector<float> costs_;  ///< scratch of evaluate_fan
+  bool has_refused_ = false;  ///< a vertex of the region has
   std::uint32_t removed_faces_ = 0;
   double paid_ = 0.0;
   std::vector<CollapseRecord> records_;

@@ -6,7 +6,7 @@
 
 namespace mesher {
 
-void CollapsePolicy::evaluate_costs(const Surface& surface, std::span<const Halfedge> edges,
+void CollapsePolicy::evaluate_costs(const Surface& surface, std::span<const Halfedge> edges, Care,
                                     float* costs) const {
   for (const Halfedge h : edges) {
     const Fit fit = surface.fit(h);
@@ -14,12 +14,12 @@ void CollapsePolicy::evaluate_costs(const Surface& surface, std::span<const Half
   }
 }
 
-void CollapsePolicy::evaluate_around(const Surface& surface, Vertex, const Fan& fan,
+void CollapsePolicy::evaluate_around(const Surface& surface, Vertex, const Fan& fan, Care care,
                                      float* costs) const {
-  evaluate_costs(surface, fan.spokes(), costs);
+  evaluate_costs(surface, fan.spokes(), care, costs);
   if (fan.is_closed() || fan.size() == 0) return;
   const Halfedge last = Mesh::prev(fan.spokes().back());
-  evaluate_costs(surface, {&last, 1}, costs + fan.size());
+  evaluate_costs(surface, {&last, 1}, care, costs + fan.size());
 }
 
 void CollapsePolicy::collapsed(Vertex, Vertex) {}

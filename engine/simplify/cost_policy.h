@@ -19,6 +19,10 @@ struct Candidate {
   glm::vec3 position{0.0F};
 };
 
+/// How well costs have to be known. Where the target is far the exact order does not matter, and a
+/// policy may guess: an edge whose turn has come is looked at properly anyway.
+enum class Care { guess, exact };
+
 /// Which edge goes first, and where its vertex goes. `evaluate` and its siblings are called from
 /// several threads at once; `collapsed` for vertices of different regions at once.
 class CollapsePolicy {
@@ -29,14 +33,14 @@ class CollapsePolicy {
   virtual Candidate evaluate(const Surface& surface, Halfedge h, Fit fit) const = 0;
 
   /// The costs alone of several edges; kNever where fit(h) is nowhere. Where a policy has a faster
-  /// way for many edges it gives the same bits.
-  virtual void evaluate_costs(const Surface& surface, std::span<const Halfedge> edges,
+  /// way for many edges it gives the same bits, unless a guess will do.
+  virtual void evaluate_costs(const Surface& surface, std::span<const Halfedge> edges, Care care,
                               float* costs) const;
 
   /// The costs of the edges from the fan's vertex to each of its neighbours (around a closed fan,
   /// of which the last is the first again, that many less one). Writes up to eight places more.
   /// Pre: the fan is that of `v` as it is now, shapes included.
-  virtual void evaluate_around(const Surface& surface, Vertex v, const Fan& fan,
+  virtual void evaluate_around(const Surface& surface, Vertex v, const Fan& fan, Care care,
                                float* costs) const;
 
   /// `removed` has become one with `kept`.

@@ -76,7 +76,18 @@ bool Fan::gather(const Surface& surface, Halfedge h, std::size_t limit) {
   const bool is_whole = is_open ? gather_open(mesh, limit) : gather_closed(mesh, limit);
   // A ring that goes around, and one that broke off, end as they began.
   if (size_ > 0 && (is_closed_ || !is_whole)) ring_[size_] = ring_[0];
+  is_smooth_ = is_closed_ && has_smooth_ring(surface);
   return is_whole;
+}
+
+bool Fan::has_smooth_ring(const Surface& surface) const {
+  if (!surface.has_features()) return true;
+  const Mesh& mesh = surface.mesh();
+  bool is_smooth = surface.kind(mesh.origin(edge_)) == VertexKind::smooth &&
+                   surface.kind(mesh.target(edge_)) == VertexKind::smooth;
+  for (const Vertex v : ring())
+    is_smooth &= surface.kind(v) == VertexKind::smooth;
+  return is_smooth;
 }
 
 bool Fan::gather_closed(const Mesh& mesh, std::size_t limit) {

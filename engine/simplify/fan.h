@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <glm/vec3.hpp>
 #include <span>
@@ -29,6 +30,9 @@ class Fan {
 
   std::size_t size() const { return size_; }
   bool is_closed() const { return is_closed_; }
+  /// Both ends and all neighbours are smooth, so that no face of the fan or of the edge has a
+  /// feature.
+  bool is_smooth() const { return is_smooth_; }
   /// For each face the half-edge in it that starts at the end of the edge to which it belongs.
   std::span<const Halfedge> spokes() const { return {spokes_.data(), size_}; }
   /// Neighbours: face i lies between ring()[i] and ring()[i + 1]; one more than faces where open,
@@ -44,6 +48,13 @@ class Fan {
 
   /// The shape of face i with the vertex where `check_shape` was last asked about.
   FaceShape shape(std::size_t i) const { return {{x_[i + 1], y_[i + 1], z_[i + 1]}, area_[i + 1]}; }
+  /// Those of faces i to i + 3, each as it lies in memory. Past the last face they hold anything.
+  std::array<Float4, 4> four_shapes(std::size_t i) const {
+    std::array<Float4, 4> rows{load4(&x_[i + 1]), load4(&y_[i + 1]), load4(&z_[i + 1]),
+                               load4(&area_[i + 1])};
+    transpose(rows[0], rows[1], rows[2], rows[3]);
+    return rows;
+  }
   /// That of the face before it.
   FaceShape shape_before(std::size_t i) const { return {{x_[i], y_[i], z_[i]}, area_[i]}; }
   /// Areas times unit normals of faces i to i + 7, and of the faces before each (around a closed
@@ -61,6 +72,7 @@ class Fan {
 
   void reserve(std::size_t faces);
   bool append(const Mesh& mesh, Halfedge s, Halfedge end, std::size_t limit);
+  bool has_smooth_ring(const Surface& surface) const;
   bool gather_closed(const Mesh& mesh, std::size_t limit);
   bool gather_open(const Mesh& mesh, std::size_t limit);
   bool has_repeated_neighbour() const;
@@ -71,6 +83,7 @@ class Fan {
   Halfedge edge_;
   std::size_t size_ = 0;
   bool is_closed_ = false;
+  bool is_smooth_ = false;
   std::vector<Halfedge> spokes_;
   std::vector<Vertex> ring_;
   // Of the faces, one place further than in spokes_: the place before is the last face's.

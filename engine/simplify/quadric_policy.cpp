@@ -6,15 +6,6 @@
 namespace mesher {
 namespace {
 
-/// Whether no feature or boundary is near, so that all edges around may be taken four at a time.
-bool is_free(const Surface& surface, Vertex v, const Fan& fan) {
-  if (!surface.has_features()) return true;
-  bool is_smooth = fan.is_closed() && surface.kind(v) == VertexKind::smooth;
-  for (const Vertex neighbour : fan.ring())
-    is_smooth &= surface.kind(neighbour) == VertexKind::smooth;
-  return is_smooth;
-}
-
 template <class F>
 StateLanes<F> broadcast_state(const VertexState& s) {
   const auto all = [](float x) { return broadcast<F>(x); };
@@ -32,7 +23,8 @@ StateLanes<F> broadcast_state(const VertexState& s) {
 /// Edges that wait until there are eight of them.
 class EightEdges {
  public:
-  EightEdges(const Surface& surface, float* costs) : surface_(surface), costs_(costs) {}
+  EightEdges(const Surface& surface, Care care, float* costs)
+      : surface_(surface), care_(care), costs_(costs) {}
 
   void add(Halfedge h, std::size_t place) {
     edges_[count_] = h;
@@ -43,8 +35,7 @@ class EightEdges {
   void flush() {
     if (count_ == 0) return;
     std::fill(edges_.begin() + static_cast<std::ptrdiff_t>(count_), edges_.end(), edges_[0]);
-    const EdgeQuadric<Float8> quadrics = surface_.edge_quadrics(edges_);
-    const Float8 found = quadrics.ranked_cost(best_offset(quadrics));
+    const Float8 found = evaluate();
     std::array<float, 8> all{};
     store4(all.data(), found.low);
     store4(all.data() + 4, found.high);
@@ -54,7 +45,17 @@ class EightEdges {
   }
 
  private:
+  Float8 evaluate() const {
+    if (care_ == Care::guess) {
+      const auto [from, to] = surface_.ends(edges_);
+      return guessed_cost(from.quadric, to.quadric, to.position - from.position);
+    }
+    const EdgeQuadric<Float8> quadrics = surface_.edge_quadrics(edges_);
+    return quadrics.ranked_cost(best_offset(quadrics));
+  }
+
   const Surface& surface_;
+  Care care_;
   float* costs_;
   std::array<Halfedge, 8> edges_{};
   std::array<std::size_t, 8> places_{};
@@ -71,11 +72,11 @@ Candidate QuadricPolicy::evaluate(const Surface& surface, Halfedge h, Fit fit) c
 }
 
 void QuadricPolicy::evaluate_costs(const Surface& surface, std::span<const Halfedge> edges,
-                                   float* costs) const {
+                                   Care care, float* costs) const {
   if (placement_ != Placement::optimal) {
-    return CollapsePolicy::evaluate_costs(surface, edges, costs);
+    return CollapsePolicy::evaluate_costs(surface, edges, care, costs);
   }
-  EightEdges eight(surface, costs);
+  EightEdges eight(surface, care, costs);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Fit fit = surface.has_features() ? surface.fit(edges[i]) : Fit::anywhere;
     if (fit == Fit::anywhere && !surface.is_feature(edges[i])) {
@@ -87,10 +88,10 @@ void QuadricPolicy::evaluate_costs(const Surface& surface, std::span<const Halfe
   eight.flush();
 }
 
-void QuadricPolicy::evaluate_around(const Surface& surface, Vertex v, const Fan& fan,
+void QuadricPolicy::evaluate_around(const Surface& surface, Vertex v, const Fan& fan, Care care,
                                     float* costs) const {
-  if (placement_ != Placement::optimal || !is_free(surface, v, fan)) {
-    return CollapsePolicy::evaluate_around(surface, v, fan, costs);
+  if (placement_ != Placement::optimal || !fan.is_smooth()) {
+    return CollapsePolicy::evaluate_around(surface, v, fan, care, costs);
   }
   const StateLanes<Float8> from = broadcast_state<Float8>(surface.state(v));
   for (std::size_t i = 0; i < fan.size(); i += 8) {
@@ -98,10 +99,15 @@ void QuadricPolicy::evaluate_around(const Surface& surface, Vertex v, const Fan&
     for (std::size_t lane = 0; lane < 8; ++lane)
       neighbours[lane] = fan.ring()[std::min(i + lane, fan.size())];
     const StateLanes<Float8> to = surface.states(neighbours);
-    const EdgeQuadric<Float8> edges(from.quadric, to.quadric,
-                                    fan.area_vectors_before(i) + fan.area_vectors(i),
-                                    to.position - from.position);
-    const Float8 found = edges.ranked_cost(best_offset(edges));
+    const Vec3<Float8> edge = to.position - from.position;
+    Float8 found;
+    if (care == Care::guess) {
+      found = guessed_cost(from.quadric, to.quadric, edge);
+    } else {
+      const Vec3<Float8> shared = fan.area_vectors_before(i) + fan.area_vectors(i);
+      const EdgeQuadric<Float8> edges(from.quadric, to.quadric, shared, edge);
+      found = edges.ranked_cost(best_offset(edges));
+    }
     store4(costs + i, found.low);
     store4(costs + i + 4, found.high);
   }

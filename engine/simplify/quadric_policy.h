@@ -12,9 +12,9 @@ class QuadricPolicy : public CollapsePolicy {
   explicit QuadricPolicy(Placement placement) : placement_(placement) {}
 
   Candidate evaluate(const Surface& surface, Halfedge h, Fit fit) const override;
-  void evaluate_costs(const Surface& surface, std::span<const Halfedge> edges,
+  void evaluate_costs(const Surface& surface, std::span<const Halfedge> edges, Care care,
                       float* costs) const override;
-  void evaluate_around(const Surface& surface, Vertex v, const Fan& fan,
+  void evaluate_around(const Surface& surface, Vertex v, const Fan& fan, Care care,
                        float* costs) const override;
 
  private:

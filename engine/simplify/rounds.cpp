@@ -21,9 +21,12 @@ constexpr double kShareOfVertices = 0.7;
 constexpr double kShareOfTarget = 0.7;
 // Rounds end where what is left to remove is a small part of the mesh.
 constexpr std::size_t kVerticesPerLastRemoved = 16;
-// How much dearer than thought an edge may turn out and still be collapsed at once: a quarter of an
-// octave where many rounds follow, nothing at the end.
-constexpr std::uint32_t kToleranceInRounds = 8;
+// How much dearer than thought an edge may turn out and still be collapsed at once. The order
+// counts in the last halvings, whose errors are the largest: an octave as long as three of them are
+// to come, then a quarter, nothing in the last round.
+constexpr std::uint32_t kToleranceFarFromTarget = 32;
+constexpr std::uint32_t kToleranceNearTarget = 8;
+constexpr std::uint32_t kFarFromTarget = 8;
 // A collapse that leaves more faces around a vertex than this waits until nothing else is left, so
 // that no hub makes the work quadratic; beyond the second limit it is refused.
 constexpr std::size_t kUsualValence = 64;
@@ -56,13 +59,18 @@ Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, Collaps
       surface_(std::move(mesh), options),
       policy_(make_policy(options, surface_)),
       schedule_(surface_),
-      context_{surface_, *policy_, schedule_, bound_.get(), options.progress},
+      context_{.surface = surface_,
+               .policy = *policy_,
+               .schedule = schedule_,
+               .bound = bound_.get(),
+               .progress = options.progress},
       faces_(surface_.mesh().face_count()),
       area_(total_area(surface_)) {
   if (faces_to_remove() == 0) return;
   for (std::uint32_t v = 0; v < surface_.mesh().vertex_count(); ++v) {
     if (!surface_.mesh().is_isolated(Vertex(v))) live_.emplace_back(v);
   }
+  context_.care = is_far() ? Care::guess : Care::exact;
   evaluate_all(context_);
 }
 
@@ -79,6 +87,11 @@ void Rounds::run(SimplifyReport& report) {
   report.collapses = collapses_;
   report.rejected = rejected_;
   report.estimated_error = estimated_error();
+}
+
+/// Whether halvings enough are to come that the order of what is collapsed now does not matter.
+bool Rounds::is_far() const {
+  return faces_ / kFarFromTarget > options_.target_faces;
 }
 
 bool Rounds::is_last_round() const {
@@ -104,6 +117,7 @@ void Rounds::run_regions(std::uint32_t round) {
   constexpr std::uint32_t kBitsOfGrid = 7;
   constexpr float kGoldenRatio = 0.618034F;  // its multiples spread evenly over 0 to 1
   const float limit = threshold();
+  context_.care = is_far() ? Care::guess : Care::exact;
   const float shift = kGoldenRatio * static_cast<float>(round + 1);
   live_ = morton_order(surface_.mesh().positions(), live_,
                        {.bits = kBitsOfGrid, .shift = shift - std::floor(shift)});
@@ -125,11 +139,12 @@ void Rounds::run_regions(std::uint32_t round) {
           std::count_if(region(i).begin(), region(i).end(),
                         [&](Vertex v) { return schedule_.vertices[v.index()].cost <= limit; }));
       done[i] = std::make_unique<Collapser>(
-          context_, Collapser::Limits{.region = static_cast<std::uint32_t>(i),
-                                      .cost = limit,
-                                      .tolerance = kToleranceInRounds,
-                                      .faces = 2 * cheap,
-                                      .valence = kUsualValence});
+          context_,
+          Collapser::Limits{.region = static_cast<std::uint32_t>(i),
+                            .cost = limit,
+                            .tolerance = is_far() ? kToleranceFarFromTarget : kToleranceNearTarget,
+                            .faces = 2 * cheap,
+                            .valence = kUsualValence});
       done[i]->run(region(i));
     }
   });
@@ -139,6 +154,7 @@ void Rounds::run_regions(std::uint32_t round) {
 }
 
 void Rounds::run_to_the_end() {
+  context_.care = Care::exact;
   for (const Vertex v : live_)
     schedule_.vertices[v.index()].region = 0;
   Collapser collapser(context_, {.faces = faces_to_remove(), .valence = kUsualValence});

@@ -35,6 +35,7 @@ class Rounds {
   std::uint32_t faces_to_remove() const {
     return faces_ > options_.target_faces ? faces_ - options_.target_faces : 0;
   }
+  bool is_far() const;
   bool is_last_round() const;
   void run_regions(std::uint32_t round);
   void run_to_the_end();

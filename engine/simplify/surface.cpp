@@ -108,7 +108,7 @@ void Surface::find_states() {
     QuadricRows sum{};
     for (const Halfedge h : halfedges_around(mesh_, v)) {
       const Face f = Mesh::face(h);
-      sum = sum + plane_rows(shape(f));
+      sum = sum + plane_rows(load4(&shape(f).normal.x));
       if (has_feature(f)) add_features(h);
     }
     add(v, sum);
@@ -158,25 +158,20 @@ Fit Surface::constrained_fit(Halfedge h, VertexKind from, VertexKind to) const {
 }
 
 EdgeQuadric<Float8> Surface::edge_quadrics(const std::array<Halfedge, 8>& edges) const {
-  std::array<Vertex, 8> from;
-  std::array<Vertex, 8> to;
   std::array<std::array<Face, 4>, 2> left;
   std::array<std::array<Face, 4>, 2> right;
   for (std::size_t lane = 0; lane < 8; ++lane) {
-    const Halfedge h = edges[lane];
-    from[lane] = mesh_.origin(h);
-    to[lane] = mesh_.target(h);
-    left[lane / 4][lane % 4] = Mesh::face(h);
-    right[lane / 4][lane % 4] = Mesh::face(mesh_.twin(h));
+    left[lane / 4][lane % 4] = Mesh::face(edges[lane]);
+    right[lane / 4][lane % 4] = Mesh::face(mesh_.twin(edges[lane]));
   }
   const auto area_vectors = [&](const std::array<std::array<Face, 4>, 2>& faces) {
     const ShapeLanes low = shapes(faces[0]);
     const ShapeLanes high = shapes(faces[1]);
     return pair(low.normal, high.normal) * Float8{low.area, high.area};
   };
-  const StateLanes<Float8> u = states(from);
-  const StateLanes<Float8> w = states(to);
-  return {u.quadric, w.quadric, area_vectors(left) + area_vectors(right), w.position - u.position};
+  const auto [from, to] = ends(edges);
+  return {from.quadric, to.quadric, area_vectors(left) + area_vectors(right),
+          to.position - from.position};
 }
 
 }  // namespace mesher

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <utility>
 
 #include "engine/core/array.h"
 #include "engine/mesh/mesh.h"
@@ -66,8 +67,8 @@ UnitAndArea<F> unit_and_area(const Vec3<F>& ab, const Vec3<F>& ac) {
 }
 
 /// What the plane of a face adds to the quadrics of its corners; the rest of the last row is zero.
-inline QuadricRows plane_rows(const FaceShape& shape) {
-  const Float4 n = load4(&shape.normal.x);  // x y z area
+/// `n`: the face's shape as it lies in memory (x, y, z, area).
+inline QuadricRows plane_rows(Float4 n) {
   const Float4 w = n * __builtin_shufflevector(n, n, 3, 3, 3, 3);
   const Float4 x =
       __builtin_shufflevector(w, w, 0, 0, 0, 1) * __builtin_shufflevector(n, n, 0, 1, 2, 1);
@@ -178,12 +179,23 @@ class Surface {
     if (t.is_valid()) shared = shared + shape(Mesh::face(t)).area_vector();
     return {from.quadric, to.quadric, shared, to.position - from.position};
   }
+  /// What both ends of eight edges are.
+  std::pair<StateLanes<Float8>, StateLanes<Float8>> ends(
+      const std::array<Halfedge, 8>& edges) const {
+    std::array<Vertex, 8> from;
+    std::array<Vertex, 8> to;
+    for (std::size_t lane = 0; lane < 8; ++lane) {
+      from[lane] = mesh_.origin(edges[lane]);
+      to[lane] = mesh_.target(edges[lane]);
+    }
+    return {states(from), states(to)};
+  }
   /// Eight edges at once. Pre: none of them is a feature or at the boundary.
   EdgeQuadric<Float8> edge_quadrics(const std::array<Halfedge, 8>& edges) const;
 
   // What a collapse changes besides the mesh itself.
 
-  void set_shape(Face f, const FaceShape& shape) { shape_[f.index()] = shape; }
+  void set_shape(Face f, Float4 shape) { store4(&shape_[f.index()].normal.x, shape); }
   void set_kind(Vertex v, VertexKind kind) { kind_[v.index()] = kind; }
   void set_feature(Halfedge h, bool is) { feature_[h.index()] = is ? 1 : 0; }
   VertexState& state(Vertex v) { return state_[v.index()]; }

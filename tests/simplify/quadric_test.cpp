@@ -99,7 +99,7 @@ TEST(Quadric, RowsAreTheSameSums) {
     const V n = random.unit();
     const FaceShape shape{{n.x, n.y, n.z}, 0.7F};
     VertexState state{};
-    const QuadricRows rows = plane_rows(shape);
+    const QuadricRows rows = plane_rows(load4(&shape.normal.x));
     for (std::size_t k = 0; k < 3; ++k)
       store4(&state.quadric.xx + 4 * k, rows.row[k]);
     const Quadric<float> q = plane_quadric(shape);
