@@ -90,6 +90,7 @@ CollapseResult collapse(Mesh& mesh, Halfedge h, const glm::vec3& p) {
   Vertex kept = mesh.target(h);
   const Halfedge spoke = surviving_spoke(mesh, h);
   edit.move_fan(removed, kept);
+  edit.join_sharpness(h);
   edit.close_edge(h);
   mesh.set_position(kept, p);
   edit.take_over(removed, kept);

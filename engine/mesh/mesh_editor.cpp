@@ -15,12 +15,8 @@ void close_face(MeshEditor& edit, Halfedge h) {
   const Halfedge prev = Mesh::prev(h);
   const Halfedge beyond_next = mesh.twin(next);
   const Halfedge beyond_prev = mesh.twin(prev);
-  const float sharpness = std::max(mesh.sharpness(next), mesh.sharpness(prev));
-  for (const Halfedge side : {beyond_next, beyond_prev}) {
-    if (!side.is_valid()) continue;
-    edit.set_twin(side, side == beyond_next ? beyond_prev : beyond_next);
-    edit.set_sharpness(side, sharpness);
-  }
+  if (beyond_next.is_valid()) edit.set_twin(beyond_next, beyond_prev);
+  if (beyond_prev.is_valid()) edit.set_twin(beyond_prev, beyond_next);
   // An apex whose sweep started in this face starts beyond it: at a boundary that half-edge has
   // just lost its twin.
   const Vertex top = mesh.origin(prev);
@@ -28,6 +24,17 @@ void close_face(MeshEditor& edit, Halfedge h) {
 }
 
 }  // namespace
+
+void MeshEditor::join_sharpness(Halfedge h) {
+  for (const Halfedge side : {h, mesh_.twin(h)}) {
+    if (!side.is_valid()) continue;
+    const float sharpness =
+        std::max(mesh_.sharpness(Mesh::next(side)), mesh_.sharpness(Mesh::prev(side)));
+    for (const Halfedge inner : {Mesh::next(side), Mesh::prev(side)}) {
+      if (const Halfedge t = mesh_.twin(inner); t.is_valid()) set_sharpness(t, sharpness);
+    }
+  }
+}
 
 void MeshEditor::close_edge(Halfedge h) {
   const Halfedge t = mesh_.twin(h);

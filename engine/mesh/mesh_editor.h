@@ -32,9 +32,12 @@ class MeshEditor {
   /// Makes outgoing(v) the start of the sweep that contains `spoke`: at a boundary its first
   /// half-edge. O(valence).
   void start_fan_at_boundary(Vertex v, Halfedge spoke);
+  /// Of two edges that will fall together when the edge of `h` is merged, both get the larger
+  /// sharpness. O(1).
+  void join_sharpness(Halfedge h);
   /// Takes the one or two faces at the edge of `h` out of everything that names them; their own
-  /// entries stay behind as holes. Two edges that fall together keep the larger sharpness. The
-  /// fans of both ends are left to the caller. O(1).
+  /// entries stay behind as holes. Sharpness (`join_sharpness`, before) and the fans of both ends
+  /// are left to the caller. O(1).
   void close_edge(Halfedge h);
   /// What `kept` takes over of `removed` besides its fan: its sharpness, if that is larger.
   void take_over(Vertex removed, Vertex kept);

@@ -28,10 +28,13 @@ class FirstCosts {
     for (std::size_t i = vertices.begin; i < vertices.end; ++i) {
       const Vertex v(static_cast<std::uint32_t>(i));
       if (mesh.is_isolated(v)) continue;
-      for (const Halfedge h : halfedges_around(mesh, v)) {
+      const Halfedge start = mesh.outgoing(v);
+      Halfedge h = start;
+      do {
         // None is the highest index of all, so the origin of a boundary edge answers for it.
         if (h < mesh.twin(h)) edges_.push_back(h);
-      }
+        h = mesh.rotate_ccw(h);
+      } while (h.is_valid() && h != start);
     }
     costs_.resize(edges_.size());
     context_.policy.evaluate_costs(context_.surface, edges_, context_.care, costs_.data());
@@ -74,47 +77,53 @@ void evaluate_all(const CollapseContext& context) {
 Collapser::Collapser(CollapseContext& context, const Limits& limits)
     : context_(context), limits_(limits), queue_(context.schedule.vertices) {}
 
-void Collapser::run(std::span<const Vertex> vertices) {
-  records_.reserve(std::min<std::size_t>(vertices.size(), limits_.faces / 2 + 1));
-  for (const Vertex v : vertices) {
-    const float cost = entry(v).cost;
-    has_refused_ |= entry(v).has_refused;
-    if (cost <= limits_.cost && cost < Candidate::kNever) queue_.push(v, cost);
-  }
+CollapseOutcome Collapser::run(std::span<const Vertex> vertices) {
+  outcome_.records.reserve(std::min<std::size_t>(vertices.size(), limits_.faces / 2 + 1));
+  fill_queue(vertices);
   take_turns();
-  for (const Vertex v : vertices)
-    queue_.remove(v);
-  if (removed_faces_ + 1 != limits_.faces || remove_one_face(vertices)) return;
-  ++limits_.faces;  // no boundary edge will do: two faces or none
-  for (const Vertex v : vertices) {
-    if (entry(v).region != QueueEntry::kGone && entry(v).cost < Candidate::kNever) {
-      queue_.push(v, entry(v).cost);
-    }
+  empty_queue(vertices);
+  if (outcome_.removed_faces + 1 == limits_.faces && !remove_one_face(vertices)) {
+    ++limits_.faces;  // no boundary edge will do: two faces or none
+    fill_queue(vertices);
+    take_turns();
+    empty_queue(vertices);
   }
-  take_turns();
-  for (const Vertex v : vertices)
-    queue_.remove(v);
+  return std::move(outcome_);
 }
 
-void Collapser::run_refused(std::span<const Vertex> vertices) {
+CollapseOutcome Collapser::run_refused(std::span<const Vertex> vertices) {
   for (const Vertex v : vertices) {
     evaluate_refused(v);
     choose_cheapest_edge(v);
     queue_.remove(v);
   }
-  run(vertices);
+  return run(vertices);
+}
+
+void Collapser::fill_queue(std::span<const Vertex> vertices) {
+  for (const Vertex v : vertices) {
+    const QueueEntry& e = entry(v);
+    if (e.region == QueueEntry::kGone) continue;
+    has_refused_ |= e.has_refused;
+    if (e.cost <= limits_.cost && e.cost < Candidate::kNever) queue_.push(v, e.cost);
+  }
+}
+
+void Collapser::empty_queue(std::span<const Vertex> vertices) {
+  for (const Vertex v : vertices)
+    queue_.remove(v);
 }
 
 void Collapser::take_turns() {
   constexpr std::uint32_t kTurnsBetweenReports = 1024;
-  std::uint32_t reported = removed_faces_;
+  std::uint32_t reported = outcome_.removed_faces;
   const auto note_progress = [&] {
-    const std::uint32_t all = context_.removed_faces += removed_faces_ - reported;
-    reported = removed_faces_;
+    const std::uint32_t all = context_.removed_faces += outcome_.removed_faces - reported;
+    reported = outcome_.removed_faces;
     report(context_.progress,
            static_cast<float>(all) / static_cast<float>(context_.faces_to_remove));
   };
-  for (std::uint32_t turn = 1; removed_faces_ + 1 < limits_.faces; ++turn) {
+  for (std::uint32_t turn = 1; outcome_.removed_faces + 1 < limits_.faces; ++turn) {
     const Vertex v = queue_.front();
     if (!v.is_valid()) break;
     take_turn(v);
@@ -255,7 +264,7 @@ void Collapser::evaluate_refused(Vertex v) {
 void Collapser::refuse(Halfedge h, Rejection cause) {
   Schedule& s = context_.schedule;
   const Mesh& mesh = context_.surface.mesh();
-  ++rejected_[static_cast<std::size_t>(cause)];
+  ++outcome_.rejected[static_cast<std::size_t>(cause)];
   s.edge_cost[h.index()] = Candidate::kNever;
   for (const Vertex v : {mesh.origin(h), mesh.target(h)})
     entry(v).has_refused = true;
@@ -300,8 +309,8 @@ void Collapser::collapse(Halfedge h, const Candidate& candidate) {
   const Vertex removed = mesh.origin(h);
   const Vertex kept = mesh.target(h);
   MESHER_ASSERT(check_collapse(mesh, h).is_legal());
-  records_.push_back({h, t, removed, kept, candidate.position});
-  paid_ += double{candidate.error};
+  outcome_.records.push_back({h, t, removed, kept, candidate.position});
+  outcome_.paid += double{candidate.error};
   queue_.remove(removed);
   queue_.remove(kept);
   entry(removed).region = QueueEntry::kGone;
@@ -312,7 +321,7 @@ void Collapser::collapse(Halfedge h, const Candidate& candidate) {
   }
   context_.policy.collapsed(removed, kept);
   if (context_.bound != nullptr) context_.bound->collapsed(removed, kept);
-  removed_faces_ += t.is_valid() ? 2 : 1;
+  outcome_.removed_faces += t.is_valid() ? 2 : 1;
   evaluate_fan(kept);
   wake_ring();
 }
@@ -394,7 +403,8 @@ void Collapser::merge(Halfedge h, const glm::vec3& p) {
   const Vertex removed = mesh.origin(h);
   const Vertex kept = mesh.target(h);
   surface.set_kind(kept, std::max(surface.kind(kept), surface.kind(removed)));
-  if (surface.has_features()) {
+  if (!fan_.is_smooth()) {
+    edit.join_sharpness(h);
     // Two edges become one: a feature if either was.
     for (const Halfedge side : {h, t}) {
       if (!side.is_valid()) continue;

@@ -45,6 +45,14 @@ struct CollapseContext {
   std::atomic<std::uint32_t> removed_faces{0};  ///< so far, for the progress
 };
 
+/// What came of the work on one region.
+struct CollapseOutcome {
+  std::uint32_t removed_faces = 0;
+  double paid = 0.0;  ///< sum of Candidate::error
+  std::vector<CollapseRecord> records;
+  std::array<std::uint64_t, kRejectionCount> rejected{};
+};
+
 /// Gives every edge its first cost, and every vertex its cheapest edge. O(F), parallel. Throws
 /// Cancelled.
 void evaluate_all(const CollapseContext& context);
@@ -68,19 +76,16 @@ class Collapser {
 
   Collapser(CollapseContext& context, const Limits& limits);
 
-  /// Works until nothing within the limits is left. Throws Cancelled.
-  void run(std::span<const Vertex> vertices);
+  /// Works until nothing within the limits is left. Throws Cancelled. Call once.
+  [[nodiscard]] CollapseOutcome run(std::span<const Vertex> vertices);
   /// The same, after all refused edges have been given a cost again.
-  void run_refused(std::span<const Vertex> vertices);
-
-  std::uint32_t removed_faces() const { return removed_faces_; }
-  double paid() const { return paid_; }
-  const std::vector<CollapseRecord>& records() const { return records_; }
-  const std::array<std::uint64_t, kRejectionCount>& rejected() const { return rejected_; }
+  [[nodiscard]] CollapseOutcome run_refused(std::span<const Vertex> vertices);
 
  private:
   QueueEntry& entry(Vertex v) { return context_.schedule.vertices[v.index()]; }
   bool is_ours(Vertex v) { return entry(v).region == limits_.region; }
+  void fill_queue(std::span<const Vertex> vertices);
+  void empty_queue(std::span<const Vertex> vertices);
   void take_turns();
   void take_turn(Vertex v);
   bool remove_one_face(std::span<const Vertex> vertices);
@@ -105,10 +110,7 @@ class Collapser {
   Fan fan_;
   std::vector<float> costs_;  ///< scratch of evaluate_fan
   bool has_refused_ = false;  ///< a vertex of the region has
-  std::uint32_t removed_faces_ = 0;
-  double paid_ = 0.0;
-  std::vector<CollapseRecord> records_;
-  std::array<std::uint64_t, kRejectionCount> rejected_{};
+  CollapseOutcome outcome_;
 };
 
 }  // namespace mesher

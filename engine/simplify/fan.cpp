@@ -129,17 +129,18 @@ bool Fan::gather_open(const Mesh& mesh, std::size_t limit) {
 }
 
 bool Fan::has_repeated_neighbour() const {
-  const std::size_t n = is_closed_ ? size_ : size_ + 1;
-  constexpr std::size_t kFew = 24;
-  if (n <= kFew) {
-    bool is_repeated = false;
-    for (std::size_t i = 1; i < n; ++i) {
-      for (std::size_t k = 0; k < i; ++k)
-        is_repeated |= ring_[i] == ring_[k];
-    }
-    return is_repeated;
+  const auto neighbours = ring().first(is_closed_ ? size_ : std::min(size_ + 1, ring().size()));
+  // Mostly their lowest bits tell them apart already.
+  std::array<std::uint64_t, 4> seen{};
+  bool is_met_twice = false;
+  for (const Vertex v : neighbours) {
+    std::uint64_t& word = seen[v.index() >> 6U & 3U];
+    const std::uint64_t bit = std::uint64_t{1} << (v.index() & 63U);
+    is_met_twice |= (word & bit) != 0;
+    word |= bit;
   }
-  std::vector<Vertex> sorted(ring_.begin(), ring_.begin() + static_cast<std::ptrdiff_t>(n));
+  if (!is_met_twice) return false;
+  std::vector<Vertex> sorted(neighbours.begin(), neighbours.end());
   std::sort(sorted.begin(), sorted.end());
   return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -23,6 +24,8 @@ struct CollapseRecord {
 class CollapseObserver {
  public:
   virtual ~CollapseObserver() = default;
+  /// Called first: about how many collapses are to come, if the target is reached.
+  virtual void expect(std::size_t collapses) { static_cast<void>(collapses); }
   /// Called on the thread that called `simplify`, for some collapses at a time.
   virtual void collapsed(std::span<const CollapseRecord> records) = 0;
 };
@@ -30,6 +33,7 @@ class CollapseObserver {
 /// Keeps them all. 28 bytes a collapse.
 class CollapseRecorder : public CollapseObserver {
  public:
+  void expect(std::size_t collapses) override { records_.reserve(records_.size() + collapses); }
   void collapsed(std::span<const CollapseRecord> records) override {
     records_.insert(records_.end(), records.begin(), records.end());
   }

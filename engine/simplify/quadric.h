@@ -37,16 +37,15 @@ struct Quadric {
 /// A quadric as three rows of four floats, as it lies in memory; what is left of the last row is
 /// not the quadric's.
 struct QuadricRows {
-  Float4 row[3];
+  Float4 a;  ///< xx xy xz yy
+  Float4 b;  ///< yz zz, g.x g.y
+  Float4 c;  ///< g.z
 
-  static QuadricRows load(const Quadric<float>& q) {
-    return {{load4(&q.xx), load4(&q.xx + 4), load4(&q.xx + 8)}};
-  }
   friend QuadricRows operator+(const QuadricRows& p, const QuadricRows& q) {
-    return {{p.row[0] + q.row[0], p.row[1] + q.row[1], p.row[2] + q.row[2]}};
+    return {p.a + q.a, p.b + q.b, p.c + q.c};
   }
   friend QuadricRows operator-(const QuadricRows& p, const QuadricRows& q) {
-    return {{p.row[0] - q.row[0], p.row[1] - q.row[1], p.row[2] - q.row[2]}};
+    return {p.a - q.a, p.b - q.b, p.c - q.c};
   }
 };
 

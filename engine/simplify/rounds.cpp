@@ -80,6 +80,7 @@ void Rounds::run(SimplifyReport& report) {
     return;
   }
   context_.faces_to_remove = faces_to_remove();
+  observer_.expect(faces_to_remove() / 2 + 1);
   for (std::uint32_t round = 0; !is_last_round(); ++round)
     run_regions(round);
   run_to_the_end();
@@ -132,24 +133,23 @@ void Rounds::run_regions(std::uint32_t round) {
         schedule_.vertices[v.index()].region = static_cast<std::uint32_t>(i);
     }
   });
-  std::vector<std::unique_ptr<Collapser>> done(count);
+  std::vector<CollapseOutcome> outcomes(count);
   parallel_for(count, 1, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const auto cheap = static_cast<std::uint32_t>(
           std::count_if(region(i).begin(), region(i).end(),
                         [&](Vertex v) { return schedule_.vertices[v.index()].cost <= limit; }));
-      done[i] = std::make_unique<Collapser>(
-          context_,
-          Collapser::Limits{.region = static_cast<std::uint32_t>(i),
-                            .cost = limit,
-                            .tolerance = is_far() ? kToleranceFarFromTarget : kToleranceNearTarget,
-                            .faces = 2 * cheap,
-                            .valence = kUsualValence});
-      done[i]->run(region(i));
+      Collapser collapser(context_,
+                          {.region = static_cast<std::uint32_t>(i),
+                           .cost = limit,
+                           .tolerance = is_far() ? kToleranceFarFromTarget : kToleranceNearTarget,
+                           .faces = 2 * cheap,
+                           .valence = kUsualValence});
+      outcomes[i] = collapser.run(region(i));
     }
   });
-  for (const auto& collapser : done)
-    note(*collapser);
+  for (const CollapseOutcome& outcome : outcomes)
+    note(outcome);
   drop_removed();
 }
 
@@ -158,8 +158,7 @@ void Rounds::run_to_the_end() {
   for (const Vertex v : live_)
     schedule_.vertices[v.index()].region = 0;
   Collapser collapser(context_, {.faces = faces_to_remove(), .valence = kUsualValence});
-  collapser.run(live_);
-  note(collapser);
+  note(collapser.run(live_));
   while (faces_to_remove() > 0 && try_refused_again(kLargestValence)) {
   }
 }
@@ -168,18 +167,18 @@ void Rounds::run_to_the_end() {
 bool Rounds::try_refused_again(std::size_t valence) {
   drop_removed();
   Collapser collapser(context_, {.faces = faces_to_remove(), .valence = valence});
-  collapser.run_refused(live_);
-  note(collapser);
-  return collapser.removed_faces() > 0;
+  const CollapseOutcome outcome = collapser.run_refused(live_);
+  note(outcome);
+  return outcome.removed_faces > 0;
 }
 
-void Rounds::note(const Collapser& collapser) {
-  observer_.collapsed(collapser.records());
-  collapses_ += collapser.records().size();
-  faces_ -= collapser.removed_faces();
-  paid_ += collapser.paid();
+void Rounds::note(const CollapseOutcome& outcome) {
+  observer_.collapsed(outcome.records);
+  collapses_ += outcome.records.size();
+  faces_ -= outcome.removed_faces;
+  paid_ += outcome.paid;
   for (std::size_t i = 0; i < kRejectionCount; ++i)
-    rejected_[i] += collapser.rejected()[i];
+    rejected_[i] += outcome.rejected[i];
 }
 
 void Rounds::drop_removed() {

@@ -41,7 +41,7 @@ class Rounds {
   void run_to_the_end();
   bool try_refused_again(std::size_t valence);
   float threshold() const;
-  void note(const Collapser& collapser);
+  void note(const CollapseOutcome& outcome);
   void drop_removed();
   StopReason reason() const;
   double estimated_error() const;

@@ -63,6 +63,9 @@ class Translator : public CollapseObserver {
   Translator(const Reordered& order, const Units& units, CollapseObserver* observer)
       : order_(order), units_(units), observer_(observer) {}
 
+  void expect(std::size_t collapses) override {
+    if (observer_ != nullptr) observer_->expect(collapses);
+  }
   void collapsed(std::span<const CollapseRecord> records) override {
     if (observer_ == nullptr) return;
     translated_.clear();

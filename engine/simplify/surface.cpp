@@ -68,34 +68,47 @@ void Surface::find_features(const SimplifyOptions& options) {
     return by_angle &&
            glm::dot(shape(Mesh::face(h)).normal, shape(Mesh::face(t)).normal) < least_cosine;
   };
-  // Most meshes are smooth and closed: memory only where there is a feature.
+  feature_.resize(mesh_.halfedge_count());
   has_features_ =
       parallel_sum<std::uint64_t>(mesh_.halfedge_count(), kChunk, [&](IndexRange range) {
         std::uint64_t count = 0;
-        for (std::size_t i = range.begin; i < range.end; ++i)
-          count += is_feature(Halfedge(static_cast<std::uint32_t>(i))) ? 1 : 0;
+        for (std::size_t i = range.begin; i < range.end; ++i) {
+          feature_[i] = is_feature(Halfedge(static_cast<std::uint32_t>(i))) ? 1 : 0;
+          count += feature_[i];
+        }
         return count;
       }) > 0;
-  if (!has_features_) return;
-  feature_.resize(mesh_.halfedge_count());
-  for_each(mesh_.halfedge_count(),
-           [&](std::uint32_t h) { feature_[h] = is_feature(Halfedge(h)) ? 1 : 0; });
+  // Most scans are smooth and closed: nothing to remember.
+  if (!has_features_) feature_ = {};
 }
 
 void Surface::find_kinds(const SimplifyOptions& options) {
   kind_.assign(mesh_.vertex_count(), VertexKind::smooth);
+  // Features are few: a walk along them instead of one around every vertex.
+  Array<std::uint8_t> features(has_features_ ? mesh_.vertex_count() : 0);
+  std::fill(features.begin(), features.end(), std::uint8_t{0});
+  const auto count = [&](Vertex v) {
+    if (features[v.index()] < 3) ++features[v.index()];
+  };
+  for (std::uint32_t i = 0; i < mesh_.halfedge_count() && has_features_; ++i) {
+    const Halfedge h(i);
+    if (feature_[i] == 0 || !(h < mesh_.twin(h))) continue;
+    count(mesh_.origin(h));
+    count(mesh_.target(h));
+  }
   const bool locks = options.boundary == BoundaryRule::lock;
-  if (!has_features_ && mesh_.vertex_sharpnesses().empty()) return;
+  const bool has_own = !mesh_.vertex_sharpnesses().empty();
+  if (!has_features_ && !has_own) return;
   for_each(mesh_.vertex_count(), [&](std::uint32_t i) {
     const Vertex v(i);
-    if (mesh_.is_isolated(v)) return;
-    int features = 0;
-    for (const Edge e : edges_around(mesh_, v))
-      features += is_feature(Mesh::halfedge(e)) ? 1 : 0;
-    const bool is_fixed = mesh_.sharpness(v) > 0.0F || (locks && mesh_.is_boundary(v));
-    kind_[i] = is_fixed || features == 1 || features > 2 ? VertexKind::corner
-               : features == 2                           ? VertexKind::line
-                                                         : VertexKind::smooth;
+    const int met = has_features_ ? features[i] : 0;
+    const bool is_fixed =
+        (has_own && mesh_.sharpness(v) > 0.0F) || (locks && met > 0 && mesh_.is_boundary(v));
+    if (is_fixed || met == 1 || met > 2) {
+      kind_[i] = VertexKind::corner;
+    } else if (met == 2) {
+      kind_[i] = VertexKind::line;
+    }
   });
 }
 

@@ -76,7 +76,7 @@ inline QuadricRows plane_rows(Float4 n) {
   const Float4 z_one = __builtin_shufflevector(n, one, 2, 2, 4, 4);
   const Float4 y = __builtin_shufflevector(w, w, 1, 2, 0, 1) * z_one;
   const Float4 g = __builtin_shufflevector(w, Float4{}, 2, 4, 4, 4);
-  return {{x, y, g}};
+  return {x, y, g};
 }
 
 /// What the plane of a face adds to the quadrics of its corners.
@@ -127,8 +127,9 @@ class Surface {
   /// Adds to a vertex's quadric. Pre: the rest of the last row is zero.
   void add(Vertex v, const QuadricRows& rows) {
     float* at = &state_[v.index()].quadric.xx;
-    for (std::size_t k = 0; k < 3; ++k)
-      store4(at + 4 * k, load4(at + 4 * k) + rows.row[k]);
+    store4(at, load4(at) + rows.a);
+    store4(at + 4, load4(at + 4) + rows.b);
+    store4(at + 8, load4(at + 8) + rows.c);
   }
   StateLanes<Float4> states(const Vertex* four) const {
     std::array<std::array<Float4, 4>, 3> rows;

@@ -100,8 +100,9 @@ TEST(Quadric, RowsAreTheSameSums) {
     const FaceShape shape{{n.x, n.y, n.z}, 0.7F};
     VertexState state{};
     const QuadricRows rows = plane_rows(load4(&shape.normal.x));
-    for (std::size_t k = 0; k < 3; ++k)
-      store4(&state.quadric.xx + 4 * k, rows.row[k]);
+    store4(&state.quadric.xx, rows.a);
+    store4(&state.quadric.xx + 4, rows.b);
+    store4(&state.quadric.xx + 8, rows.c);
     const Quadric<float> q = plane_quadric(shape);
     EXPECT_EQ(state.quadric.xx, q.xx);
     EXPECT_EQ(state.quadric.xy, q.xy);
