@@ -82,10 +82,12 @@ CollapseOutcome Collapser::run(std::span<const Vertex> vertices) {
   fill_queue(vertices);
   take_turns();
   empty_queue(vertices);
-  if (outcome_.removed_faces + 1 == limits_.faces && !remove_one_face(vertices)) {
-    ++limits_.faces;  // no boundary edge will do: two faces or none
-    fill_queue(vertices);
-    take_turns();
+  if (outcome_.removed_faces + 1 == limits_.faces) {
+    if (!remove_one_face(vertices)) {
+      ++limits_.faces;  // no boundary edge will do: two faces or none
+      fill_queue(vertices);
+      take_turns();
+    }
     empty_queue(vertices);
   }
   return std::move(outcome_);

@@ -71,7 +71,11 @@ bool Fan::gather(const Surface& surface, Halfedge h, std::size_t limit) {
   const Mesh& mesh = surface.mesh();
   edge_ = h;
   size_ = 0;
-  const bool is_open = mesh.is_boundary(mesh.origin(h)) || mesh.is_boundary(mesh.target(h));
+  // A vertex on the boundary is not smooth.
+  has_smooth_ends_ = surface.kind(mesh.origin(h)) == VertexKind::smooth &&
+                     surface.kind(mesh.target(h)) == VertexKind::smooth;
+  const bool is_open =
+      !has_smooth_ends_ && (mesh.is_boundary(mesh.origin(h)) || mesh.is_boundary(mesh.target(h)));
   is_closed_ = !is_open;
   const bool is_whole = is_open ? gather_open(mesh, limit) : gather_closed(mesh, limit);
   // A ring that goes around, and one that broke off, end as they began.
@@ -82,9 +86,7 @@ bool Fan::gather(const Surface& surface, Halfedge h, std::size_t limit) {
 
 bool Fan::has_smooth_ring(const Surface& surface) const {
   if (!surface.has_features()) return true;
-  const Mesh& mesh = surface.mesh();
-  bool is_smooth = surface.kind(mesh.origin(edge_)) == VertexKind::smooth &&
-                   surface.kind(mesh.target(edge_)) == VertexKind::smooth;
+  bool is_smooth = has_smooth_ends_;
   for (const Vertex v : ring())
     is_smooth &= surface.kind(v) == VertexKind::smooth;
   return is_smooth;
@@ -146,20 +148,25 @@ bool Fan::has_repeated_neighbour() const {
 }
 
 Rejection Fan::check_topology(const Surface& surface) const {
-  const Mesh& mesh = surface.mesh();
-  const Halfedge t = mesh.twin(edge_);
-  const bool is_open_at_both =
-      mesh.is_boundary(mesh.origin(edge_)) && mesh.is_boundary(mesh.target(edge_));
-  if (t.is_valid() && is_open_at_both) return Rejection::boundary;
-  for (const Halfedge side : {edge_, t}) {
-    if (side.is_valid() && mesh.is_boundary(Mesh::next(side)) &&
-        mesh.is_boundary(Mesh::prev(side))) {
-      return Rejection::boundary;
-    }
-  }
+  if (!has_smooth_ends_ && !keeps_boundary(surface.mesh())) return Rejection::boundary;
   // Two faces around a closed vertex would have the same corners: a tetrahedron flattened.
   if (is_closed_ && size_ < 3) return Rejection::link_condition;
   return has_repeated_neighbour() ? Rejection::link_condition : kLegal;
+}
+
+/// Neither joins two places of the boundary nor takes a face that hangs on by one side.
+bool Fan::keeps_boundary(const Mesh& mesh) const {
+  const Halfedge t = mesh.twin(edge_);
+  const bool is_open_at_both =
+      mesh.is_boundary(mesh.origin(edge_)) && mesh.is_boundary(mesh.target(edge_));
+  if (t.is_valid() && is_open_at_both) return false;
+  for (const Halfedge side : {edge_, t}) {
+    if (side.is_valid() && mesh.is_boundary(Mesh::next(side)) &&
+        mesh.is_boundary(Mesh::prev(side))) {
+      return false;
+    }
+  }
+  return true;
 }
 
 /// Four faces: their neighbours' positions (five), and what they and the faces beyond the rim are.

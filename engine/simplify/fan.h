@@ -75,6 +75,7 @@ class Fan {
   bool has_smooth_ring(const Surface& surface) const;
   bool gather_closed(const Mesh& mesh, std::size_t limit);
   bool gather_open(const Mesh& mesh, std::size_t limit);
+  bool keeps_boundary(const Mesh& mesh) const;
   bool has_repeated_neighbour() const;
   Block load(const Surface& surface, std::size_t i) const;
   std::size_t count_folds_after(const Surface& surface) const;
@@ -84,6 +85,7 @@ class Fan {
   std::size_t size_ = 0;
   bool is_closed_ = false;
   bool is_smooth_ = false;
+  bool has_smooth_ends_ = false;
   std::vector<Halfedge> spokes_;
   std::vector<Vertex> ring_;
   // Of the faces, one place further than in spokes_: the place before is the last face's.
