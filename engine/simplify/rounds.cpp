@@ -19,6 +19,12 @@ constexpr std::size_t kFewVertices = 6000;
 // removed: more rounds follow the exact order more closely and cost more.
 constexpr double kShareOfVertices = 0.7;
 constexpr double kShareOfTarget = 0.7;
+// Where many costs are equal the threshold lets more than that part through, and every region does
+// with less: so many times the part in all, which still cannot go past the target.
+constexpr double kMostOfShare = 1.25;
+// Rounds that bring less than this part of the vertices end: where hardly anything is legal the
+// rest is cheaper in one region.
+constexpr std::size_t kVerticesPerLeastRound = 64;
 // Rounds end where what is left to remove is a small part of the mesh.
 constexpr std::size_t kVerticesPerLastRemoved = 16;
 // How much dearer than thought an edge may turn out and still be collapsed at once. The order
@@ -81,8 +87,11 @@ void Rounds::run(SimplifyReport& report) {
   }
   context_.faces_to_remove = faces_to_remove();
   observer_.expect(faces_to_remove() / 2 + 1);
-  for (std::uint32_t round = 0; !is_last_round(); ++round)
+  for (std::uint32_t round = 0; !is_last_round(); ++round) {
+    const std::size_t vertices = live_.size();
     run_regions(round);
+    if ((vertices - live_.size()) * kVerticesPerLeastRound < vertices) break;
+  }
   run_to_the_end();
   report.reason = reason();
   report.collapses = collapses_;
@@ -100,8 +109,9 @@ bool Rounds::is_last_round() const {
          faces_to_remove() / 2 * kVerticesPerLastRemoved < live_.size();
 }
 
-/// The cost under which the part of the vertices lies that this round is about.
-float Rounds::threshold() const {
+/// The cost under which the part of the vertices lies that this round is about. What has no legal
+/// edge is not counted: no threshold would let it through.
+Rounds::Share Rounds::share() const {
   std::vector<std::uint32_t> histogram(BucketQueue::kBuckets, 0);
   for (const Vertex v : live_)
     ++histogram[BucketQueue::bucket_of(schedule_.vertices[v.index()].cost)];
@@ -109,15 +119,15 @@ float Rounds::threshold() const {
                                  kShareOfTarget * 0.5 * faces_to_remove());
   double sum = 0.0;
   std::uint32_t bucket = 0;
-  for (; bucket + 1 < histogram.size() && sum < wanted; ++bucket)
+  for (; bucket < BucketQueue::bucket_of(Candidate::kNever) && sum < wanted; ++bucket)
     sum += histogram[bucket];
-  return BucketQueue::highest_below(bucket);
+  return {BucketQueue::highest_below(bucket), std::min(1.0, kMostOfShare * wanted / sum)};
 }
 
 void Rounds::run_regions(std::uint32_t round) {
   constexpr std::uint32_t kBitsOfGrid = 7;
   constexpr float kGoldenRatio = 0.618034F;  // its multiples spread evenly over 0 to 1
-  const float limit = threshold();
+  const Share share = this->share();
   context_.care = is_far() ? Care::guess : Care::exact;
   const float shift = kGoldenRatio * static_cast<float>(round + 1);
   live_ = morton_order(surface_.mesh().positions(), live_,
@@ -136,14 +146,15 @@ void Rounds::run_regions(std::uint32_t round) {
   std::vector<CollapseOutcome> outcomes(count);
   parallel_for(count, 1, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
-      const auto cheap = static_cast<std::uint32_t>(
-          std::count_if(region(i).begin(), region(i).end(),
-                        [&](Vertex v) { return schedule_.vertices[v.index()].cost <= limit; }));
+      const auto cheap =
+          static_cast<double>(std::count_if(region(i).begin(), region(i).end(), [&](Vertex v) {
+            return schedule_.vertices[v.index()].cost <= share.cost;
+          }));
       Collapser collapser(context_,
                           {.region = static_cast<std::uint32_t>(i),
-                           .cost = limit,
+                           .cost = share.cost,
                            .tolerance = is_far() ? kToleranceFarFromTarget : kToleranceNearTarget,
-                           .faces = 2 * cheap,
+                           .faces = 2 * static_cast<std::uint32_t>(share.part * cheap),
                            .valence = kUsualValence});
       outcomes[i] = collapser.run(region(i));
     }

@@ -32,6 +32,12 @@ class Rounds {
   }
 
  private:
+  /// What a round may collapse.
+  struct Share {
+    float cost;   ///< the dearest
+    double part;  ///< of the vertices that are as cheap
+  };
+
   std::uint32_t faces_to_remove() const {
     return faces_ > options_.target_faces ? faces_ - options_.target_faces : 0;
   }
@@ -40,7 +46,7 @@ class Rounds {
   void run_regions(std::uint32_t round);
   void run_to_the_end();
   bool try_refused_again(std::size_t valence);
-  float threshold() const;
+  Share share() const;
   void note(const CollapseOutcome& outcome);
   void drop_removed();
   StopReason reason() const;

@@ -147,5 +147,34 @@ TEST(Degenerate, EqualCostsEverywhere) {
   EXPECT_LE(result.mesh.face_count(), 6U);
 }
 
+// More of each than fit one region, so that rounds are worked: a round without a legal collapse
+// must not be followed by another.
+TEST(Degenerate, WhereNothingIsLegalItEnds) {
+  Soup tetrahedra;
+  for (int i = 0; i < 3'000; ++i)
+    tetrahedra = join(std::move(tetrahedra), tetrahedron(), glm::vec3(2.0F * float(i), 0, 0));
+  const Mesh closed = built(std::move(tetrahedra)).mesh;
+  const Simplified result = simplify(Mesh(closed), {.target_faces = 4});
+  EXPECT_EQ(result.report.reason, StopReason::no_legal_collapse);
+  EXPECT_EQ(result.mesh.face_count(), closed.face_count());
+  const Mesh round = built(torus(200, 50)).mesh;
+  const Simplified all_creases = simplify(Mesh(round), {.target_faces = 4, .crease_angle_deg = 0});
+  EXPECT_EQ(all_creases.mesh.face_count(), round.face_count());
+  const Simplified bounded = simplify(Mesh(round), {.target_faces = 4, .max_error = 1e-9});
+  EXPECT_EQ(bounded.report.reason, StopReason::error_bound);
+}
+
+TEST(Degenerate, EqualCostsDoNotOvershootTheTarget) {
+  const Mesh sheet = built(grid(150)).mesh;
+  for (std::size_t p = 0; p < kCostPolicyCount; ++p) {
+    for (const std::uint32_t percent : {90U, 80U, 50U, 10U}) {
+      const std::uint32_t target = sheet.face_count() * percent / 100;
+      const Simplified result =
+          simplify(Mesh(sheet), {.target_faces = target, .cost = static_cast<CostPolicy>(p)});
+      EXPECT_EQ(result.mesh.face_count(), target) << key(static_cast<CostPolicy>(p));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace mesher::test
