@@ -10,7 +10,9 @@
 #include "engine/core/parallel.h"
 #include "engine/mesh/build.h"
 #include "engine/mesh/collapse.h"
+#include "engine/mesh/delta.h"
 #include "engine/mesh/normals.h"
+#include "engine/simplify/simplify.h"
 #include "tests/bench/models.h"
 #include "tests/bench/settings.h"
 
@@ -35,8 +37,13 @@ Mesh make_hubs(std::uint32_t n) {
   return build_mesh(std::move(soup)).mesh;
 }
 
+/// A grid of 2 n * n triangles, about `faces`.
+std::uint32_t grid_size(std::uint32_t faces) {
+  return static_cast<std::uint32_t>(std::lround(std::sqrt(faces / 2.0)));
+}
+
 Mesh make_grid(std::uint32_t faces) {
-  return build_mesh(torus(static_cast<std::uint32_t>(std::lround(std::sqrt(faces / 2.0))))).mesh;
+  return build_mesh(torus(grid_size(faces))).mesh;
 }
 
 /// One benchmark of what `run(mesh)` does to `make(size)`, as often as makes it long enough to be
@@ -90,6 +97,46 @@ std::size_t check_some_spokes(const Mesh& mesh) {
   return kSpokes;
 }
 
+/// What the viewer does so that a step can be undone: finds the difference that removing a part of
+/// the faces makes, and takes it back. The "peak" is the memory of the difference.
+void add_undo(std::uint32_t faces, const std::string& part, double kept) {
+  const auto add_step = [=](const std::string& step, bool is_find) {
+    const auto measure = [=](State& state) {
+      const ThreadLimit one(1);
+      const Mesh before = build_mesh(bumpy_torus(grid_size(faces))).mesh;
+      const auto target = static_cast<std::uint32_t>(kept * before.face_count());
+      const Mesh after =
+          simplify(Mesh(before), {.target_faces = std::min(target, before.face_count() - 1),
+                                  .order = ResultOrder::fill_holes})
+              .mesh;
+      MeshDelta delta = difference(before, after);
+      Mesh mesh = before;
+      apply(mesh, delta);
+      for (auto _ : state) {
+        const auto start = std::chrono::steady_clock::now();
+        if (is_find) {
+          delta = difference(before, after);
+        } else {
+          revert(mesh, delta);
+        }
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        state.SetIterationTime(elapsed.count());
+      }
+      state.counters["items"] = before.face_count();
+      state.counters["peak_bytes_a_face"] =
+          static_cast<double>(delta.memory_bytes()) / before.face_count();
+    };
+    const std::string name =
+        "steps_undo_growth_" + std::to_string(faces) + "/" + step + ", " + part;
+    benchmark::RegisterBenchmark(name.c_str(), measure)
+        ->Iterations(1)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+  };
+  add_step("difference", true);
+  add_step("taking back", false);
+}
+
 }  // namespace
 
 void register_steps(const Settings& settings) {
@@ -102,6 +149,11 @@ void register_steps(const Settings& settings) {
     add("legality", "every half-edge, valence 6", faces, make_grid, check_every_halfedge);
   for (std::uint32_t spokes = 1'000; spokes <= 100'000; spokes *= 10)
     add("legality_hub", "a spoke of n", spokes, make_hubs, check_some_spokes);
+  for (std::uint32_t faces = 10'000; faces <= std::min(settings.growth_faces, 1'000'000U);
+       faces *= 10) {
+    add_undo(faces, "a tenth removed", 0.9);
+    add_undo(faces, "one edge removed", 1.0);
+  }
 }
 
 }  // namespace mesher::bench
