@@ -67,7 +67,10 @@ void say_outcome(const SimplifyOutcome& outcome) {
   const SimplifyReport& r = outcome.report;
   say((r.faces_asked > 0 ? "asked for " + with_commas(r.faces_asked) + " faces, " : std::string()) +
       "reached " + with_commas(r.faces_reached) + " of " + with_commas(r.faces_before) + " in " +
-      short_number(r.seconds.total()) + " s: " + std::string(describe(r.reason)));
+      short_number(r.seconds.total()) + " s: " + std::string(describe(r.reason)) +
+      (r.faces_reached < r.faces_asked && r.collapses > 0
+           ? " (inside a surface a collapse removes two faces)"
+           : ""));
   std::string refused;
   for (std::size_t i = 0; i < kRejectionCount; ++i) {
     const auto cause = static_cast<Rejection>(i);
