@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <optional>
+#include <glm/common.hpp>
+#include <limits>
 
 #include "engine/core/error.h"
 #include "engine/mesh/statistics.h"
@@ -28,8 +29,15 @@ class Stopwatch {
 
 /// The power of two that brings the mesh to a size at which squares and products of its areas are
 /// far from the ends of what a float holds; 1 where they are anyway. Such a factor loses no bit.
+/// Isolated vertices, however far, do not count.
 float handy_scale(const Mesh& mesh) {
-  const double diagonal = bounding_box(mesh).diagonal();
+  Box box{glm::vec3(std::numeric_limits<float>::max()),
+          glm::vec3(std::numeric_limits<float>::lowest())};
+  for (const Vertex v : mesh.origins()) {
+    box.min = glm::min(box.min, mesh.position(v));
+    box.max = glm::max(box.max, mesh.position(v));
+  }
+  const double diagonal = box.is_empty() ? 0.0 : box.diagonal();
   if (!(diagonal > 0.0) || (diagonal > 0x1p-10 && diagonal < 0x1p20)) return 1.0F;
   return std::ldexp(1.0F, std::clamp(10 - std::ilogb(diagonal), -126, 126));
 }

@@ -111,6 +111,18 @@ TEST(Simplify, AnEmptyMeshAndIsolatedVerticesAreLeftAlone) {
   }
 }
 
+TEST(Simplify, AFarIsolatedVertexDoesNotSetTheScale) {
+  const Mesh near = built(torus(60, 40)).mesh;
+  const Mesh with_far = built(join(torus(60, 40), soup_of({{1e30F, 1e30F, 1e30F}}, {})),
+                              {.keep_isolated_vertices = true})
+                            .mesh;
+  const Simplified result = simplify(Mesh(with_far), {.target_faces = 300});
+  EXPECT_EQ(result.mesh.face_count(), 300U);
+  EXPECT_LE(count_folds(result.mesh), count_folds(near));
+  EXPECT_NEAR(result.report.estimated_error,
+              simplify(Mesh(near), {.target_faces = 300}).report.estimated_error, 0.01);
+}
+
 TEST(Simplify, EndpointsStayASubsetOfTheInput) {
   const Mesh mesh = bumpy_torus(60, 40);
   std::set<std::array<float, 3>> input;
