@@ -13,7 +13,8 @@ namespace mesher {
 /// pages of 4 kB costs about as much as the work that is done on it (building a mesh of 2 million
 /// triangles: a third of the time). Throws std::bad_alloc.
 void* allocate_array(std::size_t bytes);
-void free_array(void* memory) noexcept;
+/// `bytes`: what it was allocated with.
+void free_array(void* memory, std::size_t bytes) noexcept;
 
 /// Allocator that leaves trivially constructible elements uninitialised on `resize(n)`: filling
 /// fresh pages with zeros that are overwritten at once costs as much as the work itself.
@@ -29,7 +30,7 @@ class DefaultInitAllocator : public std::allocator<T> {
     if (n > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_array_new_length();
     return static_cast<T*>(allocate_array(n * sizeof(T)));
   }
-  void deallocate(T* p, std::size_t) noexcept { free_array(p); }
+  void deallocate(T* p, std::size_t n) noexcept { free_array(p, n * sizeof(T)); }
   template <class U>
   void construct(U* p) noexcept(std::is_nothrow_default_constructible_v<U>) {
     ::new (static_cast<void*>(p)) U;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <string>
 
 namespace mesher {
@@ -47,6 +48,24 @@ TEST(Array, CopiesAndMovesLikeAVector) {
   const Array<int> moved = std::move(a);
   EXPECT_EQ(moved, copy);
   EXPECT_EQ(moved.data(), data);
+}
+
+// Past a huge page memory comes from the system itself, in pieces of odd sizes.
+TEST(Array, LargeOnesGrowAndShrink) {
+  Array<std::uint32_t> a;
+  for (const std::size_t n : {524'287U, 524'288U, 524'289U, 1'500'001U, 3'000'000U}) {
+    const std::size_t before = a.size();
+    a.resize(n);
+    for (std::size_t i = before; i < n; ++i)
+      a[i] = static_cast<std::uint32_t>(i);
+    const Array<std::uint32_t> copy(a);
+    for (std::size_t i = 0; i < n; i += 1021)
+      ASSERT_EQ(copy[i], i);
+    ASSERT_EQ(copy.back(), n - 1);
+  }
+#if !defined(__SANITIZE_ADDRESS__)  // which ends the program instead
+  EXPECT_THROW(a.resize(a.max_size()), std::bad_alloc);
+#endif
 }
 
 }  // namespace
