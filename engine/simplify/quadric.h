@@ -97,19 +97,22 @@ struct EdgeQuadric {
   /// What orders collapses: never negative.
   F ranked_cost(const Vec3<F>& y) const {
     const F zero = broadcast<F>(0.0F);
+    // A quadric that a much larger face has left may have lost its own digits, and be negative.
     return greater_of(cost(y), zero) +
-           both.trace() * dot(half, half) * broadcast<F>(4.0F * kLengthWeight);
+           greater_of(both.trace(), zero) * dot(half, half) * broadcast<F>(4.0F * kLengthWeight);
   }
 };
 
 /// A quick guess at what orders collapses: half of what merging at the midpoint would cost, which
-/// cannot be much less than the truth and seldom is much more. Needs no faces and no equations.
+/// cannot be much less than the truth and seldom is much more. Never negative. Needs no faces and
+/// no equations.
 template <class F>
 F guessed_cost(const Quadric<F>& from, const Quadric<F>& to, const Vec3<F>& edge) {
   const Quadric<F> both = from + to;
   const F length = dot(edge, edge);
-  return dot(edge, both.times(edge)) * broadcast<F>(0.125F) +
-         both.trace() * length * broadcast<F>(kLengthWeight);
+  const F zero = broadcast<F>(0.0F);
+  return greater_of(dot(edge, both.times(edge)), zero) * broadcast<F>(0.125F) +
+         greater_of(both.trace(), zero) * length * broadcast<F>(kLengthWeight);
 }
 
 /// L D L^T of the matrix of a quadric with `damping` added to its diagonal. Pivots stay at least

@@ -147,6 +147,24 @@ TEST(Degenerate, EqualCostsEverywhere) {
   EXPECT_LE(result.mesh.face_count(), 6U);
 }
 
+// Where a face is a million times larger than its neighbours, their quadrics lose their own digits.
+TEST(Degenerate, SpikesFarBeyondTheRest) {
+  for (std::uint32_t seed = 0; seed < 10; ++seed) {
+    std::mt19937 random(seed);
+    Soup soup = torus(60, 30);
+    for (int i = 0; i < 30; ++i)
+      soup.positions[random() % soup.positions.size()] *= std::ldexp(1.0F, int(random() % 40));
+    const Mesh mesh = built(std::move(soup)).mesh;
+    for (std::size_t p = 0; p < kCostPolicyCount; ++p) {
+      const Simplified result =
+          simplify(Mesh(mesh), {.target_faces = 100, .cost = static_cast<CostPolicy>(p)});
+      expect_valid(result.mesh);
+      EXPECT_EQ(topology(result.mesh), topology(mesh));
+      EXPECT_LE(count_folds(result.mesh), count_folds(mesh));
+    }
+  }
+}
+
 // More of each than fit one region, so that rounds are worked: a round without a legal collapse
 // must not be followed by another.
 TEST(Degenerate, WhereNothingIsLegalItEnds) {

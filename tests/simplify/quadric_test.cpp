@@ -191,6 +191,16 @@ TEST(BestOffset, IsFiniteForWhateverComes) {
   }
 }
 
+// What is left of a sum after a much larger part of it is taken back may be negative.
+TEST(RankedCost, IsNeverNegative) {
+  const std::vector<Plane> small(3, Plane{{0, 0, 1}, 1e-9F});
+  const Quadric<float> left = sum(small) - sum(std::vector<Plane>(3, Plane{{0, 0, 1}, 1e-6F}));
+  const EdgeQuadric<float> q(left, left, V{}, {1, 0, 1});
+  EXPECT_LT(q.both.trace(), 0.0F);
+  EXPECT_GE(q.ranked_cost(best_offset(q)), 0.0F);
+  EXPECT_GE(guessed_cost(left, left, V{1, 0, 1}), 0.0F);
+}
+
 TEST(BetterEnd, IsTheCheaperOne) {
   Random random(6);
   for (int run = 0; run < 200; ++run) {
