@@ -32,7 +32,10 @@ bool ErrorBound::allows(const Surface& surface, Vertex removed, Vertex kept, con
     const glm::dvec3 b(mesh.position(fan.ring()[i + 1]));
     if (!is_near_input(0.5 * (center + a)) || !is_near_input((center + a + b) / 3.0)) return false;
   }
-  return true;
+  // An open fan ends with one edge more than it has faces: at the boundary, where it may cut across
+  // a hole.
+  if (fan.is_closed() || fan.size() == 0) return true;
+  return is_near_input(0.5 * (center + glm::dvec3(mesh.position(fan.ring().back()))));
 }
 
 /// Whether the new faces pass near every input vertex for which `v` answers.

@@ -40,6 +40,35 @@ TEST(MaxError, IsHonouredBothWaysAndMeasured) {
   }
 }
 
+/// A sheet with slits of one square's width.
+Mesh slit_sheet(std::uint32_t n) {
+  Soup soup = grid(n);
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t square = 0; square < n * n; ++square) {
+    const std::uint32_t x = square % n;
+    const std::uint32_t y = square / n;
+    if (x % 10 == 5 && y % 20 > 5 && y % 20 < 15) continue;
+    for (std::uint32_t c = 6 * square; c < 6 * square + 6; ++c)
+      kept.push_back(soup.corners[c]);
+  }
+  soup.corners.assign(kept.begin(), kept.end());
+  return built(std::move(soup)).mesh;
+}
+
+// Far cheaper collapses than one across a slit are left: it must not spoil all of them.
+TEST(MaxError, NoFaceCutsAcrossAHole) {
+  const Mesh mesh = slit_sheet(60);
+  for (std::size_t p = 0; p < kPlacementCount; ++p) {
+    const std::uint32_t target = mesh.face_count() / 5;
+    const Simplified result = simplify(Mesh(mesh), {.target_faces = target,
+                                                    .max_error = 0.3,
+                                                    .cost = CostPolicy::edge_length,
+                                                    .placement = static_cast<Placement>(p)});
+    EXPECT_EQ(result.mesh.face_count(), target) << key(static_cast<Placement>(p));
+    EXPECT_LE(result.report.measured_error, 0.3);
+  }
+}
+
 TEST(MaxError, EndsWhereTheTargetIsReachedFirst) {
   const Mesh mesh = wavy_sheet(40);
   const Simplified result = simplify(Mesh(mesh), {.target_faces = 2'000, .max_error = 10.0});
