@@ -85,7 +85,7 @@ void draw_rules(SimplifySettings& settings) {
   tooltip(
       "No step may lead further than this from what it starts from, in percent of the diagonal;\n"
       "the slider starts from the model as it was opened. Drag, or Ctrl+click to type; 0: no\n"
-      "bound. With a bound it takes about ten times as long.");
+      "bound. With a bound it takes thirty times as long and more.");
   ImGui::BeginDisabled(settings.cost != CostPolicy::random);
   label("seed");
   int seed = static_cast<int>(settings.seed);

@@ -39,9 +39,10 @@ class BucketQueue {
 
   explicit BucketQueue(std::span<QueueEntry> entries) : entries_(entries), ends_(kBuckets) {}
 
-  /// Monotone in `cost`. Pre: cost >= 0 (infinity included).
+  /// Monotone in `cost`. Pre: cost >= 0 (infinity included). Whatever its bits, a bucket that
+  /// exists.
   static std::uint32_t bucket_of(float cost) {
-    return std::bit_cast<std::uint32_t>(cost + 0.0F) >> kShift;
+    return (std::bit_cast<std::uint32_t>(cost) & 0x7FFFFFFFU) >> kShift;
   }
   /// The highest cost in the buckets below this one; negative where there are none.
   static float highest_below(std::uint32_t bucket) {

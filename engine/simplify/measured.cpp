@@ -1,6 +1,7 @@
 #include "engine/simplify/measured.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 
 #include "engine/analysis/distance.h"
@@ -22,6 +23,7 @@ Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
   const Mesh input = std::move(mesh);
   SimplifyOptions run_options = options;
   SimplifyTimes seconds;
+  std::array<std::uint64_t, kRejectionCount> rejected{};
   for (int run = 0; run < kMaxRuns; ++run) {
     CollapseRecorder recorder;
     run_options.observer = options.observer == nullptr ? nullptr : &recorder;
@@ -39,6 +41,8 @@ Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
       result.report.seconds = seconds;
       return result;
     }
+    rejected = result.report.rejected;
+    if (run_options.max_error <= 0.0) break;  // no tighter bound is left
     // A little less than in proportion, so that few runs are needed.
     run_options.max_error *= 0.95 * options.max_error / measured;
   }
@@ -48,6 +52,7 @@ Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
   Simplified unchanged = simplify_unmeasured(Mesh(input), run_options);
   unchanged.report.faces_asked = options.target_faces;
   unchanged.report.reason = StopReason::error_bound;
+  unchanged.report.rejected = rejected;
   unchanged.report.measured_error = 0.0;
   unchanged.report.seconds = seconds;
   return unchanged;

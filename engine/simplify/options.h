@@ -55,7 +55,8 @@ std::string_view key(Placement placement);
 struct SimplifyOptions {
   std::uint32_t target_faces = 0;  ///< 0: as far as it goes
   /// Upper bound for the distance between input and result, both ways, in model units; infinite:
-  /// none. Costs thirty to sixty times the time (bunny to 1 %).
+  /// none. Costs thirty to sixty times the time (bunny to 1 %). Pre: not
+  /// negative.
   double max_error = std::numeric_limits<double>::infinity();
 
   CostPolicy cost = CostPolicy::quadric;

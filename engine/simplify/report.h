@@ -49,7 +49,8 @@ struct SimplifyReport {
   std::uint32_t vertices_reached = 0;
   StopReason reason = StopReason::target_reached;
   std::uint64_t collapses = 0;
-  /// Refusals by cause: how many times an edge was tried and refused.
+  /// Refusals by cause: how many times an edge was tried and refused; where the target was missed,
+  /// also the edges left that features forbid, which are never tried.
   std::array<std::uint64_t, kRejectionCount> rejected{};
   /// Estimate of the root mean square distance to the input, model units, from the costs paid.
   double estimated_error = 0.0;

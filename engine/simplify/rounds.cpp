@@ -172,6 +172,22 @@ void Rounds::run_to_the_end() {
   note(collapser.run(live_));
   while (faces_to_remove() > 0 && try_refused_again(kLargestValence)) {
   }
+  if (faces_to_remove() > 0) count_constrained();
+}
+
+/// Edges that features forbid are never tried: where that is why the target was missed, the report
+/// must say so.
+void Rounds::count_constrained() {
+  const Mesh& mesh = surface_.mesh();
+  for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
+    const Halfedge h(i);
+    if (surface_.is_removed(Mesh::face(h)) || !(h < mesh.twin(h))) continue;
+    if (surface_.fit(h) != Fit::nowhere) continue;
+    const bool is_at_boundary =
+        mesh.is_boundary(mesh.origin(h)) && mesh.is_boundary(mesh.target(h));
+    const Rejection cause = is_at_boundary ? Rejection::boundary : Rejection::crease;
+    ++rejected_[static_cast<std::size_t>(cause)];
+  }
 }
 
 /// Looks at everything that was refused once more. False where nothing came of it.

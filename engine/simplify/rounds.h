@@ -45,6 +45,7 @@ class Rounds {
   bool is_last_round() const;
   void run_regions(std::uint32_t round);
   void run_to_the_end();
+  void count_constrained();
   bool try_refused_again(std::size_t valence);
   Share share() const;
   void note(const CollapseOutcome& outcome);

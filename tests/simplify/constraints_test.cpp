@@ -136,6 +136,15 @@ TEST(Creases, TaggedEdgesCollapseAlongThemselvesAlone) {
   }
 }
 
+TEST(Constraints, ThatStopTheWorkAreNamed) {
+  const Simplified cube = simplify(fine_cube(1), {.target_faces = 4, .crease_angle_deg = 30.0F});
+  EXPECT_EQ(cube.report.reason, StopReason::no_legal_collapse);
+  EXPECT_EQ(cube.report[Rejection::crease], 18U) << "every edge joins two corners";
+  const Simplified sheet =
+      simplify(built(grid(16)).mesh, {.target_faces = 0, .boundary = BoundaryRule::lock});
+  EXPECT_GE(sheet.report[Rejection::boundary], 64U);
+}
+
 TEST(Creases, ACornerTagHoldsItsVertex) {
   Mesh sheet = built(grid(8)).mesh;
   sheet.set_sharpness(Vertex(40), 1.0F);
