@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -33,6 +34,16 @@ struct IndexRange {
 /// Runs `body(range)` over chunks that cover [0, n) once, in parallel, in no particular order.
 /// Chunks hold about `grain` indices or more. Results must not depend on how [0, n) is cut.
 void parallel_for(std::size_t n, std::size_t grain, const std::function<void(IndexRange)>& body);
+
+/// Runs `body(i)` once for every index below `n`, in parallel, in no particular order, about
+/// `grain` of them at a time.
+template <class Body>
+void parallel_for_each(std::size_t n, std::size_t grain, const Body& body) {
+  parallel_for(n, grain, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      body(static_cast<std::uint32_t>(i));
+  });
+}
 
 /// Cuts [0, n) into chunks of `chunk` indices (the last may be shorter), whatever the thread
 /// count, and runs `body(chunk_index, range)` for each in parallel. For work whose partial results

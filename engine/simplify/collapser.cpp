@@ -17,6 +17,17 @@ Schedule::Schedule(const Surface& surface)
 
 namespace {
 
+/// Calls `visit` for the half-edges out of `v`, at most `limit` of them.
+template <class Visit>
+void visit_spokes(const Mesh& mesh, Vertex v, std::size_t limit, const Visit& visit) {
+  const Halfedge start = mesh.outgoing(v);
+  Halfedge h = start;
+  do {
+    visit(h);
+    h = mesh.rotate_ccw(h);
+  } while (h.is_valid() && h != start && --limit > 0);
+}
+
 /// Edges that vertices answer for, some vertices at a time.
 class FirstCosts {
  public:
@@ -28,13 +39,10 @@ class FirstCosts {
     for (std::size_t i = vertices.begin; i < vertices.end; ++i) {
       const Vertex v(static_cast<std::uint32_t>(i));
       if (mesh.is_isolated(v)) continue;
-      const Halfedge start = mesh.outgoing(v);
-      Halfedge h = start;
-      do {
+      visit_spokes(mesh, v, kNone, [&](Halfedge h) {
         // None is the highest index of all, so the origin of a boundary edge answers for it.
         if (h < mesh.twin(h)) edges_.push_back(h);
-        h = mesh.rotate_ccw(h);
-      } while (h.is_valid() && h != start);
+      });
     }
     costs_.resize(edges_.size());
     context_.policy.evaluate_costs(context_.surface, edges_, context_.care, costs_.data());
@@ -152,13 +160,10 @@ void Collapser::take_turn(Vertex v) {
   if (BucketQueue::bucket_of(candidate.cost) > bucket + limits_.tolerance) {
     return choose_cheapest_edge(v);
   }
-  const bool is_small = fan_.gather(context_.surface, h, limits_.valence);
-  for (const Vertex neighbour : fan_.ring()) {
-    if (!is_ours(neighbour)) return;
-  }
-  const Rejection cause = check(h, candidate, is_small);
-  if (cause == Fan::kLegal) return collapse(h, candidate);
-  refuse(h, cause);
+  const std::optional<Rejection> cause = check(h, candidate);
+  if (!cause) return;
+  if (*cause == Fan::kLegal) return collapse(h, candidate);
+  refuse(h, *cause);
   choose_cheapest_edge(v);
 }
 
@@ -177,11 +182,7 @@ bool Collapser::remove_one_face(std::span<const Vertex> vertices) {
   std::sort(edges.begin(), edges.end());
   for (const auto& [cost, h] : edges) {
     const Candidate candidate = evaluate(h);
-    const bool is_small = fan_.gather(context_.surface, h, limits_.valence);
-    const auto ring = fan_.ring();
-    const bool is_inside =
-        std::all_of(ring.begin(), ring.end(), [&](Vertex n) { return is_ours(n); });
-    if (!is_inside || check(h, candidate, is_small) != Fan::kLegal) continue;
+    if (check(h, candidate) != Fan::kLegal) continue;
     collapse(h, candidate);
     return true;
   }
@@ -199,17 +200,13 @@ void Collapser::choose_cheapest_edge(Vertex v) {
   const Mesh& mesh = context_.surface.mesh();
   Halfedge best;
   float cost = Candidate::kNever;
-  std::size_t count = 0;
-  const Halfedge start = mesh.outgoing(v);
-  Halfedge h = start;
-  do {
+  visit_spokes(mesh, v, limits_.valence, [&](Halfedge h) {
     const float c = s.edge_cost[h.index()];
     if (c < cost) {
       cost = c;
       best = h;
     }
-    h = mesh.rotate_ccw(h);
-  } while (h.is_valid() && h != start && ++count < limits_.valence);
+  });
   wait_for(v, best, cost);
 }
 
@@ -251,16 +248,12 @@ void Collapser::evaluate_fan(Vertex v) {
 void Collapser::evaluate_refused(Vertex v) {
   Schedule& s = context_.schedule;
   const Mesh& mesh = context_.surface.mesh();
-  const Halfedge start = mesh.outgoing(v);
-  std::size_t count = 0;
-  Halfedge h = start;
-  do {
+  visit_spokes(mesh, v, limits_.valence, [&](Halfedge h) {
     const Halfedge t = mesh.twin(h);
     const bool is_refused = s.edge_cost[h.index()] == Candidate::kNever &&
                             (!t.is_valid() || s.edge_cost[t.index()] == Candidate::kNever);
     if (is_refused && is_ours(mesh.target(h))) s.edge_cost[h.index()] = evaluate(h).cost;
-    h = mesh.rotate_ccw(h);
-  } while (h.is_valid() && h != start && ++count < limits_.valence);
+  });
 }
 
 void Collapser::refuse(Halfedge h, Rejection cause) {
@@ -273,10 +266,15 @@ void Collapser::refuse(Halfedge h, Rejection cause) {
   has_refused_ = true;
 }
 
-/// Pre: the fan is gathered, whole where `is_small`.
-Rejection Collapser::check(Halfedge h, const Candidate& candidate, bool is_small) {
+/// What stands against a collapse; nothing is said where the ring reaches across the region's
+/// border. Leaves the fan gathered.
+std::optional<Rejection> Collapser::check(Halfedge h, const Candidate& candidate) {
   const Surface& surface = context_.surface;
-  if (!is_small) return Rejection::link_condition;
+  const bool is_whole = fan_.gather(surface, h, limits_.valence);
+  for (const Vertex neighbour : fan_.ring()) {
+    if (!is_ours(neighbour)) return std::nullopt;
+  }
+  if (!is_whole) return Rejection::link_condition;
   // Coordinates at the ends of what a float holds may overflow on the way.
   const glm::vec3& p = candidate.position;
   if (!std::isfinite(p.x + p.y + p.z)) return Rejection::fold_over;
@@ -375,7 +373,7 @@ void Collapser::merge_smooth(Halfedge h, const glm::vec3& p) {
   const Vertex kept = mesh.target(h);
   for (const Halfedge side : {h, mesh.twin(h)}) {
     surface.add(mesh.origin(Mesh::prev(side)),
-                QuadricRows{} - plane_rows(load4(&surface.shape(Mesh::face(side)).normal.x)));
+                QuadricRows{} - plane_rows(surface.shape_row(Mesh::face(side))));
   }
   QuadricRows total{};
   QuadricRows previous{};
@@ -384,7 +382,7 @@ void Collapser::merge_smooth(Halfedge h, const glm::vec3& p) {
     for (std::size_t k = 0; k < 4 && i + k < fan_.size(); ++k) {
       const Face f = Mesh::face(fan_.spokes()[i + k]);
       const QuadricRows after = plane_rows(shapes[k]);
-      const QuadricRows change = after - plane_rows(load4(&surface.shape(f).normal.x));
+      const QuadricRows change = after - plane_rows(surface.shape_row(f));
       surface.add(fan_.ring()[i + k], previous + change);
       surface.set_shape(f, shapes[k]);
       total = total + after;

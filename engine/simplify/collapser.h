@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -95,7 +96,7 @@ class Collapser {
   void evaluate_fan(Vertex v);
   void evaluate_refused(Vertex v);
   void refuse(Halfedge h, Rejection cause);
-  Rejection check(Halfedge h, const Candidate& candidate, bool is_small);
+  std::optional<Rejection> check(Halfedge h, const Candidate& candidate);
   void collapse(Halfedge h, const Candidate& candidate);
   bool makes_feature_triangle(Halfedge h) const;
   void add_contributions(Face f, float sign);

@@ -85,7 +85,7 @@ bool Fan::gather(const Surface& surface, Halfedge h, std::size_t limit) {
 }
 
 bool Fan::has_smooth_ring(const Surface& surface) const {
-  if (!surface.has_features()) return true;
+  if (!surface.is_constrained()) return true;
   bool is_smooth = has_smooth_ends_;
   for (const Vertex v : ring())
     is_smooth &= surface.kind(v) == VertexKind::smooth;
@@ -192,11 +192,9 @@ Fan::Block Fan::load(const Surface& surface, std::size_t i) const {
     outer[lane] = beyond.is_valid() ? Mesh::face(beyond) : faces[lane];
     rows[lane] = place(k);
   }
-  // Past the last face the lanes turn around on the spot: begin and end at the last neighbour but
-  // one and the last.
+  // Places past the last face begin at the last neighbour but one, as it does, and end at the last.
   const Float4 last = place(std::min(i + 4, size_));
-  const Float4 fourth = i + 4 > size_ ? last : rows[3];
-  std::array<Float4, 4> ends{rows[1], rows[2], fourth, last};
+  std::array<Float4, 4> ends{rows[1], rows[2], rows[3], last};
   for (std::size_t lane = 0; lane < 4; ++lane) {
     if (i + lane + 1 >= size_) ends[lane] = last;
   }

@@ -78,7 +78,7 @@ void QuadricPolicy::evaluate_costs(const Surface& surface, std::span<const Halfe
   }
   EightEdges eight(surface, care, costs);
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    const Fit fit = surface.has_features() ? surface.fit(edges[i]) : Fit::anywhere;
+    const Fit fit = surface.is_constrained() ? surface.fit(edges[i]) : Fit::anywhere;
     if (fit == Fit::anywhere && !surface.is_feature(edges[i])) {
       eight.add(edges[i], i);
     } else {

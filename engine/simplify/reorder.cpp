@@ -11,26 +11,18 @@ namespace {
 
 constexpr std::size_t kGrain = 1U << 13;
 
-template <class Body>
-void for_each(std::size_t n, const Body& body) {
-  parallel_for(n, kGrain, [&](IndexRange range) {
-    for (std::size_t i = range.begin; i < range.end; ++i)
-      body(static_cast<std::uint32_t>(i));
-  });
-}
-
 /// For each old id its new one; kNone where it is gone.
 template <class Id>
 Array<std::uint32_t> places(const Array<Id>& source, std::uint32_t old_count) {
   Array<std::uint32_t> place(old_count);
   if (source.size() < old_count) std::fill(place.begin(), place.end(), kNone);
-  for_each(source.size(), [&](std::uint32_t i) { place[source[i].index()] = i; });
+  parallel_for_each(source.size(), kGrain, [&](std::uint32_t i) { place[source[i].index()] = i; });
   return place;
 }
 
 Array<Vertex> vertices_by_place(const Mesh& mesh) {
   std::vector<Vertex> all(mesh.vertex_count());
-  for_each(all.size(), [&](std::uint32_t v) { all[v] = Vertex(v); });
+  parallel_for_each(all.size(), kGrain, [&](std::uint32_t v) { all[v] = Vertex(v); });
   const std::vector<Vertex> order = morton_order(mesh.positions(), all, {});
   return {order.begin(), order.end()};
 }
@@ -38,7 +30,7 @@ Array<Vertex> vertices_by_place(const Mesh& mesh) {
 Array<Face> faces_by_vertex(const Mesh& mesh, const Array<std::uint32_t>& vertex_place) {
   const std::uint32_t faces = mesh.face_count();
   Array<std::uint32_t> first(faces);
-  for_each(faces, [&](std::uint32_t f) {
+  parallel_for_each(faces, kGrain, [&](std::uint32_t f) {
     const auto place = [&](std::uint32_t c) {
       return vertex_place[mesh.origin(Halfedge(3 * f + c)).index()];
     };
@@ -68,7 +60,7 @@ Mesh rearranged(const Mesh& mesh, const Array<Vertex>& vertices, const Array<Fac
   arrays.outgoing.resize(vertices.size());
   const bool has_own = !mesh.vertex_sharpnesses().empty();
   if (has_own) arrays.vertex_sharpness.resize(vertices.size());
-  for_each(vertices.size(), [&](std::uint32_t v) {
+  parallel_for_each(vertices.size(), kGrain, [&](std::uint32_t v) {
     arrays.position[v] = mesh.position(vertices[v]);
     arrays.outgoing[v] = moved(mesh.outgoing(vertices[v]));
     if (has_own) arrays.vertex_sharpness[v] = mesh.sharpness(vertices[v]);
@@ -77,7 +69,7 @@ Mesh rearranged(const Mesh& mesh, const Array<Vertex>& vertices, const Array<Fac
   arrays.origin.resize(halfedges);
   arrays.twin.resize(halfedges);
   arrays.sharpness.resize(halfedges);
-  for_each(faces.size(), [&](std::uint32_t f) {
+  parallel_for_each(faces.size(), kGrain, [&](std::uint32_t f) {
     for (std::uint32_t c = 0; c < 3; ++c) {
       const Halfedge from = Mesh::halfedge(faces[f], c);
       const std::size_t to = 3 * std::size_t{f} + c;

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
+#include <utility>
 
-#include "engine/core/error.h"
+#include "engine/core/progress.h"
 #include "engine/mesh/statistics.h"
 #include "engine/simplify/measured.h"
 #include "engine/simplify/reorder.h"

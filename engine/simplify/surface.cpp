@@ -26,14 +26,6 @@ std::uint32_t pack(const glm::vec3& unit) {
   return bits(unit.x) | bits(unit.y) << 10U | bits(unit.z) << 20U;
 }
 
-template <class Body>
-void for_each(std::uint32_t n, const Body& body) {
-  parallel_for(n, kGrain, [&](IndexRange range) {
-    for (std::size_t i = range.begin; i < range.end; ++i)
-      body(static_cast<std::uint32_t>(i));
-  });
-}
-
 }  // namespace
 
 Surface::Surface(Mesh&& mesh, const SimplifyOptions& options) : mesh_(std::move(mesh)) {
@@ -48,7 +40,7 @@ Surface::Surface(Mesh&& mesh, const SimplifyOptions& options) : mesh_(std::move(
 void Surface::find_shapes() {
   shape_.resize(mesh_.face_count());
   first_normal_.resize(mesh_.face_count());
-  for_each(mesh_.face_count(), [&](std::uint32_t f) {
+  parallel_for_each(mesh_.face_count(), kGrain, [&](std::uint32_t f) {
     const auto corner = [&](std::uint32_t c) {
       const glm::vec3& p = mesh_.position(mesh_.origin(Halfedge(3 * f + c)));
       return Vec3<float>{p.x, p.y, p.z};
@@ -98,8 +90,9 @@ void Surface::find_kinds(const SimplifyOptions& options) {
   }
   const bool locks = options.boundary == BoundaryRule::lock;
   const bool has_own = !mesh_.vertex_sharpnesses().empty();
-  if (!has_features_ && !has_own) return;
-  for_each(mesh_.vertex_count(), [&](std::uint32_t i) {
+  is_constrained_ = has_features_ || has_own;
+  if (!is_constrained_) return;
+  parallel_for_each(mesh_.vertex_count(), kGrain, [&](std::uint32_t i) {
     const Vertex v(i);
     const int met = has_features_ ? features[i] : 0;
     const bool is_fixed =
@@ -114,14 +107,14 @@ void Surface::find_kinds(const SimplifyOptions& options) {
 
 void Surface::find_states() {
   state_.resize(mesh_.vertex_count());
-  for_each(mesh_.vertex_count(), [&](std::uint32_t i) {
+  parallel_for_each(mesh_.vertex_count(), kGrain, [&](std::uint32_t i) {
     const Vertex v(i);
     const glm::vec3& p = mesh_.position(v);
     state_[i] = {{}, {p.x, p.y, p.z}};
     QuadricRows sum{};
     for (const Halfedge h : halfedges_around(mesh_, v)) {
       const Face f = Mesh::face(h);
-      sum = sum + plane_rows(load4(&shape(f).normal.x));
+      sum = sum + plane_rows(shape_row(f));
       if (has_feature(f)) add_features(h);
     }
     add(v, sum);

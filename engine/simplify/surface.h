@@ -67,7 +67,7 @@ UnitAndArea<F> unit_and_area(const Vec3<F>& ab, const Vec3<F>& ac) {
 }
 
 /// What the plane of a face adds to the quadrics of its corners; the rest of the last row is zero.
-/// `n`: the face's shape as it lies in memory (x, y, z, area).
+/// `n`: the face's shape_row.
 inline QuadricRows plane_rows(Float4 n) {
   const Float4 w = n * __builtin_shufflevector(n, n, 3, 3, 3, 3);
   const Float4 x =
@@ -91,7 +91,7 @@ inline Quadric<float> plane_quadric(const FaceShape& shape) {
 ///  S1. shape(f) is that of the face's corners as they are.
 ///  S2. state(v).quadric is the sum of the contributions of the faces at v (within rounding), and
 ///      state(v).position is the mesh's.
-///  S3. kind(v) follows from the feature edges at v as VertexKind says; both halves of an edge
+///  S3. kind(v) follows from the feature edges at v as VertexKind says. Both halves of an edge
 ///  agree
 ///      on being a feature; boundary edges are features.
 ///  S4. A removed face has origins that are none; a removed vertex has no outgoing half-edge.
@@ -105,10 +105,12 @@ class Surface {
 
   bool is_removed(Face f) const { return !mesh_.origin(Mesh::halfedge(f)).is_valid(); }
   const FaceShape& shape(Face f) const { return shape_[f.index()]; }
+  /// The same as four floats: x, y, z, area.
+  Float4 shape_row(Face f) const { return load4(&shape_[f.index()].normal.x); }
   ShapeLanes shapes(const std::array<Face, 4>& faces) const {
     std::array<Float4, 4> rows;
     for (std::size_t lane = 0; lane < 4; ++lane)
-      rows[lane] = load4(&shape(faces[lane]).normal.x);
+      rows[lane] = shape_row(faces[lane]);
     transpose(rows[0], rows[1], rows[2], rows[3]);
     return {{rows[0], rows[1], rows[2]}, rows[3]};
   }
@@ -157,7 +159,8 @@ class Surface {
   }
   VertexKind kind(Vertex v) const { return kind_[v.index()]; }
   bool is_feature(Halfedge h) const { return has_features_ && feature_[h.index()] != 0; }
-  bool has_features() const { return has_features_; }
+  /// Some vertex is not smooth.
+  bool is_constrained() const { return is_constrained_; }
 
   /// Where the edge of `h` may merge: features go along themselves only. O(1).
   Fit fit(Halfedge h) const {
@@ -220,7 +223,8 @@ class Surface {
   void find_states();
 
   Mesh mesh_;
-  bool has_features_ = false;
+  bool has_features_ = false;    ///< edges
+  bool is_constrained_ = false;  ///< vertices: features, or sharpness of their own
   Array<FaceShape> shape_;
   Array<std::uint32_t> first_normal_;
   Array<VertexState> state_;

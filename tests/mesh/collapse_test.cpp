@@ -11,18 +11,6 @@
 namespace mesher::test {
 namespace {
 
-struct Topology {
-  std::int64_t euler;
-  std::uint32_t components;
-  std::uint32_t loops;
-  friend bool operator==(const Topology&, const Topology&) = default;
-};
-
-Topology topology(const Mesh& mesh) {
-  const Statistics s = statistics(mesh);
-  return {s.euler_characteristic, s.components, s.boundary_loops};
-}
-
 /// The oracle: collapses in the plain list of triangles, knowing nothing of half-edges, and asks
 /// whether a clean manifold of the same topology comes out.
 bool may_collapse(const Mesh& mesh, Halfedge h) {
@@ -53,19 +41,6 @@ void expect_agrees_with_oracle(const Mesh& mesh) {
         << "half-edge " << i << " of " << mesh.face_count()
         << " faces: " << describe(check.verdict);
   }
-}
-
-Soup random_soup(std::uint32_t seed) {
-  std::mt19937 random(seed);
-  Soup soup;
-  const std::uint32_t vertices = 4 + seed % 9;
-  for (std::uint32_t v = 0; v < vertices; ++v) {
-    soup.positions.push_back({float(random() % 100), float(random() % 100), float(random() % 100)});
-  }
-  for (std::uint32_t i = 0; i < 3 * (2 + seed % 40); ++i) {
-    soup.corners.push_back(static_cast<std::uint32_t>(random() % vertices));
-  }
-  return soup;
 }
 
 TEST(CheckCollapse, AgreesWithTheOracleOnEveryEdgeOfManyMeshes) {

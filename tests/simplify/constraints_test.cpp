@@ -136,6 +136,17 @@ TEST(Creases, TaggedEdgesCollapseAlongThemselvesAlone) {
   }
 }
 
+TEST(Creases, ACornerTagHoldsItsVertexOnAClosedSurfaceToo) {
+  Mesh mesh = built(torus(40, 20)).mesh;
+  const glm::vec3 p = mesh.position(Vertex(333));
+  mesh.set_sharpness(Vertex(333), 2.0F);
+  for (const std::uint32_t target : {700U, 100U, 0U}) {
+    const Simplified result = simplify(Mesh(mesh), {.target_faces = target});
+    const auto positions = result.mesh.positions();
+    EXPECT_EQ(std::count(positions.begin(), positions.end(), p), 1);
+  }
+}
+
 TEST(Constraints, ThatStopTheWorkAreNamed) {
   const Simplified cube = simplify(fine_cube(1), {.target_faces = 4, .crease_angle_deg = 30.0F});
   EXPECT_EQ(cube.report.reason, StopReason::no_legal_collapse);

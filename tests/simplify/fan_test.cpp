@@ -12,19 +12,6 @@
 namespace mesher::test {
 namespace {
 
-Soup random_soup(std::uint32_t seed) {
-  std::mt19937 random(seed);
-  Soup soup;
-  const std::uint32_t vertices = 4 + seed % 9;
-  for (std::uint32_t v = 0; v < vertices; ++v) {
-    soup.positions.push_back({float(random() % 100), float(random() % 100), float(random() % 100)});
-  }
-  for (std::uint32_t i = 0; i < 3 * (2 + seed % 40); ++i) {
-    soup.corners.push_back(static_cast<std::uint32_t>(random() % vertices));
-  }
-  return soup;
-}
-
 void expect_agreement(const Mesh& mesh) {
   const Surface surface(Mesh(mesh), {});
   Fan fan;

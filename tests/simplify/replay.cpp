@@ -10,7 +10,6 @@
 
 #include "engine/mesh/collapse.h"
 #include "engine/mesh/normals.h"
-#include "engine/mesh/statistics.h"
 
 namespace mesher::test {
 namespace {
@@ -63,11 +62,6 @@ bool is_equal(std::span<const T> a, std::span<const T> b) {
 }
 
 }  // namespace
-
-Topology topology(const Mesh& mesh) {
-  const Statistics s = statistics(mesh);
-  return {s.euler_characteristic, s.components, s.boundary_loops};
-}
 
 std::uint64_t count_folds(const Mesh& mesh) {
   const Array<glm::vec3> normals = face_normals(mesh);

@@ -10,15 +10,6 @@
 
 namespace mesher::test {
 
-/// Components, Euler characteristic and boundary loops: what simplification must not change.
-struct Topology {
-  std::int64_t euler = 0;
-  std::uint32_t components = 0;
-  std::uint32_t loops = 0;
-  friend bool operator==(const Topology&, const Topology&) = default;
-};
-Topology topology(const Mesh& mesh);
-
 /// Edges whose faces meet at more than 150 degrees.
 std::uint64_t count_folds(const Mesh& mesh);
 

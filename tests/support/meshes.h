@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <random>
 #include <vector>
 
 #include "engine/mesh/build.h"
+#include "engine/mesh/statistics.h"
 #include "engine/mesh/validate.h"
 
 namespace mesher::test {
@@ -113,6 +115,33 @@ inline Soup join(Soup first, const Soup& second, const glm::vec3& offset = glm::
   for (const std::uint32_t v : second.corners)
     first.corners.push_back(base + v);
   return first;
+}
+
+/// Random triangles over a few points, of which every defect may come.
+inline Soup random_soup(std::uint32_t seed) {
+  std::mt19937 random(seed);
+  Soup soup;
+  const std::uint32_t vertices = 4 + seed % 9;
+  for (std::uint32_t v = 0; v < vertices; ++v) {
+    soup.positions.push_back({float(random() % 100), float(random() % 100), float(random() % 100)});
+  }
+  for (std::uint32_t i = 0; i < 3 * (2 + seed % 40); ++i) {
+    soup.corners.push_back(static_cast<std::uint32_t>(random() % vertices));
+  }
+  return soup;
+}
+
+/// Components, Euler characteristic and boundary loops: what a collapse must not change.
+struct Topology {
+  std::int64_t euler = 0;
+  std::uint32_t components = 0;
+  std::uint32_t loops = 0;
+  friend bool operator==(const Topology&, const Topology&) = default;
+};
+
+inline Topology topology(const Mesh& mesh) {
+  const Statistics s = statistics(mesh);
+  return {s.euler_characteristic, s.components, s.boundary_loops};
 }
 
 /// Fails the test with the first violations where `mesh` breaks an invariant.
