@@ -4,25 +4,36 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <mutex>
 
 namespace mesher {
 namespace {
 
 constexpr std::size_t kHugePage = std::size_t{2} << 20U;
-// Smaller ones come from malloc, which has its memory at hand; under AddressSanitizer all do, so
+// Smaller arrays come from malloc, which has its memory at hand; under AddressSanitizer all do, so
 // that it sees what is done to them.
 #if defined(__SANITIZE_ADDRESS__)
-constexpr std::size_t kLarge = static_cast<std::size_t>(-1);
+constexpr std::size_t kSmall = static_cast<std::size_t>(-1);
 #else
-constexpr std::size_t kLarge = kHugePage;
+constexpr std::size_t kSmall = std::size_t{128} << 10U;
 #endif
+// What a last, broken huge page must hold to be made a whole one: filling 512 kB in small pages
+// costs twice as much as clearing 2 MB at once.
+constexpr std::size_t kWorthAHugePage = std::size_t{512} << 10U;
 
-/// Pages of their own, from the start of a huge page on. What lies before and after goes back at
-/// once; the last, broken huge page is filled with small ones, so that nothing is rounded up.
+/// Whole small pages, or whole huge ones where not much is lost.
+std::size_t rounded(std::size_t bytes) {
+  constexpr std::size_t kPage = 4096;
+  const std::size_t tail = bytes % kHugePage;
+  if (tail >= kWorthAHugePage) return bytes - tail + kHugePage;
+  return (bytes + kPage - 1) / kPage * kPage;
+}
+
+/// Pages of their own, from the start of a huge page on; what lies before and after goes back at
+/// once. Null where there are none. Pre: `bytes` is rounded.
 void* map_pages(std::size_t bytes) {
-  const std::size_t reserved = bytes + kHugePage;
-  void* memory =
-      mmap(nullptr, reserved, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  void* memory = mmap(nullptr, bytes + kHugePage, PROT_READ | PROT_WRITE,
+                      MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) return nullptr;
   auto* begin = static_cast<std::byte*>(memory);
   const auto address = reinterpret_cast<std::uintptr_t>(memory);
@@ -34,29 +45,81 @@ void* map_pages(std::size_t bytes) {
   return begin + before;
 }
 
-std::size_t whole_pages(std::size_t bytes) {
-  constexpr std::size_t kPage = 4096;
-  return (bytes + kPage - 1) / kPage * kPage;
+/// Huge pages that arrays of less than one share, one after the other. A page goes back when the
+/// last array in it does, and the place of the array that was put last is used again at once.
+class SharedPages {
+ public:
+  /// Null where there is no memory.
+  void* allocate(std::size_t bytes) {
+    const std::size_t size = padded(bytes);
+    const std::lock_guard lock(mutex_);
+    if (page_ == nullptr || page_->used + size > kHugePage) {
+      void* memory = map_pages(kHugePage);
+      if (memory == nullptr) return nullptr;
+      if (page_ != nullptr && page_->arrays == 0) munmap(page_, kHugePage);
+      page_ = ::new (memory) Page;
+    }
+    std::byte* array = reinterpret_cast<std::byte*>(page_) + page_->used;
+    page_->used += size;
+    ++page_->arrays;
+    return array;
+  }
+
+  void free(void* array, std::size_t bytes) {
+    const auto address = reinterpret_cast<std::uintptr_t>(array);
+    const std::size_t offset = address % kHugePage;
+    auto* page = reinterpret_cast<Page*>(static_cast<std::byte*>(array) - offset);
+    const std::lock_guard lock(mutex_);
+    if (page->used == offset + padded(bytes)) page->used = offset;
+    if (--page->arrays > 0) return;
+    page->used = kHeader;
+    if (page != page_) munmap(page, kHugePage);
+  }
+
+ private:
+  static constexpr std::size_t kHeader = 64;
+  struct Page {
+    std::size_t used = kHeader;
+    std::size_t arrays = 0;
+  };
+
+  /// Arrays begin on cache lines, and no two share one.
+  static std::size_t padded(std::size_t bytes) { return (bytes + 63) / 64 * 64; }
+
+  std::mutex mutex_;
+  Page* page_ = nullptr;  ///< that is being filled
+};
+
+/// Never destroyed: arrays of static objects may outlive everything else.
+SharedPages& shared_pages() {
+  static auto* const pages = new SharedPages;
+  return *pages;
 }
+
+constexpr std::size_t kShared = kHugePage - 64;
 
 }  // namespace
 
 void* allocate_array(std::size_t bytes) {
   void* memory = nullptr;
-  if (bytes < kLarge) {
+  if (bytes < kSmall) {
     memory = std::malloc(bytes == 0 ? 1 : bytes);
+  } else if (bytes <= kShared) {
+    memory = shared_pages().allocate(bytes);
   } else if (bytes <= static_cast<std::size_t>(-1) - 2 * kHugePage) {
-    memory = map_pages(whole_pages(bytes));
+    memory = map_pages(rounded(bytes));
   }
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
 }
 
 void free_array(void* memory, std::size_t bytes) noexcept {
-  if (bytes < kLarge) {
+  if (bytes < kSmall) {
     std::free(memory);
+  } else if (bytes <= kShared) {
+    shared_pages().free(memory, bytes);
   } else {
-    munmap(memory, whole_pages(bytes));
+    munmap(memory, rounded(bytes));
   }
 }
 

@@ -131,7 +131,8 @@ Features features_of(const Mesh& mesh, const SubdivideOptions& options) {
   for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
     const Halfedge h(i);
     const bool is_boundary = mesh.is_boundary(h);
-    if (!is_boundary && (mesh.twin(h) < h || mesh.sharpness(h) <= 0.0F)) continue;
+    if (!is_boundary && mesh.sharpness(h) <= 0.0F) continue;
+    if (mesh.twin(h) < h) continue;  // listed with its twin
     ends.push_back({mesh.origin(h), builder.edge_count(), 0});
     ends.push_back({mesh.target(h), builder.edge_count(), 1});
     builder.add_edge(h, is_boundary ? kInfinitelySharp : mesh.sharpness(h));

@@ -13,7 +13,7 @@ namespace mesher {
 /// does.
 class Point {
  public:
-  Point() = default;
+  Point() : lanes_{} {}
   explicit Point(const glm::vec3& p) {
 #if defined(__SSE2__)
     double xy;

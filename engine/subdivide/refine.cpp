@@ -1,18 +1,11 @@
 #include "engine/subdivide/refine.h"
 
-#include <atomic>
+#include <algorithm>
 
 namespace mesher {
 namespace {
 
 constexpr std::size_t kGrain = 1U << 16U;
-constexpr auto kRelaxed = std::memory_order_relaxed;
-
-/// The number of an edge's vertex, which the threads of both its faces look at: one may write there
-/// what is written there already.
-std::atomic_ref<Vertex> shared(Vertex& v) {
-  return std::atomic_ref<Vertex>(v);
-}
 
 std::uint32_t count_first(std::span<const Halfedge> twin, IndexRange range) {
   std::uint32_t count = 0;
@@ -27,9 +20,21 @@ LevelView view_of(const Mesh& mesh) {
   return {mesh.positions(), mesh.origins(), mesh.twins(), mesh.outgoings()};
 }
 
-std::uint64_t count_edges(std::span<const Halfedge> twin) {
-  return parallel_sum<std::uint64_t>(
+std::uint32_t count_edges(std::span<const Halfedge> twin) {
+  return parallel_sum<std::uint32_t>(
       twin.size(), kGrain, [&](IndexRange range) { return count_first(twin, range); });
+}
+
+Level unfilled_level(const LevelView& coarse, std::uint32_t edges, bool is_last) {
+  const std::size_t halfedges = 4 * coarse.origin.size();
+  Level level;
+  level.position.resize(coarse.position.size() + edges);
+  level.origin.resize(halfedges);
+  if (!is_last) {
+    level.twin.resize(halfedges);
+    level.outgoing.resize(level.position.size());
+  }
+  return level;
 }
 
 namespace refine_detail {
@@ -44,32 +49,20 @@ std::vector<std::uint32_t> first_edges(std::span<const Halfedge> twin, std::size
   return first;
 }
 
-void write_faces(const LevelView& coarse, IndexRange faces, Level& finer) {
-  const auto edge_vertex_of = [&](std::uint32_t i) {
-    const Halfedge h(i);
-    const Halfedge t = coarse.twin[i];
-    return shared(finer.origin[second_half(t < h ? t : h).index()]).load(kRelaxed);
+void write_faces(const LevelView& coarse, IndexRange faces,
+                 std::span<const Vertex> vertex_on, Level& finer) {
+  const auto edge_vertex_of = [&](std::size_t h) {
+    return vertex_on[std::min<std::size_t>(h, coarse.twin[h].index())];  // none is the highest
   };
   for (std::size_t f = faces.begin; f < faces.end; ++f) {
-    const auto h = static_cast<std::uint32_t>(3 * f);
-    const Vertex ab = edge_vertex_of(h);
-    const Vertex bc = edge_vertex_of(h + 1);
-    const Vertex ca = edge_vertex_of(h + 2);
-    Vertex* child = &finer.origin[12 * f];
-    child[0] = coarse.origin[h];
-    child[1] = ab;
-    shared(child[2]).store(ca, kRelaxed);
-    shared(child[3]).store(ab, kRelaxed);
-    child[4] = coarse.origin[h + 1];
-    child[5] = bc;
-    child[6] = ca;
-    shared(child[7]).store(bc, kRelaxed);
-    child[8] = coarse.origin[h + 2];
-    child[9] = ab;
-    child[10] = bc;
-    child[11] = ca;
+    const std::size_t h = 3 * f;
+    write_children({coarse.origin[h], coarse.origin[h + 1], coarse.origin[h + 2]},
+                   {edge_vertex_of(h), edge_vertex_of(h + 1), edge_vertex_of(h + 2)},
+                   &finer.origin[12 * f]);
   }
 }
+
+}  // namespace refine_detail
 
 void write_twins(const LevelView& coarse, IndexRange faces, Level& finer) {
   for (std::size_t f = faces.begin; f < faces.end; ++f) {
@@ -91,12 +84,11 @@ void write_twins(const LevelView& coarse, IndexRange faces, Level& finer) {
   }
 }
 
-void write_outgoing(const LevelView& coarse, IndexRange vertices, Level& finer) {
-  for (std::size_t v = vertices.begin; v < vertices.end; ++v) {
+void write_outgoing(const LevelView& coarse, Level& finer) {
+  parallel_for_each(coarse.vertex_count(), kGrain, [&](std::uint32_t v) {
     const Halfedge h = coarse.outgoing[v];
     finer.outgoing[v] = h.is_valid() ? first_half(h) : h;
-  }
+  });
 }
 
-}  // namespace refine_detail
 }  // namespace mesher

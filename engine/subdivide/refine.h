@@ -1,6 +1,6 @@
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "engine/core/parallel.h"
@@ -8,6 +8,10 @@
 #include "engine/subdivide/level.h"
 
 namespace mesher {
+
+// Splitting faces in four: connectivity alone, the same for every scheme. The new vertices are
+// numbered one an edge, after the old ones, in the order met when walking faces 0..F-1 and their
+// edges ab, bc, ca.
 
 /// An edge as its lower half-edge sees it.
 struct EdgeSite {
@@ -17,45 +21,64 @@ struct EdgeSite {
   Halfedge twin;  ///< none on a boundary
 };
 
-/// Splits the faces of `coarse` in four and numbers the new vertices: one an edge, after the old
-/// ones, in the order met when walking faces 0..F-1 and their edges ab, bc, ca. `place(EdgeSite)`
-/// says where the new vertex on an edge goes, asked once an edge from several threads. The places of
-/// the old vertices are left open. With `is_last`, no twins and no outgoing half-edges are made.
-/// O(F).
-/// Pre: the finer half-edges have ids.
+/// Splits the faces of `coarse`. `place(EdgeSite)` says where the new vertex on an edge goes, asked
+/// once an edge from several threads. The places of the old vertices are left open, and with
+/// `is_last` there are no twins; outgoing half-edges only of the new vertices (`write_outgoing`).
+/// O(F). Throws Cancelled. Pre: the finer half-edges have ids.
 template <class Place>
-Level refine(const LevelView& coarse, bool is_last, Progress* progress, Place place);
+Level refine(const LevelView& coarse, bool is_last, Progress* progress, const Place& place);
 
 /// Number of edges. O(F), parallel.
-std::uint64_t count_edges(std::span<const Halfedge> twin);
+std::uint32_t count_edges(std::span<const Halfedge> twin);
+
+/// The arrays of the next level, of the right sizes; with `is_last`, no twins and outgoing
+/// half-edges.
+Level unfilled_level(const LevelView& coarse, std::uint32_t edges, bool is_last);
+
+/// The corners of a face's children, given its own and the vertices on its edges ab, bc, ca.
+inline void write_children(const std::array<Vertex, 3>& corner, const std::array<Vertex, 3>& edge,
+                           Vertex* child) {
+  child[0] = corner[0];
+  child[1] = edge[0];
+  child[2] = edge[2];
+  child[3] = edge[0];
+  child[4] = corner[1];
+  child[5] = edge[1];
+  child[6] = edge[2];
+  child[7] = edge[1];
+  child[8] = corner[2];
+  child[9] = edge[0];
+  child[10] = edge[1];
+  child[11] = edge[2];
+}
+
+/// The twins in the children of `faces`.
+void write_twins(const LevelView& coarse, IndexRange faces, Level& finer);
+/// The outgoing half-edges of the old vertices. O(V), parallel.
+void write_outgoing(const LevelView& coarse, Level& finer);
 
 namespace refine_detail {
 
-/// Small enough that a chunk is still in the cache when its faces are made after its edges.
 inline constexpr std::size_t kChunk = 2048;
 
-/// For each chunk of half-edges the number of edges that begin before it, and the number of all.
+/// For each chunk of half-edges the number of edges that begin before it; last the number of all.
 std::vector<std::uint32_t> first_edges(std::span<const Halfedge> twin, std::size_t chunk);
 
-void write_faces(const LevelView& coarse, IndexRange faces, Level& finer);
-void write_twins(const LevelView& coarse, IndexRange faces, Level& finer);
-void write_outgoing(const LevelView& coarse, IndexRange vertices, Level& finer);
+void write_faces(const LevelView& coarse, IndexRange faces,
+                 std::span<const Vertex> vertex_on, Level& finer);
 
-/// The new vertices on the edges that begin in `faces`: their numbers from `next` on.
+/// The new vertices on the edges that begin in `faces`: their numbers from `next` on, listed in
+/// `vertex_on` by the edge's lower half-edge.
 template <class Place>
-void write_edges(const LevelView& coarse, IndexRange faces, std::uint32_t next, bool is_last,
-                 Level& finer, const Place& place) {
-  const Halfedge* const twins = coarse.twin.data();
-  Vertex* const origin = finer.origin.data();
-  glm::vec3* const position = finer.position.data();
-  Halfedge* const outgoing = is_last ? nullptr : finer.outgoing.data();
+void write_edges(const LevelView& coarse, IndexRange faces, std::uint32_t next,
+                 std::span<Vertex> vertex_on, Level& finer, const Place& place) {
   const auto number = [&](std::uint32_t h, std::uint32_t next_h, std::uint32_t prev_h) {
-    const Halfedge twin = twins[h];
+    const Halfedge twin = coarse.twin[h];
     if (twin.index() < h) return;  // none is the highest of all
-    const Halfedge half = second_half(Halfedge(h));
-    origin[half.index()] = Vertex(next);
-    if (outgoing != nullptr) outgoing[next] = half;
-    place({Halfedge(h), Halfedge(next_h), Halfedge(prev_h), twin}).store(position[next]);
+    vertex_on[h] = Vertex(next);
+    if (!finer.outgoing.empty()) finer.outgoing[next] = second_half(Halfedge(h));
+    place(EdgeSite{Halfedge(h), Halfedge(next_h), Halfedge(prev_h), twin})
+        .store(finer.position[next]);
     ++next;
   };
   for (auto f = static_cast<std::uint32_t>(faces.begin); f < faces.end; ++f) {
@@ -68,43 +91,21 @@ void write_edges(const LevelView& coarse, IndexRange faces, std::uint32_t next, 
 }  // namespace refine_detail
 
 template <class Place>
-Level refine(const LevelView& coarse, bool is_last, Progress* progress, Place place) {
+Level refine(const LevelView& coarse, bool is_last, Progress* progress, const Place& place) {
   namespace detail = refine_detail;
   const std::size_t faces = coarse.face_count();
   const std::uint32_t old = coarse.vertex_count();
   const std::vector<std::uint32_t> first = detail::first_edges(coarse.twin, 3 * detail::kChunk);
-  Level finer;
-  finer.position.resize(std::size_t{old} + first.back());
-  finer.origin.resize(12 * faces);
-  if (!is_last) {
-    finer.twin.resize(12 * faces);
-    finer.outgoing.resize(finer.position.size());
-  }
-  const auto edges_of = [&](std::size_t chunk, IndexRange range) {
-    detail::write_edges(coarse, range, old + first[chunk], is_last, finer, place);
-  };
-  const auto faces_of = [&](std::size_t, IndexRange range) {
-    detail::write_faces(coarse, range, finer);
-    if (!is_last) detail::write_twins(coarse, range, finer);
-  };
-  if (thread_count() == 1) {
-    // A face asks only for edges that begin in it or before it: both can be done while its chunk
-    // is in the cache.
-    for (std::size_t begin = 0, chunk = 0; begin < faces; begin += detail::kChunk, ++chunk) {
-      const IndexRange range{begin, std::min(begin + detail::kChunk, faces)};
-      if (chunk % 64 == 0) report(progress, static_cast<float>(begin) / static_cast<float>(faces));
-      edges_of(chunk, range);
-      faces_of(chunk, range);
-    }
-  } else {
-    parallel_chunks(faces, detail::kChunk, edges_of);
-    report(progress, 0.5F);
-    parallel_chunks(faces, detail::kChunk, faces_of);
-  }
-  if (!is_last) {
-    parallel_for(old, 4 * detail::kChunk,
-                 [&](IndexRange range) { detail::write_outgoing(coarse, range, finer); });
-  }
+  Level finer = unfilled_level(coarse, first.back(), is_last);
+  Array<Vertex> vertex_on(coarse.origin.size());
+  parallel_chunks(faces, detail::kChunk, [&](std::size_t chunk, IndexRange range) {
+    detail::write_edges(coarse, range, old + first[chunk], vertex_on, finer, place);
+  });
+  report(progress, 0.5F);
+  parallel_chunks(faces, detail::kChunk, [&](std::size_t, IndexRange range) {
+    detail::write_faces(coarse, range, vertex_on, finer);
+    if (!is_last) write_twins(coarse, range, finer);
+  });
   return finer;
 }
 

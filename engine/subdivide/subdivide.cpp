@@ -6,7 +6,8 @@
 #include "engine/core/parallel.h"
 #include "engine/subdivide/features.h"
 #include "engine/subdivide/loop.h"
-#include "engine/subdivide/refine.h"
+#include "engine/subdivide/rings.h"
+#include "engine/subdivide/smooth_step.h"
 
 namespace mesher {
 namespace {
@@ -15,15 +16,18 @@ namespace {
 class Subdivision {
  public:
   Subdivision(const Mesh& mesh, const SubdivideOptions& options)
-      : options_(options), coarse_(view_of(mesh)), features_(features_of(mesh, options)) {}
+      : options_(options),
+        coarse_(view_of(mesh)),
+        rings_(coarse_, needs_spokes()),
+        features_(features_of(mesh, options)) {}
 
   void run(bool wants_mesh) {
     for (std::uint32_t i = 1; i <= options_.levels; ++i) {
       begin_stage(options_.progress, "subdividing, level " + std::to_string(i) + " of " +
                                          std::to_string(options_.levels));
       const bool is_bare = i == options_.levels && !wants_mesh;
-      Level finer = loop_step(coarse_, first_of_level_, features_, options_, is_bare);
-      first_of_level_.push_back(coarse_.vertex_count());
+      Level finer = loop_step(coarse_, rings_, features_, options_, is_bare);
+      rings_.descend(coarse_.vertex_count());
       if (!is_bare) features_ = next_features(features_, finer, options_);
       level_ = std::move(finer);
       coarse_ = level_.view();
@@ -36,9 +40,9 @@ class Subdivision {
  private:
   const SubdivideOptions& options_;
   LevelView coarse_;
+  Rings rings_;
   Level level_;
   Features features_;
-  std::vector<std::uint32_t> first_of_level_{0};
 };
 
 template <class T>

@@ -1,0 +1,152 @@
+#include "engine/subdivide/smooth_step.h"
+
+#include <algorithm>
+
+#include "engine/core/parallel.h"
+#include "engine/subdivide/refine.h"
+#include "engine/subdivide/ring_masks.h"
+
+namespace mesher {
+namespace {
+
+constexpr std::size_t kGrain = 8192;
+constexpr std::uint32_t kChunk = 2048;
+
+/// What one face gives to the new vertex on one of its edges; two faces make the whole.
+inline Point edge_share(Point start, Point end, Point opposite) {
+  return static_cast<float>(kLoopEdgeEnd / 2.0) * (start + end) +
+         static_cast<float>(kLoopEdgeOpposite) * opposite;
+}
+
+/// Fetches what faces a little further on will ask for, where all is random: the numbers of the
+/// edges that begin before, then their vertices.
+inline void prefetch(const LevelView& coarse, const Level& finer, std::uint32_t f) {
+  constexpr std::uint32_t kFar = 16;
+  constexpr std::uint32_t kNear = 8;
+  const std::uint32_t last = coarse.face_count() - 1;
+  const std::uint32_t far = 3 * std::min(f + kFar, last);
+  const std::uint32_t near = 3 * std::min(f + kNear, last);
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const Halfedge far_twin = coarse.twin[far + k];
+    const Halfedge near_twin = coarse.twin[near + k];
+    __builtin_prefetch(&coarse.position[coarse.origin[far + k].index()]);
+    if (far_twin.index() < 3 * f) {
+      __builtin_prefetch(&finer.origin[second_half(far_twin).index()]);
+    }
+    if (near_twin.index() < 3 * f) {
+      __builtin_prefetch(&finer.position[edge_vertex(finer, near_twin).index()]);
+    }
+  }
+}
+
+/// Adds the shares of a run of faces, makes their children, and numbers the edges that begin in
+/// them from `next` on. Nothing across an edge is looked up but the number of its vertex.
+void sweep(const LevelView& coarse, IndexRange faces, Level& finer, Array<Point>& rings,
+           std::uint32_t& next) {
+  // Plain pointers: the compiler would fetch those of the arrays again after every store.
+  const LevelView level = coarse;
+  Vertex* const origin = finer.origin.data();
+  glm::vec3* const position = finer.position.data();
+  Halfedge* const outgoing = finer.outgoing.empty() ? nullptr : finer.outgoing.data();
+  Point* const ring = rings.data();
+  const auto add_to_edge = [&](std::uint32_t h, Point share) {
+    const Halfedge twin = level.twin[h];
+    if (twin.index() < h) {  // none is the highest of all
+      const Vertex v = origin[second_half(twin).index()];
+      (Point(position[v.index()]) + share).store(position[v.index()]);
+      return v;
+    }
+    const Vertex v(next++);
+    share.store(position[v.index()]);
+    if (outgoing != nullptr) outgoing[v.index()] = second_half(Halfedge(h));
+    return v;
+  };
+  const auto end = static_cast<std::uint32_t>(faces.end);
+  for (auto f = static_cast<std::uint32_t>(faces.begin); f < end; ++f) {
+    prefetch(level, finer, f);
+    const Vertex a = level.origin[3 * f];
+    const Vertex b = level.origin[3 * f + 1];
+    const Vertex c = level.origin[3 * f + 2];
+    const Point at_a = level.point(a);
+    const Point at_b = level.point(b);
+    const Point at_c = level.point(c);
+    ring[a.index()] = ring[a.index()] + at_b;
+    ring[b.index()] = ring[b.index()] + at_c;
+    ring[c.index()] = ring[c.index()] + at_a;
+    const Vertex ab = add_to_edge(3 * f, edge_share(at_a, at_b, at_c));
+    const Vertex bc = add_to_edge(3 * f + 1, edge_share(at_b, at_c, at_a));
+    const Vertex ca = add_to_edge(3 * f + 2, edge_share(at_c, at_a, at_b));
+    write_children({a, b, c}, {ab, bc, ca}, origin + std::size_t{12} * f);
+  }
+}
+
+/// Moves the old vertices, given what their neighbours add up to.
+class VertexMasks {
+ public:
+  explicit VertexMasks(const Rings& rings) : rings_(rings) {}
+  Point apply(std::uint32_t v, Point own, Point ring) const {
+    const RingMasks::Weights weights =
+        v < rings_.base_vertices() ? masks_(rings_.base_valence(v)) : regular_;
+    return weights.own * own + weights.each * ring;
+  }
+
+ private:
+  const Rings& rings_;
+  RingMasks masks_{loop_vertex_mask};
+  RingMasks::Weights regular_ = masks_(6);
+};
+
+Level swept(const LevelView& coarse, const Rings& rings, bool is_last, Progress* progress) {
+  Level finer = unfilled_level(coarse, count_edges(coarse.twin), is_last);
+  Array<Point> ring(coarse.vertex_count(), Point());
+  const std::size_t faces = coarse.face_count();
+  std::uint32_t next = coarse.vertex_count();
+  for (std::size_t begin = 0; begin < faces; begin += kChunk) {
+    report(progress, static_cast<float>(begin) / static_cast<float>(faces));
+    const IndexRange chunk{begin, std::min(faces, begin + kChunk)};
+    sweep(coarse, chunk, finer, ring, next);
+    if (!is_last) write_twins(coarse, chunk, finer);
+  }
+  const VertexMasks masks(rings);
+  for (std::uint32_t v = 0; v < coarse.vertex_count(); ++v)
+    masks.apply(v, coarse.point(Vertex(v)), ring[v]).store(finer.position[v]);
+  return finer;
+}
+
+Point gathered_edge(const LevelView& level, const EdgeSite& edge) {
+  const Point start = level.from(edge.h);
+  const Point end = level.from(edge.next);
+  const Point share = edge_share(start, end, level.from(edge.prev));
+  if (!edge.twin.is_valid()) return share;
+  return share + edge_share(end, start, level.from(Mesh::prev(edge.twin)));
+}
+
+Level gathered(const LevelView& coarse, const Rings& rings, bool is_last, Progress* progress) {
+  Level finer = refine(coarse, is_last, progress,
+                       [&](const EdgeSite& edge) { return gathered_edge(coarse, edge); });
+  const VertexMasks masks(rings);
+  parallel_for_each(coarse.vertex_count(), kGrain, [&](std::uint32_t v) {
+    Point ring;
+    const Halfedge start = coarse.outgoing[v];
+    if (start.is_valid() && coarse.twin[start.index()].is_valid()) {
+      rings.for_each_spoke(coarse, Vertex(v), [&](Halfedge h) { ring = ring + coarse.to(h); });
+    }
+    masks.apply(v, coarse.point(Vertex(v)), ring).store(finer.position[v]);
+  });
+  return finer;
+}
+
+}  // namespace
+
+bool needs_spokes() {
+  return thread_count() > 1;
+}
+
+Level smooth_step(const LevelView& coarse, const Rings& rings, bool is_last, Progress* progress) {
+  Level finer = thread_count() == 1 ? swept(coarse, rings, is_last, progress)
+                                    : gathered(coarse, rings, is_last, progress);
+  if (!is_last) write_outgoing(coarse, finer);
+  return finer;
+}
+
+}  // namespace mesher
