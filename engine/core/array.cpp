@@ -32,8 +32,8 @@ std::size_t rounded(std::size_t bytes) {
 /// Pages of their own, from the start of a huge page on; what lies before and after goes back at
 /// once. Null where there are none. Pre: `bytes` is rounded.
 void* map_pages(std::size_t bytes) {
-  void* memory = mmap(nullptr, bytes + kHugePage, PROT_READ | PROT_WRITE,
-                      MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  void* memory =
+      mmap(nullptr, bytes + kHugePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) return nullptr;
   auto* begin = static_cast<std::byte*>(memory);
   const auto address = reinterpret_cast<std::uintptr_t>(memory);

@@ -1,6 +1,7 @@
 #include "engine/mesh/edge_matching.h"
 
 #include <algorithm>
+#include <array>
 
 #include "engine/core/parallel.h"
 #include "engine/mesh/mesh.h"
@@ -13,8 +14,12 @@ constexpr std::size_t kVertexChunk = 1 << 14;
 struct Entry {
   std::uint32_t upper;
   std::uint32_t h;
+  std::uint64_t key() const { return std::uint64_t{upper} << 32U | h; }
   friend auto operator<=>(const Entry&, const Entry&) = default;
 };
+
+/// So many are sorted by counting.
+constexpr std::size_t kFew = 16;
 
 Vertex target(const Array<Vertex>& origin, std::uint32_t h) {
   return origin[Mesh::next(Halfedge(h)).index()];
@@ -44,17 +49,14 @@ Array<Halfedge> chain(const Array<Vertex>& origin, std::uint32_t vertex_count,
   return first;
 }
 
-void sort_bucket(std::span<Entry> bucket) {
-  if (bucket.size() > 24) {
-    std::sort(bucket.begin(), bucket.end());
-    return;
-  }
-  for (std::size_t i = 1; i < bucket.size(); ++i) {
-    const Entry entry = bucket[i];
-    std::size_t k = i;
-    for (; k > 0 && entry < bucket[k - 1]; --k)
-      bucket[k] = bucket[k - 1];
-    bucket[k] = entry;
+/// Sorts by counting how many come before each: no branch that a processor could guess wrong, which
+/// is what sorting so few costs. Pre: entries differ; `sorted` has as many.
+void sort_few(std::span<const Entry> entries, std::span<Entry> sorted) {
+  for (const Entry& entry : entries) {
+    std::size_t rank = 0;
+    for (const Entry& other : entries)
+      rank += other.key() < entry.key() ? 1U : 0U;
+    sorted[rank] = entry;
   }
 }
 
@@ -74,24 +76,39 @@ class Matcher {
   /// Matches the edges whose lower vertex has this chain. Its links lie where the twins will be:
   /// they are read before the first twin is written, and no other chain runs through them.
   void match_chain(Halfedge first) {
-    bucket_.clear();
-    for (Halfedge h = first; h.is_valid(); h = twin_[h.index()]) {
-      bucket_.push_back(
-          {std::max(origin_[h.index()], target(origin_, h.index())).index(), h.index()});
+    std::array<Entry, kFew> few;
+    std::size_t count = 0;
+    Halfedge h = first;
+    for (; h.is_valid() && count < kFew; h = twin_[h.index()])
+      few[count++] = entry_of(h);
+    if (!h.is_valid()) {
+      std::array<Entry, kFew> sorted;
+      sort_few({few.data(), count}, sorted);
+      return match_sorted({sorted.data(), count});
     }
-    sort_bucket(bucket_);
-    const std::span<Entry> bucket = bucket_;
-    for (std::size_t begin = 0; begin < bucket.size();) {
+    many_.assign(few.begin(), few.end());
+    for (; h.is_valid(); h = twin_[h.index()])
+      many_.push_back(entry_of(h));
+    std::sort(many_.begin(), many_.end());
+    match_sorted(many_);
+  }
+
+ private:
+  Entry entry_of(Halfedge h) const {
+    return {std::max(origin_[h.index()], target(origin_, h.index())).index(), h.index()};
+  }
+
+  void match_sorted(std::span<const Entry> entries) {
+    for (std::size_t begin = 0; begin < entries.size();) {
       std::size_t end = begin + 1;
-      while (end < bucket.size() && bucket[end].upper == bucket[begin].upper)
+      while (end < entries.size() && entries[end].upper == entries[begin].upper)
         ++end;
-      match_edge(bucket.subspan(begin, end - begin));
+      match_edge(entries.subspan(begin, end - begin));
       begin = end;
     }
   }
 
- private:
-  void match_edge(std::span<Entry> edge) {
+  void match_edge(std::span<const Entry> edge) {
     if (edge.size() == 2) {
       const std::uint32_t a = edge[0].h;
       const std::uint32_t b = edge[1].h;
@@ -106,7 +123,7 @@ class Matcher {
     if (edge.size() > 2) note_crowd(edge);
   }
 
-  void note_crowd(std::span<Entry> edge) {
+  void note_crowd(std::span<const Entry> edge) {
     for (const Entry& entry : edge)
       findings_.crowded.push_back(entry.h);
     findings_.crowd_sizes.push_back(static_cast<std::uint32_t>(edge.size()));
@@ -125,7 +142,7 @@ class Matcher {
   const Array<Vertex>& origin_;
   Array<Halfedge>& twin_;
   Findings& findings_;
-  std::vector<Entry> bucket_;
+  std::vector<Entry> many_;
 };
 
 void join(const std::vector<Findings>& all, EdgeMatching& matching) {

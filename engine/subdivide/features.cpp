@@ -42,9 +42,8 @@ class FeatureBuilder {
   }
 
   void add_edge(Halfedge h, float sharpness) {
-    features_.edges_.push_back({.h = h,
-                                .sharpness = sharpness >= kSharpForEver ? kInfinitelySharp
-                                                                        : sharpness});
+    features_.edges_.push_back(
+        {.h = h, .sharpness = sharpness >= kSharpForEver ? kInfinitelySharp : sharpness});
   }
   std::uint32_t edge_count() const { return static_cast<std::uint32_t>(features_.edges_.size()); }
 

@@ -16,7 +16,7 @@ namespace mesher {
 struct SharpEdge {
   Halfedge h;  ///< either, or the one without twin
   float sharpness = 0.0F;
-  std::array<float, 2> left{};        ///< what its halves keep: at the origin of `h`, at its target
+  std::array<float, 2> left{};  ///< what its halves keep: at the origin of `h`, at its target
   std::array<std::uint32_t, 2> end{};  ///< its ends as indices into Features::vertices
 };
 

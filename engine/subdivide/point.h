@@ -18,8 +18,7 @@ class Point {
 #if defined(__SSE2__)
     double xy;
     std::memcpy(&xy, &p.x, sizeof xy);
-    lanes_ = reinterpret_cast<Lanes>(
-        _mm_movelh_ps(_mm_castpd_ps(_mm_set_sd(xy)), _mm_set_ss(p.z)));
+    lanes_ = reinterpret_cast<Lanes>(_mm_movelh_ps(_mm_castpd_ps(_mm_set_sd(xy)), _mm_set_ss(p.z)));
 #else
     lanes_ = Lanes{p.x, p.y, p.z, 0.0F};
 #endif
@@ -35,8 +34,12 @@ class Point {
 #endif
   }
 
-  friend Point operator+(Point a, Point b) { return Point(a.lanes_ + b.lanes_); }
-  friend Point operator*(float s, Point p) { return Point(s * p.lanes_); }
+  friend Point operator+(Point a, Point b) {
+    return Point(a.lanes_ + b.lanes_);
+  }
+  friend Point operator*(float s, Point p) {
+    return Point(s * p.lanes_);
+  }
 
  private:
   using Lanes = float __attribute__((vector_size(16)));

@@ -21,8 +21,8 @@ LevelView view_of(const Mesh& mesh) {
 }
 
 std::uint32_t count_edges(std::span<const Halfedge> twin) {
-  return parallel_sum<std::uint32_t>(
-      twin.size(), kGrain, [&](IndexRange range) { return count_first(twin, range); });
+  return parallel_sum<std::uint32_t>(twin.size(), kGrain,
+                                     [&](IndexRange range) { return count_first(twin, range); });
 }
 
 Level unfilled_level(const LevelView& coarse, std::uint32_t edges, bool is_last) {
@@ -49,8 +49,8 @@ std::vector<std::uint32_t> first_edges(std::span<const Halfedge> twin, std::size
   return first;
 }
 
-void write_faces(const LevelView& coarse, IndexRange faces,
-                 std::span<const Vertex> vertex_on, Level& finer) {
+void write_faces(const LevelView& coarse, IndexRange faces, std::span<const Vertex> vertex_on,
+                 Level& finer) {
   const auto edge_vertex_of = [&](std::size_t h) {
     return vertex_on[std::min<std::size_t>(h, coarse.twin[h].index())];  // none is the highest
   };

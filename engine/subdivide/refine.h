@@ -64,8 +64,8 @@ inline constexpr std::size_t kChunk = 2048;
 /// For each chunk of half-edges the number of edges that begin before it; last the number of all.
 std::vector<std::uint32_t> first_edges(std::span<const Halfedge> twin, std::size_t chunk);
 
-void write_faces(const LevelView& coarse, IndexRange faces,
-                 std::span<const Vertex> vertex_on, Level& finer);
+void write_faces(const LevelView& coarse, IndexRange faces, std::span<const Vertex> vertex_on,
+                 Level& finer);
 
 /// The new vertices on the edges that begin in `faces`: their numbers from `next` on, listed in
 /// `vertex_on` by the edge's lower half-edge.

@@ -30,8 +30,8 @@ float chaikin_decayed(float sharpness, std::span<const float> others);
 enum class VertexRule : std::uint8_t { smooth, crease, corner };
 VertexRule vertex_rule(float own, std::size_t sharp_edges);
 
-/// The sharpnesses at a vertex, some of which may just have fallen to 0, as they decay: how much the
-/// sharper, older rule counts, 0 to 1. `before` and `after` are parallel.
+/// The sharpnesses at a vertex, some of which may just have fallen to 0, as they decay: how much
+/// the sharper, older rule counts, 0 to 1. `before` and `after` are parallel.
 class Transition {
  public:
   void add(float before, float after) {

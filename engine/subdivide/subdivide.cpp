@@ -1,10 +1,13 @@
 #include "engine/subdivide/subdivide.h"
 
+#include <string>
 #include <utility>
 
 #include "engine/core/assert.h"
 #include "engine/core/parallel.h"
+#include "engine/subdivide/butterfly.h"
 #include "engine/subdivide/features.h"
+#include "engine/subdivide/limit.h"
 #include "engine/subdivide/loop.h"
 #include "engine/subdivide/rings.h"
 #include "engine/subdivide/smooth_step.h"
@@ -12,50 +15,154 @@
 namespace mesher {
 namespace {
 
-/// Steps down the levels from a mesh. The last level of `run` may do without connectivity.
-class Subdivision {
- public:
-  Subdivision(const Mesh& mesh, const SubdivideOptions& options)
-      : options_(options),
-        coarse_(view_of(mesh)),
-        rings_(coarse_, needs_spokes()),
-        features_(features_of(mesh, options)) {}
-
-  void run(bool wants_mesh) {
-    for (std::uint32_t i = 1; i <= options_.levels; ++i) {
-      begin_stage(options_.progress, "subdividing, level " + std::to_string(i) + " of " +
-                                         std::to_string(options_.levels));
-      const bool is_bare = i == options_.levels && !wants_mesh;
-      Level finer = loop_step(coarse_, rings_, features_, options_, is_bare);
-      rings_.descend(coarse_.vertex_count());
-      if (!is_bare) features_ = next_features(features_, finer, options_);
-      level_ = std::move(finer);
-      coarse_ = level_.view();
-    }
-  }
-
-  Level& level() { return level_; }
-  const Features& features() const { return features_; }
-
- private:
-  const SubdivideOptions& options_;
-  LevelView coarse_;
-  Rings rings_;
-  Level level_;
-  Features features_;
-};
-
 template <class T>
 Array<T> copy_of(std::span<const T> values) {
   return Array<T>(values.begin(), values.end());
 }
 
+/// Steps down the levels from a mesh.
+class Subdivision {
+ public:
+  Subdivision(const Mesh& mesh, const SubdivideOptions& options)
+      : mesh_(mesh),
+        options_(options),
+        coarse_(view_of(mesh)),
+        rings_(coarse_, needs_spokes()),
+        features_(features_of(mesh, options)) {}
+
+  /// Without `keeps_connectivity` the last level has positions and origins only.
+  void run(bool keeps_connectivity) {
+    for (std::uint32_t i = 1; i <= options_.levels; ++i) {
+      begin_stage(options_.progress, "subdividing, level " + std::to_string(i) + " of " +
+                                         std::to_string(options_.levels));
+      const bool is_bare = i == options_.levels && !keeps_connectivity;
+      Level finer = step(is_bare);
+      if (!is_bare) features_ = next_features(features_, finer, options_);
+      rings_.descend(coarse_.vertex_count());
+      level_ = std::move(finer);
+      coarse_ = level_.view();
+    }
+    if (options_.levels == 0) level_ = copy_of_mesh();
+  }
+
+  /// Pre: connectivity was kept.
+  Array<glm::vec3> move_to_limit() {
+    LimitSurface limit = limit_surface(level_.view(), features_, options_);
+    level_.position = std::move(limit.position);
+    return std::move(limit.normal);
+  }
+
+  Level& level() { return level_; }
+
+  /// Pre: connectivity was kept.
+  Mesh finish() {
+    MeshArrays arrays;
+    arrays.sharpness = edge_sharpness();
+    arrays.vertex_sharpness = vertex_sharpness();
+    arrays.position = std::move(level_.position);
+    arrays.origin = std::move(level_.origin);
+    arrays.twin = std::move(level_.twin);
+    arrays.outgoing = std::move(level_.outgoing);
+    return std::move(arrays).finish();
+  }
+
+ private:
+  Level step(bool is_bare) const {
+    switch (options_.scheme) {
+      case Scheme::butterfly:
+        return butterfly_step(coarse_, rings_, features_, options_, is_bare);
+      case Scheme::midpoint:
+        return midpoint_step(coarse_, options_, is_bare);
+      case Scheme::loop:
+        break;
+    }
+    return loop_step(coarse_, rings_, features_, options_, is_bare);
+  }
+
+  Level copy_of_mesh() const {
+    return {copy_of(mesh_.positions()), copy_of(mesh_.origins()), copy_of(mesh_.twins()),
+            copy_of(mesh_.outgoings())};
+  }
+
+  Array<float> edge_sharpness() const {
+    if (options_.levels == 0) return copy_of(mesh_.sharpnesses());
+    Array<float> sharpness(level_.origin.size(), 0.0F);
+    for (const SharpEdge& edge : features_.edges()) {
+      const Halfedge twin = level_.twin[edge.h.index()];
+      if (!twin.is_valid()) continue;  // a boundary needs no tag
+      sharpness[edge.h.index()] = sharpness[twin.index()] = edge.sharpness;
+    }
+    return sharpness;
+  }
+
+  Array<float> vertex_sharpness() const {
+    if (options_.levels == 0) return copy_of(mesh_.vertex_sharpnesses());
+    Array<float> sharpness;
+    for (const SharpVertex& vertex : features_.vertices()) {
+      // Others are sharp by the boundary rule, which will find them again.
+      const bool is_tagged = vertex.v.index() < mesh_.vertex_count() && vertex.own > 0.0F &&
+                             mesh_.sharpness(vertex.v) > 0.0F;
+      if (!is_tagged) continue;
+      if (sharpness.empty()) sharpness.assign(level_.position.size(), 0.0F);
+      sharpness[vertex.v.index()] = vertex.own;
+    }
+    return sharpness;
+  }
+
+  const Mesh& mesh_;
+  const SubdivideOptions& options_;
+  LevelView coarse_;
+  Rings rings_;
+  Features features_;
+  Level level_;
+};
+
+bool wants_limit(const SubdivideOptions& options) {
+  return options.limit && options.scheme == Scheme::loop;
+}
+
+std::uint64_t mesh_bytes(std::uint64_t vertices, std::uint64_t faces) {
+  constexpr std::uint64_t kVertex = sizeof(glm::vec3) + sizeof(Halfedge);
+  constexpr std::uint64_t kFace = 3 * (sizeof(Vertex) + sizeof(Halfedge) + sizeof(float));
+  return kVertex * vertices + kFace * faces;
+}
+
 }  // namespace
 
-IndexedTriangles subdivide_to_triangles(const Mesh& mesh, const SubdivideOptions& options) {
-  if (options.levels == 0) return {copy_of(mesh.positions()), copy_of(mesh.origins())};
+SubdivisionSize subdivision_size(const Mesh& mesh, std::uint32_t levels) {
+  SubdivisionSize size;
+  size.vertices = mesh.vertex_count();
+  size.faces = mesh.face_count();
+  std::uint64_t edges = mesh.count_edges();
+  std::uint64_t last_bytes = 0;
+  for (std::uint32_t i = 0; i < levels && size.has_ids; ++i) {
+    last_bytes = i == 0 ? 0 : mesh_bytes(size.vertices, size.faces);
+    size.vertices += edges;
+    edges = 2 * edges + 3 * size.faces;
+    size.faces *= 4;
+    size.has_ids = 3 * size.faces < kNone && size.vertices < kNone;
+  }
+  size.result_bytes = mesh_bytes(size.vertices, size.faces);
+  // Beside the result there is the level before, and while that is read one point a vertex of it.
+  size.peak_bytes = size.result_bytes + last_bytes + sizeof(float) * size.vertices;
+  return size;
+}
+
+Subdivided subdivide(const Mesh& mesh, const SubdivideOptions& options) {
+  MESHER_ASSERT(subdivision_size(mesh, options.levels).has_ids);
   Subdivision subdivision(mesh, options);
-  subdivision.run(false);
+  subdivision.run(true);
+  Subdivided result;
+  if (wants_limit(options)) result.limit_normal = subdivision.move_to_limit();
+  result.mesh = subdivision.finish();
+  return result;
+}
+
+IndexedTriangles subdivide_to_triangles(const Mesh& mesh, const SubdivideOptions& options) {
+  MESHER_ASSERT(subdivision_size(mesh, options.levels).has_ids);
+  Subdivision subdivision(mesh, options);
+  subdivision.run(wants_limit(options));
+  if (wants_limit(options)) subdivision.move_to_limit();
   return {std::move(subdivision.level().position), std::move(subdivision.level().origin)};
 }
 

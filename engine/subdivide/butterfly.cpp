@@ -1,0 +1,159 @@
+#include "engine/subdivide/butterfly.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "engine/core/parallel.h"
+#include "engine/subdivide/refine.h"
+#include "engine/subdivide/sharpness.h"
+
+namespace mesher {
+namespace {
+
+constexpr std::size_t kGrain = 4096;
+
+/// What stencils need to know of sharp edges, at hand by half-edge and vertex; empty where nothing
+/// is sharp but boundaries.
+struct SharpLookup {
+  Array<float> sharpness;              ///< 3F
+  std::vector<std::uint8_t> is_curve;  ///< V: the vertex lies on a crease or is sharp
+
+  SharpLookup(const LevelView& level, const Features& features) {
+    const bool has_creases = std::ranges::any_of(features.edges(), [&](const SharpEdge& edge) {
+      return level.twin[edge.h.index()].is_valid();
+    });
+    if (has_creases) {
+      sharpness.assign(level.origin.size(), 0.0F);
+      for (const SharpEdge& edge : features.edges()) {
+        sharpness[edge.h.index()] = edge.sharpness;
+        const Halfedge twin = level.twin[edge.h.index()];
+        if (twin.is_valid()) sharpness[twin.index()] = edge.sharpness;
+      }
+    }
+    is_curve.assign(level.position.size(), 0);
+    for (const SharpVertex& vertex : features.vertices()) {
+      if (vertex.count > 1 || vertex.own > 0.0F) is_curve[vertex.v.index()] = 1;
+    }
+  }
+};
+
+class Butterfly {
+ public:
+  Butterfly(const LevelView& level, const Rings& rings, const Features& features)
+      : level_(level), rings_(rings), features_(features), sharp_(level, features) {}
+
+  /// As if the edge itself were smooth. On a boundary some value.
+  glm::dvec3 smooth_point(Halfedge h, Halfedge twin) const {
+    if (!twin.is_valid()) return from(h);
+    const bool first = is_extraordinary(origin(h));
+    const bool second = is_extraordinary(origin(twin));
+    if (first && second) return 0.5 * (around(h) + around(twin));
+    if (first) return around(h);
+    if (second) return around(twin);
+    const glm::dvec3 wings =
+        wing(Mesh::next(h)) + wing(Mesh::prev(h)) + wing(Mesh::next(twin)) + wing(Mesh::prev(twin));
+    return kButterflyEnd * (from(h) + from(twin)) +
+           kButterflyOpposite * (opposite(h) + opposite(twin)) + kButterflyWing * wings;
+  }
+
+  /// Along the boundary or crease.
+  glm::dvec3 curve_point(const SharpEdge& edge) const {
+    const glm::dvec3 a = end(edge, 0);
+    const glm::dvec3 b = end(edge, 1);
+    return kFourPointEnd * (a + b) +
+           kFourPointNext * (beyond(edge, 0, a, b) + beyond(edge, 1, b, a));
+  }
+
+ private:
+  Vertex origin(Halfedge h) const { return level_.origin[h.index()]; }
+  glm::dvec3 at(Vertex v) const { return level_.position[v.index()]; }
+  glm::dvec3 from(Halfedge h) const { return at(origin(h)); }
+  glm::dvec3 opposite(Halfedge h) const { return from(Mesh::prev(h)); }
+  float sharpness(Halfedge h) const {
+    return sharp_.sharpness.empty() ? 0.0F : sharp_.sharpness[h.index()];
+  }
+
+  bool is_extraordinary(Vertex v) const {
+    return v.index() < rings_.base_vertices() && rings_.base_valence(v.index()) != 6 &&
+           sharp_.is_curve[v.index()] == 0;
+  }
+
+  /// The vertex across `h` from its face: reflected as far as the edge is sharp.
+  glm::dvec3 wing(Halfedge h) const {
+    const Halfedge twin = level_.twin[h.index()];
+    const glm::dvec3 reflected = from(h) + from(Mesh::next(h)) - opposite(h);
+    if (!twin.is_valid()) return reflected;
+    const double blend = std::min(1.0, static_cast<double>(sharpness(h)));
+    if (blend <= 0.0) return opposite(twin);
+    return blend * reflected + (1.0 - blend) * opposite(twin);
+  }
+
+  /// From the ring of the extraordinary vertex that `h` leaves.
+  glm::dvec3 around(Halfedge h) const {
+    const std::uint32_t valence = rings_.base_valence(origin(h).index());
+    glm::dvec3 point = kButterflyCentre * from(h);
+    Halfedge spoke = h;
+    for (std::uint32_t i = 0; i < valence; ++i) {
+      point += butterfly_ring_weight(valence, i) * from(Mesh::next(spoke));
+      spoke = level_.twin[Mesh::prev(spoke).index()];
+    }
+    return point;
+  }
+
+  glm::dvec3 end(const SharpEdge& edge, std::size_t side) const {
+    return at(features_.vertices()[edge.end[side]].v);
+  }
+
+  /// The next vertex along the curve beyond `near`, the end on that side; where the curve does not
+  /// go on, or not in one way, it goes on straight.
+  glm::dvec3 beyond(const SharpEdge& edge, std::size_t side, const glm::dvec3& near,
+                    const glm::dvec3& far) const {
+    const SharpVertex& vertex = features_.vertices()[edge.end[side]];
+    if (vertex.count != 2 || vertex.own > 0.0F) return 2.0 * near - far;
+    const auto edges = features_.at(vertex);
+    const SharpEdge& first = features_.edges()[edges[0]];
+    const SharpEdge& onward = &first == &edge ? features_.edges()[edges[1]] : first;
+    return at(features_.other_end(onward, vertex).v);
+  }
+
+  const LevelView& level_;
+  const Rings& rings_;
+  const Features& features_;
+  SharpLookup sharp_;
+};
+
+/// Old vertices stay where they are.
+void copy_positions(const LevelView& coarse, Level& finer) {
+  std::ranges::copy(coarse.position, finer.position.begin());
+}
+
+}  // namespace
+
+Level butterfly_step(const LevelView& coarse, const Rings& rings, const Features& features,
+                     const SubdivideOptions& options, bool is_last) {
+  const Butterfly butterfly(coarse, rings, features);
+  Level finer = refine(coarse, is_last, options.progress, [&](const EdgeSite& edge) {
+    return Point(glm::vec3(butterfly.smooth_point(edge.h, edge.twin)));
+  });
+  parallel_for_each(features.edges().size(), kGrain, [&](std::uint32_t i) {
+    const SharpEdge& edge = features.edges()[i];
+    glm::vec3& place = finer.position[edge_vertex(finer, edge.h).index()];
+    const double blend = edge_blend(edge.sharpness, edge.left[0], edge.left[1]);
+    const glm::dvec3 curve = butterfly.curve_point(edge);
+    place = blend >= 1.0 ? curve : blend * curve + (1.0 - blend) * glm::dvec3(place);
+  });
+  copy_positions(coarse, finer);
+  if (!is_last) write_outgoing(coarse, finer);
+  return finer;
+}
+
+Level midpoint_step(const LevelView& coarse, const SubdivideOptions& options, bool is_last) {
+  Level finer = refine(coarse, is_last, options.progress, [&](const EdgeSite& edge) {
+    return 0.5F * (coarse.from(edge.h) + coarse.from(edge.next));
+  });
+  copy_positions(coarse, finer);
+  if (!is_last) write_outgoing(coarse, finer);
+  return finer;
+}
+
+}  // namespace mesher
