@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
-#include <optional>
 
 namespace mesher::test {
 namespace {
@@ -111,16 +111,16 @@ struct EdgeSite {
   Kind kind_b = Kind::smooth;
 };
 
-Point new_point(const EdgeSite& edge, SharpEdgeRule sharp_edge) {
+Point new_point(const EdgeSite& edge, const OracleRules& rules) {
   const auto smooth = [&] {
     return 3.0 / 8.0 * (edge.a + edge.b) + (edge.opposite.at(0) + edge.opposite.at(1)) / 8.0;
   };
   if (edge.sharpness == 0.0) return smooth();
-  const double way = sharp_edge(edge.kind_a, edge.kind_b);
+  const double way = rules.sharp_edge(edge.kind_a, edge.kind_b);
   // A boundary edge has but one opposite vertex and is never a dart's.
   const Point sharp = way < 0.0 ? smooth() : (1.0 - way) * edge.a + way * edge.b;
   if (edge.child_at_a > 0.0 && edge.child_at_b > 0.0) return sharp;
-  const double s = std::min(edge.sharpness, 1.0);
+  const double s = rules.overshoots ? edge.sharpness : std::min(edge.sharpness, 1.0);
   return s == 1.0 ? sharp : s * sharp + (1.0 - s) * smooth();
 }
 
@@ -161,7 +161,7 @@ OldStar OldStar::refined(const OracleRules& rules) const {
     edge.kind_a = kind_of(*this);
     // A point on an edge has valence 6, or 4 on the boundary.
     edge.kind_b = beyond[i] > 0.0 ? Kind::regular_crease : Kind::dart;
-    child.ring.push_back(new_point(edge, rules.sharp_edge));
+    child.ring.push_back(new_point(edge, rules));
     child.beyond.push_back(edge.child_at_b);
   }
   return child;
@@ -178,6 +178,77 @@ OldStar old_star_of(const PlainMesh& mesh, const Adjacency& near, std::uint32_t 
     star.beyond.push_back(beyond);
   }
   return star;
+}
+
+OldStar at_the_limit(OldStar star, const OracleRules& rules) {
+  // Each level brings the neighbours nearer by 5/8 or better: these are enough for doubles.
+  constexpr int kLevels = 90;
+  for (int level = 0; level < kLevels; ++level)
+    star = star.refined(rules);
+  return star;
+}
+
+/// Whether the faces' direction settles within few levels: known for stars of few faces, and not at
+/// corners, where a wide sector may fold up.
+bool is_told_soon(const OldStar& star) {
+  constexpr std::size_t kMostNeighbours = 9;
+  constexpr std::size_t kMostOnASide = 5;
+  const Kind kind = kind_of(star);
+  const std::size_t n = star.ring.size();
+  if (n < 2 || kind == Kind::corner) return false;
+  if (kind == Kind::smooth || kind == Kind::dart) return n <= kMostNeighbours;
+  if (star.is_boundary) return n - 1 <= kMostOnASide;
+  std::vector<std::size_t> sharp;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (star.spoke[i] > 0.0) sharp.push_back(i);
+  }
+  const std::size_t side = sharp[1] - sharp[0];
+  return std::max(side, n - side) <= kMostOnASide;
+}
+
+/// Normals of the faces around the star as they shrink, summed from crease to crease; one a face,
+/// by the place of its first neighbour in the ring.
+std::vector<Point> side_normals(const OldStar& star) {
+  const std::size_t n = star.ring.size();
+  const std::size_t faces = star.is_boundary ? n - 1 : n;
+  std::vector<std::size_t> side(faces);
+  std::vector<Point> sum(1, Point(0.0));
+  std::size_t start = 0;
+  while (start < n && star.spoke[start] == 0.0)
+    ++start;
+  start = start == n ? 0 : start;
+  for (std::size_t k = 0; k < faces; ++k) {
+    const std::size_t i = (start + k) % n;
+    if (k > 0 && star.spoke[i] > 0.0) sum.emplace_back(0.0);
+    side[i] = sum.size() - 1;
+    sum.back() += glm::cross(star.ring[i] - star.center, star.ring[(i + 1) % n] - star.center);
+  }
+  std::vector<Point> normals;
+  for (const std::size_t s : side)
+    normals.push_back(glm::normalize(sum[s]));
+  return normals;
+}
+
+/// By the neighbour that comes first, counter-clockwise, in each face.
+std::map<std::uint32_t, Point> normals_around(const PlainMesh& mesh, const Adjacency& near,
+                                              std::uint32_t v, const OracleRules& rules) {
+  // Enough to settle, and few enough for the differences to be more than rounding.
+  constexpr int kLevels = 36;
+  if (near.ring[v].empty()) return {};
+  OldStar star = old_star_of(mesh, near, v);
+  // Around the limit, so that differences keep their digits as they shrink.
+  const Point limit = at_the_limit(star, rules).center;
+  star.center -= limit;
+  for (Point& p : star.ring)
+    p -= limit;
+  for (int level = 0; level < kLevels; ++level)
+    star = star.refined(rules);
+  if (!is_told_soon(star)) return {};
+  const std::vector<Point> normals = side_normals(star);
+  std::map<std::uint32_t, Point> by_neighbour;
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    by_neighbour[near.ring[v][i]] = normals[i];
+  return by_neighbour;
 }
 
 }  // namespace
@@ -224,25 +295,38 @@ PlainMesh refine(const PlainMesh& mesh, const OracleRules& rules) {
                   .kind_b = kind[b]};
     for (const std::uint32_t v : near.opposite[e])
       edge.opposite.push_back(mesh.positions[v]);
-    fine.positions.push_back(new_point(edge, rules.sharp_edge));
+    fine.positions.push_back(new_point(edge, rules));
     fine.vertex_sharpness.push_back(0.0);
   }
   return fine;
 }
 
 std::vector<Point> limit_positions(const PlainMesh& mesh, const OracleRules& rules) {
-  // Each level brings the neighbours nearer by 5/8 or better: these are enough for doubles.
-  constexpr int kLevels = 90;
   const PlainMesh fine = refine(mesh, rules);
   const Adjacency near = adjacency(fine);
   std::vector<Point> limit;
-  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    OldStar star = old_star_of(fine, near, v);
-    for (int level = 0; level < kLevels; ++level)
-      star = star.refined(rules);
-    limit.push_back(star.center);
-  }
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+    limit.push_back(at_the_limit(old_star_of(fine, near, v), rules).center);
   return limit;
+}
+
+std::vector<Point> limit_normals(const PlainMesh& mesh, const OracleRules& rules) {
+  const PlainMesh fine = refine(mesh, rules);
+  const Adjacency near = adjacency(fine);
+  std::vector<std::map<std::uint32_t, Point>> normals;
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+    normals.push_back(normals_around(fine, near, v, rules));
+  std::vector<Point> result;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      // The child at the corner has the neighbour that leads into it in the next place.
+      const Triangle& child = fine.triangles[4 * f + k];
+      const std::map<std::uint32_t, Point>& around = normals[child[k]];
+      const auto place = around.find(child[(k + 1) % 3]);
+      result.push_back(place == around.end() ? Point(0.0) : place->second);
+    }
+  }
+  return result;
 }
 
 }  // namespace mesher::test

@@ -19,6 +19,9 @@ using SharpEdgeRule = double (*)(Kind, Kind);
 struct OracleRules {
   SharpEdgeRule sharp_edge = nullptr;
   CreaseDecay decay = CreaseDecay::uniform;
+  /// Leaves out the clamp in the blend of an edge that gets smooth. Wrong, and what OpenSubdiv
+  /// does.
+  bool overshoots = false;
 };
 
 /// Sharpness of the half of an edge at one of its ends, where `others` are the other edges there.
@@ -30,5 +33,11 @@ PlainMesh refine(const PlainMesh& mesh, const OracleRules& rules);
 /// Where the vertices of `mesh` go: its neighbourhood is subdivided until nothing moves. By no
 /// formula for limits, so that it can judge them.
 std::vector<Point> limit_positions(const PlainMesh& mesh, const OracleRules& rules);
+
+/// Unit normal of the limit surface at each corner of each triangle, found the same way: by what
+/// the faces between two creases, or all of them, turn to as they shrink. The zero vector where
+/// that does not settle soon enough to be told (many faces at the vertex), or at corners, where the
+/// limit may be no plane at all.
+std::vector<Point> limit_normals(const PlainMesh& mesh, const OracleRules& rules);
 
 }  // namespace mesher::test

@@ -19,8 +19,8 @@ class Collector {
  public:
   Model& add(std::string name, Soup soup) {
     const auto seed = static_cast<std::uint32_t>(models_.size() + 1);
-    Mesh mesh = build_mesh(jittered(std::move(soup), 0.05F, seed), {.keep_isolated_vertices = true})
-                    .mesh;
+    Mesh mesh =
+        build_mesh(jittered(std::move(soup), 0.05F, seed), {.keep_isolated_vertices = true}).mesh;
     models_.push_back({std::move(name), std::move(mesh)});
     return models_.back();
   }
