@@ -28,6 +28,7 @@ void compare(const Model& model, const Setting& setting) {
     expect_same_sharpness(ours, oracle);
     constexpr std::size_t kMostForLimits = 1500;
     if (oracle.triangles.size() > kMostForLimits) continue;
+    SCOPED_TRACE("limit");
     options.limit = true;
     PlainMesh limit = oracle;
     limit.positions = limit_positions(oracle, rules);

@@ -142,9 +142,10 @@ TEST(OpenSubdivReference, AgreesWithTheOracleSaveForTheOvershoot) {
   }
 }
 
-/// Vertices where one crease ends. OpenSubdiv gives them the limit of a smooth vertex, although it
-/// halves the crease's edge there: the vertices of the levels go elsewhere, by up to 0.2 % of the
-/// model's size. We take the place where they go.
+/// Where a crease ends inside. There, and only there, our limits differ from OpenSubdiv's: it gives
+/// a dart the limit of a smooth vertex, although it halves the crease's edge there, so that the
+/// vertices of its own levels go elsewhere, by up to 0.6 % of the model's size. Our limit is where
+/// they go.
 std::set<std::uint32_t> darts_of(const PlainMesh& mesh) {
   std::vector<int> sharp(mesh.positions.size());
   for (const auto& [edge, sharpness] : mesh.sharpness) {
