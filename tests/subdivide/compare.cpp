@@ -1,0 +1,75 @@
+#include "tests/subdivide/compare.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+double settled(float sharpness) {
+  return sharpness >= kSharpForEver ? kForEver : double(sharpness);
+}
+
+bool is_near(double a, double b) {
+  return a == b || std::abs(a - b) < 1e-4;
+}
+
+template <class T>
+bool is_same_bytes(std::span<const T> a, std::span<const T> b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
+}
+
+}  // namespace
+
+std::vector<Triangle> triangles_of(const Mesh& mesh) {
+  std::vector<Triangle> triangles(mesh.face_count());
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
+    triangles[h / 3][h % 3] = mesh.origin(Halfedge(h)).index();
+  return triangles;
+}
+
+void expect_same(const Mesh& ours, const PlainMesh& reference, double tolerance) {
+  expect_valid(ours);
+  ASSERT_EQ(ours.vertex_count(), reference.positions.size());
+  // Not EXPECT_EQ: it would print both.
+  EXPECT_TRUE(triangles_of(ours) == reference.triangles);
+  EXPECT_LE(largest_distance(points_of(ours.positions()), reference.positions), tolerance);
+}
+
+void expect_same_sharpness(const Mesh& ours, const PlainMesh& reference) {
+  ASSERT_EQ(ours.vertex_count(), reference.positions.size());
+  std::vector<int> faces_at(ours.vertex_count());
+  std::size_t different = 0;
+  for (std::uint32_t i = 0; i < ours.halfedge_count(); ++i) {
+    const Halfedge h(i);
+    ++faces_at[ours.origin(h).index()];
+    if (ours.is_boundary(h)) continue;
+    const double theirs = sharpness_of(reference, ours.origin(h).index(), ours.target(h).index());
+    if (!is_near(settled(ours.sharpness(h)), theirs)) ++different;
+  }
+  EXPECT_EQ(different, 0U) << "half-edges of another sharpness";
+  for (std::uint32_t v = 0; v < ours.vertex_count(); ++v) {
+    if (faces_at[v] < 2) continue;  // sharp by rule, or isolated
+    EXPECT_TRUE(is_near(settled(ours.sharpness(Vertex(v))), reference.vertex_sharpness[v]))
+        << "vertex " << v;
+  }
+}
+
+bool has_boundary(const Mesh& mesh) {
+  return std::any_of(mesh.twins().begin(), mesh.twins().end(),
+                     [](Halfedge h) { return !h.is_valid(); });
+}
+
+bool is_identical(const Mesh& a, const Mesh& b) {
+  return is_same_bytes(a.positions(), b.positions()) && is_same_bytes(a.origins(), b.origins()) &&
+         is_same_bytes(a.twins(), b.twins()) && is_same_bytes(a.outgoings(), b.outgoings()) &&
+         is_same_bytes(a.sharpnesses(), b.sharpnesses()) &&
+         is_same_bytes(a.vertex_sharpnesses(), b.vertex_sharpnesses());
+}
+
+}  // namespace mesher::test

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "tests/subdivide/loop_oracle.h"
+
+namespace mesher::test {
+
+/// T. DeRose, M. Kass, T. Truong, "Subdivision surfaces in character animation", 1998: a sharp edge
+/// is halved, whatever its ends are.
+inline double derose98_sharp_edge(Kind, Kind) {
+  return 0.5;
+}
+
+inline OracleRules derose98_rules(CreaseDecay decay = CreaseDecay::uniform) {
+  return {.sharp_edge = derose98_sharp_edge, .decay = decay};
+}
+
+}  // namespace mesher::test

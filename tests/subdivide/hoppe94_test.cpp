@@ -1,0 +1,71 @@
+// The engine's hoppe94 beside an implementation that shares nothing with it.
+#include <gtest/gtest.h>
+
+#include "engine/subdivide/subdivide.h"
+#include "tests/subdivide/compare.h"
+#include "tests/subdivide/hoppe94_oracle.h"
+#include "tests/subdivide/models.h"
+
+namespace mesher::test {
+namespace {
+
+struct Setting {
+  BoundaryRounding boundary = BoundaryRounding::edge_only;
+  CreaseDecay decay = CreaseDecay::uniform;
+  std::uint32_t levels = 1;
+};
+
+void compare(const Model& model, const Setting& setting) {
+  const OracleRules rules = hoppe94_rules(setting.decay);
+  PlainMesh oracle = plain_mesh(model.mesh, setting.boundary);
+  const double tolerance = kTolerance * diagonal(oracle.positions);
+  for (std::uint32_t level = 0; level <= setting.levels; ++level) {
+    SCOPED_TRACE("level " + std::to_string(level));
+    if (level > 0) oracle = refine(oracle, rules);
+    SubdivideOptions options{.levels = level, .boundary = setting.boundary, .decay = setting.decay};
+    const Mesh ours = subdivide(model.mesh, options).mesh;
+    expect_same(ours, oracle, tolerance);
+    expect_same_sharpness(ours, oracle);
+    constexpr std::size_t kMostForLimits = 1500;
+    if (oracle.triangles.size() > kMostForLimits) continue;
+    SCOPED_TRACE("limit");
+    options.limit = true;
+    PlainMesh limit = oracle;
+    limit.positions = limit_positions(oracle, rules);
+    expect_same(subdivide(model.mesh, options).mesh, limit, tolerance);
+  }
+}
+
+class Hoppe94 : public ::testing::TestWithParam<BoundaryRounding> {};
+
+TEST_P(Hoppe94, AgreesWithTheOracleOnEveryModelAndLevel) {
+  std::size_t compared = 0;
+  for (const Model& model : models()) {
+    if (!is_settled(model.mesh)) continue;
+    const bool is_new = GetParam() == BoundaryRounding::edge_only || has_boundary(model.mesh);
+    SCOPED_TRACE(model.name);
+    compare(model,
+            {.boundary = GetParam(), .levels = is_new ? affordable_levels(model.mesh, 4) : 1});
+    ++compared;
+  }
+  EXPECT_GE(compared, 40U);
+}
+
+TEST_P(Hoppe94, SoftCreasesDecayAndBlendAsDeRosesDo) {
+  std::size_t compared = 0;
+  for (const Model& model : models()) {
+    if (is_settled(model.mesh)) continue;
+    if (GetParam() != BoundaryRounding::edge_only && !has_boundary(model.mesh)) continue;
+    for (const CreaseDecay decay : kDecays) {
+      SCOPED_TRACE(model.name + (decay == CreaseDecay::uniform ? ", uniform" : ", chaikin"));
+      compare(model, {.boundary = GetParam(), .decay = decay, .levels = 3});
+      ++compared;
+    }
+  }
+  EXPECT_GE(compared, 4U);
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryBoundary, Hoppe94, ::testing::ValuesIn(kBoundaries));
+
+}  // namespace
+}  // namespace mesher::test

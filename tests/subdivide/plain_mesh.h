@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "engine/mesh/mesh.h"
+#include "engine/subdivide/options.h"
+
+namespace mesher::test {
+
+using Point = glm::dvec3;
+using Triangle = std::array<std::uint32_t, 3>;
+/// The lower index first.
+using VertexPair = std::pair<std::uint32_t, std::uint32_t>;
+
+inline constexpr double kForEver = std::numeric_limits<double>::infinity();
+
+inline VertexPair pair_of(std::uint32_t a, std::uint32_t b) {
+  return a < b ? VertexPair(a, b) : VertexPair(b, a);
+}
+
+/// A mesh as a list of triangles and a table of sharp edges: what the oracles subdivide, in doubles
+/// and with nothing of the engine's data structures.
+struct PlainMesh {
+  std::vector<Point> positions;
+  std::vector<Triangle> triangles;
+  /// Edges that are sharp at all, boundary edges included.
+  std::map<VertexPair, double> sharpness;
+  std::vector<double> vertex_sharpness;  ///< V
+};
+
+/// With everything that is sharp by rule written down: boundary edges for ever, from kSharpForEver
+/// on for ever, and vertices with one face where `boundary` says so.
+PlainMesh plain_mesh(const Mesh& mesh, BoundaryRounding boundary);
+
+/// Diagonal of the bounding box; 1 where there is none.
+double diagonal(std::span<const Point> positions);
+
+/// Largest distance between points of equal index. Pre: equally many.
+double largest_distance(std::span<const Point> a, std::span<const Point> b);
+
+std::vector<Point> points_of(std::span<const glm::vec3> positions);
+
+/// Who is whose neighbour, found by looking at every triangle.
+struct Adjacency {
+  /// Edges in the order met when walking the faces and their edges ab, bc, ca.
+  std::vector<VertexPair> edges;
+  std::map<VertexPair, std::uint32_t> edge_index;
+  std::vector<std::vector<std::uint32_t>> opposite;  ///< third vertices of an edge's faces
+  /// Neighbours counter-clockwise; on the boundary from one end to the other.
+  std::vector<std::vector<std::uint32_t>> ring;
+  std::vector<std::uint32_t> faces_at;
+
+  bool is_boundary(std::uint32_t v) const { return faces_at[v] + 1 == ring[v].size(); }
+};
+
+Adjacency adjacency(const PlainMesh& mesh);
+
+/// Four children a triangle, in the order that the engine promises: positions and sharpnesses are
+/// left to fill.
+std::vector<Triangle> split_triangles(const PlainMesh& mesh, const Adjacency& near);
+
+/// Sharpness of an edge; 0 where the table does not list it.
+double sharpness_of(const PlainMesh& mesh, std::uint32_t a, std::uint32_t b);
+
+}  // namespace mesher::test

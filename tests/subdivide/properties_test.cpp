@@ -1,0 +1,295 @@
+// What holds for subdivision whatever the mesh and the rules.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/mat3x3.hpp>
+
+#include "engine/core/error.h"
+#include "engine/core/parallel.h"
+#include "engine/subdivide/subdivide.h"
+#include "tests/subdivide/compare.h"
+#include "tests/subdivide/models.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+/// One of every combination of scheme, creases, boundary and decay that differs in what it does.
+std::vector<SubdivideOptions> every_rule(std::uint32_t levels) {
+  std::vector<SubdivideOptions> all{{.levels = levels, .scheme = Scheme::butterfly},
+                                    {.levels = levels, .scheme = Scheme::midpoint}};
+  for (const CreaseRules creases : {CreaseRules::hoppe94, CreaseRules::derose98}) {
+    for (const BoundaryRounding boundary : kBoundaries) {
+      for (const CreaseDecay decay : kDecays) {
+        for (const bool limit : {false, true}) {
+          all.push_back({.levels = levels,
+                         .creases = creases,
+                         .boundary = boundary,
+                         .decay = decay,
+                         .limit = limit});
+        }
+      }
+    }
+  }
+  return all;
+}
+
+std::string describe(const SubdivideOptions& o) {
+  return "scheme " + std::to_string(int(o.scheme)) + ", creases " + std::to_string(int(o.creases)) +
+         ", boundary " + std::to_string(int(o.boundary)) + ", decay " +
+         std::to_string(int(o.decay)) + (o.limit ? ", limit" : "");
+}
+
+/// Every third model: what each property takes.
+std::vector<const Model*> some_models(std::uint32_t most_faces = 150) {
+  std::vector<const Model*> some;
+  for (std::size_t i = 0; i < models().size(); ++i) {
+    if (i % 3 == 0 && models()[i].mesh.face_count() <= most_faces) some.push_back(&models()[i]);
+  }
+  return some;
+}
+
+double size_of(const Mesh& mesh) {
+  return diagonal(points_of(mesh.positions()));
+}
+
+double distance(const Mesh& a, const Mesh& b) {
+  if (a.vertex_count() != b.vertex_count()) return kForEver;
+  return largest_distance(points_of(a.positions()), points_of(b.positions()));
+}
+
+Mesh mapped(Mesh mesh) {
+  const glm::mat3 linear(1.5F, 0.25F, -0.5F, 0.5F, -0.75F, 0.25F, 0.125F, 1.0F, 0.5F);
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    const Vertex vertex(v);
+    mesh.set_position(vertex, linear * mesh.position(vertex) + glm::vec3(3.0F, -1.0F, 2.0F));
+  }
+  return mesh;
+}
+
+TEST(Properties, SubdivisionCommutesWithAffineMaps) {
+  for (const SubdivideOptions& options : every_rule(2)) {
+    SCOPED_TRACE(describe(options));
+    for (const Model* model : some_models()) {
+      SCOPED_TRACE(model->name);
+      const Mesh before = subdivide(mapped(model->mesh), options).mesh;
+      const Mesh after = mapped(subdivide(model->mesh, options).mesh);
+      // Rounding of coordinates around 10, not more.
+      EXPECT_LE(distance(before, after), 4 * kTolerance * size_of(before));
+    }
+  }
+}
+
+TEST(Properties, ATagOfZeroIsNoTag) {
+  for (const SubdivideOptions& options : every_rule(2)) {
+    SCOPED_TRACE(describe(options));
+    for (const Model* model : some_models()) {
+      if (!is_untagged(model->mesh)) continue;
+      Mesh tagged = model->mesh;
+      for (std::uint32_t h = 0; h < tagged.halfedge_count(); ++h)
+        tagged.set_sharpness(tagged.edge(Halfedge(h)), 0.0F);
+      tagged.set_sharpness(Vertex(0), 0.0F);
+      const Mesh a = subdivide(tagged, options).mesh;
+      const Mesh b = subdivide(model->mesh, options).mesh;
+      ASSERT_EQ(a.vertex_count(), b.vertex_count());
+      EXPECT_EQ(std::memcmp(a.positions().data(), b.positions().data(), a.positions().size_bytes()),
+                0)
+          << model->name;
+    }
+  }
+}
+
+/// An icosahedron with a loop of one sharpness; 0: without.
+Mesh looped(float sharpness) {
+  Mesh mesh = built(jittered(icosahedron(), 0.1F)).mesh;
+  for (std::uint32_t i = 0; i < 5; ++i) {
+    mesh.set_sharpness(mesh.find_edge(Vertex(1 + i), Vertex(1 + (i + 1) % 5)), sharpness);
+  }
+  return mesh;
+}
+
+/// The same without any sharpness.
+Mesh dulled(Mesh mesh) {
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
+    mesh.set_sharpness(mesh.edge(Halfedge(h)), 0.0F);
+  return mesh;
+}
+
+TEST(Properties, AWholeSharpnessIsSoManyLevelsOfCrease) {
+  for (const CreaseRules creases : {CreaseRules::hoppe94, CreaseRules::derose98}) {
+    for (std::uint32_t k = 1; k <= 3; ++k) {
+      const Mesh soft = subdivide(looped(float(k)), {.levels = k + 1, .creases = creases}).mesh;
+      const Mesh sharp =
+          subdivide(looped(kInfinitelySharp), {.levels = k, .creases = creases}).mesh;
+      const Mesh by_hand = subdivide(dulled(sharp), {.levels = 1, .creases = creases}).mesh;
+      EXPECT_LE(distance(soft, by_hand), kTolerance * size_of(soft)) << k;
+    }
+  }
+}
+
+TEST(Properties, SharpnessActsContinuously) {
+  constexpr float kStep = 1e-3F;
+  for (const CreaseRules creases : {CreaseRules::hoppe94, CreaseRules::derose98}) {
+    for (const CreaseDecay decay : kDecays) {
+      for (const bool limit : {false, true}) {
+        const SubdivideOptions options{
+            .levels = 4, .creases = creases, .decay = decay, .limit = limit};
+        for (const float s : {0.0F, 0.3F, 0.9995F, 1.0F, 1.4F, 1.9995F, 2.0F, 2.9995F}) {
+          const Mesh a = subdivide(looped(s), options).mesh;
+          const Mesh b = subdivide(looped(s + kStep), options).mesh;
+          EXPECT_LE(distance(a, b), 2 * kStep * size_of(a)) << describe(options) << ' ' << s;
+        }
+      }
+    }
+  }
+}
+
+TEST(Properties, OldVerticesHaveTheSameLimitOnEveryLevel) {
+  for (const SubdivideOptions& rule : every_rule(0)) {
+    if (!rule.limit) continue;
+    SCOPED_TRACE(describe(rule));
+    for (const Model* model : some_models()) {
+      SCOPED_TRACE(model->name);
+      SubdivideOptions options = rule;
+      std::vector<Point> coarse = points_of(subdivide(model->mesh, options).mesh.positions());
+      for (options.levels = 1; options.levels <= 3; ++options.levels) {
+        const std::vector<Point> fine = points_of(subdivide(model->mesh, options).mesh.positions());
+        ASSERT_GE(fine.size(), coarse.size());
+        EXPECT_LE(largest_distance(coarse, fine), kTolerance * size_of(model->mesh))
+            << "level " << options.levels;
+        coarse = fine;
+      }
+    }
+  }
+}
+
+std::size_t count_twinless(const Mesh& mesh) {
+  return static_cast<std::size_t>(std::count(mesh.twins().begin(), mesh.twins().end(), Halfedge()));
+}
+
+TEST(Properties, TopologyIsKeptAndBoundariesDouble) {
+  for (const Model& model : models()) {
+    SCOPED_TRACE(model.name);
+    const std::uint32_t most = std::min(3U, affordable_levels(model.mesh, 3));
+    for (std::uint32_t levels = 0; levels <= most; ++levels) {
+      const Mesh fine = subdivide(model.mesh, {.levels = levels}).mesh;
+      expect_valid(fine);
+      EXPECT_EQ(topology(fine), topology(model.mesh));
+      EXPECT_EQ(fine.face_count(), model.mesh.face_count() << (2 * levels));
+      EXPECT_EQ(count_twinless(fine), count_twinless(model.mesh) << levels);
+    }
+  }
+}
+
+template <class T>
+bool is_same_bytes(const Array<T>& a, const Array<T>& b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+TEST(Properties, TheSameBytesOnAnyNumberOfThreads) {
+  for (const SubdivideOptions& options : every_rule(4)) {
+    SCOPED_TRACE(describe(options));
+    for (const Model& model : models()) {
+      if (model.name != "random 7" && model.name != "grid, soft crease to the boundary") continue;
+      const auto run = [&](unsigned threads) {
+        const ThreadLimit limit(threads);
+        return subdivide(model.mesh, options);
+      };
+      const Subdivided one = run(1);
+      for (const unsigned threads : {2U, 5U}) {
+        const Subdivided many = run(threads);
+        EXPECT_TRUE(is_identical(one.mesh, many.mesh)) << model.name << ", " << threads;
+        EXPECT_TRUE(is_same_bytes(one.limit_normal, many.limit_normal)) << model.name;
+      }
+    }
+  }
+}
+
+TEST(Properties, TrianglesAreThoseOfTheMesh) {
+  for (const SubdivideOptions& rule : every_rule(0)) {
+    SCOPED_TRACE(describe(rule));
+    for (const Model* model : some_models()) {
+      SCOPED_TRACE(model->name);
+      SubdivideOptions options = rule;
+      for (options.levels = 0; options.levels <= 2; ++options.levels) {
+        const Mesh mesh = subdivide(model->mesh, options).mesh;
+        const IndexedTriangles bare = subdivide_to_triangles(model->mesh, options);
+        EXPECT_TRUE(is_same_bytes(
+            bare.position, Array<glm::vec3>(mesh.positions().begin(), mesh.positions().end())));
+        EXPECT_TRUE(
+            is_same_bytes(bare.index, Array<Vertex>(mesh.origins().begin(), mesh.origins().end())));
+      }
+    }
+  }
+}
+
+TEST(Properties, TheSizeIsKnownBefore) {
+  for (const Model* model : some_models()) {
+    SCOPED_TRACE(model->name);
+    for (std::uint32_t levels = 0; levels <= 3; ++levels) {
+      const Mesh fine = subdivide(model->mesh, {.levels = levels}).mesh;
+      const SubdivisionSize size = subdivision_size(model->mesh, levels);
+      EXPECT_EQ(size.vertices, fine.vertex_count());
+      EXPECT_EQ(size.faces, fine.face_count());
+      EXPECT_TRUE(size.has_ids);
+      EXPECT_GE(size.peak_bytes, size.result_bytes);
+      if (levels > 0 && fine.vertex_sharpnesses().empty()) {
+        EXPECT_NEAR(double(size.result_bytes), double(fine.memory_bytes()),
+                    0.25 * double(fine.memory_bytes()) + 64);
+      }
+    }
+  }
+}
+
+TEST(Properties, WhatDoesNotFitIsKnownWithoutOverflow) {
+  const Mesh mesh = built(octahedron()).mesh;
+  EXPECT_TRUE(subdivision_size(mesh, 13).has_ids);   // 3 * 8 * 4^13: 1.6 thousand million
+  EXPECT_FALSE(subdivision_size(mesh, 14).has_ids);  // 6.4 thousand million
+  EXPECT_EQ(subdivision_size(mesh, 14).faces, 8ULL << 28);
+  for (const std::uint32_t levels : {15U, 31U, 32U, 64U, 1000U, 0xFFFFFFFFU})
+    EXPECT_FALSE(subdivision_size(mesh, levels).has_ids) << levels;
+}
+
+TEST(Properties, NoLevelsAndNoFacesAreFine) {
+  for (const SubdivideOptions& options : every_rule(0)) {
+    if (options.limit) continue;
+    for (const Model* model : some_models())
+      EXPECT_EQ(distance(subdivide(model->mesh, options).mesh, model->mesh), 0.0);
+  }
+  for (const SubdivideOptions& options : every_rule(3)) {
+    EXPECT_EQ(subdivide(Mesh(), options).mesh.vertex_count(), 0U);
+    EXPECT_TRUE(subdivide_to_triangles(Mesh(), options).index.empty());
+  }
+}
+
+TEST(Properties, IsolatedVerticesStay) {
+  for (const SubdivideOptions& options : every_rule(2)) {
+    SCOPED_TRACE(describe(options));
+    for (const Model& model : models()) {
+      const Mesh fine =
+          model.name == "isolated vertices" ? subdivide(model.mesh, options).mesh : Mesh();
+      for (std::uint32_t v = 0; v < model.mesh.vertex_count() && fine.vertex_count() > 0; ++v) {
+        if (!model.mesh.is_isolated(Vertex(v))) continue;
+        EXPECT_EQ(fine.position(Vertex(v)), model.mesh.position(Vertex(v)));
+        EXPECT_TRUE(fine.is_isolated(Vertex(v)));
+      }
+    }
+  }
+}
+
+TEST(Properties, ACancelledOneThrows) {
+  const Mesh mesh = built(octahedron()).mesh;
+  for (const Scheme scheme : {Scheme::loop, Scheme::butterfly, Scheme::midpoint}) {
+    Progress progress;
+    progress.cancel();
+    const SubdivideOptions options{.levels = 3, .scheme = scheme, .progress = &progress};
+    EXPECT_THROW(static_cast<void>(subdivide(mesh, options)), Cancelled);
+    EXPECT_THROW(static_cast<void>(subdivide_to_triangles(mesh, options)), Cancelled);
+  }
+}
+
+}  // namespace
+}  // namespace mesher::test
