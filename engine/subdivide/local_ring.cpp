@@ -13,8 +13,8 @@ namespace {
 
 // The slowest ring shrinks to 5/8 a step: after so many, what is left is below 1e-13 of it.
 constexpr int kStepsToConverge = 64;
-// Enough for the ring to lie in its tangent plane, and not so many that it vanishes in rounding.
-constexpr int kStepsToFlatten = 16;
+// Enough for a ring to lie in its tangent plane.
+constexpr int kStepsToFlatten = 48;
 
 glm::dvec3 unit_or_zero(const glm::dvec3& v) {
   const double length = glm::length(v);
@@ -27,6 +27,7 @@ void LocalRing::gather(const LevelView& level, const Features& features, const S
                        const SubdivideOptions& options) {
   options_ = options;
   vertex_ = level.position[vertex.v.index()];
+  centre_ = glm::dvec3(0.0);
   own_ = vertex.own;
   halfedges_.clear();
   spokes_.clear();
@@ -93,10 +94,23 @@ void LocalRing::settle() {
   while (has_semi_sharp())
     step();
   // DeRose's masks at a dart have no limit in closed form here.
-  if (kind() == VertexKind::dart && options_.creases == CreaseRules::derose98) {
-    for (int i = 0; i < kStepsToFlatten; ++i)
-      step();
-  }
+  if (kind() == VertexKind::dart && options_.creases == CreaseRules::derose98) converge();
+}
+
+void LocalRing::converge() {
+  const std::vector<Spoke> spokes = spokes_;
+  const glm::dvec3 vertex = vertex_;
+  for (int i = 0; i < kStepsToConverge; ++i)
+    step();
+  const glm::dvec3 limit = vertex_;
+  // Once more around the limit itself: what shrinks towards it keeps its digits.
+  spokes_ = spokes;
+  for (Spoke& spoke : spokes_)
+    spoke.end -= limit;
+  vertex_ = vertex - limit;
+  for (int i = 0; i < kStepsToFlatten; ++i)
+    step();
+  centre_ = limit;
 }
 
 void LocalRing::step() {
@@ -174,12 +188,7 @@ glm::dvec3 LocalRing::limit_position() const {
     const RingMask mask = crease_limit_mask(options_.creases, own_kind);
     return mask.own * vertex_ + mask.each * crease;
   }
-  if (own_kind == VertexKind::dart && options_.creases == CreaseRules::derose98) {
-    LocalRing further = *this;
-    for (int i = kStepsToFlatten; i < kStepsToConverge; ++i)
-      further.step();
-    return further.vertex_;
-  }
+  if (own_kind == VertexKind::dart && options_.creases == CreaseRules::derose98) return centre_;
   const RingMask mask = loop_limit_mask(static_cast<std::uint32_t>(spokes_.size()));
   return mask.own * vertex_ + mask.each * sum;
 }
@@ -224,7 +233,8 @@ glm::dvec3 LocalRing::smooth_normal() const {
 glm::dvec3 LocalRing::sector_normal(std::size_t first, std::size_t count) const {
   const auto end = [&](std::size_t i) { return spokes_[(first + i) % spokes_.size()].end; };
   const glm::dvec3 average = fan_normal(first, count);
-  if (kind() == VertexKind::corner) {
+  const VertexKind own_kind = kind();
+  if (own_kind == VertexKind::corner) {
     // The plane of the two creases' tangents, unless they run into each other.
     const glm::dvec3 a = unit_or_zero(end(0) - vertex_);
     const glm::dvec3 b = unit_or_zero(end(count - 1) - vertex_);
@@ -234,7 +244,7 @@ glm::dvec3 LocalRing::sector_normal(std::size_t first, std::size_t count) const 
     return unit_or_zero(glm::dot(normal, average) < 0.0 ? -normal : normal);
   }
   std::vector<double> weights(count);
-  glm::dvec3 across = across_crease_tangent(options_.creases, weights) * vertex_;
+  glm::dvec3 across = across_crease_tangent(options_.creases, own_kind, weights) * vertex_;
   for (std::size_t i = 0; i < count; ++i)
     across += weights[i] * end(i);
   const glm::dvec3 normal = unit_or_zero(glm::cross(end(0) - end(count - 1), across));

@@ -47,6 +47,7 @@ class LocalRing {
   VertexKind kind() const;
   bool has_semi_sharp() const;
   void step();
+  void converge();
   glm::dvec3 next_vertex() const;
   glm::dvec3 next_end(std::size_t i, VertexKind kind) const;
   void wear();
@@ -56,6 +57,8 @@ class LocalRing {
 
   SubdivideOptions options_;
   glm::dvec3 vertex_{0.0};
+  glm::dvec3 centre_{
+      0.0};  ///< the limit, where it was found by following the ring; all is around it
   float own_ = 0.0F;
   std::vector<Halfedge> halfedges_;
   std::vector<Spoke> spokes_;

@@ -49,9 +49,9 @@ double sharp_edge_weight(CreaseRules rules, VertexKind first, VertexKind second)
   return first_is_regular ? 5.0 / 8.0 : 3.0 / 8.0;
 }
 
-double across_crease_tangent(CreaseRules rules, std::span<double> neighbours) {
+double across_crease_tangent(CreaseRules rules, VertexKind kind, std::span<double> neighbours) {
   const std::size_t n = neighbours.size();
-  MESHER_ASSERT(n >= 2);
+  MESHER_ASSERT(n >= 2 && is_crease(kind));
   if (n == 2) {
     neighbours[0] = neighbours[1] = 1.0;
     return -2.0;
@@ -61,21 +61,15 @@ double across_crease_tangent(CreaseRules rules, std::span<double> neighbours) {
     neighbours[1] = 1.0;
     return -1.0;
   }
-  if (n == 4) {
-    neighbours[0] = neighbours[3] = -1.0;
-    neighbours[1] = neighbours[2] = 2.0;
-    return -2.0;
-  }
+  const bool has_halves = rules == CreaseRules::derose98 || kind == VertexKind::regular_crease;
   const double angle = std::numbers::pi / static_cast<double>(n - 1);
   const double c = std::cos(angle);
   const double s = std::sin(angle);
-  const bool is_hoppe = rules == CreaseRules::hoppe94;
-  const double end = is_hoppe ? -s : -1.0;
-  const double inner = is_hoppe ? 2.0 - 2.0 * c : (1.0 + 1.0 / c - 2.0 * c) / s;
+  const double inner = has_halves ? (1.0 + 1.0 / c - 2.0 * c) / s : 2.0 - 2.0 * c;
   for (std::size_t i = 0; i < n; ++i)
     neighbours[i] = inner * std::sin(static_cast<double>(i) * angle);
-  neighbours[0] = neighbours[n - 1] = end;
-  return is_hoppe ? 0.0 : -1.0 / c;
+  neighbours[0] = neighbours[n - 1] = has_halves ? -1.0 : -s;
+  return has_halves ? -1.0 / c : 0.0;
 }
 
 double butterfly_ring_weight(std::uint32_t valence, std::uint32_t i) {

@@ -47,10 +47,11 @@ double sharp_edge_weight(CreaseRules rules, VertexKind first, VertexKind second)
 bool has_sharp_mask(CreaseRules rules, VertexKind first, VertexKind second);
 
 /// Tangent across a crease, from the neighbours e1..en on one side in order, ends included: it
-/// points to that side. Writes n weights of neighbours, returns the vertex's own. Pre: n >= 2.
-/// O(n). Hoppe's for his masks; for masks of 1/2 and 1/2 the eigenvector that belongs to those
-/// (OpenSubdiv 3.5 takes Hoppe's there and is off by up to 2.9 degrees).
-double across_crease_tangent(CreaseRules rules, std::span<double> neighbours);
+/// points to that side. Writes n weights of neighbours, returns the vertex's own. Pre: n >= 2, the
+/// vertex is on a crease. O(n). The left eigenvector of the masks in use: Hoppe's where they are
+/// 3/8 and 5/8, another where they are 1/2 and 1/2, that is, at his regular vertices and everywhere
+/// by DeRose (OpenSubdiv 3.5 takes Hoppe's there and is off by up to 2.9 degrees).
+double across_crease_tangent(CreaseRules rules, VertexKind kind, std::span<double> neighbours);
 
 // Butterfly (N. Dyn, D. Levin, J. Gregory, "A butterfly subdivision scheme for surface
 // interpolation with tension control", 1990; D. Zorin, P. Schroeder, W. Sweldens, "Interpolating
