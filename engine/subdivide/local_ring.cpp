@@ -13,8 +13,8 @@ namespace {
 
 // The slowest ring shrinks to 5/8 a step: after so many, what is left is below 1e-13 of it.
 constexpr int kStepsToConverge = 64;
-// Enough for a ring to lie in its tangent plane.
-constexpr int kStepsToFlatten = 48;
+// Enough for a ring to lie in its tangent plane, and few enough to tell it from rounding.
+constexpr int kStepsToFlatten = 24;
 
 glm::dvec3 unit_or_zero(const glm::dvec3& v) {
   const double length = glm::length(v);
