@@ -26,7 +26,7 @@ void compare(const Model& model, const Setting& setting) {
     const Mesh ours = subdivide(model.mesh, options).mesh;
     expect_same(ours, oracle, tolerance);
     expect_same_sharpness(ours, oracle);
-    constexpr std::size_t kMostForLimits = 1500;
+    constexpr std::size_t kMostForLimits = 500;
     if (oracle.triangles.size() > kMostForLimits) continue;
     SCOPED_TRACE("limit");
     options.limit = true;

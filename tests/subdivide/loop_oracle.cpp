@@ -192,7 +192,7 @@ OldStar at_the_limit(OldStar star, const OracleRules& rules) {
 /// corners, where a wide sector may fold up.
 bool is_told_soon(const OldStar& star) {
   constexpr std::size_t kMostNeighbours = 9;
-  constexpr std::size_t kMostOnASide = 5;
+  constexpr std::size_t kMostOnASide = 4;
   const Kind kind = kind_of(star);
   const std::size_t n = star.ring.size();
   if (n < 2 || kind == Kind::corner) return false;
@@ -232,7 +232,8 @@ std::vector<Point> side_normals(const OldStar& star) {
 /// By the neighbour that comes first, counter-clockwise, in each face.
 std::map<std::uint32_t, Point> normals_around(const PlainMesh& mesh, const Adjacency& near,
                                               std::uint32_t v, const OracleRules& rules) {
-  // Enough to settle, and few enough for the differences to be more than rounding.
+  // Enough to settle, and few enough for what shrinks fastest, to a quarter, to be more than
+  // rounding.
   constexpr int kLevels = 36;
   if (near.ring[v].empty()) return {};
   OldStar star = old_star_of(mesh, near, v);

@@ -73,7 +73,7 @@ TEST(LimitNormals, AgreeWithWhatTheFacesTurnTo) {
           if (level > 0) plain = refine(plain, rules);
           const Subdivided ours = at_the_limit(model.mesh, creases, decay, level);
           ASSERT_EQ(ours.limit_normal.size(), 3 * plain.triangles.size());
-          EXPECT_LT(worst_angle_deg(ours, limit_normals(plain, rules)), 0.2)
+          EXPECT_LT(worst_angle_deg(ours, limit_normals(plain, rules)), 0.5)
               << model.name << ", creases " << int(creases) << ", decay " << int(decay)
               << ", level " << level;
         }
