@@ -10,6 +10,7 @@
 #include "app/scripted_session.h"
 #include "app/words.h"
 #include "engine/core/error.h"
+#include "engine/io/format.h"
 #include "engine/io/losses.h"
 #include "engine/io/png.h"
 #include "engine/io/read.h"
@@ -62,6 +63,29 @@ void print_json(const Json& json) {
 }
 
 }  // namespace
+
+void say(const std::string& words) {
+  std::cerr << "mesher: " << words << '\n';
+}
+
+void check_output(const std::string& output) {
+  if (format_of(output)) return;
+  throw UsageError("-o: '" + output + "': unknown kind of file; known are " +
+                   std::string(kFormatNames));
+}
+
+std::vector<std::string> write_result(const std::string& output, const Model& model,
+                                      const CommonOptions& common) {
+  const std::vector<std::string> losses = losses_in_format(output, model.mesh, model.attributes);
+  write_model(output, model.mesh, model.attributes);
+  if (!common.quiet) {
+    for (const std::string& loss : losses)
+      say(output + " cannot hold " + loss);
+    say(output + ": " + with_commas(model.mesh.vertex_count()) + " vertices, " +
+        with_commas(model.mesh.face_count()) + " faces");
+  }
+  return losses;
+}
 
 LoadedModel load(const InputOptions& input, const CommonOptions& common) {
   LoadedModel loaded{{}, {}, find_model(input.model)};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/cli/options.h"
 #include "app/load_job.h"
@@ -22,6 +23,17 @@ void run_compare(const InputOptions& first, const InputOptions& second, std::uin
 /// Draws one picture of a model without a window, simplified to `faces` where that is given.
 void run_render(const InputOptions& input, const std::string& output, const LookOptions& look,
                 std::optional<std::uint32_t> faces, const CommonOptions& common);
+
+/// One line on stderr.
+void say(const std::string& words);
+
+/// Throws UsageError where no format has that ending: before the work, not after it.
+void check_output(const std::string& output);
+
+/// Writes a model and says on stderr how large it is and what the format cannot hold, unless
+/// `common.quiet`. Returns what it cannot hold. Throws OutputError.
+std::vector<std::string> write_result(const std::string& output, const Model& model,
+                                      const CommonOptions& common);
 
 /// Reads a model as the options say, with progress on a terminal, and says on stderr what was
 /// repaired unless `common.quiet`. Throws InputError.

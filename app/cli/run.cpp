@@ -10,6 +10,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/batch.h"
 #include "app/cli/simplify_command.h"
+#include "app/cli/subdivide_command.h"
 #include "app/cli/view.h"
 #include "engine/analysis/distance.h"
 #include "engine/core/error.h"
@@ -43,6 +44,7 @@ class CommandLine {
     add_info();
     add_convert();
     add_simplify();
+    add_subdivide();
     add_compare();
   }
 
@@ -190,6 +192,32 @@ class CommandLine {
                       "measure the distance between input and result, too");
   }
 
+  void add_subdivide() {
+    CLI::App* command = add_command("subdivide", "more triangles, on a smooth surface", [this] {
+      run_subdivide(input_, output_, subdivide_, common_);
+    });
+    add_input(command)->required();
+    command->add_option("OUT,-o,--output", output_, "file to write")->required();
+    command
+        ->add_option("--levels", subdivide_.levels,
+                     "how often every face is split in four (default: 1)")
+        ->check(CLI::Range(0U, 16U));
+    const auto add_choice = [&](const char* name, std::string& value,
+                                const std::vector<std::string>& words, const char* what) {
+      command->add_option(name, value, what)->check(CLI::IsMember(words));
+    };
+    add_choice("--scheme", subdivide_.scheme, scheme_words(), "where vertices go (default: loop)");
+    add_choice("--creases", subdivide_.creases, crease_rules_words(),
+               "what sharp edges do: Hoppe et al. 1994 (default), or DeRose et al. 1998, as "
+               "OpenSubdiv");
+    add_choice("--boundary", subdivide_.boundary, boundary_rounding_words(),
+               "whether boundary vertices with one face stay (default: edge-only)");
+    add_choice("--crease-decay", subdivide_.decay, crease_decay_words(),
+               "how sharpness falls from level to level (default: uniform)");
+    command->add_flag("--limit", subdivide_.limit,
+                      "move the vertices to the limit surface, and write its normals");
+  }
+
   void add_compare() {
     CLI::App* command =
         add_command("compare", "how far two surfaces lie apart (RMS, mean, max, both ways)",
@@ -206,6 +234,7 @@ class CommandLine {
   LookOptions look_;
   ViewOptions view_;
   SimplifyWords simplify_;
+  SubdivideWords subdivide_;
   InputOptions second_;
   std::uint64_t samples_ = DistanceOptions{}.samples;
   std::string output_;

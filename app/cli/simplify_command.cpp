@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "app/cli/batch.h"
+#include "app/cli/enum_words.h"
 #include "app/cli/progress_line.h"
 #include "app/json.h"
 #include "app/words.h"
@@ -20,23 +21,6 @@
 namespace mesher::app {
 namespace {
 
-/// The value whose key is `word`; the first where there is none.
-template <class Enum, std::size_t N>
-Enum named(const std::string& word) {
-  for (std::size_t i = 0; i < N; ++i) {
-    if (key(static_cast<Enum>(i)) == word) return static_cast<Enum>(i);
-  }
-  return Enum{};
-}
-
-template <class Enum, std::size_t N>
-std::vector<std::string> keys() {
-  std::vector<std::string> words;
-  for (std::size_t i = 0; i < N; ++i)
-    words.emplace_back(key(static_cast<Enum>(i)));
-  return words;
-}
-
 double parse_max_error(const std::string& text, double diagonal) {
   const bool is_percent = text.ends_with('%');
   const char* end = text.data() + text.size() - (is_percent ? 1 : 0);
@@ -49,18 +33,8 @@ double parse_max_error(const std::string& text, double diagonal) {
   return is_percent ? 0.01 * value * diagonal : value;
 }
 
-void check_output(const std::string& output) {
-  if (format_of(output)) return;
-  throw UsageError("-o: '" + output + "': unknown kind of file; known are " +
-                   std::string(kFormatNames));
-}
-
 std::string with_percent(const SimplifyOutcome& outcome, double error) {
   return short_number(error) + " (" + short_number(outcome.percent(error)) + " % of the diagonal)";
-}
-
-void say(const std::string& words) {
-  std::cerr << "mesher: " << words << '\n';
 }
 
 void say_outcome(const SimplifyOutcome& outcome) {
@@ -105,13 +79,13 @@ std::optional<SurfaceDistance> measured(const Mesh& before, const Mesh& after,
 }  // namespace
 
 std::vector<std::string> cost_words() {
-  std::vector<std::string> words = keys<CostPolicy, kCostPolicyCount>();
+  std::vector<std::string> words = enum_words<CostPolicy, kCostPolicyCount>();
   words.emplace_back("qem");
   return words;
 }
 
 std::vector<std::string> placement_words() {
-  return keys<Placement, kPlacementCount>();
+  return enum_words<Placement, kPlacementCount>();
 }
 
 SimplifyOptions simplify_options(const SimplifyWords& words, std::uint32_t faces, double diagonal) {
@@ -120,8 +94,8 @@ SimplifyOptions simplify_options(const SimplifyWords& words, std::uint32_t faces
   }
   // The first cost is the quadric, of which "qem" is another name.
   SimplifyOptions options{
-      .cost = named<CostPolicy, kCostPolicyCount>(words.cost),
-      .placement = named<Placement, kPlacementCount>(words.placement),
+      .cost = enum_value<CostPolicy, kCostPolicyCount>(words.cost),
+      .placement = enum_value<Placement, kPlacementCount>(words.placement),
       .boundary = words.boundary == "lock" ? BoundaryRule::lock : BoundaryRule::preserve,
       .crease_angle_deg = words.crease_angle_deg,
       .seed = words.seed};
@@ -173,16 +147,9 @@ void run_simplify(const InputOptions& input, const std::string& output, const Si
   const SimplifyOptions options =
       simplify_options(words, mesh.face_count(), loaded.statistics.box.diagonal());
   const SimplifyOutcome outcome = simplify_model(loaded, options, common);
-  const std::vector<std::string> losses = losses_in_format(output, mesh, loaded.model.attributes);
-  write_model(output, mesh, loaded.model.attributes);
+  const std::vector<std::string> losses = write_result(output, loaded.model, common);
   const auto distance = measured(before, mesh, common);
-  if (!common.quiet) {
-    if (distance) say_distance(*distance);
-    for (const std::string& loss : losses)
-      std::cerr << "mesher: " << output << " cannot hold " << loss << '\n';
-    say(output + ": " + with_commas(mesh.vertex_count()) + " vertices, " +
-        with_commas(mesh.face_count()) + " faces");
-  }
+  if (distance && !common.quiet) say_distance(*distance);
   if (!common.json) return;
   Json json{{"input", loaded.file.string()}, {"output", output}};
   json.update(to_json(outcome));

@@ -1,0 +1,34 @@
+#include "app/memory_budget.h"
+
+#include <cmath>
+
+#include "app/words.h"
+
+namespace mesher::app {
+
+std::string bytes_text(std::uint64_t bytes) {
+  constexpr const char* kUnits[] = {"B", "kB", "MB", "GB", "TB"};
+  auto value = static_cast<double>(bytes);
+  std::size_t unit = 0;
+  while (value >= 1000.0 && unit + 1 < std::size(kUnits)) {
+    value /= 1000.0;
+    ++unit;
+  }
+  const double rounded = value < 10.0 ? std::round(10.0 * value) / 10.0 : std::round(value);
+  return short_number(rounded) + " " + kUnits[unit];
+}
+
+std::string subdivision_refusal(const SubdivisionSize& size, std::uint32_t levels,
+                                std::uint64_t available, unsigned copies) {
+  const std::string what =
+      "subdividing " + std::to_string(levels) + (levels == 1 ? " time" : " times") + " would make ";
+  if (!size.has_ids) {
+    return what + with_commas(size.faces) + " faces or more: too many for 32-bit indices";
+  }
+  const std::uint64_t needed = size.peak_bytes + (copies - 1) * size.result_bytes;
+  if (needed <= available / 5 * 4) return "";
+  return what + with_commas(size.faces) + " faces and take " + bytes_text(needed) + " of memory; " +
+         bytes_text(available) + " are free";
+}
+
+}  // namespace mesher::app
