@@ -76,6 +76,15 @@ ArrayDelta::ArrayDelta(std::span<const std::byte> before, std::span<const std::b
   after_ = gather(after);
 }
 
+void ArrayDelta::add_element(std::uint32_t index, std::span<const std::byte> before,
+                             std::span<const std::byte> after) {
+  MESHER_ASSERT(ranges_.empty() || index >= ranges_.back().end);
+  if (std::memcmp(before.data(), after.data(), element_bytes_) == 0) return;
+  append(ranges_, {index, index + 1});
+  before_.insert(before_.end(), before.begin(), before.end());
+  after_.insert(after_.end(), after.begin(), after.end());
+}
+
 std::size_t ArrayDelta::memory_bytes() const {
   return ranges_.capacity() * sizeof(ChangedRange) + before_.capacity() + after_.capacity();
 }
