@@ -148,6 +148,15 @@ Ray Camera::pick_ray(const Cursor& cursor) const {
   return {pivot_ + in_plane - kBehind * distance_ * forward(), forward()};
 }
 
+glm::dvec3 Camera::to_window(const glm::dvec3& point, const glm::dvec2& window) const {
+  const glm::dvec3 from_eye = point - eye();
+  const double depth = glm::dot(from_eye, forward());
+  const double unit_at = orthographic_ ? distance_ : depth;
+  const double scale = 0.5 * window.y / (unit_at * half_height_at_unit_distance());
+  return {0.5 * window.x + scale * glm::dot(from_eye, right()),
+          0.5 * window.y - scale * glm::dot(from_eye, up()), depth};
+}
+
 ViewTransform Camera::transform(double aspect, const Box& box) const {
   const double scale = 1.0 / half_height_at_unit_distance();
   ViewTransform result;

@@ -82,6 +82,10 @@ class Camera {
 
   /// The half-line of everything under the cursor.
   Ray pick_ray(const Cursor& cursor) const;
+  /// Where a point appears in a window of that size (Cursor units), and how far before the eye it is
+  /// along the line of sight, in model units: the inverse of pick_ray. In perspective, only what has
+  /// a depth above 0 appears at all.
+  glm::dvec3 to_window(const glm::dvec3& point, const glm::dvec2& window) const;
   /// Near and far planes are laid around `box`. `aspect` is width / height.
   ViewTransform transform(double aspect, const Box& box) const;
 

@@ -37,6 +37,71 @@ double intersect(const Mesh& mesh, Face f, const Ray& ray) {
   return distance >= 0.0 ? distance : kMiss;
 }
 
+/// Edges as they appear in a window.
+class Screen {
+ public:
+  Screen(const Mesh& mesh, const Camera& camera, const Cursor& cursor)
+      : mesh_(mesh), camera_(camera), cursor_(cursor) {}
+
+  /// From the cursor to an edge; infinite where it is not before the eye.
+  double distance(Halfedge h) const {
+    glm::dvec3 a = mesh_.position(mesh_.origin(h));
+    glm::dvec3 b = mesh_.position(mesh_.target(h));
+    if (!camera_.is_orthographic() && !cut_behind_eye(a, b)) {
+      return std::numeric_limits<double>::infinity();
+    }
+    const glm::dvec2 from(camera_.to_window(a, cursor_.window));
+    const glm::dvec2 along = glm::dvec2(camera_.to_window(b, cursor_.window)) - from;
+    const glm::dvec2 to_cursor = cursor_.position - from;
+    const double square = glm::dot(along, along);
+    const double t = square > 0.0 ? glm::dot(to_cursor, along) / square : 0.0;
+    return glm::length(to_cursor - std::clamp(t, 0.0, 1.0) * along);
+  }
+
+ private:
+  /// Leaves what is a little before the eye and beyond; false where nothing is.
+  bool cut_behind_eye(glm::dvec3& a, glm::dvec3& b) const {
+    const double near = 1e-3 * camera_.distance();
+    const double a_depth = glm::dot(a - camera_.eye(), camera_.forward()) - near;
+    const double b_depth = glm::dot(b - camera_.eye(), camera_.forward()) - near;
+    if (a_depth < 0.0 && b_depth < 0.0) return false;
+    const double share = a_depth / (a_depth - b_depth);
+    if (a_depth < 0.0) {
+      a += share * (b - a);
+    } else if (b_depth < 0.0) {
+      b = a + share * (b - a);
+    }
+    return true;
+  }
+
+  const Mesh& mesh_;
+  const Camera& camera_;
+  const Cursor& cursor_;
+};
+
+/// The nearest of half-edges [begin, end); the first of two alike.
+EdgeHit nearest_edge(const Mesh& mesh, const Screen& screen, IndexRange range) {
+  EdgeHit nearest{{}, std::numeric_limits<double>::infinity()};
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    const Halfedge h(static_cast<std::uint32_t>(i));
+    const double distance = screen.distance(h);
+    if (distance < nearest.distance_px) nearest = {mesh.edge(h), distance};
+  }
+  return nearest;
+}
+
+EdgeHit nearest_of_all(const Mesh& mesh, const Screen& screen) {
+  constexpr std::size_t kChunk = 1U << 16;
+  std::vector<EdgeHit> parts(chunk_count(mesh.halfedge_count(), kChunk));
+  parallel_chunks(
+      mesh.halfedge_count(), kChunk,
+      [&](std::size_t chunk, IndexRange range) { parts[chunk] = nearest_edge(mesh, screen, range); });
+  const auto best = std::min_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
+    return a.distance_px < b.distance_px;
+  });
+  return best == parts.end() ? EdgeHit{} : *best;
+}
+
 }  // namespace
 
 std::optional<Hit> pick(const Mesh& mesh, const Ray& ray) {
@@ -54,6 +119,21 @@ std::optional<Hit> pick(const Mesh& mesh, const Ray& ray) {
                        [](const Nearest& a, const Nearest& b) { return a.distance < b.distance; });
   if (best == nearest.end() || !best->face.is_valid()) return std::nullopt;
   return Hit{best->face, ray.origin + best->distance * ray.direction, best->distance};
+}
+
+std::optional<EdgeHit> pick_edge(const Mesh& mesh, const Camera& camera, const Cursor& cursor,
+                                 double tolerance_px) {
+  const Screen screen(mesh, camera, cursor);
+  const std::optional<Hit> hit = pick(mesh, camera.pick_ray(cursor));
+  EdgeHit nearest;
+  if (hit) {
+    const std::size_t first = Mesh::halfedge(hit->face).index();
+    nearest = nearest_edge(mesh, screen, {first, first + 3});
+  } else {
+    nearest = nearest_of_all(mesh, screen);
+  }
+  if (!nearest.edge.is_valid() || nearest.distance_px > tolerance_px) return std::nullopt;
+  return nearest;
 }
 
 }  // namespace mesher::render
