@@ -80,6 +80,7 @@ void GpuMesh::forget_buffers() {
        {&positions_, &indices_, &class_buffer_, &crease_buffer_, &boundary_buffer_}) {
     *buffer = {};
   }
+  marked_ = {};
 }
 
 void GpuMesh::copy_arrays(const Mesh& mesh, UploadStats& stats) {

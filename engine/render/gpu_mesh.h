@@ -39,7 +39,8 @@ class GpuMesh {
   /// large for the device. O(changes + crease and boundary edges), O(V + F) when whole.
   UploadStats apply(Mesh& mesh, const Settings& settings);
   /// Points edges out from now on. Pre: they are edges of the mesh as it is drawn next; so call it
-  /// again where edges vanish. Returns whether that changes the picture. O(marked edges).
+  /// again where edges vanish; a new mesh has none. Returns whether that changes the picture.
+  /// O(marked edges).
   bool mark(const MarkedEdges& marked);
   /// The next apply() copies everything: for another mesh object than before.
   void invalidate() { is_valid_ = false; }

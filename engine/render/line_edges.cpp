@@ -27,8 +27,7 @@ void append(const std::vector<Line>& from, std::vector<Line>& to) {
 /// `sorted` up to `count` without what lies in `changed`, with `fresh` (all of which does) in its
 /// place.
 std::vector<Line> replace(const std::vector<Line>& sorted, std::uint32_t count,
-                              std::span<const ChangedRange> changed,
-                              const std::vector<Line>& fresh) {
+                          std::span<const ChangedRange> changed, const std::vector<Line>& fresh) {
   std::vector<Line> kept;
   auto range = changed.begin();
   for (const Line& line : sorted) {

@@ -31,9 +31,9 @@ struct LineEdges {
 /// O(F), parallel.
 LineEdges find_line_edges(const Mesh& mesh);
 
-/// Brings `edges` up to date where half-edges changed class, sharpness or twin, and drops those that the mesh
-/// no longer has. `changed` is sorted, disjoint, and within the mesh. O(edges + changed
-/// half-edges).
+/// Brings `edges` up to date where half-edges changed class, sharpness or twin, and drops those
+/// that the mesh no longer has. `changed` is sorted, disjoint, and within the mesh. O(edges +
+/// changed half-edges).
 void update_line_edges(const Mesh& mesh, std::span<const ChangedRange> changed, LineEdges& edges);
 
 }  // namespace mesher::render

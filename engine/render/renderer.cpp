@@ -21,8 +21,8 @@ constexpr std::uint32_t kQuadFaces = 50'000;
 constexpr float kCreaseWidth = 3.0F;
 constexpr float kBoundaryWidth = 4.6F;
 /// Of the bands under marked edges: wide enough to be seen on both sides of a boundary.
-constexpr float kSelectedWidth = 7.0F;
-constexpr float kHoveredWidth = 6.0F;
+constexpr float kSelectedWidth = 8.0F;
+constexpr float kHoveredWidth = 7.5F;
 constexpr float kEdgeStrength = 0.85F;
 /// How strong lines are without a surface, in sight and where a surface would hide them. Blending
 /// is linear, which makes the same share of light on dark look like much more than of dark on
