@@ -23,8 +23,8 @@ void run_compare(const InputOptions& first, const InputOptions& second, std::uin
 void run_render(const InputOptions& input, const std::string& output, const LookOptions& look,
                 std::optional<std::uint32_t> faces, const CommonOptions& common);
 
-/// Reads a model as the options say, with progress on a terminal, and says on stderr what was
-/// repaired unless `common.quiet`. Throws InputError.
+/// Reads a model as the options say, creases tagged, with progress on a terminal, and says on
+/// stderr what was repaired unless `common.quiet`. Throws InputError.
 LoadedModel load(const InputOptions& input, const CommonOptions& common);
 
 }  // namespace mesher::app

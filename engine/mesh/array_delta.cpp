@@ -63,6 +63,7 @@ ArrayDelta::ArrayDelta(std::span<const std::byte> before, std::span<const std::b
     : element_bytes_(element_bytes),
       old_count_(before.size() / element_bytes),
       new_count_(after.size() / element_bytes) {
+  if (before.data() == after.data() && before.size() == after.size()) return;  // the same array
   const Pair pair{before.data(), after.data(), element_bytes};
   std::vector<std::vector<ChangedRange>> parts(chunk_count(common(), kChunk));
   parallel_chunks(common(), kChunk,

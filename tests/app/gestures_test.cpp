@@ -20,7 +20,7 @@ class GesturesTest : public testing::Test {
   }
 
   void drag(MouseButton button, bool shift, glm::dvec2 from, glm::dvec2 to) {
-    gestures_.press(button, shift, from, 0.0);
+    gestures_.press(button, {.shift = shift}, from, 0.0);
     gestures_.move(to);
     gestures_.release();
   }
@@ -70,28 +70,28 @@ TEST_F(GesturesTest, TheWheelZoomsTowardTheCursor) {
 
 TEST_F(GesturesTest, ADoubleClickRecentresOnTheSurface) {
   session_.camera.set_view(render::View::front);
-  gestures_.press(MouseButton::left, false, {230, 180}, 1.0);
+  gestures_.press(MouseButton::left, {}, {230, 180}, 1.0);
   gestures_.release();
-  gestures_.press(MouseButton::left, false, {231, 180}, 1.2);
+  gestures_.press(MouseButton::left, {}, {231, 180}, 1.2);
   gestures_.release();
   EXPECT_NEAR(session_.camera.pivot().z, 0.5, 1e-9);
   EXPECT_GT(session_.camera.pivot().x, 0.0);
 }
 
 TEST_F(GesturesTest, TwoSlowOrDistantClicksAreNoDoubleClick) {
-  gestures_.press(MouseButton::left, false, {230, 180}, 1.0);
+  gestures_.press(MouseButton::left, {}, {230, 180}, 1.0);
   gestures_.release();
-  gestures_.press(MouseButton::left, false, {230, 180}, 1.5);
+  gestures_.press(MouseButton::left, {}, {230, 180}, 1.5);
   gestures_.release();
-  gestures_.press(MouseButton::left, false, {200, 180}, 1.6);
+  gestures_.press(MouseButton::left, {}, {200, 180}, 1.6);
   gestures_.release();
   EXPECT_TRUE(session_.camera == before_);
 }
 
 TEST_F(GesturesTest, ADoubleClickBesideTheModelChangesNothing) {
-  gestures_.press(MouseButton::left, false, {2, 2}, 1.0);
+  gestures_.press(MouseButton::left, {}, {2, 2}, 1.0);
   gestures_.release();
-  gestures_.press(MouseButton::left, false, {2, 2}, 1.1);
+  gestures_.press(MouseButton::left, {}, {2, 2}, 1.1);
   gestures_.release();
   EXPECT_TRUE(session_.camera == before_);
 }
