@@ -96,5 +96,80 @@ TEST_F(GesturesTest, ADoubleClickBesideTheModelChangesNothing) {
   EXPECT_TRUE(session_.camera == before_);
 }
 
+/// The front of the cube; its diagonal runs through the middle of the window.
+class CreaseGesturesTest : public GesturesTest {
+ protected:
+  CreaseGesturesTest() {
+    session_.camera.set_view(render::View::front);
+    set_crease_mode(session_, true);
+    before_ = session_.camera;
+  }
+  void click(Modifiers modifiers, glm::dvec2 at, double time) {
+    gestures_.press(MouseButton::left, modifiers, at, time);
+    gestures_.release();
+  }
+  std::size_t selected() const { return session_.creases.selected.size(); }
+
+  static constexpr glm::dvec2 kMiddle{200, 200};
+  static constexpr glm::dvec2 kOff{250, 200};
+};
+
+TEST_F(CreaseGesturesTest, AClickPicksOnRelease) {
+  gestures_.press(MouseButton::left, {}, kMiddle, 1.0);
+  EXPECT_EQ(selected(), 0U);
+  gestures_.move(kMiddle + glm::dvec2(2, 1));  // a hand is never still
+  gestures_.release();
+  EXPECT_EQ(selected(), 1U);
+  EXPECT_TRUE(session_.camera == before_);
+  click({}, kOff, 2.0);
+  EXPECT_EQ(selected(), 0U);
+}
+
+TEST_F(CreaseGesturesTest, ADragTurnsAndPicksNothing) {
+  drag(MouseButton::left, false, kMiddle, {260, 230});
+  EXPECT_EQ(selected(), 0U);
+  render::Camera expected = before_;
+  expected.orbit({60, 30}, session_.window);
+  EXPECT_TRUE(session_.camera == expected) << "all of the way counts";
+  session_.camera = before_;
+  drag(MouseButton::left, true, kMiddle, {260, 230});
+  EXPECT_NE(session_.camera.pivot(), before_.pivot());
+  // There and back is a drag, too.
+  gestures_.press(MouseButton::left, {}, kMiddle, 5.0);
+  gestures_.move(kMiddle + glm::dvec2(30, 0));
+  gestures_.move(kMiddle);
+  gestures_.release();
+  EXPECT_EQ(selected(), 0U);
+}
+
+TEST_F(CreaseGesturesTest, CtrlAddsAndOtherButtonsDoNotPick) {
+  click({}, kMiddle, 1.0);
+  const glm::dvec2 top = session_.camera.places(session_.window).of({0.1, 0.5, 0.5});
+  click({.control = true}, top + glm::dvec2(0, 2), 2.0);
+  EXPECT_EQ(selected(), 2U);
+  click({.control = true}, kMiddle, 3.0);
+  EXPECT_EQ(selected(), 1U);
+  gestures_.press(MouseButton::right, {}, kMiddle, 4.0);
+  gestures_.release();
+  EXPECT_EQ(selected(), 1U);
+}
+
+TEST_F(CreaseGesturesTest, ADoubleClickPicksTheChainAndLeavesTheCamera) {
+  Model model;
+  model.mesh = build_mesh(test::grid(6)).mesh;
+  show_model(session_, std::move(model), "grid.obj");
+  const render::Camera before = session_.camera;
+  const glm::dvec2 at = session_.camera.places(session_.window).of({2.4, 3.0, 0.0});
+  click({}, at, 1.0);
+  EXPECT_EQ(selected(), 1U);
+  click({}, at, 1.2);
+  EXPECT_EQ(selected(), 6U);
+  click({}, at, 2.0);
+  EXPECT_EQ(selected(), 1U);
+  click({.shift = true}, at, 3.0);
+  EXPECT_EQ(selected(), 6U);
+  EXPECT_TRUE(session_.camera == before);
+}
+
 }  // namespace
 }  // namespace mesher::app
