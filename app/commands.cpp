@@ -19,9 +19,17 @@ constexpr std::array kBindings{
     Binding{Command::simplify_edge, "shift+d", "collapse one edge"},
     Binding{Command::undo, "ctrl+z", "undo"},
     Binding{Command::redo, "ctrl+shift+z ctrl+y", "redo"},
+    Binding{Command::toggle_creases, "c", "edit creases: clicks pick edges"},
+    Binding{Command::sharpen, "+", "selected edges sharper by 1"},
+    Binding{Command::smoothen, "-", "selected edges smoother by 1"},
+    Binding{Command::sharpen_fully, "i", "selected edges infinitely sharp"},
+    Binding{Command::clear_creases, "x delete", "selected edges smooth"},
+    Binding{Command::select_creases, "ctrl+a", "select all creases"},
+    Binding{Command::tag_creases, "shift+c", "tag creases by angle (as in the panel)"},
     Binding{Command::toggle_info, "tab", "panels on and off"},
     Binding{Command::toggle_help, "f1 h shift+/", "this help"},
     Binding{Command::open_file, "ctrl+o", "open a file (or drop one on the window)"},
+    Binding{Command::save_file, "ctrl+s", "save the model"},
     Binding{Command::screenshot, "f12", "save a picture"},
     Binding{Command::escape, "escape", "stop what runs, close what is open, then quit"},
     Binding{Command::quit, "q", "quit"},
@@ -63,6 +71,22 @@ EditRequest::Kind edit_of(Command command) {
   }
 }
 
+CreaseRequest crease_edit_of(const Session& session, Command command) {
+  using Kind = CreaseRequest::Kind;
+  switch (command) {
+    case Command::tag_creases:
+      return {.kind = Kind::tag_by_angle, .value = session.creases.tag_angle_deg};
+    case Command::sharpen:
+      return {.kind = Kind::change, .value = 1.0F};
+    case Command::smoothen:
+      return {.kind = Kind::change, .value = -1.0F};
+    case Command::sharpen_fully:
+      return {.kind = Kind::set, .value = kInfinitelySharp};
+    default:
+      return {.kind = Kind::set, .value = 0.0F};
+  }
+}
+
 void toggle_surface(Session& session) {
   render::Settings& s = session.settings;
   if (s.shading == render::Shading::none) {
@@ -82,10 +106,16 @@ void toggle_wireframe(render::Settings& s) {
 void escape(Session& session) {
   if (session.shows_open_dialog) {
     session.shows_open_dialog = false;
+  } else if (session.saving.shows_dialog) {
+    session.saving.shows_dialog = false;
   } else if (session.shows_help) {
     session.shows_help = false;
   } else if (!session.error.empty()) {
     session.error.clear();
+  } else if (!session.creases.selected.empty()) {
+    session.creases.selected.clear();
+  } else if (session.creases.is_on) {
+    set_crease_mode(session, false);
   } else {
     session.wants_quit = true;
   }
@@ -131,12 +161,27 @@ void run(Session& session, Command command) {
     case Command::undo:
     case Command::redo:
       return session.edits.waiting.push_back({edit_of(command)});
+    case Command::toggle_creases:
+      return set_crease_mode(session, !session.creases.is_on);
+    case Command::select_creases:
+      return select_sharp_edges(session);
+    case Command::tag_creases:
+    case Command::sharpen:
+    case Command::smoothen:
+    case Command::sharpen_fully:
+    case Command::clear_creases:
+      return session.edits.waiting.push_back(
+          {.kind = EditRequest::Kind::creases, .creases = crease_edit_of(session, command)});
     case Command::toggle_info:
       return toggle(session.shows_info);
     case Command::toggle_help:
       return toggle(session.shows_help);
     case Command::open_file:
+      session.saving.shows_dialog = false;
       return toggle(session.shows_open_dialog);
+    case Command::save_file:
+      session.shows_open_dialog = false;
+      return open_save_dialog(session);
     case Command::screenshot:
       return set(session.wants_screenshot);
     case Command::escape:

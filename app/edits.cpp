@@ -40,6 +40,12 @@ std::shared_ptr<const Shape> copy_of(const Model& model) {
   return std::make_shared<const Shape>(Shape{model.mesh, model.attributes});
 }
 
+/// Everything but sharpness is the same.
+bool has_same_surface(const Mesh& a, const Mesh& b) {
+  return std::ranges::equal(a.origins(), b.origins()) && std::ranges::equal(a.twins(), b.twins()) &&
+         std::ranges::equal(a.positions(), b.positions());
+}
+
 void undo(Session& session) {
   History& history = session.edits.history;
   if (history.undo_depth() == 0) {
@@ -47,7 +53,9 @@ void undo(Session& session) {
     return;
   }
   session.notice = "undone: " + history.undo_name();
+  const bool keeps_topology = history.undo_edit().mesh.keeps_topology();
   history.undo(session.model, session.statistics);
+  note_model_changed(session, keeps_topology);
 }
 
 void redo(Session& session) {
@@ -57,7 +65,9 @@ void redo(Session& session) {
     return;
   }
   session.notice = "done again: " + history.redo_name();
+  const bool keeps_topology = history.redo_edit().mesh.keeps_topology();
   history.redo(session.model, session.statistics);
+  note_model_changed(session, keeps_topology);
 }
 
 EditTask task_for(Session& session, const EditRequest& request) {
@@ -102,6 +112,8 @@ std::optional<EditTask> begin_edit(Session& session) {
     undo(session);
   } else if (request.kind == EditRequest::Kind::redo) {
     redo(session);
+  } else if (request.kind == EditRequest::Kind::creases) {
+    edit_creases(session, request.creases);
   } else if (session.model.mesh.face_count() == 0) {
     session.notice = "there is nothing to simplify";
   } else {
@@ -133,7 +145,18 @@ void finish_edit(Session& session, EditResult&& result) {
   session.notice = notice_for(result.outcome);
   session.edits.last = std::move(result.outcome);
   if (!result.edit.changes_anything()) return;
+  const bool keeps_topology = result.edit.mesh.keeps_topology();
   session.edits.history.perform(std::move(result.edit), session.model, session.statistics);
+  note_model_changed(session, keeps_topology);
+}
+
+void note_model_changed(Session& session, bool keeps_topology) {
+  Edits& edits = session.edits;
+  ++edits.revision;
+  if (!keeps_topology) return forget_edges(session);
+  if (edits.opened && has_same_surface(edits.opened->mesh, session.model.mesh)) {
+    edits.opened.reset();
+  }
 }
 
 void run_waiting_edits(Session& session) {

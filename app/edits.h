@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/crease_edits.h"
 #include "app/history.h"
 #include "engine/mesh/model.h"
 #include "engine/simplify/options.h"
@@ -33,9 +34,11 @@ struct EditRequest {
     simplify_to,   ///< `target_faces`, from the model as it was opened: so detail comes back, too
     undo,
     redo,
+    creases,  ///< `creases`
   };
   Kind kind = Kind::remove_tenth;
   std::uint32_t target_faces = 0;
+  CreaseRequest creases{};
 };
 
 /// The parts of a model that edits change.
@@ -55,11 +58,14 @@ struct SimplifyOutcome {
 /// What has been done to the model that is shown, and what is to be done.
 struct Edits {
   History history;
-  std::shared_ptr<const Shape> opened;  ///< as it was opened; null until it is first edited
+  /// As it was opened, with the creases that it got in that detail; null: as it is shown.
+  std::shared_ptr<const Shape> opened;
   std::uint32_t opened_faces = 0;
   std::optional<SimplifyOutcome> last;
   /// What a command asks of whoever runs the session: to be done in this order.
   std::deque<EditRequest> waiting;
+  /// Grows with every change of the model: tells whoever keeps what follows from it.
+  std::uint64_t revision = 0;
 };
 
 struct Session;
@@ -80,15 +86,19 @@ struct EditResult {
   SimplifyOutcome outcome;
 };
 
-/// Takes the first waiting request. Undo and redo are done at once and give nothing; so does what
-/// cannot be done, with a notice. Otherwise the task to perform. O(V + F): the model is copied.
-/// Pre: something waits.
+/// Takes the first waiting request. Undo, redo and edits of creases are done at once and give
+/// nothing; so does what cannot be done, with a notice. Otherwise the task to perform. O(V + F):
+/// the model is copied. Pre: something waits.
 std::optional<EditTask> begin_edit(Session& session);
 /// Does the work; touches no session. Throws Cancelled.
 EditResult perform(const EditTask& task, Progress* progress);
 /// Changes the model as the result says, in place, so that a mirror has only the difference to
 /// copy; says in the notice what a person should know. The camera stays. O(differences).
 void finish_edit(Session& session, EditResult&& result);
+
+/// The model has changed. Picked edges are forgotten unless it `keeps_topology`; where it does, and
+/// is shown in the detail in which it was opened, simplification starts from it as it is now.
+void note_model_changed(Session& session, bool keeps_topology);
 
 /// All that waits, one after the other, here and now.
 void run_waiting_edits(Session& session);

@@ -6,8 +6,9 @@
 
 namespace mesher::app {
 
-void Gestures::press(MouseButton button, bool shift, const glm::dvec2& at, double time) {
+void Gestures::press(MouseButton button, Modifiers modifiers, const glm::dvec2& at, double time) {
   at_ = at;
+  click_.reset();
   if (button != MouseButton::left) {
     drag_ = Drag::pan;
     return;
@@ -16,15 +17,25 @@ void Gestures::press(MouseButton button, bool shift, const glm::dvec2& at, doubl
                          glm::distance(at, last_press_at_) <= kDoubleClickPixels;
   last_press_time_ = is_double ? -1e9 : time;
   last_press_at_ = at;
-  if (is_double) recentre();
-  drag_ = shift ? Drag::pan : Drag::orbit;
+  drag_ = modifiers.shift ? Drag::pan : Drag::orbit;
+  if (session_.creases.is_on) {
+    click_ =
+        EdgeClick{.toggles = modifiers.control, .chain = modifiers.shift, .is_second = is_double};
+  } else if (is_double) {
+    recentre();
+  }
 }
 
 void Gestures::release() {
   drag_ = Drag::none;
+  if (!click_) return;
+  click_edge(session_, at_, *click_);
+  click_.reset();
 }
 
 bool Gestures::move(const glm::dvec2& at) {
+  if (click_ && glm::distance(at, at_) < kClickPixels) return false;
+  click_.reset();
   const glm::dvec2 delta = at - at_;
   at_ = at;
   if (drag_ == Drag::none || delta == glm::dvec2(0.0)) return false;

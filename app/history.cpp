@@ -41,6 +41,12 @@ void History::undo(Model& model, Statistics& statistics) {
   done_.pop_back();
 }
 
+void History::take_back(Model& model, Statistics& statistics) {
+  undo(model, statistics);
+  bytes_ -= undone_.back().memory_bytes();
+  undone_.pop_back();
+}
+
 void History::redo(Model& model, Statistics& statistics) {
   MESHER_ASSERT(redo_depth() > 0);
   apply(undone_.back(), model, statistics);

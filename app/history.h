@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <string>
 #include <vector>
@@ -19,6 +20,9 @@ struct Edit {
   AttributesDelta attributes;
   Statistics before;
   Statistics after;
+  /// What is dragged makes many edits that are to be one step: they have the number of the drag,
+  /// and each takes the place of the one before (History::take_back). 0: no drag made it.
+  std::uint64_t drag = 0;
 
   bool changes_anything() const { return !mesh.is_empty() || !attributes.is_empty(); }
   std::size_t memory_bytes() const { return mesh.memory_bytes() + attributes.memory_bytes(); }
@@ -38,14 +42,18 @@ class History {
   void perform(Edit&& edit, Model& model, Statistics& statistics);
   /// Takes the last edit back. Pre: undo_depth() > 0, and the model is as the last call left it.
   void undo(Model& model, Statistics& statistics);
+  /// The same, for good: it cannot be done again.
+  void take_back(Model& model, Statistics& statistics);
   /// Does the edit again that was undone last. Pre: redo_depth() > 0, the same.
   void redo(Model& model, Statistics& statistics);
 
   std::size_t undo_depth() const { return done_.size(); }
   std::size_t redo_depth() const { return undone_.size(); }
   /// What undo would take back, and redo would do. Pre: there is one.
-  const std::string& undo_name() const { return done_.back().name; }
-  const std::string& redo_name() const { return undone_.back().name; }
+  const Edit& undo_edit() const { return done_.back(); }
+  const Edit& redo_edit() const { return undone_.back(); }
+  const std::string& undo_name() const { return undo_edit().name; }
+  const std::string& redo_name() const { return redo_edit().name; }
   std::size_t memory_bytes() const { return bytes_; }
 
  private:

@@ -36,6 +36,20 @@ Json to_json(const SimplifySettings& s) {
           {"seed", s.seed}};
 }
 
+/// JSON has no infinity.
+Json sharpness_json(float sharpness) {
+  return sharpness < kInfinitelySharp ? Json(sharpness) : Json("inf");
+}
+
+Json to_json(const CreaseMode& creases, const SelectedSharpness& sharpness) {
+  const bool is_one = sharpness.edges > 0 && !sharpness.is_mixed();
+  return {{"mode", creases.is_on},
+          {"selected", creases.selected.size()},
+          {"sharpness", is_one ? sharpness_json(sharpness.least) : Json()},
+          {"hovered", creases.hovered.is_valid() ? Json(creases.hovered.index()) : Json()},
+          {"tag_angle_deg", creases.tag_angle_deg}};
+}
+
 }  // namespace
 
 Json to_json(const Statistics& s) {
@@ -129,11 +143,13 @@ Json to_json(const Session& session) {
   return {{"file", session.file.string()},
           {"vertices", session.statistics.vertices},
           {"faces", session.statistics.faces},
+          {"crease_edges", session.statistics.crease_edges},
           {"opened_faces", edits.opened_faces},
           {"undo_depth", edits.history.undo_depth()},
           {"redo_depth", edits.history.redo_depth()},
           {"simplify", to_json(session.simplify)},
           {"last_simplification", edits.last ? to_json(*edits.last) : Json()},
+          {"creases", to_json(session.creases, selected_sharpness(session))},
           {"shading", name(s.shading)},
           {"wireframe", s.wireframe},
           {"background", s.background == render::Background::light ? "light" : "dark"},
@@ -143,6 +159,7 @@ Json to_json(const Session& session) {
           {"info", session.shows_info},
           {"help", session.shows_help},
           {"open_dialog", session.shows_open_dialog},
+          {"save_dialog", session.saving.shows_dialog},
           {"error", session.error},
           {"notice", session.notice}};
 }

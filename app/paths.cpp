@@ -42,11 +42,15 @@ fs::path find_model(const std::string& name) {
   return is_there(with_extension) ? with_extension : fs::path(name);
 }
 
-fs::path free_picture_name(const fs::path& folder, const std::string& stem) {
-  fs::path file = folder / (stem + ".png");
+fs::path free_name(const fs::path& folder, const std::string& stem, const std::string& extension) {
+  fs::path file = folder / (stem + extension);
   for (int i = 2; is_there(file); ++i)
-    file = folder / (stem + "-" + std::to_string(i) + ".png");
+    file = folder / (stem + "-" + std::to_string(i) + extension);
   return file;
+}
+
+fs::path free_picture_name(const fs::path& folder, const std::string& stem) {
+  return free_name(folder, stem, ".png");
 }
 
 fs::path next_screenshot(const std::string& model_name) {

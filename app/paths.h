@@ -10,8 +10,11 @@ namespace mesher::app {
 /// what is wrong with it.
 std::filesystem::path find_model(const std::string& name);
 
-/// `folder`/`stem`.png, or with a number ("bunny-2.png") where that is taken: nothing is
+/// `folder`/`stem``extension`, or with a number ("bunny-2.png") where that is taken: nothing is
 /// overwritten that nobody asked to write.
+std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem,
+                                const std::string& extension);
+/// The same with ".png".
 std::filesystem::path free_picture_name(const std::filesystem::path& folder,
                                         const std::string& stem);
 

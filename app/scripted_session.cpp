@@ -50,6 +50,7 @@ void ScriptedSession::press(std::span<const KeyPress> keys) {
     if (!command) throw UsageError("--keys: '" + to_text(key) + "' does nothing");
     run(session_, *command);
     run_waiting_edits(session_);
+    run_waiting_save(session_);
     if (session_.wants_quit) return;
     if (!session_.wants_screenshot) continue;
     session_.wants_screenshot = false;
@@ -65,6 +66,7 @@ Image ScriptedSession::picture() {
   gpu_->generation = session_.model_generation;
   const render::UploadStats upload = gpu_->mesh.apply(session_.model.mesh, session_.settings);
   if (upload.uploaded_bytes > 0) gpu_->upload = upload;
+  gpu_->mesh.mark(marked_edges(session_));
   if (options_.panels) return picture_with_panels();
   return render::render_image(gpu_->device, gpu_->renderer, gpu_->mesh, session_.camera,
                               session_.settings, extent().width, extent().height);

@@ -14,6 +14,8 @@ void show_model(Session& session, Model&& model, const Statistics& stats,
   session.file = file;
   session.edits = {};
   session.edits.opened_faces = stats.faces;
+  session.saving = {};
+  forget_edges(session);
   session.error.clear();
   session.notice.clear();
   ++session.model_generation;

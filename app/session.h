@@ -4,7 +4,9 @@
 #include <glm/vec2.hpp>
 #include <string>
 
+#include "app/crease_edits.h"
 #include "app/edits.h"
+#include "app/save.h"
 #include "engine/mesh/model.h"
 #include "engine/mesh/statistics.h"
 #include "engine/render/camera.h"
@@ -21,6 +23,8 @@ struct Session {
   Edits edits;
   render::Settings settings;
   SimplifySettings simplify;
+  CreaseMode creases;
+  Saving saving;
   render::Camera camera;
   glm::dvec2 window{800.0, 600.0};  ///< width and height in pixels: what "the whole model" must fit
 

@@ -58,10 +58,13 @@ class Viewer {
       wait();
       finish_load();
       if (edits_.advance()) want_frames();
+      advance_save();
+      update_hover();
       if (frames_wanted_ > 0) draw();
       if (session_.wants_screenshot) save_screenshot();
       log_.note(session_);
     }
+    finish_saves();
     device_.wait_idle();
     if (instance_.messages().count() > 0) {
       throw DeviceError("validation: " + instance_.messages().list().front());
@@ -72,8 +75,8 @@ class Viewer {
   Window::Events events() {
     return {.key = [this](const KeyPress& key) { press_key(key); },
             .press =
-                [this](MouseButton button, bool shift, glm::dvec2 at) {
-                  if (!panels_.covers(at)) gestures_.press(button, shift, at, Window::time());
+                [this](MouseButton button, Modifiers modifiers, glm::dvec2 at) {
+                  if (!panels_.covers(at)) gestures_.press(button, modifiers, at, Window::time());
                   want_frames();
                 },
             .release =
@@ -94,34 +97,55 @@ class Viewer {
             .changed = [this] { want_frames(); }};
   }
 
-  void want_frames() { frames_wanted_ = kFramesAfterEvent; }
+  // What changes the picture may change what is under the cursor.
+  void want_frames() {
+    frames_wanted_ = kFramesAfterEvent;
+    is_hover_old_ = true;
+  }
 
-  // Over the bare picture a move without a drag changes nothing: no need to draw.
+  // Over the bare picture a move without a drag changes nothing but the edge under the cursor: no
+  // need to draw.
   void move(const glm::dvec2& at) {
     const bool touches_panel = panels_.covers(at) || panels_.covers(cursor_);
     cursor_ = at;
+    is_hover_old_ = true;
     if (gestures_.move(at) || touches_panel) want_frames();
+  }
+
+  // Once for all the moves that have come since: it takes a look at every face.
+  void update_hover() {
+    if (!is_hover_old_ || !session_.creases.is_on) return;
+    const bool is_over_model = !gestures_.is_dragging() && !panels_.covers(cursor_);
+    if (hover_edge(session_, is_over_model ? std::optional(cursor_) : std::nullopt)) want_frames();
+    is_hover_old_ = false;
   }
 
   void press_key(const KeyPress& key) {
     want_frames();
-    // The dialog takes the keyboard at once, ImGui's field only when it has been drawn.
-    const bool is_typing = session_.shows_open_dialog || overlay_->wants_text();
+    // A dialog takes the keyboard at once, ImGui's field only when it has been drawn.
+    const bool has_dialog = session_.shows_open_dialog || session_.saving.shows_dialog;
+    const bool is_typing = has_dialog || overlay_->wants_text();
     if (key.name == "escape") {
       if (overlay_->close_popups()) return;
       if (load_) return load_->cancel();
       if (edits_.is_running()) return edits_.cancel();
-      if (is_typing && !session_.shows_open_dialog) return;  // ImGui ends the typing
+      if (is_typing && !has_dialog) return;  // ImGui ends the typing
     } else if (is_typing) {
       // ImGui looks at keys once a frame, and misses one that was let go by then.
-      if (session_.shows_open_dialog && key.name == "enter") panels_.submit_path();
+      if (key.name == "enter") submit_dialog();
       return;
     }
     if (const auto command = command_for(key)) app::run(session_, *command);
   }
 
+  void submit_dialog() {
+    if (session_.shows_open_dialog) panels_.submit_path();
+    if (session_.saving.shows_dialog) panels_.submit_save();
+  }
+
   void open(const std::filesystem::path& file) {
     session_.shows_open_dialog = false;
+    session_.saving.shows_dialog = false;
     session_.error.clear();
     load_ = std::make_unique<LoadJob>(file, options_.read, Window::wake);
     want_frames();
@@ -141,7 +165,10 @@ class Viewer {
   }
 
   /// What a person waits for, if anything.
-  const Job* running_job() const { return load_ ? load_.get() : edits_.job(); }
+  const Job* running_job() const {
+    if (load_) return load_.get();
+    return edits_.is_running() ? edits_.job() : save_.get();
+  }
 
   void finish_load() {
     if (!load_ || !load_->is_done()) return;
@@ -153,6 +180,38 @@ class Viewer {
       session_.notice = "cancelled: " + job->file().string();
     } catch (const std::exception& error) {
       session_.error = error.what();
+    }
+  }
+
+  /// Takes what has been written, and begins to write what waits.
+  void advance_save() {
+    try {
+      if (save_ && save_->is_done()) {
+        const std::unique_ptr<JobOf<Saved>> job = std::move(save_);
+        want_frames();
+        finish_save(session_, job->take());
+      }
+      if (!save_) start_save();
+    } catch (const std::exception& error) {
+      session_.error = error.what();
+    }
+  }
+
+  void start_save() {
+    const auto task = begin_save(session_);
+    if (!task) return;
+    save_ = std::make_unique<JobOf<Saved>>(
+        "Saving " + task->file.filename().string(),
+        [task = *task](Progress&) { return app::perform(task); }, Window::wake);
+  }
+
+  // The window closes: what goes wrong now is no longer read there, so it goes to whoever called.
+  void finish_saves() {
+    while (save_ || session_.saving.waiting) {
+      if (!save_) start_save();
+      save_->wait();
+      const std::unique_ptr<JobOf<Saved>> job = std::move(save_);
+      job->take();
     }
   }
 
@@ -197,9 +256,12 @@ class Viewer {
     if (presenter_.generation() != framebuffers_of_) overlay_->forget_images();
     framebuffers_of_ = presenter_.generation();
     overlay_->begin(session_.window);
-    const PanelActions actions = panels_.draw(
-        session_,
-        {.job = running_job(), .upload = upload_, .frame_ms = frame_ms_, .device = device_.name()});
+    const PanelActions actions =
+        panels_.draw(session_, {.job = running_job(),
+                                .can_cancel = load_ != nullptr || edits_.is_running(),
+                                .upload = upload_,
+                                .frame_ms = frame_ms_,
+                                .device = device_.name()});
     overlay_->end();
     if (actions.cancels_job && load_) {
       load_->cancel();
@@ -219,6 +281,7 @@ class Viewer {
     }
     const std::uint32_t faces_before = mesh_.face_count();
     const render::UploadStats stats = mesh_.apply(session_.model.mesh, session_.settings);
+    if (mesh_.mark(marked_edges(session_))) drawn_.reset();
     if (stats.uploaded_bytes == 0 && mesh_.face_count() == faces_before) return;
     upload_ = stats;
     drawn_.reset();
@@ -301,6 +364,7 @@ class Viewer {
   EditRunner edits_;
   StateLog log_;
   std::unique_ptr<LoadJob> load_;
+  std::unique_ptr<JobOf<Saved>> save_;
   std::optional<Drawn> drawn_;
   std::optional<render::Settings> drawable_settings_;  ///< those that the mirror was made for
   render::UploadStats upload_;
@@ -310,6 +374,7 @@ class Viewer {
   std::uint64_t framebuffers_of_ = 0;
   double frame_ms_ = 0.0;
   int frames_wanted_ = kFramesAfterEvent;
+  bool is_hover_old_ = false;
 };
 
 }  // namespace

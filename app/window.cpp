@@ -5,6 +5,7 @@
 #include <GLFW/glfw3.h>
 
 #include <map>
+#include <optional>
 
 #include "engine/gpu/result.h"
 
@@ -17,7 +18,7 @@ std::string glfw_error() {
   return description == nullptr ? "unknown reason" : description;
 }
 
-/// The name printed on a key, or empty where it has none that a shortcut could use.
+/// The name of a key by its place, or empty where it has none that a shortcut could use.
 std::string key_name(int key) {
   if ((key >= GLFW_KEY_A && key <= GLFW_KEY_Z) || (key >= GLFW_KEY_0 && key <= GLFW_KEY_9)) {
     std::string name(1, static_cast<char>(key));
@@ -33,14 +34,33 @@ std::string key_name(int key) {
       {GLFW_KEY_ENTER, "enter"},   {GLFW_KEY_KP_ENTER, "enter"}, {GLFW_KEY_SLASH, "/"},
       {GLFW_KEY_LEFT, "left"},     {GLFW_KEY_RIGHT, "right"},    {GLFW_KEY_UP, "up"},
       {GLFW_KEY_DOWN, "down"},     {GLFW_KEY_HOME, "home"},      {GLFW_KEY_END, "end"},
-      {GLFW_KEY_DELETE, "delete"}, {GLFW_KEY_MINUS, "-"},        {GLFW_KEY_EQUAL, "="}};
+      {GLFW_KEY_DELETE, "delete"}, {GLFW_KEY_KP_ADD, "+"},       {GLFW_KEY_KP_SUBTRACT, "-"}};
   const auto found = kNamed.find(key);
   return found == kNamed.end() ? "" : found->second;
+}
+
+Modifiers modifiers_of(int modifiers) {
+  return {.shift = (modifiers & GLFW_MOD_SHIFT) != 0,
+          .control = (modifiers & GLFW_MOD_CONTROL) != 0};
 }
 
 MouseButton button_of(int button) {
   if (button == GLFW_MOUSE_BUTTON_LEFT) return MouseButton::left;
   return button == GLFW_MOUSE_BUTTON_MIDDLE ? MouseButton::middle : MouseButton::right;
+}
+
+/// What was pressed, as shortcuts know it. Letters, plus and minus go by what is printed on the
+/// key, so that w is w on every keyboard layout.
+std::optional<KeyPress> key_press(int key, Modifiers modifiers) {
+  const char* text = glfwGetKeyName(key, 0);
+  const std::string printed = text == nullptr ? "" : text;
+  const bool is_letter = key >= GLFW_KEY_A && key <= GLFW_KEY_Z;
+  // Where plus is the upper half of a key, its lower half will do.
+  if (printed == "+" || printed == "=") return KeyPress{"+", false, modifiers.control};
+  if (printed == "-") return KeyPress{"-", false, modifiers.control};
+  const std::string name = is_letter && printed.size() == 1 ? printed : key_name(key);
+  if (name.empty()) return std::nullopt;
+  return KeyPress{name, modifiers.shift, modifiers.control};
 }
 
 }  // namespace
@@ -51,17 +71,9 @@ struct Window::Callbacks {
   }
   static void key(GLFWwindow* window, int key, int, int action, int modifiers) {
     if (action != GLFW_PRESS) return;  // a key held down toggles once
-    // Letters by what is printed on the key, so that w is w on every keyboard layout.
-    const char* printed = glfwGetKeyName(key, 0);
-    std::string name = key_name(key);
-    const bool is_letter = key >= GLFW_KEY_A && key <= GLFW_KEY_Z;
-    if (is_letter && printed != nullptr && printed[0] != '\0' && printed[1] == '\0') name = printed;
-    if (name.empty()) return;
+    const std::optional<KeyPress> press = key_press(key, modifiers_of(modifiers));
     Window& self = of(window);
-    if (self.events_.key) {
-      self.events_.key(
-          {name, (modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0});
-    }
+    if (press && self.events_.key) self.events_.key(*press);
   }
   static void button(GLFWwindow* window, int button, int action, int modifiers) {
     Window& self = of(window);
@@ -73,8 +85,7 @@ struct Window::Callbacks {
     double y = 0.0;
     glfwGetCursorPos(window, &x, &y);
     if (self.events_.press) {
-      self.events_.press(button_of(button), (modifiers & GLFW_MOD_SHIFT) != 0,
-                         self.to_pixels(x, y));
+      self.events_.press(button_of(button), modifiers_of(modifiers), self.to_pixels(x, y));
     }
   }
   static void cursor(GLFWwindow* window, double x, double y) {

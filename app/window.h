@@ -28,7 +28,7 @@ class Window {
   /// What the window tells; each may be empty. Positions are in pixels of the framebuffer.
   struct Events {
     std::function<void(const KeyPress&)> key;
-    std::function<void(MouseButton, bool shift, glm::dvec2 at)> press;
+    std::function<void(MouseButton, Modifiers, glm::dvec2 at)> press;
     std::function<void()> release;
     std::function<void(glm::dvec2 at)> move;
     std::function<void(double steps)> scroll;

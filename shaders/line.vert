@@ -12,6 +12,7 @@ layout(push_constant) uniform Constants { LineConstants constants; };
 layout(location = 0) out vec2 out_place;   // along and across, pixels from the first end
 layout(location = 1) out float out_length;  // pixels
 layout(location = 2) out float out_strength;
+layout(location = 3) flat out float out_half_width;  // pixels
 
 // Shortens the segment to what is in front of the near plane; false where nothing is.
 bool clip_to_near(inout vec3 a, inout vec3 b) {
@@ -50,7 +51,8 @@ bool is_drawn(uint h, uint from, uint to) {
   return edge_class == 0 && from < to;
 }
 #else
-uint halfedge(uint line) { return Uints(constants.edges).at[line]; }
+uint halfedge(uint line) { return Uints(constants.lines).at[2 * line]; }
+float weight(uint line) { return uintBitsToFloat(Uints(constants.lines).at[2 * line + 1]); }
 
 bool is_drawn(uint h, uint from, uint to) { return true; }
 #endif
@@ -61,6 +63,7 @@ void draw_nothing() {
   out_place = vec2(0.0);
   out_length = 0.0;
   out_strength = 0.0;
+  out_half_width = 0.0;
 }
 
 void main() {
@@ -85,8 +88,13 @@ void main() {
   // pile up, the more the shorter they are.
   out_strength = clamp((out_length - 1.0) / 7.0, 0.08, 1.0) *
                  min(0.25 * out_length * out_length, 1.0);
+  out_half_width = constants.half_width;
 #else
-  out_strength = 1.0;
+  // A line of little weight is still wider and of another color than an ordinary edge: whatever is
+  // tagged is seen to be.
+  const float full = weight(gl_VertexIndex / 6);
+  out_strength = mix(0.45, 1.0, full);
+  out_half_width = constants.half_width * mix(0.4, 1.0, full);
 #endif
 
   const uint corner = gl_VertexIndex % 6;

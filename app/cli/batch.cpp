@@ -1,5 +1,6 @@
 #include "app/cli/batch.h"
 
+#include <glm/trigonometric.hpp>
 #include <iomanip>
 #include <iostream>
 
@@ -15,6 +16,7 @@
 #include "engine/io/png.h"
 #include "engine/io/read.h"
 #include "engine/io/write.h"
+#include "engine/mesh/creases.h"
 
 namespace mesher::app {
 namespace {
@@ -94,6 +96,9 @@ LoadedModel load(const InputOptions& input, const CommonOptions& common) {
     loaded.model = read_model(loaded.file, {.crease_index_base = input.crease_index_base,
                                             .keep_isolated_vertices = input.keep_isolated,
                                             .progress = line.progress()});
+    if (input.tag_creases_deg) {
+      tag_creases_by_angle(loaded.model.mesh, glm::radians(*input.tag_creases_deg));
+    }
     loaded.statistics = statistics(loaded.model.mesh);
   }
   if (!common.quiet) say_repairs(loaded.model.report);

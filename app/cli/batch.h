@@ -35,8 +35,8 @@ void check_output(const std::string& output);
 std::vector<std::string> write_result(const std::string& output, const Model& model,
                                       const CommonOptions& common);
 
-/// Reads a model as the options say, with progress on a terminal, and says on stderr what was
-/// repaired unless `common.quiet`. Throws InputError.
+/// Reads a model as the options say, creases tagged, with progress on a terminal, and says on
+/// stderr what was repaired unless `common.quiet`. Throws InputError.
 LoadedModel load(const InputOptions& input, const CommonOptions& common);
 
 }  // namespace mesher::app

@@ -26,6 +26,7 @@ struct InputOptions {
   std::string model;
   std::optional<int> crease_index_base;
   bool keep_isolated = false;
+  std::optional<float> tag_creases_deg;  ///< edges whose faces meet at more get infinitely sharp
 };
 
 /// How a model is looked at: the same words for `view` and `render`.

@@ -92,6 +92,10 @@ class CommandLine {
             "`e` lines of an OBJ count vertices from 0 or 1 (default: decided by what fits)")
         ->check(CLI::IsMember({0, 1}));
     command->add_flag("--keep-isolated", input_.keep_isolated, "keep vertices that no face uses");
+    command
+        ->add_option("--tag-creases", input_.tag_creases_deg,
+                     "degrees: edges whose faces meet at more become creases")
+        ->check(CLI::Validator(check_angle, "0 TO 180"));
     return command->add_option("MODEL,--input", input_.model, "obj, ply, stl, off, gltf or glb");
   }
 

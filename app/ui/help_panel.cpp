@@ -17,6 +17,8 @@ constexpr MouseHelp kMouse[] = {
     {"wheel", "nearer or farther, at the cursor"},
     {"double click", "turn around the point under the cursor"},
     {"drop a file", "open it"},
+    {"editing creases: click", "pick the edge; Ctrl: one more or less"},
+    {"Shift+click, double click", "pick the chain of edges"},
 };
 
 void row(const std::string& keys, const char* what) {
@@ -54,7 +56,8 @@ void draw_help_panel(Session& session, PanelAreas& areas) {
       ImGui::EndTable();
     }
     ImGui::Separator();
-    ImGui::TextDisabled("red: boundary   yellow: crease   blue: back of a face");
+    ImGui::TextDisabled(
+        "red: boundary   yellow: crease   bright blue: selected   blue: back of a face");
   }
   note_area(areas);
   ImGui::End();

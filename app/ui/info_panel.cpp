@@ -61,7 +61,13 @@ void draw_repairs(const BuildReport& report) {
   }
 }
 
-void draw_shading(render::Settings& settings) {
+void draw_crease_switch(Session& session) {
+  bool is_on = session.creases.is_on;
+  if (ImGui::Checkbox("edit creases", &is_on)) set_crease_mode(session, is_on);
+}
+
+void draw_shading(Session& session) {
+  render::Settings& settings = session.settings;
   using render::Shading;
   if (!begin_section("Shading")) return;
   if (ImGui::RadioButton("flat", settings.shading == Shading::flat)) {
@@ -79,6 +85,8 @@ void draw_shading(render::Settings& settings) {
   ImGui::BeginDisabled(settings.shading == Shading::none);
   ImGui::Checkbox("wireframe", &settings.wireframe);
   ImGui::EndDisabled();
+  ImGui::SameLine(130.0F);
+  draw_crease_switch(session);
   ImGui::BeginDisabled(settings.shading != Shading::gouraud);
   ImGui::SetNextItemWidth(120.0F);
   ImGui::SliderFloat("crease angle", &settings.crease_angle_deg, 0.0F, 180.0F, "%.0f deg",
@@ -142,7 +150,7 @@ void draw_info_panel(Session& session, const PanelFacts& facts, PanelAreas& area
   if (ImGui::Begin(title.c_str(), &is_open, ImGuiWindowFlags_AlwaysAutoResize)) {
     draw_counts(session.statistics);
     draw_repairs(session.model.report);
-    draw_shading(session.settings);
+    draw_shading(session);
     draw_colors(session.settings);
     draw_gpu(facts);
     ImGui::TextDisabled("F1: all keys");

@@ -8,9 +8,10 @@ namespace {
 // What takes no longer than a moment needs no bar that comes and goes.
 constexpr double kMomentSeconds = 0.25;
 
-void draw_progress(const Job& job, PanelActions& actions) {
+void draw_progress(const Job& job, bool can_cancel, PanelActions& actions) {
   ImGui::TextUnformatted(job.title().c_str());
   ImGui::ProgressBar(job.progress().fraction(), {260.0F, 0.0F}, job.progress().stage().c_str());
+  if (!can_cancel) return;
   ImGui::SameLine();
   if (ImGui::Button("Cancel")) actions.cancels_job = true;
 }
@@ -36,7 +37,7 @@ void draw_message_bar(Session& session, const PanelFacts& facts, PanelActions& a
                                       ImGuiWindowFlags_NoFocusOnAppearing;
   ImGui::Begin("message", nullptr, kFlags);
   if (shows_job) {
-    draw_progress(*facts.job, actions);
+    draw_progress(*facts.job, facts.can_cancel, actions);
   } else if (!session.error.empty()) {
     draw_error(session);
   } else {

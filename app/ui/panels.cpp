@@ -9,16 +9,25 @@ PanelActions Panels::draw(Session& session, const PanelFacts& facts) {
   areas_.clear();
   if (session.shows_info) {
     draw_info_panel(session, facts, areas_);
-    draw_simplify_panel(session, facts, slider_faces_, areas_);
+    draw_right_column(session, facts);
   }
   if (session.shows_help) draw_help_panel(session, areas_);
   if (session.shows_open_dialog) {
     draw_open_dialog(session, typed_path_, submits_path_, actions, areas_);
   }
-  submits_path_ = false;
+  if (session.saving.shows_dialog) draw_save_dialog(session, submits_save_, areas_);
+  submits_path_ = submits_save_ = false;
   draw_message_bar(session, facts, actions, areas_);
   if (ImGui::IsAnyItemActive()) actions.wants_frames = true;
   return actions;
+}
+
+void Panels::draw_right_column(Session& session, const PanelFacts& facts) {
+  float top = kPanelMargin;
+  if (session.creases.is_on) {
+    top = kPanelMargin + draw_crease_panel(session, facts, top, tag_count_, areas_);
+  }
+  draw_simplify_panel(session, facts, top, slider_faces_, areas_);
 }
 
 bool Panels::covers(const glm::dvec2& at) const {

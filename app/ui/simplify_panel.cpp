@@ -192,11 +192,12 @@ void draw_ledger(const SimplifyOutcome& outcome) {
 
 }  // namespace
 
-void draw_simplify_panel(Session& session, const PanelFacts& facts, int& slider_faces,
+void draw_simplify_panel(Session& session, const PanelFacts& facts, float top, int& slider_faces,
                          PanelAreas& areas) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({size.x - 10.0F, 10.0F}, ImGuiCond_Always, {1.0F, 0.0F});
-  ImGui::SetNextWindowSizeConstraints({kWidth, 0.0F}, {kWidth, std::max(size.y - 20.0F, 80.0F)});
+  ImGui::SetNextWindowPos({size.x - kPanelMargin, top}, ImGuiCond_Always, {1.0F, 0.0F});
+  ImGui::SetNextWindowSizeConstraints({kWidth, 0.0F},
+                                      {kWidth, std::max(size.y - top - kPanelMargin, 80.0F)});
   ImGui::SetNextWindowCollapsed(size.x < kFitsWidth, ImGuiCond_Once);
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove;
   if (ImGui::Begin("Simplify", nullptr, kFlags)) {

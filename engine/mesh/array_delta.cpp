@@ -63,6 +63,7 @@ ArrayDelta::ArrayDelta(std::span<const std::byte> before, std::span<const std::b
     : element_bytes_(element_bytes),
       old_count_(before.size() / element_bytes),
       new_count_(after.size() / element_bytes) {
+  if (before.data() == after.data() && before.size() == after.size()) return;  // the same array
   const Pair pair{before.data(), after.data(), element_bytes};
   std::vector<std::vector<ChangedRange>> parts(chunk_count(common(), kChunk));
   parallel_chunks(common(), kChunk,
@@ -74,6 +75,15 @@ ArrayDelta::ArrayDelta(std::span<const std::byte> before, std::span<const std::b
   ranges_.shrink_to_fit();
   before_ = gather(before);
   after_ = gather(after);
+}
+
+void ArrayDelta::add_element(std::uint32_t index, std::span<const std::byte> before,
+                             std::span<const std::byte> after) {
+  MESHER_ASSERT(ranges_.empty() || index >= ranges_.back().end);
+  if (std::memcmp(before.data(), after.data(), element_bytes_) == 0) return;
+  append(ranges_, {index, index + 1});
+  before_.insert(before_.end(), before.begin(), before.end());
+  after_.insert(after_.end(), after.begin(), after.end());
 }
 
 std::size_t ArrayDelta::memory_bytes() const {

@@ -16,6 +16,13 @@ namespace mesher {
 /// Which way a difference is written.
 enum class Direction : std::uint8_t { forward, back };
 
+/// One element of an array and what it shall hold.
+template <class T>
+struct ElementWrite {
+  std::uint32_t index = 0;
+  T value;
+};
+
 /// The difference between two states of an array of plain values, bit by bit: the ranges that
 /// differ, with what they held before and after. What is the same costs nothing.
 class ArrayDelta {
@@ -26,6 +33,22 @@ class ArrayDelta {
   ArrayDelta(std::span<const T> before, std::span<const T> after)
       : ArrayDelta(std::as_bytes(before), std::as_bytes(after), sizeof(T)) {
     static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(std::uint32_t) == 0);
+  }
+
+  /// What writing single elements changes: as if both states had been compared, at the cost of the
+  /// elements alone. Pre: the indices ascend and are within the array.
+  template <class T>
+  static ArrayDelta of_elements(std::span<const T> before,
+                                std::span<const ElementWrite<T>> writes) {
+    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(std::uint32_t) == 0);
+    ArrayDelta delta;
+    delta.element_bytes_ = sizeof(T);
+    delta.old_count_ = delta.new_count_ = before.size();
+    for (const ElementWrite<T>& write : writes) {
+      delta.add_element(write.index, std::as_bytes(before.subspan(write.index, 1)),
+                        std::as_bytes(std::span(&write.value, 1)));
+    }
+    return delta;
   }
 
   bool is_empty() const { return old_count_ == new_count_ && ranges_.empty(); }
@@ -47,6 +70,8 @@ class ArrayDelta {
   ArrayDelta(std::span<const std::byte> before, std::span<const std::byte> after,
              std::size_t element_bytes);
 
+  void add_element(std::uint32_t index, std::span<const std::byte> before,
+                   std::span<const std::byte> after);
   static Direction reverse(Direction direction) {
     return direction == Direction::forward ? Direction::back : Direction::forward;
   }

@@ -1,11 +1,18 @@
 #include "engine/mesh/delta.h"
 
+#include <algorithm>
+
 namespace mesher {
 namespace {
 
 void note(ChangeLog& changes, GpuArray array, const std::vector<ChangedRange>& ranges) {
   for (const ChangedRange range : ranges)
     changes.note(array, range.begin, range.end - range.begin);
+}
+
+template <class T>
+ArrayDelta unchanged(std::span<const T> array) {
+  return ArrayDelta::of_elements<T>(array, {});
 }
 
 template <class T>
@@ -22,6 +29,14 @@ MeshDelta::MeshDelta(const Mesh& before, const Mesh& after)
       outgoing_(before.outgoings(), after.outgoings()),
       sharpness_(before.sharpnesses(), after.sharpnesses()),
       vertex_sharpness_(before.vertex_sharpnesses(), after.vertex_sharpnesses()) {}
+
+MeshDelta::MeshDelta(const Mesh& mesh, std::span<const ElementWrite<float>> sharpness)
+    : position_(unchanged(mesh.positions())),
+      origin_(unchanged(mesh.origins())),
+      twin_(unchanged(mesh.twins())),
+      outgoing_(unchanged(mesh.outgoings())),
+      sharpness_(ArrayDelta::of_elements(mesh.sharpnesses(), sharpness)),
+      vertex_sharpness_(unchanged(mesh.vertex_sharpnesses())) {}
 
 bool MeshDelta::is_empty() const {
   return position_.is_empty() && origin_.is_empty() && twin_.is_empty() && outgoing_.is_empty() &&
@@ -55,6 +70,20 @@ void MeshDelta::write(Mesh& mesh, Direction direction) const {
 
 MeshDelta difference(const Mesh& before, const Mesh& after) {
   return {before, after};
+}
+
+MeshDelta sharpness_difference(const Mesh& mesh, std::span<const EdgeSharpness> wanted) {
+  std::vector<ElementWrite<float>> writes;
+  writes.reserve(2 * wanted.size());
+  for (const auto& [edge, sharpness] : wanted) {
+    MESHER_ASSERT(sharpness >= 0.0F);
+    const Halfedge h = Mesh::halfedge(edge);
+    writes.push_back({h.index(), sharpness});
+    if (!mesh.is_boundary(h)) writes.push_back({mesh.twin(h).index(), sharpness});
+  }
+  std::sort(writes.begin(), writes.end(),
+            [](const auto& a, const auto& b) { return a.index < b.index; });
+  return {mesh, writes};
 }
 
 void apply(Mesh& mesh, const MeshDelta& delta) {

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "engine/mesh/array_delta.h"
 #include "engine/mesh/attributes.h"
+#include "engine/mesh/creases.h"
 #include "engine/mesh/mesh.h"
 
 namespace mesher {
@@ -19,15 +21,20 @@ class MeshDelta {
 
   /// The two meshes have the very same arrays.
   bool is_empty() const;
+  /// Both meshes have the same vertices, edges and faces under the same ids; positions and
+  /// sharpness may differ.
+  bool keeps_topology() const { return origin_.is_empty() && twin_.is_empty(); }
   /// Bytes that the difference occupies.
   std::size_t memory_bytes() const;
 
  private:
   friend MeshDelta difference(const Mesh& before, const Mesh& after);
+  friend MeshDelta sharpness_difference(const Mesh& mesh, std::span<const EdgeSharpness> wanted);
   friend void apply(Mesh& mesh, const MeshDelta& delta);
   friend void revert(Mesh& mesh, const MeshDelta& delta);
 
   MeshDelta(const Mesh& before, const Mesh& after);
+  MeshDelta(const Mesh& mesh, std::span<const ElementWrite<float>> sharpness);
   void write(Mesh& mesh, Direction direction) const;
 
   ArrayDelta position_;
@@ -40,6 +47,11 @@ class MeshDelta {
 
 /// What turns `before` into `after`. O(V + F) at the speed of memory, parallel.
 MeshDelta difference(const Mesh& before, const Mesh& after);
+
+/// What gives each of these edges its wanted sharpness: the difference to the mesh with that done,
+/// without looking at the rest of it. O(n log n) in the number of edges. Pre: every sharpness is 0
+/// or more, no edge twice.
+MeshDelta sharpness_difference(const Mesh& mesh, std::span<const EdgeSharpness> wanted);
 
 /// Turns the delta's `before` into its `after`, arrays identical bit by bit, and notes what the GPU
 /// mirrors of it in `mesh.changes()`: every changed or new element (twins and sharpnesses as edge

@@ -63,6 +63,16 @@ glm::vec4 ViewTransform::clip(const glm::vec3& p) const {
           perspective ? -view.z : 1.0F};
 }
 
+double WindowPlaces::depth(const glm::dvec3& point) const {
+  return glm::dot(point - eye, forward);
+}
+
+glm::dvec2 WindowPlaces::of(const glm::dvec3& point) const {
+  const glm::dvec3 from_eye = point - eye;
+  const double unit = perspective ? scale / glm::dot(from_eye, forward) : scale;
+  return middle + unit * glm::dvec2(glm::dot(from_eye, right), -glm::dot(from_eye, up));
+}
+
 glm::dvec3 Camera::right() const {
   return {std::cos(yaw_), 0.0, -std::sin(yaw_)};
 }
@@ -146,6 +156,17 @@ Ray Camera::pick_ray(const Cursor& cursor) const {
   // A parallel projection shows what lies behind the eye too.
   constexpr double kBehind = 1e5;
   return {pivot_ + in_plane - kBehind * distance_ * forward(), forward()};
+}
+
+WindowPlaces Camera::places(const glm::dvec2& window) const {
+  const double scale = 0.5 * window.y / half_height_at_unit_distance();
+  return {.eye = eye(),
+          .right = right(),
+          .up = up(),
+          .forward = forward(),
+          .middle = 0.5 * window,
+          .scale = orthographic_ ? scale / distance_ : scale,
+          .perspective = !orthographic_};
 }
 
 ViewTransform Camera::transform(double aspect, const Box& box) const {

@@ -44,6 +44,22 @@ struct ViewTransform {
   glm::vec4 clip(const glm::vec3& p) const;
 };
 
+/// Where points appear in a window, for many of them: see Camera::places.
+struct WindowPlaces {
+  glm::dvec3 eye{0.0};
+  glm::dvec3 right{1.0, 0.0, 0.0};  ///< unit vectors, as the next two
+  glm::dvec3 up{0.0, 1.0, 0.0};
+  glm::dvec3 forward{0.0, 0.0, -1.0};
+  glm::dvec2 middle{0.0};
+  double scale = 1.0;  ///< Cursor units a model unit; in perspective, at a depth of 1
+  bool perspective = true;
+
+  /// How far a point is before the eye along the line of sight, model units. In perspective, only
+  /// what has a depth above 0 appears.
+  double depth(const glm::dvec3& point) const;
+  glm::dvec2 of(const glm::dvec3& point) const;
+};
+
 /// A turntable: it looks at a pivot, turns around the vertical (yaw) and tilts up to the poles
 /// (pitch), and never rolls. All double; no Vulkan.
 class Camera {
@@ -82,6 +98,8 @@ class Camera {
 
   /// The half-line of everything under the cursor.
   Ray pick_ray(const Cursor& cursor) const;
+  /// Where points appear in a window of that size: the inverse of pick_ray.
+  WindowPlaces places(const glm::dvec2& window) const;
   /// Near and far planes are laid around `box`. `aspect` is width / height.
   ViewTransform transform(double aspect, const Box& box) const;
 

@@ -33,7 +33,7 @@ std::span<const std::byte> bytes_of(const Elements& elements) {
 }
 
 /// The places where a list differs from what it was.
-ChangeLog differences(const std::vector<Halfedge>& before, const std::vector<Halfedge>& after) {
+ChangeLog differences(const std::vector<Line>& before, const std::vector<Line>& after) {
   ChangeLog log;
   for (std::uint32_t i = 0; i < after.size(); ++i) {
     if (i >= before.size() || before[i] != after[i]) log.note(GpuArray::origin, i);
@@ -63,11 +63,24 @@ UploadStats GpuMesh::apply(Mesh& mesh, const Settings& settings) {
   return stats;
 }
 
+bool GpuMesh::mark(const MarkedEdges& marked) {
+  if (marked == marked_) return false;
+  std::vector<Line> lines;
+  for (const Edge e : marked.selected)
+    lines.push_back({Mesh::halfedge(e), 1.0F});
+  if (marked.hovered.is_valid()) lines.push_back({Mesh::halfedge(marked.hovered), 1.0F});
+  UploadStats not_shown;
+  upload_whole(device_, mark_buffer_, bytes_of(lines), 0, not_shown);
+  marked_ = marked;
+  return true;
+}
+
 void GpuMesh::forget_buffers() {
   for (gpu::Buffer* buffer :
        {&positions_, &indices_, &class_buffer_, &crease_buffer_, &boundary_buffer_}) {
     *buffer = {};
   }
+  marked_ = {};
 }
 
 void GpuMesh::copy_arrays(const Mesh& mesh, UploadStats& stats) {
@@ -134,10 +147,10 @@ void GpuMesh::copy_changed_classes(const Mesh& mesh, UploadStats& stats) {
 
   const LineEdges before = lines_;
   update_line_edges(mesh, changed, lines_);
-  const auto copy_lines = [&](const std::vector<Halfedge>& old, const std::vector<Halfedge>& now,
+  const auto copy_lines = [&](const std::vector<Line>& old, const std::vector<Line>& now,
                               gpu::Buffer& buffer) {
     upload_changes(device_, buffer, bytes_of(now),
-                   {differences(old, now), GpuArray::origin, sizeof(Halfedge)}, 0, stats);
+                   {differences(old, now), GpuArray::origin, sizeof(Line)}, 0, stats);
   };
   copy_lines(before.creases, lines_.creases, crease_buffer_);
   copy_lines(before.boundaries, lines_.boundaries, boundary_buffer_);

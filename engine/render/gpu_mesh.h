@@ -15,6 +15,13 @@
 
 namespace mesher::render {
 
+/// Edges that are pointed out, whatever they are: a selection, and what is under the cursor.
+struct MarkedEdges {
+  std::vector<Edge> selected;
+  Edge hovered;  ///< none: no edge is
+  friend bool operator==(const MarkedEdges&, const MarkedEdges&) = default;
+};
+
 /// The GPU's mirror of a mesh. Positions and indices are the mesh's own arrays, byte for byte; the
 /// class of each half-edge is packed to two bits (16 a word, lowest first); normals are made only
 /// where shading asks for them. Shaders reach all of it by address, so no limit on the range of a
@@ -31,6 +38,10 @@ class GpuMesh {
   /// Waits for frames in flight where it copies at all. Throws DeviceError where the mesh is too
   /// large for the device. O(changes + crease and boundary edges), O(V + F) when whole.
   UploadStats apply(Mesh& mesh, const Settings& settings);
+  /// Points edges out from now on. Pre: they are edges of the mesh as it is drawn next; so call it
+  /// again where edges vanish; a new mesh has none. Returns whether that changes the picture.
+  /// O(marked edges).
+  bool mark(const MarkedEdges& marked);
   /// The next apply() copies everything: for another mesh object than before.
   void invalidate() { is_valid_ = false; }
 
@@ -42,6 +53,10 @@ class GpuMesh {
   std::uint32_t boundary_count() const {
     return static_cast<std::uint32_t>(lines_.boundaries.size());
   }
+  std::uint32_t selected_count() const {
+    return static_cast<std::uint32_t>(marked_.selected.size());
+  }
+  bool has_hovered() const { return marked_.hovered.is_valid(); }
   /// Contains every position; never shrinks while edits go on.
   const Box& box() const { return box_; }
 
@@ -49,10 +64,12 @@ class GpuMesh {
   const gpu::Buffer& indices() const { return indices_; }       ///< uint a half-edge
   const gpu::Buffer& classes() const { return class_buffer_; }  ///< 16 half-edges a uint
   const GpuNormals& normals() const { return normals_; }
-  /// Half-edges of the edges that are lines of their own, ascending: so the picture does not depend
-  /// on the edits that led to a mesh.
+  /// The edges that are lines of their own (Line: half-edge and weight, two words), ascending: so
+  /// the picture does not depend on the edits that led to a mesh.
   const gpu::Buffer& creases() const { return crease_buffer_; }
   const gpu::Buffer& boundaries() const { return boundary_buffer_; }
+  /// Those that are pointed out, as lines: the selected ones, then the hovered one.
+  const gpu::Buffer& marks() const { return mark_buffer_; }
 
   /// The live part of what the GPU holds, read back: positions, indices, classes, creases,
   /// boundaries, normals, one after the other. For tests: equal to that of a fresh mirror after any
@@ -85,6 +102,8 @@ class GpuMesh {
   gpu::Buffer class_buffer_;
   gpu::Buffer crease_buffer_;
   gpu::Buffer boundary_buffer_;
+  MarkedEdges marked_;  ///< what mark_buffer_ holds
+  gpu::Buffer mark_buffer_;
   GpuNormals normals_;
 };
 

@@ -12,33 +12,44 @@ void append(const Mesh& mesh, IndexRange range, LineEdges& edges) {
     const Halfedge h(static_cast<std::uint32_t>(i));
     const EdgeClass edge_class = mesh.edge_class(h);
     if (edge_class == EdgeClass::ordinary || Mesh::halfedge(mesh.edge(h)) != h) continue;
-    (edge_class == EdgeClass::crease ? edges.creases : edges.boundaries).push_back(h);
+    if (edge_class == EdgeClass::crease) {
+      edges.creases.push_back({h, line_weight(mesh.sharpness(h))});
+    } else {
+      edges.boundaries.push_back({h, 1.0F});
+    }
   }
 }
 
-void append(const std::vector<Halfedge>& from, std::vector<Halfedge>& to) {
+void append(const std::vector<Line>& from, std::vector<Line>& to) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
 /// `sorted` up to `count` without what lies in `changed`, with `fresh` (all of which does) in its
 /// place.
-std::vector<Halfedge> replace(const std::vector<Halfedge>& sorted, std::uint32_t count,
-                              std::span<const ChangedRange> changed,
-                              const std::vector<Halfedge>& fresh) {
-  std::vector<Halfedge> kept;
+std::vector<Line> replace(const std::vector<Line>& sorted, std::uint32_t count,
+                          std::span<const ChangedRange> changed, const std::vector<Line>& fresh) {
+  std::vector<Line> kept;
   auto range = changed.begin();
-  for (const Halfedge h : sorted) {
-    if (h.index() >= count) break;
-    while (range != changed.end() && range->end <= h.index())
+  for (const Line& line : sorted) {
+    const std::uint32_t h = line.halfedge.index();
+    if (h >= count) break;
+    while (range != changed.end() && range->end <= h)
       ++range;
-    if (range == changed.end() || h.index() < range->begin) kept.push_back(h);
+    if (range == changed.end() || h < range->begin) kept.push_back(line);
   }
-  std::vector<Halfedge> result(kept.size() + fresh.size());
-  std::merge(kept.begin(), kept.end(), fresh.begin(), fresh.end(), result.begin());
+  std::vector<Line> result(kept.size() + fresh.size());
+  std::merge(kept.begin(), kept.end(), fresh.begin(), fresh.end(), result.begin(),
+             [](const Line& a, const Line& b) { return a.halfedge < b.halfedge; });
   return result;
 }
 
 }  // namespace
+
+float line_weight(float sharpness) {
+  // A crease of 2, half its look.
+  constexpr float kHalf = 2.0F;
+  return sharpness < kInfinitelySharp ? sharpness / (sharpness + kHalf) : 1.0F;
+}
 
 LineEdges find_line_edges(const Mesh& mesh) {
   constexpr std::size_t kChunk = 1U << 18;

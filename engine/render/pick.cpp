@@ -18,6 +18,8 @@ struct Nearest {
 /// Distance along the ray, or infinity where it misses.
 double intersect(const Mesh& mesh, Face f, const Ray& ray) {
   constexpr double kMiss = std::numeric_limits<double>::infinity();
+  // Rounding must not let a ray slip through between two faces.
+  constexpr double kSeam = 1e-9;
   const auto corner = [&](std::uint32_t i) {
     return glm::dvec3(mesh.position(mesh.origin(Mesh::halfedge(f, i))));
   };
@@ -29,12 +31,77 @@ double intersect(const Mesh& mesh, Face f, const Ray& ray) {
   if (determinant == 0.0) return kMiss;
   const glm::dvec3 from_a = ray.origin - a;
   const double u = glm::dot(from_a, p) / determinant;
-  if (!(u >= 0.0 && u <= 1.0)) return kMiss;
+  if (!(u >= -kSeam && u <= 1.0 + kSeam)) return kMiss;
   const glm::dvec3 q = glm::cross(from_a, ab);
   const double v = glm::dot(ray.direction, q) / determinant;
-  if (!(v >= 0.0 && u + v <= 1.0)) return kMiss;
+  if (!(v >= -kSeam && u + v <= 1.0 + kSeam)) return kMiss;
   const double distance = glm::dot(ac, q) / determinant;
   return distance >= 0.0 ? distance : kMiss;
+}
+
+/// Edges as they appear in a window, seen from the cursor.
+class Screen {
+ public:
+  Screen(const Mesh& mesh, const Camera& camera, const Cursor& cursor)
+      : mesh_(mesh),
+        places_(camera.places(cursor.window)),
+        cursor_(cursor.position),
+        near_(1e-3 * camera.distance()) {}
+
+  /// From the cursor to an edge; infinite where it is not before the eye.
+  double distance(Halfedge h) const {
+    glm::dvec3 a = mesh_.position(mesh_.origin(h));
+    glm::dvec3 b = mesh_.position(mesh_.target(h));
+    if (places_.perspective && !cut_behind_eye(a, b)) {
+      return std::numeric_limits<double>::infinity();
+    }
+    const glm::dvec2 from = places_.of(a);
+    const glm::dvec2 along = places_.of(b) - from;
+    const glm::dvec2 to_cursor = cursor_ - from;
+    const double square = glm::dot(along, along);
+    const double share = square > 0.0 ? glm::dot(to_cursor, along) / square : 0.0;
+    return glm::length(to_cursor - std::clamp(share, 0.0, 1.0) * along);
+  }
+
+ private:
+  /// Leaves what is a little before the eye and beyond; false where nothing is.
+  bool cut_behind_eye(glm::dvec3& a, glm::dvec3& b) const {
+    const double a_depth = places_.depth(a) - near_;
+    const double b_depth = places_.depth(b) - near_;
+    if (a_depth >= 0.0 && b_depth >= 0.0) return true;
+    if (a_depth < 0.0 && b_depth < 0.0) return false;
+    const glm::dvec3 cut = a + a_depth / (a_depth - b_depth) * (b - a);
+    (a_depth < 0.0 ? a : b) = cut;
+    return true;
+  }
+
+  const Mesh& mesh_;
+  WindowPlaces places_;
+  glm::dvec2 cursor_;
+  double near_;
+};
+
+/// The nearest of half-edges [begin, end); the first of two alike.
+EdgeHit nearest_edge(const Mesh& mesh, const Screen& screen, IndexRange range) {
+  EdgeHit nearest{{}, std::numeric_limits<double>::infinity()};
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    const Edge e = mesh.edge(Halfedge(static_cast<std::uint32_t>(i)));
+    const double distance = screen.distance(Mesh::halfedge(e));
+    if (distance < nearest.distance_px) nearest = {e, distance};
+  }
+  return nearest;
+}
+
+EdgeHit nearest_of_all(const Mesh& mesh, const Screen& screen) {
+  constexpr std::size_t kChunk = 1U << 16;
+  std::vector<EdgeHit> parts(chunk_count(mesh.halfedge_count(), kChunk));
+  parallel_chunks(mesh.halfedge_count(), kChunk, [&](std::size_t chunk, IndexRange range) {
+    parts[chunk] = nearest_edge(mesh, screen, range);
+  });
+  const auto best = std::min_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
+    return a.distance_px < b.distance_px;
+  });
+  return best == parts.end() ? EdgeHit{} : *best;
 }
 
 }  // namespace
@@ -54,6 +121,21 @@ std::optional<Hit> pick(const Mesh& mesh, const Ray& ray) {
                        [](const Nearest& a, const Nearest& b) { return a.distance < b.distance; });
   if (best == nearest.end() || !best->face.is_valid()) return std::nullopt;
   return Hit{best->face, ray.origin + best->distance * ray.direction, best->distance};
+}
+
+std::optional<EdgeHit> pick_edge(const Mesh& mesh, const Camera& camera, const Cursor& cursor,
+                                 double tolerance_px) {
+  const Screen screen(mesh, camera, cursor);
+  const std::optional<Hit> hit = pick(mesh, camera.pick_ray(cursor));
+  EdgeHit nearest;
+  if (hit) {
+    const std::size_t first = Mesh::halfedge(hit->face).index();
+    nearest = nearest_edge(mesh, screen, {first, first + 3});
+  } else {
+    nearest = nearest_of_all(mesh, screen);
+  }
+  if (!nearest.edge.is_valid() || nearest.distance_px > tolerance_px) return std::nullopt;
+  return nearest;
 }
 
 }  // namespace mesher::render

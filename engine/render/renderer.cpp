@@ -20,6 +20,9 @@ constexpr float kEdgeWidth = 1.1F;
 constexpr std::uint32_t kQuadFaces = 50'000;
 constexpr float kCreaseWidth = 3.0F;
 constexpr float kBoundaryWidth = 4.6F;
+/// Of the bands under marked edges: wide enough to be seen on both sides of a boundary.
+constexpr float kSelectedWidth = 8.0F;
+constexpr float kHoveredWidth = 7.5F;
 constexpr float kEdgeStrength = 0.85F;
 /// How strong lines are without a surface, in sight and where a surface would hide them. Blending
 /// is linear, which makes the same share of light on dark look like much more than of dark on
@@ -83,12 +86,13 @@ class Recording {
   void end();
   void surface(Pass pass, const Settings& settings, float line_strength = kEdgeStrength);
   void edges(Pass pass, const Settings& settings, float strength);
+  /// Marked edges, and on them creases and boundaries.
   void lines(Pass pass, const Settings& settings, float strength);
   void wire_alone(const Settings& settings);
 
  private:
   struct LineList {
-    VkDeviceAddress halfedges;  ///< 0: all there are
+    VkDeviceAddress lines;  ///< 0: every half-edge
     std::uint32_t count;
   };
 
@@ -179,15 +183,20 @@ void Recording::surface(Pass pass, const Settings& settings, float line_strength
 
 void Recording::edges(Pass pass, const Settings& settings, float strength) {
   bind(pass);
-  draw_lines({.halfedges = 0, .count = mesh_.halfedge_count()}, edge_color(settings), kEdgeWidth,
+  draw_lines({.lines = 0, .count = mesh_.halfedge_count()}, edge_color(settings), kEdgeWidth,
              strength);
 }
 
 void Recording::lines(Pass pass, const Settings& settings, float strength) {
   const std::uint32_t creases = mesh_.crease_count();
   const std::uint32_t boundaries = mesh_.boundary_count();
-  if (creases + boundaries == 0) return;
+  const std::uint32_t selected = mesh_.selected_count();
+  const std::uint32_t hovered = mesh_.has_hovered() ? 1 : 0;
+  if (creases + boundaries + selected + hovered == 0) return;
   bind(pass);
+  const VkDeviceAddress marks = mesh_.marks().address();
+  draw_lines({marks, selected}, settings.selected, kSelectedWidth, strength);
+  draw_lines({marks + selected * sizeof(Line), hovered}, settings.hovered, kHoveredWidth, strength);
   draw_lines({mesh_.creases().address(), creases}, settings.crease, kCreaseWidth, strength);
   draw_lines({mesh_.boundaries().address(), boundaries}, settings.boundary, kBoundaryWidth,
              strength);
@@ -201,7 +210,7 @@ void Recording::draw_lines(LineList list, const Color& color, float width, float
       .view = view_,
       .positions = mesh_.positions().address(),
       .indices = mesh_.indices().address(),
-      .edges = list.halfedges,
+      .lines = list.lines,
       .classes = mesh_.classes().address(),
       .color = pack(color, strength),
       .half_width = 0.5F * width * line_scale(extent),
@@ -249,7 +258,9 @@ void Renderer::draw(VkCommandBuffer commands, const SceneTarget& target, const G
     recording.wire_alone(settings);
   } else if (mesh.face_count() > 0) {
     recording.surface(surface_pass(mesh, settings), settings);
-    if (settings.wireframe) recording.lines(Pass::line_visible, settings, 1.0F);
+    if (settings.wireframe || settings.line_edges) {
+      recording.lines(Pass::line_visible, settings, 1.0F);
+    }
   }
   recording.end();
 }

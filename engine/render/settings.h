@@ -18,8 +18,11 @@ using Color = glm::vec3;
 /// How a scene is drawn. Plain values: compare, copy, keep in a file.
 struct Settings {
   Shading shading = Shading::flat;
-  /// Edges: ordinary ones thin and faded where dense, creases yellow, boundaries thick and red.
+  /// Edges: ordinary ones thin and faded where dense, creases yellow (semi-sharp ones thinner and
+  /// paler), boundaries thick and red.
   bool wireframe = false;
+  /// Creases and boundaries also where there is no wireframe.
+  bool line_edges = false;
   /// Gouraud normals split where faces meet at more than this (180: only at tagged creases).
   float crease_angle_deg = 180.0F;
   Background background = Background::light;
@@ -27,6 +30,8 @@ struct Settings {
   Color back{0.32F, 0.47F, 0.86F};  ///< blue: a surface turned inside out is seen at once
   Color crease{1.00F, 0.80F, 0.00F};
   Color boundary{0.90F, 0.05F, 0.05F};
+  Color selected{0.00F, 0.62F, 0.93F};  ///< a band under the line that the edge has anyway
+  Color hovered{0.55F, 0.85F, 1.00F};
   /// Samples a pixel, 1 or 4.
   unsigned samples = 4;
 

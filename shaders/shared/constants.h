@@ -47,7 +47,7 @@ struct LineConstants {
   ViewConstants view;
   Address positions;
   Address indices;
-  Address edges;    // a half-edge of each edge to draw
+  Address lines;    // half-edge and weight (uint, float) of each edge to draw
   Address classes;  // as above
   uint color;
   float half_width;  // pixels

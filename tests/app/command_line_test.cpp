@@ -49,6 +49,28 @@ TEST_F(CommandLine, RenderWritesAPictureOfTheSizeAskedFor) {
   EXPECT_NE(std::memcmp(image.pixel(60, 40), image.pixel(0, 0), 4), 0);  // something is there
 }
 
+TEST_F(CommandLine, TagCreasesMarksThemOnTheWayIn) {
+  const Finished run =
+      mesher({"convert", "cube.obj", "creased.obj", "--tag-creases", "45", "--json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(nlohmann::json::parse(run.out)["statistics"]["crease_edges"], 12);
+  const Finished info = mesher({"info", (folder_ / "creased.obj").string(), "--json"});
+  EXPECT_EQ(nlohmann::json::parse(info.out)["statistics"]["crease_edges"], 12);
+  EXPECT_EQ(mesher({"info", "cube", "--tag-creases", "200"}).exit_code, 1);
+}
+
+TEST_F(CommandLine, KeysEditCreasesInAScript) {
+  const Finished run = mesher({"view", "cube", "--keys", "c shift+c ctrl+a - -", "--size", "100",
+                               "--screenshot", "cube.png", "--validation", "--json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const auto state = nlohmann::json::parse(run.out);
+  EXPECT_EQ(state["crease_edges"], 12);
+  EXPECT_EQ(state["creases"]["mode"], true);
+  EXPECT_EQ(state["creases"]["selected"], 12);
+  EXPECT_EQ(state["creases"]["sharpness"], 9.0);
+  EXPECT_EQ(state["undo_depth"], 3);
+}
+
 TEST_F(CommandLine, TheAssignmentsSpellingWithoutADisplayDrawsAPictureAndSaysSo) {
   const Finished run =
       mesher({"-input", "bunny.obj", "-size", "200", "-gouraud", "-wireframe", "--validation"});

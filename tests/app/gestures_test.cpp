@@ -20,7 +20,7 @@ class GesturesTest : public testing::Test {
   }
 
   void drag(MouseButton button, bool shift, glm::dvec2 from, glm::dvec2 to) {
-    gestures_.press(button, shift, from, 0.0);
+    gestures_.press(button, {.shift = shift}, from, 0.0);
     gestures_.move(to);
     gestures_.release();
   }
@@ -70,30 +70,105 @@ TEST_F(GesturesTest, TheWheelZoomsTowardTheCursor) {
 
 TEST_F(GesturesTest, ADoubleClickRecentresOnTheSurface) {
   session_.camera.set_view(render::View::front);
-  gestures_.press(MouseButton::left, false, {230, 180}, 1.0);
+  gestures_.press(MouseButton::left, {}, {230, 180}, 1.0);
   gestures_.release();
-  gestures_.press(MouseButton::left, false, {231, 180}, 1.2);
+  gestures_.press(MouseButton::left, {}, {231, 180}, 1.2);
   gestures_.release();
   EXPECT_NEAR(session_.camera.pivot().z, 0.5, 1e-9);
   EXPECT_GT(session_.camera.pivot().x, 0.0);
 }
 
 TEST_F(GesturesTest, TwoSlowOrDistantClicksAreNoDoubleClick) {
-  gestures_.press(MouseButton::left, false, {230, 180}, 1.0);
+  gestures_.press(MouseButton::left, {}, {230, 180}, 1.0);
   gestures_.release();
-  gestures_.press(MouseButton::left, false, {230, 180}, 1.5);
+  gestures_.press(MouseButton::left, {}, {230, 180}, 1.5);
   gestures_.release();
-  gestures_.press(MouseButton::left, false, {200, 180}, 1.6);
+  gestures_.press(MouseButton::left, {}, {200, 180}, 1.6);
   gestures_.release();
   EXPECT_TRUE(session_.camera == before_);
 }
 
 TEST_F(GesturesTest, ADoubleClickBesideTheModelChangesNothing) {
-  gestures_.press(MouseButton::left, false, {2, 2}, 1.0);
+  gestures_.press(MouseButton::left, {}, {2, 2}, 1.0);
   gestures_.release();
-  gestures_.press(MouseButton::left, false, {2, 2}, 1.1);
+  gestures_.press(MouseButton::left, {}, {2, 2}, 1.1);
   gestures_.release();
   EXPECT_TRUE(session_.camera == before_);
+}
+
+/// The front of the cube; its diagonal runs through the middle of the window.
+class CreaseGesturesTest : public GesturesTest {
+ protected:
+  CreaseGesturesTest() {
+    session_.camera.set_view(render::View::front);
+    set_crease_mode(session_, true);
+    before_ = session_.camera;
+  }
+  void click(Modifiers modifiers, glm::dvec2 at, double time) {
+    gestures_.press(MouseButton::left, modifiers, at, time);
+    gestures_.release();
+  }
+  std::size_t selected() const { return session_.creases.selected.size(); }
+
+  static constexpr glm::dvec2 kMiddle{200, 200};
+  static constexpr glm::dvec2 kOff{250, 200};
+};
+
+TEST_F(CreaseGesturesTest, AClickPicksOnRelease) {
+  gestures_.press(MouseButton::left, {}, kMiddle, 1.0);
+  EXPECT_EQ(selected(), 0U);
+  gestures_.move(kMiddle + glm::dvec2(2, 1));  // a hand is never still
+  gestures_.release();
+  EXPECT_EQ(selected(), 1U);
+  EXPECT_TRUE(session_.camera == before_);
+  click({}, kOff, 2.0);
+  EXPECT_EQ(selected(), 0U);
+}
+
+TEST_F(CreaseGesturesTest, ADragTurnsAndPicksNothing) {
+  drag(MouseButton::left, false, kMiddle, {260, 230});
+  EXPECT_EQ(selected(), 0U);
+  render::Camera expected = before_;
+  expected.orbit({60, 30}, session_.window);
+  EXPECT_TRUE(session_.camera == expected) << "all of the way counts";
+  session_.camera = before_;
+  drag(MouseButton::left, true, kMiddle, {260, 230});
+  EXPECT_NE(session_.camera.pivot(), before_.pivot());
+  // There and back is a drag, too.
+  gestures_.press(MouseButton::left, {}, kMiddle, 5.0);
+  gestures_.move(kMiddle + glm::dvec2(30, 0));
+  gestures_.move(kMiddle);
+  gestures_.release();
+  EXPECT_EQ(selected(), 0U);
+}
+
+TEST_F(CreaseGesturesTest, CtrlAddsAndOtherButtonsDoNotPick) {
+  click({}, kMiddle, 1.0);
+  const glm::dvec2 top = session_.camera.places(session_.window).of({0.1, 0.5, 0.5});
+  click({.control = true}, top + glm::dvec2(0, 2), 2.0);
+  EXPECT_EQ(selected(), 2U);
+  click({.control = true}, kMiddle, 3.0);
+  EXPECT_EQ(selected(), 1U);
+  gestures_.press(MouseButton::right, {}, kMiddle, 4.0);
+  gestures_.release();
+  EXPECT_EQ(selected(), 1U);
+}
+
+TEST_F(CreaseGesturesTest, ADoubleClickPicksTheChainAndLeavesTheCamera) {
+  Model model;
+  model.mesh = build_mesh(test::grid(6)).mesh;
+  show_model(session_, std::move(model), "grid.obj");
+  const render::Camera before = session_.camera;
+  const glm::dvec2 at = session_.camera.places(session_.window).of({2.4, 3.0, 0.0});
+  click({}, at, 1.0);
+  EXPECT_EQ(selected(), 1U);
+  click({}, at, 1.2);
+  EXPECT_EQ(selected(), 6U);
+  click({}, at, 2.0);
+  EXPECT_EQ(selected(), 1U);
+  click({.shift = true}, at, 3.0);
+  EXPECT_EQ(selected(), 6U);
+  EXPECT_TRUE(session_.camera == before);
 }
 
 }  // namespace

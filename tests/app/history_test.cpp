@@ -52,6 +52,19 @@ TEST(History, GoesBackAndForth) {
   EXPECT_EQ(d.stats.box.max.z, 6.0F);
 }
 
+TEST(History, WhatIsTakenBackIsGone) {
+  Document d;
+  History history;
+  d.move(history, 0, 5.0F);
+  const std::size_t bytes = history.memory_bytes();
+  d.move(history, 1, 6.0F);
+  history.take_back(d.model, d.stats);
+  EXPECT_EQ(d.height(1), 0.0F);
+  EXPECT_EQ(history.undo_depth(), 1U);
+  EXPECT_EQ(history.redo_depth(), 0U);
+  EXPECT_EQ(history.memory_bytes(), bytes);
+}
+
 TEST(History, ANewEditForgetsWhatWasUndone) {
   Document d;
   History history;

@@ -76,6 +76,28 @@ TEST_F(ScriptedSessionTest, EditsAreDoneBeforeTheNextKey) {
   script_.expect_no_messages();
 }
 
+TEST_F(ScriptedSessionTest, CreasesAndTheSelectionAreSeen) {
+  const Image plain = script_.picture();
+  script_.press(parse_keys("shift+c"));
+  EXPECT_EQ(script_.picture().rgba, plain.rgba) << "neither the mode nor the wireframe is on";
+  script_.press(parse_keys("c"));
+  const Image creases = script_.picture();
+  EXPECT_NE(creases.rgba, plain.rgba);
+  script_.press(parse_keys("ctrl+a"));
+  const Image selection = script_.picture();
+  EXPECT_NE(selection.rgba, creases.rgba);
+  script_.press(parse_keys("- - -"));
+  const Image weaker = script_.picture();
+  EXPECT_NE(weaker.rgba, selection.rgba);
+  script_.press(parse_keys("ctrl+z ctrl+z ctrl+z"));
+  EXPECT_EQ(script_.picture().rgba, selection.rgba);
+  script_.press(parse_keys("esc"));
+  EXPECT_EQ(script_.picture().rgba, creases.rgba);
+  script_.press(parse_keys("ctrl+a d c"));  // other edges: nothing stays marked
+  EXPECT_TRUE(session_.creases.selected.empty());
+  script_.expect_no_messages();
+}
+
 TEST(ScriptedSession, NamesTheDevicesWhereNoneMatches) {
   Session session;
   ScriptedSession script(session, {.device = "no such device", .validation = false});

@@ -4,6 +4,7 @@
 // differ by more than a few steps of 255; on another driver a little rounding is allowed.
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
@@ -39,6 +40,8 @@ struct Scene {
   double yaw_deg = 30.0;
   double pitch_deg = 25.0;
   bool orthographic = false;
+  /// Edges by their ends: a selection, whose last one is under the cursor instead.
+  std::vector<std::array<std::uint32_t, 2>> marked;
 };
 
 void PrintTo(const Scene& scene, std::ostream* out) {
@@ -56,6 +59,13 @@ const Settings kGouraudSplitWire{
 
 Settings dark(Settings settings) {
   settings.background = Background::dark;
+  return settings;
+}
+
+/// Without the wireframe: what editing creases shows.
+Settings line_edges(Settings settings) {
+  settings.wireframe = false;
+  settings.line_edges = true;
   return settings;
 }
 
@@ -86,6 +96,38 @@ std::vector<Scene> scenes() {
       {"creased_cube_gouraud", "creased_cube", kGouraud},
       {"creased_cube_wireframe", "creased_cube", kWire},
       {"creased_cube_gouraud_wireframe", "creased_cube", kGouraudWire},
+      {"semi_sharp_cube_flat_wireframe", "semi_sharp_cube", kFlatWire},
+      {"semi_sharp_cube_wireframe", "semi_sharp_cube", kWire},
+      {"semi_sharp_cube_wireframe_dark", "semi_sharp_cube", dark(kWire)},
+      {"semi_sharp_cube_line_edges", "semi_sharp_cube", line_edges(kFlat)},
+      {"selection_line_edges",
+       "semi_sharp_cube",
+       line_edges(kFlat),
+       30.0,
+       25.0,
+       false,
+       {{4, 6}, {6, 7}, {5, 6}, {4, 7}}},
+      {"selection_flat_wireframe",
+       "semi_sharp_cube",
+       kFlatWire,
+       30.0,
+       25.0,
+       false,
+       {{4, 6}, {6, 7}, {5, 6}, {4, 7}}},
+      {"selection_wireframe_dark",
+       "semi_sharp_cube",
+       dark(kWire),
+       30.0,
+       25.0,
+       false,
+       {{4, 6}, {6, 7}, {5, 6}, {4, 7}}},
+      {"selection_open_box",
+       "open_box",
+       line_edges(kFlat),
+       30.0,
+       40.0,
+       false,
+       {{2, 3}, {3, 7}, {1, 5}, {6, 7}}},
       {"hypersheet_gouraud_wireframe", "hypersheet", kGouraudWire},
       {"dense_torus_wireframe", "dense_torus", kWire},
       {"dense_torus_flat_wireframe", "dense_torus", kFlatWire},
@@ -103,10 +145,36 @@ std::vector<Scene> scenes() {
   };
 }
 
-/// A model of assets/, or the one here that is too dense to be drawn edge by edge.
+/// A cube with an edge of each kind in sight.
+Mesh semi_sharp_cube() {
+  Mesh mesh = build_mesh(test::cube()).mesh;
+  const auto tag = [&](std::uint32_t a, std::uint32_t b, float sharpness) {
+    mesh.set_sharpness(mesh.find_edge(Vertex(a), Vertex(b)), sharpness);
+  };
+  tag(6, 7, kInfinitelySharp);
+  tag(5, 6, 4.0F);
+  tag(4, 5, 2.0F);
+  tag(4, 7, 1.0F);
+  tag(2, 6, 0.5F);
+  tag(2, 3, kInfinitelySharp);
+  return mesh;
+}
+
+/// A model of assets/, or one made here; of those one is too dense to be drawn edge by edge.
 Mesh load(const std::string& model) {
+  if (model == "semi_sharp_cube") return semi_sharp_cube();
   if (model == "dense_torus") return build_mesh(test::torus(400, 150)).mesh;
   return read_model(MESHER_SOURCE_DIR "/assets/" + model + ".obj").mesh;
+}
+
+MarkedEdges marked_edges(const Mesh& mesh, const Scene& scene) {
+  MarkedEdges marked;
+  for (const auto [a, b] : scene.marked)
+    marked.selected.push_back(mesh.find_edge(Vertex(a), Vertex(b)));
+  if (marked.selected.empty()) return marked;
+  marked.hovered = marked.selected.back();
+  marked.selected.pop_back();
+  return marked;
 }
 
 Image draw(gpu::Device& device, const Scene& scene) {
@@ -115,7 +183,11 @@ Image draw(gpu::Device& device, const Scene& scene) {
   camera.set_angles(glm::radians(scene.yaw_deg), glm::radians(scene.pitch_deg));
   camera.set_orthographic(scene.orthographic);
   camera.frame(bounding_box(mesh), 1.0);
-  return render_image(device, mesh, camera, scene.settings, kSize, kSize);
+  GpuMesh mirror(device);
+  mirror.apply(mesh, scene.settings);
+  mirror.mark(marked_edges(mesh, scene));
+  Renderer renderer(device);
+  return render_image(device, renderer, mirror, camera, scene.settings, kSize, kSize);
 }
 
 struct Difference {

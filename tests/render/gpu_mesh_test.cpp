@@ -1,5 +1,6 @@
 #include "engine/render/gpu_mesh.h"
 
+#include <array>
 #include <glm/geometric.hpp>
 #include <glm/packing.hpp>
 #include <random>
@@ -51,7 +52,8 @@ void edit(Mesh& mesh, std::mt19937& random) {
       collapse_any(mesh, random);
       break;
     default:
-      mesh.set_sharpness(mesh.edge(h), mesh.sharpness(h) > 0.0F ? 0.0F : 1.0F);
+      constexpr std::array kSharpness{0.0F, 0.5F, 1.0F, 7.25F, kInfinitelySharp};
+      mesh.set_sharpness(mesh.edge(h), kSharpness[random() % kSharpness.size()]);
   }
 }
 
@@ -171,6 +173,48 @@ TEST_F(GpuMeshTest, UploadsInProportionToWhatAnEditChanged) {
     EXPECT_LT(2 * stats.uploaded_bytes, stats.total_bytes);
     before = stats.uploaded_bytes;
   }
+}
+
+TEST_F(GpuMeshTest, ASharpnessCostsAFewBytesThereAndBack) {
+  for (const Settings& settings : {kFlat, kGouraud, kSplit}) {
+    Mesh mesh = build_mesh(test::torus(100, 100)).mesh;
+    std::vector<EdgeSharpness> some;
+    for (std::uint32_t i = 0; i < mesh.halfedge_count(); i += 999)
+      some.push_back({mesh.edge(Halfedge(i)), 1.0F});
+    apply(mesh, sharpness_difference(mesh, some));
+    GpuMesh mirror(device());
+    mirror.apply(mesh, settings);
+    for (EdgeSharpness& one : some)
+      one.sharpness = 3.5F;  // the class stays, the weight does not
+    some.resize(5);
+    const MeshDelta delta = sharpness_difference(mesh, some);
+    apply(mesh, delta);
+    const UploadStats stats = mirror.apply(mesh, settings);
+    EXPECT_GT(stats.uploaded_bytes, 5 * sizeof(Line));
+    EXPECT_LT(stats.uploaded_bytes, 3000U);
+    EXPECT_EQ(mirror.read_back(), fresh_content(device(), mesh, settings));
+    revert(mesh, delta);
+    EXPECT_LT(mirror.apply(mesh, settings).uploaded_bytes, 3000U);
+    EXPECT_EQ(mirror.read_back(), fresh_content(device(), mesh, settings));
+  }
+}
+
+TEST_F(GpuMeshTest, HoldsTheMarkedEdgesUntilAnotherMeshComes) {
+  Mesh mesh = build_mesh(test::cube()).mesh;
+  GpuMesh mirror(device());
+  mirror.apply(mesh, kFlat);
+  const std::vector<std::byte> unmarked = mirror.read_back();
+  const MarkedEdges marked{{Edge(0), Edge(2)}, Edge(5)};
+  EXPECT_FALSE(mirror.mark({}));
+  EXPECT_TRUE(mirror.mark(marked));
+  EXPECT_FALSE(mirror.mark(marked));
+  EXPECT_EQ(mirror.selected_count(), 2U);
+  EXPECT_TRUE(mirror.has_hovered());
+  EXPECT_EQ(mirror.read_back(), unmarked) << "marks are no part of the mesh";
+  mirror.invalidate();
+  mirror.apply(mesh, kFlat);
+  EXPECT_EQ(mirror.selected_count(), 0U);
+  EXPECT_FALSE(mirror.has_hovered());
 }
 
 TEST_F(GpuMeshTest, GrowingBeyondItsBuffersMakesLargerOnes) {

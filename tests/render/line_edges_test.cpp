@@ -35,11 +35,30 @@ TEST(LineEdges, UpdatingIsFindingAgain) {
     mesh.changes().clear();
     for (int i = 0; i < round; ++i) {
       const Halfedge h(static_cast<std::uint32_t>(random() % mesh.halfedge_count()));
-      mesh.set_sharpness(mesh.edge(h), random() % 2 == 0 ? 0.0F : 3.0F);
+      mesh.set_sharpness(mesh.edge(h), static_cast<float>(random() % 4));
     }
     update_line_edges(mesh, mesh.changes().merged(GpuArray::edge_class), edges);
     ASSERT_EQ(edges, find_line_edges(mesh));
   }
+}
+
+TEST(LineEdges, WeighCreasesByTheirSharpness) {
+  EXPECT_EQ(line_weight(0.0F), 0.0F);
+  EXPECT_EQ(line_weight(kInfinitelySharp), 1.0F);
+  float before = 0.0F;
+  for (int i = 1; i <= 1000; ++i) {  // ever more, and without a jump
+    const float weight = line_weight(0.01F * static_cast<float>(i));
+    EXPECT_GT(weight, before);
+    EXPECT_LT(weight, before + 0.006F);
+    before = weight;
+  }
+  EXPECT_LT(before, 0.9F) << "10 is seen not to be infinite";
+  Mesh mesh = build_mesh(test::grid(4)).mesh;
+  const Edge inner = mesh.find_edge(Vertex(6), Vertex(7));
+  mesh.set_sharpness(inner, 2.0F);
+  const LineEdges edges = find_line_edges(mesh);
+  EXPECT_EQ(edges.creases, (std::vector<Line>{{Mesh::halfedge(inner), 0.5F}}));
+  EXPECT_EQ(edges.boundaries.front().weight, 1.0F);
 }
 
 TEST(LineEdges, FollowCollapses) {

@@ -1,0 +1,157 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <glm/trigonometric.hpp>
+
+#include "app/ui/panels.h"
+#include "app/words.h"
+#include "engine/mesh/creases.h"
+
+namespace mesher::app {
+namespace {
+
+constexpr float kWidth = 290.0F;
+constexpr float kFieldX = 112.0F;
+
+void tooltip(const char* text) {
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", text);
+}
+
+void label(const char* text) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", text);
+  ImGui::SameLine(kFieldX);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+}
+
+void ask(Session& session, const CreaseRequest& request) {
+  session.edits.waiting.push_back({.kind = EditRequest::Kind::creases, .creases = request});
+}
+
+void draw_counts(const Session& session) {
+  label("creases");
+  ImGui::Text("%s", with_commas(session.statistics.crease_edges).c_str());
+  label("selected");
+  const std::size_t selected = session.creases.selected.size();
+  if (selected > 0) {
+    ImGui::Text("%s", with_commas(selected).c_str());
+  } else {
+    ImGui::TextDisabled("click an edge");
+  }
+  tooltip(
+      "Click: the edge. Shift+click or double click: the chain of edges that continues it.\n"
+      "Ctrl+click: one more, or one less. Beside the edges: none. Ctrl+A: all creases.");
+}
+
+/// Applies while it is dragged; the drag is one step of the history.
+void draw_slider(Session& session, const SelectedSharpness& sharpness) {
+  const char* format = "%.1f";
+  if (sharpness.edges == 0) {
+    format = "-";
+  } else if (sharpness.is_mixed()) {
+    format = "mixed";
+  } else if (sharpness.most == kInfinitelySharp) {
+    format = "infinite";
+  }
+  CreaseMode& creases = session.creases;
+  float value = std::min(sharpness.most, kMostSharpness);
+  label("sharpness");
+  const bool is_changed = ImGui::SliderFloat("##sharpness", &value, 0.0F, kMostSharpness, format,
+                                             ImGuiSliderFlags_AlwaysClamp);
+  if (ImGui::IsItemActivated()) ++creases.drags;
+  if (is_changed) {
+    creases.finite_sharpness = value;
+    ask(session, {.kind = CreaseRequest::Kind::set, .value = value, .drag = creases.drags});
+  }
+  tooltip("For how many subdivision steps the edges stay sharp. + and -: by 1.");
+}
+
+void draw_infinite(Session& session, const SelectedSharpness& sharpness) {
+  bool is_infinite = sharpness.edges > 0 && sharpness.least == kInfinitelySharp;
+  label("");
+  if (ImGui::Checkbox("infinite", &is_infinite)) {
+    const float value = is_infinite ? kInfinitelySharp : session.creases.finite_sharpness;
+    ask(session, {.kind = CreaseRequest::Kind::set, .value = value});
+  }
+  tooltip("Sharp for ever (I).");
+}
+
+void draw_clear_buttons(Session& session, const SelectedSharpness& sharpness) {
+  const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+  ImGui::BeginDisabled(sharpness.most == 0.0F);
+  if (ImGui::Button("clear selected", {width, 0.0F})) {
+    ask(session, {.kind = CreaseRequest::Kind::set, .value = 0.0F});
+  }
+  ImGui::EndDisabled();
+  tooltip("X or Delete: the selected edges get smooth.");
+  ImGui::SameLine();
+  ImGui::BeginDisabled(session.statistics.crease_edges == 0);
+  if (ImGui::Button("clear all", {width, 0.0F})) {
+    ask(session, {.kind = CreaseRequest::Kind::clear_all});
+  }
+  ImGui::EndDisabled();
+  tooltip("Every edge gets smooth.");
+}
+
+/// Counts again only where the answer may have changed: a look at every edge.
+std::uint32_t count_untagged(const Session& session, TagCount& last) {
+  const TagCount now{session.model_generation, session.edits.revision,
+                     session.creases.tag_angle_deg};
+  if (now.generation != last.generation || now.revision != last.revision ||
+      now.angle_deg != last.angle_deg) {
+    last = now;
+    const float angle_rad = glm::radians(now.angle_deg);
+    last.edges =
+        static_cast<std::uint32_t>(untagged_edges_beyond(session.model.mesh, angle_rad).size());
+  }
+  return last.edges;
+}
+
+void draw_tagging(Session& session, TagCount& last) {
+  label("angle");
+  ImGui::SliderFloat("##tag angle", &session.creases.tag_angle_deg, 0.0F, 180.0F, "%.0f deg",
+                     ImGuiSliderFlags_AlwaysClamp);
+  tooltip("Edges whose faces turn by more.");
+  const std::uint32_t edges = count_untagged(session, last);
+  ImGui::BeginDisabled(edges == 0);
+  const std::string text =
+      "tag " + with_commas(edges) + (edges == 1 ? " edge" : " edges") + " by angle###tag";
+  if (ImGui::Button(text.c_str(), {-FLT_MIN, 0.0F})) {
+    ask(session,
+        {.kind = CreaseRequest::Kind::tag_by_angle, .value = session.creases.tag_angle_deg});
+  }
+  ImGui::EndDisabled();
+  tooltip("They get infinitely sharp (Shift+C).");
+}
+
+}  // namespace
+
+float draw_crease_panel(Session& session, const PanelFacts& facts, float top, TagCount& last,
+                        PanelAreas& areas) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({size.x - kPanelMargin, top}, ImGuiCond_Always, {1.0F, 0.0F});
+  ImGui::SetNextWindowSizeConstraints({kWidth, 0.0F}, {kWidth, FLT_MAX});
+  bool is_open = true;
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove;
+  if (ImGui::Begin("Edit creases", &is_open, kFlags)) {
+    draw_counts(session);
+    const SelectedSharpness sharpness = selected_sharpness(session);
+    ImGui::BeginDisabled(facts.job != nullptr);  // it may leave other edges
+    ImGui::BeginDisabled(sharpness.edges == 0);
+    draw_slider(session, sharpness);
+    draw_infinite(session, sharpness);
+    ImGui::EndDisabled();
+    draw_clear_buttons(session, sharpness);
+    ImGui::Separator();
+    draw_tagging(session, last);
+    ImGui::EndDisabled();
+  }
+  note_area(areas);
+  const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
+  ImGui::End();
+  if (!is_open) set_crease_mode(session, false);
+  return bottom;
+}
+
+}  // namespace mesher::app

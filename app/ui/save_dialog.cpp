@@ -1,0 +1,35 @@
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "app/ui/panels.h"
+
+namespace mesher::app {
+
+void draw_save_dialog(Session& session, bool submits, PanelAreas& areas) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({size.x / 2, size.y / 3}, ImGuiCond_Always, {0.5F, 0.5F});
+  Saving& saving = session.saving;
+  bool is_open = true;
+  constexpr ImGuiWindowFlags kFlags =
+      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove;
+  if (ImGui::Begin("Save the model", &is_open, kFlags)) {
+    ImGui::TextDisabled("obj (the one that keeps creases), ply, stl, off, gltf, glb");
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(380.0F);
+    // Enter comes by `submits` alone, as in the open dialog.
+    ImGui::InputText("##path", &saving.typed);
+    ImGui::SameLine();
+    const bool overwrites = !saving.asked.empty() && !saving.remark.empty();
+    if (ImGui::Button(overwrites ? "Overwrite###save" : "Save###save") || submits) {
+      submit_save(session);
+    }
+    if (!saving.remark.empty()) {
+      ImGui::TextColored({1.0F, 0.75F, 0.4F, 1.0F}, "%s", saving.remark.c_str());
+    }
+  }
+  note_area(areas);
+  ImGui::End();
+  if (!is_open) saving.shows_dialog = false;
+}
+
+}  // namespace mesher::app
