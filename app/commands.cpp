@@ -17,6 +17,11 @@ constexpr std::array kBindings{
     Binding{Command::frame_model, "f", "show the whole model"},
     Binding{Command::simplify, "d", "remove 10 % of the triangles"},
     Binding{Command::simplify_edge, "shift+d", "collapse one edge"},
+    Binding{Command::subdivide, "s", "subdivide: four triangles for each"},
+    Binding{Command::coarsen, "shift+s", "back to the coarser level"},
+    Binding{Command::toggle_limit, "l", "limit surface on and off"},
+    Binding{Command::next_scheme, "m", "scheme: Loop, butterfly, midpoint"},
+    Binding{Command::toggle_crease_rules, "r", "crease rules: Hoppe or DeRose"},
     Binding{Command::undo, "ctrl+z", "undo"},
     Binding{Command::redo, "ctrl+shift+z ctrl+y", "redo"},
     Binding{Command::toggle_creases, "c", "edit creases: clicks pick edges"},
@@ -64,6 +69,10 @@ EditRequest::Kind edit_of(Command command) {
       return EditRequest::Kind::remove_tenth;
     case Command::simplify_edge:
       return EditRequest::Kind::remove_edge;
+    case Command::subdivide:
+      return EditRequest::Kind::finer;
+    case Command::coarsen:
+      return EditRequest::Kind::coarser;
     case Command::undo:
       return EditRequest::Kind::undo;
     default:
@@ -100,6 +109,14 @@ void toggle_surface(Session& session) {
 void toggle_wireframe(render::Settings& s) {
   if (s.shading == render::Shading::none) s.shading = render::Shading::flat;
   toggle(s.wireframe);
+}
+
+Scheme next_scheme(Scheme scheme) {
+  return static_cast<Scheme>((static_cast<std::size_t>(scheme) + 1) % kSchemeCount);
+}
+
+CreaseRules other_rules(CreaseRules rules) {
+  return rules == CreaseRules::hoppe94 ? CreaseRules::derose98 : CreaseRules::hoppe94;
 }
 
 // The innermost thing first, as in every program.
@@ -158,6 +175,8 @@ void run(Session& session, Command command) {
       return session.camera.frame(session.statistics.box, session.aspect());
     case Command::simplify:
     case Command::simplify_edge:
+    case Command::subdivide:
+    case Command::coarsen:
     case Command::undo:
     case Command::redo:
       return session.edits.waiting.push_back({edit_of(command)});
@@ -172,6 +191,15 @@ void run(Session& session, Command command) {
     case Command::clear_creases:
       return session.edits.waiting.push_back(
           {.kind = EditRequest::Kind::creases, .creases = crease_edit_of(session, command)});
+    case Command::toggle_limit:
+      session.subdivide.limit = !session.subdivide.limit;
+      return apply_subdivide_settings(session);
+    case Command::next_scheme:
+      session.subdivide.scheme = next_scheme(session.subdivide.scheme);
+      return apply_subdivide_settings(session);
+    case Command::toggle_crease_rules:
+      session.subdivide.creases = other_rules(session.subdivide.creases);
+      return apply_subdivide_settings(session);
     case Command::toggle_info:
       return toggle(session.shows_info);
     case Command::toggle_help:

@@ -123,6 +123,7 @@ Statistics counted(const Session& session, const std::vector<EdgeSharpness>& wan
 void take_back_same_drag(Session& session, std::uint64_t drag) {
   History& history = session.edits.history;
   if (drag == 0 || history.undo_depth() == 0 || history.undo_edit().drag != drag) return;
+  session.edits.subdivision = history.undo_edit().subdivision_before;
   history.take_back(session.model, session.statistics);
 }
 
@@ -191,11 +192,8 @@ void edit_creases(Session& session, const CreaseRequest& request) {
             .before = session.statistics,
             .after = counted(session, wanted),
             .drag = request.drag};
-  if (edit.changes_anything()) {
-    session.edits.history.perform(std::move(edit), session.model, session.statistics);
-  } else {
-    session.notice = notice_of_nothing(session, request, wanted.size());
-  }
+  if (edit.changes_anything()) return record_edit(session, std::move(edit));
+  session.notice = notice_of_nothing(session, request, wanted.size());
   note_model_changed(session, true);
 }
 

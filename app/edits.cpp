@@ -1,6 +1,7 @@
 #include "app/edits.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "app/session.h"
@@ -54,6 +55,7 @@ void undo(Session& session) {
   }
   session.notice = "undone: " + history.undo_name();
   const bool keeps_topology = history.undo_edit().mesh.keeps_topology();
+  session.edits.subdivision = history.undo_edit().subdivision_before;
   history.undo(session.model, session.statistics);
   note_model_changed(session, keeps_topology);
 }
@@ -66,18 +68,52 @@ void redo(Session& session) {
   }
   session.notice = "done again: " + history.redo_name();
   const bool keeps_topology = history.redo_edit().mesh.keeps_topology();
+  session.edits.subdivision = history.redo_edit().subdivision_after;
   history.redo(session.model, session.statistics);
   note_model_changed(session, keeps_topology);
 }
 
-EditTask task_for(Session& session, const EditRequest& request) {
+/// A task that starts from what is shown. The first one also keeps that, as what was opened.
+EditTask task_for_shown(Session& session) {
   Edits& edits = session.edits;
   EditTask task;
   task.shown = edits.opened ? copy_of(session.model) : nullptr;
-  if (!edits.opened) edits.opened = task.shown = copy_of(session.model);  // what is shown, still
+  if (!edits.opened) edits.opened = task.shown = copy_of(session.model);
+  task.statistics = session.statistics;
+  return task;
+}
+
+bool is_subdivision(EditRequest::Kind kind) {
+  return kind == EditRequest::Kind::finer || kind == EditRequest::Kind::coarser ||
+         kind == EditRequest::Kind::to_level || kind == EditRequest::Kind::same_level;
+}
+
+std::optional<EditTask> subdivision_task(Session& session, const EditRequest& request) {
+  const std::uint32_t level = shown_level(session);
+  std::uint32_t wanted = request.level;
+  if (request.kind == EditRequest::Kind::finer) wanted = level + 1;
+  if (request.kind == EditRequest::Kind::same_level) wanted = level;
+  if (request.kind == EditRequest::Kind::coarser) {
+    if (level == 0) {
+      session.notice = "nothing coarser is kept";
+      return std::nullopt;
+    }
+    wanted = level - 1;
+  }
+  auto subdivision = begin_subdivision(session, wanted);
+  if (!subdivision) return std::nullopt;
+  EditTask task = task_for_shown(session);
+  task.title = "Subdividing to level " + std::to_string(wanted);
+  task.name = name_of(session.edits.subdivision.value_or(SubdivisionLevel{}), subdivision->wanted);
+  task.subdivision = std::move(subdivision);
+  return task;
+}
+
+EditTask simplify_task(Session& session, const EditRequest& request) {
+  Edits& edits = session.edits;
+  EditTask task = task_for_shown(session);
   const bool is_from_opened = request.kind == EditRequest::Kind::simplify_to;
   task.start = is_from_opened ? edits.opened : task.shown;
-  task.statistics = session.statistics;
   task.options = options_of(session.simplify, session.statistics.box.diagonal());
   task.options.target_faces = target_of(request, task.start->mesh.face_count());
   if (request.kind == EditRequest::Kind::remove_edge) {
@@ -102,51 +138,87 @@ std::string notice_for(const SimplifyOutcome& outcome) {
   return notice;
 }
 
+/// What the task's shape becomes, as an edit.
+void take_difference(const EditTask& task, const Shape& shape, Edit& edit) {
+  edit.mesh = difference(task.shown->mesh, shape.mesh);
+  edit.attributes = difference(task.shown->attributes, shape.attributes);
+  edit.before = task.statistics;
+  edit.after = statistics(shape.mesh);
+}
+
+EditResult perform_simplification(const EditTask& task, Progress* progress) {
+  begin_stage(progress, "simplifying");
+  SimplifyOptions options = task.options;
+  options.progress = progress;
+  Simplified simplified = simplify(Mesh(task.start->mesh), options);
+  CarriedAttributes carried =
+      carry_attributes(task.start->attributes, task.start->mesh.origins(), simplified);
+  EditResult result;
+  result.edit.name = task.name.empty()
+                         ? "simplify to " + with_commas(simplified.report.faces_reached) + " faces"
+                         : task.name;
+  take_difference(task, {std::move(simplified.mesh), std::move(carried.attributes)}, result.edit);
+  result.simplified = {simplified.report, task.statistics.box.diagonal(),
+                       std::move(carried.dropped)};
+  return result;
+}
+
+EditResult perform_subdivision(const EditTask& task, Progress* progress) {
+  const SubdivisionLevel& wanted = task.subdivision->wanted;
+  const auto start = std::chrono::steady_clock::now();
+  const Shape shape = subdivided(wanted, progress);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  EditResult result;
+  result.edit.name = task.name;
+  take_difference(task, shape, result.edit);
+  result.edit.subdivision_after = wanted;
+  result.subdivided = {wanted.level, shape.mesh.face_count(), elapsed.count()};
+  return result;
+}
+
 }  // namespace
 
 std::optional<EditTask> begin_edit(Session& session) {
   const EditRequest request = session.edits.waiting.front();
   session.edits.waiting.pop_front();
-  session.notice.clear();
+  // New rules have been said already.
+  if (request.kind != EditRequest::Kind::same_level) session.notice.clear();
   if (request.kind == EditRequest::Kind::undo) {
     undo(session);
   } else if (request.kind == EditRequest::Kind::redo) {
     redo(session);
   } else if (request.kind == EditRequest::Kind::creases) {
     edit_creases(session, request.creases);
+  } else if (is_subdivision(request.kind)) {
+    return subdivision_task(session, request);
   } else if (session.model.mesh.face_count() == 0) {
     session.notice = "there is nothing to simplify";
   } else {
-    return task_for(session, request);
+    return simplify_task(session, request);
   }
   return std::nullopt;
 }
 
 EditResult perform(const EditTask& task, Progress* progress) {
-  begin_stage(progress, "simplifying");
-  SimplifyOptions options = task.options;
-  options.progress = progress;
-  const Simplified simplified = simplify(Mesh(task.start->mesh), options);
-  CarriedAttributes carried =
-      carry_attributes(task.start->attributes, task.start->mesh.origins(), simplified);
-  EditResult result;
-  result.outcome = {simplified.report, task.statistics.box.diagonal(), std::move(carried.dropped)};
-  result.edit.name = task.name.empty()
-                         ? "simplify to " + with_commas(simplified.report.faces_reached) + " faces"
-                         : task.name;
-  result.edit.mesh = difference(task.shown->mesh, simplified.mesh);
-  result.edit.attributes = difference(task.shown->attributes, carried.attributes);
-  result.edit.before = task.statistics;
-  result.edit.after = statistics(simplified.mesh);
-  return result;
+  return task.subdivision ? perform_subdivision(task, progress)
+                          : perform_simplification(task, progress);
 }
 
 void finish_edit(Session& session, EditResult&& result) {
-  session.notice = notice_for(result.outcome);
-  session.edits.last = std::move(result.outcome);
+  Edits& edits = session.edits;
+  if (result.simplified) {
+    session.notice = notice_for(*result.simplified);
+    edits.last = std::move(result.simplified);
+  }
+  if (result.subdivided) edits.last_subdivision = result.subdivided;
   if (!result.edit.changes_anything()) return;
-  const bool keeps_topology = result.edit.mesh.keeps_topology();
-  session.edits.history.perform(std::move(result.edit), session.model, session.statistics);
+  record_edit(session, std::move(result.edit));
+}
+
+void record_edit(Session& session, Edit&& edit) {
+  edit.subdivision_before = std::exchange(session.edits.subdivision, edit.subdivision_after);
+  const bool keeps_topology = edit.mesh.keeps_topology();
+  session.edits.history.perform(std::move(edit), session.model, session.statistics);
   note_model_changed(session, keeps_topology);
 }
 

@@ -8,6 +8,8 @@
 
 #include "app/crease_edits.h"
 #include "app/history.h"
+#include "app/shape.h"
+#include "app/subdivision.h"
 #include "engine/mesh/model.h"
 #include "engine/simplify/options.h"
 #include "engine/simplify/report.h"
@@ -34,17 +36,16 @@ struct EditRequest {
     simplify_to,   ///< `target_faces`, from the model as it was opened: so detail comes back, too
     undo,
     redo,
-    creases,  ///< `creases`
+    creases,     ///< `creases`
+    finer,       ///< one level of subdivision more
+    coarser,     ///< one less, down to what was subdivided
+    to_level,    ///< `level`
+    same_level,  ///< what is shown, by the rules that now hold
   };
   Kind kind = Kind::remove_tenth;
   std::uint32_t target_faces = 0;
   CreaseRequest creases{};
-};
-
-/// The parts of a model that edits change.
-struct Shape {
-  Mesh mesh;
-  Attributes attributes;
+  std::uint32_t level = 0;
 };
 
 /// The ledger of a simplification.
@@ -62,6 +63,9 @@ struct Edits {
   std::shared_ptr<const Shape> opened;
   std::uint32_t opened_faces = 0;
   std::optional<SimplifyOutcome> last;
+  std::optional<SubdivideOutcome> last_subdivision;
+  /// Of what the model is a level; none: nothing is kept that is coarser.
+  std::optional<SubdivisionLevel> subdivision;
   /// What a command asks of whoever runs the session: to be done in this order.
   std::deque<EditRequest> waiting;
   /// Grows with every change of the model: tells whoever keeps what follows from it.
@@ -70,8 +74,8 @@ struct Edits {
 
 struct Session;
 
-/// Everything that a simplification needs and nothing that anybody else changes: it may run on
-/// another thread.
+/// Everything that a simplification or subdivision needs and nothing that anybody else changes: it
+/// may run on another thread.
 struct EditTask {
   std::string title;  ///< "Simplifying to 4,500 faces"
   std::string name;   ///< in the history; empty: after the number of faces reached
@@ -79,11 +83,13 @@ struct EditTask {
   std::shared_ptr<const Shape> start;  ///< what is simplified: what is shown, or what was opened
   Statistics statistics;               ///< of what is shown
   SimplifyOptions options;
+  std::optional<SubdivisionTask> subdivision;  ///< this is to be done instead of simplifying
 };
 
 struct EditResult {
   Edit edit;
-  SimplifyOutcome outcome;
+  std::optional<SimplifyOutcome> simplified;
+  std::optional<SubdivideOutcome> subdivided;
 };
 
 /// Takes the first waiting request. Undo, redo and edits of creases are done at once and give
@@ -99,6 +105,10 @@ void finish_edit(Session& session, EditResult&& result);
 /// The model has changed. Picked edges are forgotten unless it `keeps_topology`; where it does, and
 /// is shown in the detail in which it was opened, simplification starts from it as it is now.
 void note_model_changed(Session& session, bool keeps_topology);
+
+/// Does an edit to the model and keeps it in the history. An edit without `subdivision_after` ends
+/// the levels of subdivision: what it makes is no level of anything. O(differences).
+void record_edit(Session& session, Edit&& edit);
 
 /// All that waits, one after the other, here and now.
 void run_waiting_edits(Session& session);

@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/subdivision.h"
 #include "engine/mesh/delta.h"
 #include "engine/mesh/model.h"
 #include "engine/mesh/statistics.h"
@@ -23,6 +25,9 @@ struct Edit {
   /// What is dragged makes many edits that are to be one step: they have the number of the drag,
   /// and each takes the place of the one before (History::take_back). 0: no drag made it.
   std::uint64_t drag = 0;
+  /// Of what the model was a level, and is now.
+  std::optional<SubdivisionLevel> subdivision_before{};
+  std::optional<SubdivisionLevel> subdivision_after{};
 
   bool changes_anything() const { return !mesh.is_empty() || !attributes.is_empty(); }
   std::size_t memory_bytes() const { return mesh.memory_bytes() + attributes.memory_bytes(); }

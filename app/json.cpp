@@ -36,6 +36,20 @@ Json to_json(const SimplifySettings& s) {
           {"seed", s.seed}};
 }
 
+Json to_json(const SubdivideSettings& s) {
+  return {{"scheme", key(s.scheme)},
+          {"creases", key(s.creases)},
+          {"boundary", key(s.boundary)},
+          {"crease_decay", key(s.decay)},
+          {"limit", s.limit}};
+}
+
+Json last_subdivision(const Edits& edits) {
+  if (!edits.last_subdivision) return {};
+  const SubdivideOutcome& last = *edits.last_subdivision;
+  return {{"level", last.level}, {"faces", last.faces}, {"seconds", last.seconds}};
+}
+
 /// JSON has no infinity.
 Json sharpness_json(float sharpness) {
   return sharpness < kInfinitelySharp ? Json(sharpness) : Json("inf");
@@ -150,6 +164,9 @@ Json to_json(const Session& session) {
           {"simplify", to_json(session.simplify)},
           {"last_simplification", edits.last ? to_json(*edits.last) : Json()},
           {"creases", to_json(session.creases, selected_sharpness(session))},
+          {"subdivide", to_json(session.subdivide)},
+          {"subdivision_level", shown_level(session)},
+          {"last_subdivision", last_subdivision(edits)},
           {"shading", name(s.shading)},
           {"wireframe", s.wireframe},
           {"background", s.background == render::Background::light ? "light" : "dark"},

@@ -23,6 +23,7 @@ struct Session {
   Edits edits;
   render::Settings settings;
   SimplifySettings simplify;
+  SubdivideSettings subdivide;
   CreaseMode creases;
   Saving saving;
   render::Camera camera;

@@ -27,6 +27,7 @@ void Panels::draw_right_column(Session& session, const PanelFacts& facts) {
   if (session.creases.is_on) {
     top = kPanelMargin + draw_crease_panel(session, facts, top, tag_count_, areas_);
   }
+  top = kPanelMargin + draw_subdivide_panel(session, top, areas_);
   draw_simplify_panel(session, facts, top, slider_faces_, areas_);
 }
 

@@ -2,23 +2,13 @@
 
 #include <algorithm>
 #include <cfloat>
-#include <cinttypes>
 
+#include "app/ui/controls.h"
 #include "app/ui/panels.h"
 #include "app/words.h"
 
 namespace mesher::app {
 namespace {
-
-constexpr float kWidth = 290.0F;
-constexpr float kFieldX = 112.0F;
-// Narrower, the panel starts folded: the model needs the room.
-constexpr float kFitsWidth = 1000.0F;
-
-struct Choice {
-  const char* name;
-  const char* goal;
-};
 
 // In the order of the enums.
 constexpr Choice kCosts[kCostPolicyCount] = {
@@ -40,34 +30,6 @@ constexpr Choice kPlacements[kPlacementCount] = {
 constexpr Choice kBoundaries[] = {
     {"preserve", "Boundary loops stay loops, and are simplified along themselves."},
     {"lock", "No vertex on a boundary moves or vanishes."}};
-
-void tooltip(const char* text) {
-  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", text);
-}
-
-void label(const char* text) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("%s", text);
-  ImGui::SameLine(kFieldX);
-  ImGui::SetNextItemWidth(-FLT_MIN);
-}
-
-/// A list to choose from; each choice says what it is for.
-template <class Enum, std::size_t N>
-void choose(const char* what, const Choice (&choices)[N], Enum& value) {
-  label(what);
-  const auto current = static_cast<std::size_t>(value);
-  const std::string id = std::string("##") + what;
-  if (ImGui::BeginCombo(id.c_str(), choices[current].name)) {
-    for (std::size_t i = 0; i < N; ++i) {
-      if (ImGui::Selectable(choices[i].name, i == current)) value = static_cast<Enum>(i);
-      tooltip(choices[i].goal);
-    }
-    ImGui::EndCombo();
-  } else {
-    tooltip(choices[current].goal);
-  }
-}
 
 void draw_rules(SimplifySettings& settings) {
   choose("cost", kCosts, settings.cost);
@@ -116,14 +78,7 @@ void draw_target(Session& session, bool is_busy, int& slider_faces) {
 
 void request_button(Session& session, const char* name, EditRequest::Kind kind, bool is_possible,
                     const std::string& help) {
-  const ImGuiStyle& style = ImGui::GetStyle();
-  const float width = (ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x -
-                       style.ItemSpacing.x) /
-                      2;
-  ImGui::BeginDisabled(!is_possible);
-  if (ImGui::Button(name, {width, 0.0F})) session.edits.waiting.push_back({kind});
-  ImGui::EndDisabled();
-  tooltip(help.c_str());
+  if (half_button(name, is_possible, help.c_str())) session.edits.waiting.push_back({kind});
 }
 
 void draw_buttons(Session& session) {
@@ -141,23 +96,9 @@ void draw_buttons(Session& session) {
                  can_redo ? "Ctrl+Shift+Z: " + history.redo_name() : "nothing to redo");
 }
 
-void row(const char* name, const std::string& value) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::TextDisabled("%s", name);
-  ImGui::TableNextColumn();
-  ImGui::TextWrapped("%s", value.c_str());
-}
-
 std::string error_text(const SimplifyOutcome& outcome, double error) {
   char text[64];
   std::snprintf(text, sizeof text, "%.3g (%.3g %%)", error, outcome.percent(error));
-  return text;
-}
-
-std::string seconds_text(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f s", seconds);
   return text;
 }
 
@@ -194,13 +135,7 @@ void draw_ledger(const SimplifyOutcome& outcome) {
 
 void draw_simplify_panel(Session& session, const PanelFacts& facts, float top, int& slider_faces,
                          PanelAreas& areas) {
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({size.x - kPanelMargin, top}, ImGuiCond_Always, {1.0F, 0.0F});
-  ImGui::SetNextWindowSizeConstraints({kWidth, 0.0F},
-                                      {kWidth, std::max(size.y - top - kPanelMargin, 80.0F)});
-  ImGui::SetNextWindowCollapsed(size.x < kFitsWidth, ImGuiCond_Once);
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove;
-  if (ImGui::Begin("Simplify", nullptr, kFlags)) {
+  if (begin_side_panel("Simplify", top)) {
     ImGui::BeginDisabled(session.statistics.faces == 0);
     draw_target(session, facts.job != nullptr, slider_faces);
     ImGui::EndDisabled();
@@ -212,8 +147,7 @@ void draw_simplify_panel(Session& session, const PanelFacts& facts, float top, i
       draw_ledger(*session.edits.last);
     }
   }
-  note_area(areas);
-  ImGui::End();
+  end_side_panel(areas);
 }
 
 }  // namespace mesher::app

@@ -43,7 +43,8 @@ ChangeLog differences(const std::vector<Line>& before, const std::vector<Line>& 
 
 }  // namespace
 
-UploadStats GpuMesh::apply(Mesh& mesh, const Settings& settings) {
+UploadStats GpuMesh::apply(Mesh& mesh, const Settings& settings,
+                           std::span<const glm::vec3> corner_normals) {
   UploadStats stats;
   const bool is_new = !is_valid_;
   is_valid_ = false;  // until all of it worked
@@ -55,7 +56,8 @@ UploadStats GpuMesh::apply(Mesh& mesh, const Settings& settings) {
       mesh.face_count() != face_count_) {
     copy_arrays(mesh, stats);
   }
-  normals_.update(mesh, settings, !lines_.creases.empty(), is_new, stats);
+  normals_.update(mesh, settings, {.corner = corner_normals, .can_split = !lines_.creases.empty()},
+                  is_new, stats);
   is_valid_ = true;
   mesh.changes().clear();
   for (const Part& part : parts())

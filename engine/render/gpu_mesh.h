@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "engine/gpu/buffer.h"
@@ -37,7 +39,10 @@ class GpuMesh {
   /// as changed, new elements included; past them an array is copied whole into a larger buffer.
   /// Waits for frames in flight where it copies at all. Throws DeviceError where the mesh is too
   /// large for the device. O(changes + crease and boundary edges), O(V + F) when whole.
-  UploadStats apply(Mesh& mesh, const Settings& settings);
+  /// `corner_normals`, one a half-edge, are taken for Gouraud shading instead of the faces' where
+  /// there are any; they may change only with the mesh.
+  UploadStats apply(Mesh& mesh, const Settings& settings,
+                    std::span<const glm::vec3> corner_normals = {});
   /// Points edges out from now on. Pre: they are edges of the mesh as it is drawn next; so call it
   /// again where edges vanish; a new mesh has none. Returns whether that changes the picture.
   /// O(marked edges).

@@ -18,9 +18,10 @@ CornerNormalOptions corner_options(float crease_angle_deg) {
   return {.crease_angle_rad = glm::radians(crease_angle_deg)};
 }
 
-GpuNormals::Mode wanted_mode(const Settings& settings, bool has_creases) {
+GpuNormals::Mode wanted_mode(const Settings& settings, const NormalSource& source) {
   if (settings.shading != Shading::gouraud) return GpuNormals::Mode::none;
-  const bool can_split = has_creases || settings.crease_angle_deg < 180.0F;
+  const bool can_split =
+      !source.corner.empty() || source.can_split || settings.crease_angle_deg < 180.0F;
   return can_split ? GpuNormals::Mode::corner : GpuNormals::Mode::vertex;
 }
 
@@ -75,17 +76,24 @@ std::uint32_t encode_normal(const glm::vec3& normal) {
   return pack(x) | pack(y) << 16U;
 }
 
-void GpuNormals::update(const Mesh& mesh, const Settings& settings, bool has_creases,
+void GpuNormals::update(const Mesh& mesh, const Settings& settings, const NormalSource& source,
                         bool is_new_mesh, UploadStats& stats) {
-  const Mode wanted = wanted_mode(settings, has_creases);
-  const bool is_same = !is_new_mesh && wanted == mode_ &&
+  const Mode wanted = wanted_mode(settings, source);
+  const bool is_given = wanted != Mode::none && !source.corner.empty();
+  const bool is_same = !is_new_mesh && wanted == mode_ && is_given == is_given_ &&
                        (wanted != Mode::corner || settings.crease_angle_deg == crease_angle_deg_);
   mode_ = wanted;
+  is_given_ = is_given;
   crease_angle_deg_ = settings.crease_angle_deg;
   if (mode_ == Mode::none) {
     corner_ = {};
     packed_ = {};
     buffer_ = {};
+  } else if (is_given) {
+    if (is_same && mesh.changes().is_empty()) return;
+    corner_ = {};
+    buffer_ = {};
+    pack(source.corner, stats);
   } else if (!is_same) {
     buffer_ = {};
     build(mesh, stats);
@@ -99,12 +107,16 @@ void GpuNormals::build(const Mesh& mesh, UploadStats& stats) {
   Array<glm::vec3> normals = mode_ == Mode::vertex
                                  ? vertex_normals(mesh)
                                  : corner_normals(mesh, corner_options(crease_angle_deg_));
+  pack(normals, stats);
+  if (mode_ == Mode::corner) corner_ = std::move(normals);
+}
+
+void GpuNormals::pack(std::span<const glm::vec3> normals, UploadStats& stats) {
   packed_.resize(normals.size());
   parallel_for(normals.size(), kGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i)
       packed_[i] = encode_normal(normals[i]);
   });
-  if (mode_ == Mode::corner) corner_ = std::move(normals);
   upload_whole(device_, buffer_, std::as_bytes(std::span(packed_)),
                VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, stats);
 }

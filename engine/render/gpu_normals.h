@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "engine/gpu/buffer.h"
 #include "engine/mesh/mesh.h"
@@ -16,6 +17,12 @@ namespace mesher::render {
 /// degrees. The zero vector becomes +z.
 std::uint32_t encode_normal(const glm::vec3& normal);
 
+/// Where normals come from.
+struct NormalSource {
+  std::span<const glm::vec3> corner;  ///< one a half-edge, as they are; empty: from the faces
+  bool can_split = false;             ///< the mesh has creases
+};
+
 /// The normals of a GPU mesh: none unless shading interpolates them; one a vertex where nothing can
 /// split them (no tagged crease, threshold 180 degrees), otherwise one a half-edge.
 class GpuNormals {
@@ -25,8 +32,8 @@ class GpuNormals {
   explicit GpuNormals(gpu::Device& device) : device_(device) {}
 
   /// Makes what `settings` want, whole where anything but `mesh.changes()` differs from before.
-  void update(const Mesh& mesh, const Settings& settings, bool has_creases, bool is_new_mesh,
-              UploadStats& stats);
+  void update(const Mesh& mesh, const Settings& settings, const NormalSource& source,
+              bool is_new_mesh, UploadStats& stats);
 
   Mode mode() const { return mode_; }
   const gpu::Buffer& buffer() const { return buffer_; }
@@ -35,11 +42,13 @@ class GpuNormals {
 
  private:
   void build(const Mesh& mesh, UploadStats& stats);
+  void pack(std::span<const glm::vec3> normals, UploadStats& stats);
   void update_changed(const Mesh& mesh, UploadStats& stats);
 
   gpu::Device& device_;
   Mode mode_ = Mode::none;
   float crease_angle_deg_ = 0.0F;
+  bool is_given_ = false;        ///< the normals are not made of the faces
   Array<glm::vec3> corner_;      ///< in corner mode, what `packed_` was made of
   Array<std::uint32_t> packed_;  ///< what `buffer_` holds
   gpu::Buffer buffer_;

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "engine/mesh/attributes.h"
+#include "engine/mesh/mesh.h"
+
+namespace mesher::app {
+
+/// The parts of a model that edits change.
+struct Shape {
+  Mesh mesh;
+  Attributes attributes;
+};
+
+}  // namespace mesher::app

@@ -1,0 +1,92 @@
+#include "app/subdivision.h"
+
+#include <utility>
+
+#include "app/memory_budget.h"
+#include "app/session.h"
+#include "engine/core/memory.h"
+#include "engine/subdivide/attributes.h"
+#include "engine/subdivide/subdivide.h"
+
+namespace mesher::app {
+namespace {
+
+// Beside the model that is shown: its old and new arrays in the history, and the GPU's mirror.
+constexpr unsigned kCopies = 4;
+
+/// What is shown, as a level; without its base where nothing is subdivided.
+SubdivisionLevel shown(const Session& session) {
+  return session.edits.subdivision.value_or(SubdivisionLevel{.settings = session.subdivide});
+}
+
+std::string refusal(const Session& session, const SubdivisionLevel& from, std::uint32_t level) {
+  const Mesh& base = from.base ? from.base->mesh : session.model.mesh;
+  if (base.face_count() == 0) return "there is nothing to subdivide";
+  if (level > kMostLevels) return "that is the finest level there is";
+  return subdivision_refusal(subdivision_size(base, level), level, available_memory_bytes(),
+                             kCopies);
+}
+
+}  // namespace
+
+std::uint32_t shown_level(const Session& session) {
+  return shown(session).level;
+}
+
+std::optional<SubdivisionTask> begin_subdivision(Session& session, std::uint32_t level) {
+  SubdivisionLevel wanted = shown(session);
+  const bool is_shown =
+      wanted.level == level && (level == 0 || wanted.settings == session.subdivide);
+  if (is_shown) return std::nullopt;
+  if (std::string reason = refusal(session, wanted, level); !reason.empty()) {
+    session.notice = std::move(reason);
+    return std::nullopt;
+  }
+  if (!wanted.base) {
+    wanted.base =
+        std::make_shared<const Shape>(Shape{session.model.mesh, session.model.attributes});
+  }
+  wanted.level = level;
+  wanted.settings = session.subdivide;
+  return SubdivisionTask{std::move(wanted)};
+}
+
+void apply_subdivide_settings(Session& session) {
+  const SubdivideSettings& settings = session.subdivide;
+  session.notice = "subdivision: " + std::string(key(settings.scheme)) + ", " +
+                   std::string(key(settings.creases)) + (settings.limit ? ", limit surface" : "");
+  session.edits.waiting.push_back({.kind = EditRequest::Kind::same_level});
+}
+
+Shape subdivided(const SubdivisionLevel& wanted, Progress* progress) {
+  if (wanted.level == 0) return *wanted.base;
+  const SubdivideSettings& settings = wanted.settings;
+  Subdivided result = subdivide(wanted.base->mesh, {.levels = wanted.level,
+                                                    .scheme = settings.scheme,
+                                                    .creases = settings.creases,
+                                                    .boundary = settings.boundary,
+                                                    .decay = settings.decay,
+                                                    .limit = settings.limit,
+                                                    .progress = progress});
+  Shape shape{std::move(result.mesh), subdivide_attributes(wanted.base->attributes, wanted.level)};
+  if (!result.limit_normal.empty()) shape.attributes.normal = std::move(result.limit_normal);
+  return shape;
+}
+
+std::span<const glm::vec3> shading_normals(const Session& session) {
+  const auto& level = session.edits.subdivision;
+  const Array<glm::vec3>& normals = session.model.attributes.normal;
+  const bool has_limit =
+      level && level->level > 0 && level->settings.limit && level->settings.scheme == Scheme::loop;
+  if (!has_limit || normals.size() != session.model.mesh.halfedge_count()) return {};
+  return normals;
+}
+
+std::string name_of(const SubdivisionLevel& before, const SubdivisionLevel& after) {
+  const std::string level = std::to_string(after.level);
+  if (after.level < before.level) return "back to level " + level;
+  if (after.level == before.level) return "other rules at level " + level;
+  return "subdivide to level " + level;
+}
+
+}  // namespace mesher::app

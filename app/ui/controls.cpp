@@ -1,0 +1,69 @@
+#include "app/ui/controls.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <cstdio>
+
+namespace mesher::app {
+namespace {
+
+constexpr float kWidth = 290.0F;
+// Narrower, panels start folded: the model needs the room.
+constexpr float kFitsWidth = 1000.0F;
+
+}  // namespace
+
+bool begin_side_panel(const char* title, float top) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({size.x - kPanelMargin, top}, ImGuiCond_Always, {1.0F, 0.0F});
+  ImGui::SetNextWindowSizeConstraints({kWidth, 0.0F},
+                                      {kWidth, std::max(size.y - top - kPanelMargin, 80.0F)});
+  ImGui::SetNextWindowCollapsed(size.x < kFitsWidth, ImGuiCond_Once);
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove;
+  return ImGui::Begin(title, nullptr, kFlags);
+}
+
+float end_side_panel(PanelAreas& areas) {
+  note_area(areas);
+  const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
+  ImGui::End();
+  return bottom;
+}
+
+void label(const char* text) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", text);
+  ImGui::SameLine(kFieldX);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+}
+
+void tooltip(const char* text) {
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", text);
+}
+
+void row(const char* name, const std::string& value) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("%s", name);
+  ImGui::TableNextColumn();
+  ImGui::TextWrapped("%s", value.c_str());
+}
+
+bool half_button(const char* name, bool is_possible, const char* help) {
+  const float width = (ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x -
+                       ImGui::GetStyle().ItemSpacing.x) /
+                      2;
+  ImGui::BeginDisabled(!is_possible);
+  const bool is_pressed = ImGui::Button(name, {width, 0.0F});
+  ImGui::EndDisabled();
+  tooltip(help);
+  return is_pressed;
+}
+
+std::string seconds_text(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f s", seconds);
+  return text;
+}
+
+}  // namespace mesher::app

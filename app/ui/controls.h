@@ -1,0 +1,55 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <cstddef>
+#include <string>
+
+#include "app/ui/panels.h"
+
+namespace mesher::app {
+
+// What the panels at the right border are made of.
+
+/// Begins a panel below `top`; false where it is folded. End it with `end_side_panel` either way.
+bool begin_side_panel(const char* title, float top);
+/// Notes its area; returns where it ends.
+float end_side_panel(PanelAreas& areas);
+
+/// Where the second column begins.
+inline constexpr float kFieldX = 112.0F;
+/// In the first column; what comes next fills the second.
+void label(const char* text);
+/// Of the item before, disabled or not.
+void tooltip(const char* text);
+/// A row of a two-column table.
+void row(const char* name, const std::string& value);
+/// A button of half the panel's width.
+bool half_button(const char* name, bool is_possible, const char* help);
+std::string seconds_text(double seconds);
+
+/// A value of an enum, and what it is for.
+struct Choice {
+  const char* name;
+  const char* goal;
+};
+
+/// A list to choose from, in the order of the enum. Returns whether another one was chosen.
+template <class Enum, std::size_t N>
+bool choose(const char* what, const Choice (&choices)[N], Enum& value) {
+  label(what);
+  const auto current = static_cast<std::size_t>(value);
+  const std::string id = std::string("##") + what;
+  if (!ImGui::BeginCombo(id.c_str(), choices[current].name)) {
+    tooltip(choices[current].goal);
+    return false;
+  }
+  for (std::size_t i = 0; i < N; ++i) {
+    if (ImGui::Selectable(choices[i].name, i == current)) value = static_cast<Enum>(i);
+    tooltip(choices[i].goal);
+  }
+  ImGui::EndCombo();
+  return static_cast<std::size_t>(value) != current;
+}
+
+}  // namespace mesher::app
