@@ -92,8 +92,8 @@ class SharedPages {
 
 /// Never destroyed: arrays of static objects may outlive everything else.
 SharedPages& shared_pages() {
-  static auto* const pages = new SharedPages;
-  return *pages;
+  static auto* const kPages = new SharedPages;
+  return *kPages;
 }
 
 constexpr std::size_t kShared = kHugePage - 64;

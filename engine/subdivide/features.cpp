@@ -68,10 +68,8 @@ class FeatureBuilder {
   Features finish(const LevelView& level) && {
     for (SharpVertex& vertex : features_.vertices_)
       vertex.kind = kind_of(level, vertex);
-    for (SharpEdge& edge : features_.edges_) {
-      for (std::size_t side = 0; side < 2; ++side)
-        edge.left[side] = what_is_left(edge, features_.vertices_[edge.end[side]]);
-    }
+    for (SharpVertex& vertex : features_.vertices_)
+      wear_edges_at(vertex);
     return std::move(features_);
   }
 
@@ -87,18 +85,21 @@ class FeatureBuilder {
     return is_regular ? VertexKind::regular_crease : VertexKind::crease;
   }
 
-  float what_is_left(const SharpEdge& edge, const SharpVertex& end) {
-    if (options_.decay == CreaseDecay::uniform) return decayed(edge.sharpness);
-    others_.clear();
-    for (const std::uint32_t other : features_.at(end)) {
-      if (&features_.edges_[other] != &edge) others_.push_back(features_.edges_[other].sharpness);
+  /// What is left on the halves at the vertex.
+  void wear_edges_at(const SharpVertex& vertex) {
+    SemiSharpSum sum;
+    for (const std::uint32_t i : features_.at(vertex))
+      sum.add(features_.edges_[i].sharpness);
+    for (const std::uint32_t i : features_.at(vertex)) {
+      SharpEdge& edge = features_.edges_[i];
+      edge.left[features_.side(edge, vertex)] = options_.decay == CreaseDecay::chaikin
+                                                    ? chaikin_decayed(edge.sharpness, sum)
+                                                    : decayed(edge.sharpness);
     }
-    return chaikin_decayed(edge.sharpness, others_);
   }
 
   const SubdivideOptions& options_;
   Features features_;
-  std::vector<float> others_;
 };
 
 namespace {

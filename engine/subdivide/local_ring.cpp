@@ -1,5 +1,6 @@
 #include "engine/subdivide/local_ring.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -43,17 +44,30 @@ void LocalRing::gather(const LevelView& level, const Features& features, const S
   if (!h.is_valid()) {
     spokes_.push_back({.end = level.position[level.origin[incoming.index()].index()]});
   }
+  note_sharpness(level, features, vertex, incoming);
+}
+
+/// `incoming`: along the last spoke of a boundary vertex, out of which no half-edge runs.
+void LocalRing::note_sharpness(const LevelView& level, const Features& features,
+                               const SharpVertex& vertex, Halfedge incoming) {
+  sharp_edges_.clear();
   for (const std::uint32_t i : features.at(vertex)) {
-    const SharpEdge& edge = features.edges()[i];
+    const Halfedge h = features.edges()[i].h;
+    sharp_edges_.emplace_back(h, i);
+    const Halfedge twin = level.twin[h.index()];
+    if (twin.is_valid()) sharp_edges_.emplace_back(twin, i);
+  }
+  std::ranges::sort(sharp_edges_);
+  for (std::size_t k = 0; k < spokes_.size(); ++k) {
+    const Halfedge h = k < halfedges_.size() ? halfedges_[k] : incoming;
+    const auto found = std::ranges::lower_bound(sharp_edges_, h, {}, &SharpHalfedge::first);
+    if (found == sharp_edges_.end() || found->first != h) continue;
+    const SharpEdge& edge = features.edges()[found->second];
     const std::size_t side = features.side(edge, vertex);
-    const Halfedge twin = level.twin[edge.h.index()];
-    std::size_t at = 0;
-    while (at < halfedges_.size() && halfedges_[at] != edge.h && halfedges_[at] != twin)
-      ++at;  // past the last: the last spoke of a boundary vertex, which only comes in
-    spokes_[at].sharpness = edge.sharpness;
-    spokes_[at].near_left = edge.left[side];
-    spokes_[at].far_left = edge.left[1 - side];
-    spokes_[at].end_kind = features.other_end(edge, vertex).kind;
+    spokes_[k].sharpness = edge.sharpness;
+    spokes_[k].near_left = edge.left[side];
+    spokes_[k].far_left = edge.left[1 - side];
+    spokes_[k].end_kind = features.other_end(edge, vertex).kind;
   }
 }
 
@@ -159,19 +173,18 @@ void LocalRing::wear() {
     spoke.sharpness = spoke.near_left;
     spoke.end_kind = spoke.far_left > 0.0F ? VertexKind::regular_crease : VertexKind::dart;
   }
+  SemiSharpSum at_vertex;
+  for (const Spoke& spoke : spokes_)
+    at_vertex.add(spoke.sharpness);
   const bool is_chaikin = options_.decay == CreaseDecay::chaikin;
-  std::vector<float> others;
-  for (std::size_t i = 0; i < spokes_.size(); ++i) {
-    Spoke& spoke = spokes_[i];
-    const float onward = spoke.far_left;
-    others.clear();
-    for (std::size_t k = 0; k < spokes_.size(); ++k) {
-      if (k != i && spokes_[k].sharpness > 0.0F) others.push_back(spokes_[k].sharpness);
-    }
+  for (Spoke& spoke : spokes_) {
+    SemiSharpSum at_end;  // the edge comes in, its other half goes on
+    at_end.add(spoke.sharpness);
+    at_end.add(spoke.far_left);
     spoke.near_left =
-        is_chaikin ? chaikin_decayed(spoke.sharpness, others) : decayed(spoke.sharpness);
+        is_chaikin ? chaikin_decayed(spoke.sharpness, at_vertex) : decayed(spoke.sharpness);
     spoke.far_left =
-        is_chaikin ? chaikin_decayed(spoke.sharpness, {&onward, 1}) : decayed(spoke.sharpness);
+        is_chaikin ? chaikin_decayed(spoke.sharpness, at_end) : decayed(spoke.sharpness);
   }
 }
 

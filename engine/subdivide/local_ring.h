@@ -2,6 +2,7 @@
 
 #include <glm/vec3.hpp>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/subdivide/features.h"
@@ -44,6 +45,8 @@ class LocalRing {
   const Spoke& before(std::size_t i) const {
     return spokes_[(i + spokes_.size() - 1) % spokes_.size()];
   }
+  void note_sharpness(const LevelView& level, const Features& features, const SharpVertex& vertex,
+                      Halfedge incoming);
   VertexKind kind() const;
   bool has_semi_sharp() const;
   void step();
@@ -63,6 +66,8 @@ class LocalRing {
   std::vector<Halfedge> halfedges_;
   std::vector<Spoke> spokes_;
   std::vector<Spoke> next_spokes_;
+  using SharpHalfedge = std::pair<Halfedge, std::uint32_t>;  ///< and which sharp edge it is of
+  std::vector<SharpHalfedge> sharp_edges_;
   std::vector<std::size_t> sharp_;  ///< spokes that are sharp
   std::vector<glm::dvec3> normals_;
 };

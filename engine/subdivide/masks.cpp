@@ -17,7 +17,7 @@ RingMask ring_mask(double own, std::uint32_t valence) {
   return {own, (1.0 - own) / valence};
 }
 
-bool is_crease(VertexKind kind) {
+[[maybe_unused]] bool is_crease(VertexKind kind) {
   return kind == VertexKind::crease || kind == VertexKind::regular_crease;
 }
 

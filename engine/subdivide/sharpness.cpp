@@ -2,17 +2,10 @@
 
 namespace mesher {
 
-float chaikin_decayed(float sharpness, std::span<const float> others) {
-  if (!is_semi_sharp(sharpness)) return decayed(sharpness);
-  float sum = 0.0F;
-  int count = 0;
-  for (const float other : others) {
-    if (!is_semi_sharp(other)) continue;
-    sum += other;
-    ++count;
-  }
-  if (count == 0) return decayed(sharpness);
-  return std::max(0.75F * sharpness + 0.25F * sum / static_cast<float>(count) - 1.0F, 0.0F);
+float chaikin_decayed(float sharpness, const SemiSharpSum& at_end) {
+  if (!is_semi_sharp(sharpness) || !at_end.has_others()) return decayed(sharpness);
+  const double mean = 0.75 * sharpness + 0.25 * at_end.mean_of_others(sharpness);
+  return static_cast<float>(std::max(mean - 1.0, 0.0));
 }
 
 VertexRule vertex_rule(float own, std::size_t sharp_edges) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <span>
 
 #include "engine/mesh/mesh.h"
 #include "engine/subdivide/masks.h"
@@ -10,8 +9,7 @@
 namespace mesher {
 
 // Semi-sharp creases (T. DeRose, M. Kass, T. Truong, "Subdivision surfaces in character animation",
-// 1998, section 5), with OpenSubdiv's rules for what the paper leaves open. All O(1), or O(edges at
-// the vertex) where a span is given.
+// 1998, section 5), with OpenSubdiv's rules for what the paper leaves open. All O(1).
 
 inline bool is_semi_sharp(float sharpness) {
   return sharpness > 0.0F && sharpness < kSharpForEver;
@@ -22,9 +20,26 @@ inline float decayed(float sharpness) {
   return sharpness >= kSharpForEver ? kInfinitelySharp : std::max(sharpness - 1.0F, 0.0F);
 }
 
-/// The same by Chaikin's rule, for the half of the edge at one end. `others`: the other sharp edges
-/// at that end.
-float chaikin_decayed(float sharpness, std::span<const float> others);
+/// The semi-sharp edges at a vertex, summed up; smooth ones and those for ever do not count.
+class SemiSharpSum {
+ public:
+  void add(float sharpness) {
+    if (!is_semi_sharp(sharpness)) return;
+    sum_ += sharpness;
+    ++count_;
+  }
+  /// Of all but one edge of that sharpness. Pre: it was added, and has_others().
+  double mean_of_others(float sharpness) const { return (sum_ - sharpness) / (count_ - 1); }
+  bool has_others() const { return count_ > 1; }
+
+ private:
+  double sum_ = 0.0;
+  int count_ = 0;
+};
+
+/// The same by Chaikin's rule, for the half of the edge at one end; `at_end` are the edges there,
+/// this one included.
+float chaikin_decayed(float sharpness, const SemiSharpSum& at_end);
 
 /// Whether a vertex stays, moves along a crease or freely.
 enum class VertexRule : std::uint8_t { smooth, crease, corner };

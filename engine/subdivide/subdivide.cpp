@@ -1,5 +1,8 @@
 #include "engine/subdivide/subdivide.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -20,6 +23,23 @@ Array<T> copy_of(std::span<const T> values) {
   return Array<T>(values.begin(), values.end());
 }
 
+/// The power of two that coordinates are divided by before they are added up. 0 for all but sizes
+/// near the end of what floats can hold, where sums over a ring would leave it.
+int exponent_of(std::span<const glm::vec3> positions) {
+  float most = 0.0F;
+  for (const glm::vec3& p : positions)
+    most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  constexpr float kLarge = 1e18F;
+  return most > kLarge || (most > 0.0F && most < 1.0F / kLarge) ? std::ilogb(most) + 1 : 0;
+}
+
+/// What a scheme that overshoots makes of the largest coordinates stays a number.
+glm::vec3 scaled(const glm::vec3& p, int exponent) {
+  constexpr float kMost = std::numeric_limits<float>::max();
+  const auto scale = [&](float x) { return std::clamp(std::ldexp(x, exponent), -kMost, kMost); };
+  return {scale(p.x), scale(p.y), scale(p.z)};
+}
+
 /// Steps down the levels from a mesh.
 class Subdivision {
  public:
@@ -28,7 +48,13 @@ class Subdivision {
         options_(options),
         coarse_(view_of(mesh)),
         rings_(coarse_, needs_spokes()),
-        features_(features_of(mesh, options)) {}
+        features_(features_of(mesh, options)),
+        exponent_(exponent_of(mesh.positions())) {
+    if (exponent_ == 0) return;
+    for (const glm::vec3& p : mesh.positions())
+      scaled_.push_back(scaled(p, -exponent_));
+    coarse_.position = scaled_;
+  }
 
   /// Without `keeps_connectivity` the last level has positions and origins only.
   void run(bool keeps_connectivity) {
@@ -42,7 +68,14 @@ class Subdivision {
       level_ = std::move(finer);
       coarse_ = level_.view();
     }
-    if (options_.levels == 0) level_ = copy_of_mesh();
+    if (options_.levels == 0) level_ = copy_of_coarse();
+  }
+
+  /// Call when nothing is left to compute. Gives the positions their size back.
+  void restore_size() {
+    if (exponent_ == 0) return;
+    for (glm::vec3& p : level_.position)
+      p = scaled(p, exponent_);
   }
 
   /// Pre: connectivity was kept.
@@ -79,9 +112,9 @@ class Subdivision {
     return loop_step(coarse_, rings_, features_, options_, is_bare);
   }
 
-  Level copy_of_mesh() const {
-    return {copy_of(mesh_.positions()), copy_of(mesh_.origins()), copy_of(mesh_.twins()),
-            copy_of(mesh_.outgoings())};
+  Level copy_of_coarse() const {
+    return {copy_of(coarse_.position), copy_of(coarse_.origin), copy_of(coarse_.twin),
+            copy_of(coarse_.outgoing)};
   }
 
   Array<float> edge_sharpness() const {
@@ -115,6 +148,8 @@ class Subdivision {
   Rings rings_;
   Features features_;
   Level level_;
+  int exponent_;
+  Array<glm::vec3> scaled_;  ///< the mesh's positions, where they are scaled at all
 };
 
 bool wants_limit(const SubdivideOptions& options) {
@@ -143,8 +178,9 @@ SubdivisionSize subdivision_size(const Mesh& mesh, std::uint32_t levels) {
     size.has_ids = 3 * size.faces < kNone && size.vertices < kNone;
   }
   size.result_bytes = mesh_bytes(size.vertices, size.faces);
-  // Beside the result there is the level before, and while that is read one point a vertex of it.
-  size.peak_bytes = size.result_bytes + last_bytes + sizeof(float) * size.vertices;
+  // Beside the result there is the level before, and while that is read the number of the vertex on
+  // each of its half-edges, or one point a vertex of it, which is less.
+  size.peak_bytes = size.result_bytes + last_bytes + 3 * sizeof(Vertex) * size.faces / 4;
   return size;
 }
 
@@ -154,6 +190,7 @@ Subdivided subdivide(const Mesh& mesh, const SubdivideOptions& options) {
   subdivision.run(true);
   Subdivided result;
   if (wants_limit(options)) result.limit_normal = subdivision.move_to_limit();
+  subdivision.restore_size();
   result.mesh = subdivision.finish();
   return result;
 }
@@ -163,6 +200,7 @@ IndexedTriangles subdivide_to_triangles(const Mesh& mesh, const SubdivideOptions
   Subdivision subdivision(mesh, options);
   subdivision.run(wants_limit(options));
   if (wants_limit(options)) subdivision.move_to_limit();
+  subdivision.restore_size();
   return {std::move(subdivision.level().position), std::move(subdivision.level().origin)};
 }
 

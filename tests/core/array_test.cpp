@@ -4,9 +4,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <memory>
 #include <new>
+#include <random>
 #include <string>
+#include <thread>
+#include <utility>
+#include <vector>
 
 namespace mesher {
 namespace {
@@ -65,6 +70,62 @@ TEST(Array, LargeOnesGrowAndShrink) {
   }
 #if !defined(__SANITIZE_ADDRESS__)  // which ends the program instead
   EXPECT_THROW(a.resize(a.max_size()), std::bad_alloc);
+#endif
+}
+
+/// Makes and drops arrays at random, a few at a time, and looks whether all are as they were
+/// filled.
+void churn(std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::vector<Array<std::uint32_t>> arrays;
+  for (int step = 0; step < 400; ++step) {
+    if (arrays.size() < 12 || random() % 2 == 0) {
+      // From what malloc gives to more than a huge page.
+      const std::size_t bytes = 60'000 + random() % 2'200'000;
+      arrays.emplace_back(bytes / 4, static_cast<std::uint32_t>(step) ^ seed);
+    } else {
+      const std::size_t i = random() % arrays.size();
+      std::swap(arrays[i], arrays.back());
+      const Array<std::uint32_t>& last = arrays.back();
+      ASSERT_EQ(reinterpret_cast<std::uintptr_t>(last.data()) % alignof(std::uint32_t), 0U);
+      for (std::size_t k = 0; k < last.size(); k += 509)
+        ASSERT_EQ(last[k], last.front());
+      ASSERT_EQ(last.back(), last.front());
+      arrays.pop_back();
+    }
+  }
+}
+
+// Several share a huge page; each keeps what was written to it, on whatever thread it lives and
+// dies.
+TEST(Array, MiddleSizedOnesDoNotTouchEachOther) {
+  std::vector<std::thread> threads;
+  for (std::uint32_t seed = 1; seed <= 4; ++seed)
+    threads.emplace_back(churn, seed);
+  for (std::thread& thread : threads)
+    thread.join();
+}
+
+TEST(Array, MiddleSizedOnesGoBackWhenTheyAreFreed) {
+  const auto resident_pages = [] {
+    std::size_t size = 0;
+    std::size_t resident = 0;
+    std::ifstream("/proc/self/statm") >> size >> resident;
+    return resident;
+  };
+  const auto fill = [] {
+    std::vector<Array<std::uint32_t>> arrays;
+    for (int i = 0; i < 100; ++i)
+      arrays.emplace_back(250'000, 1U);  // 1 MB each
+  };
+  fill();
+  const std::size_t before = resident_pages();
+  for (int i = 0; i < 5; ++i)
+    fill();
+#if !defined(__SANITIZE_ADDRESS__)              // which keeps what is freed for a while
+  EXPECT_LT(resident_pages(), before + 5'000);  // 20 MB, of 500
+#else
+  EXPECT_GT(before, 0U);
 #endif
 }
 
