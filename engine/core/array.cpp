@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <mutex>
+#include <utility>
 
 namespace mesher {
 namespace {
@@ -45,8 +46,9 @@ void* map_pages(std::size_t bytes) {
   return begin + before;
 }
 
-/// Huge pages that arrays of less than one share, one after the other. A page goes back when the
-/// last array in it does, and the place of the array that was put last is used again at once.
+/// Huge pages that arrays of less than one share, one after the other. A page is free when the last
+/// array in it is, and the place of the array that was put last is used again at once. A few free
+/// pages are kept: clearing them costs as much as filling them.
 class SharedPages {
  public:
   /// Null where there is no memory.
@@ -54,10 +56,10 @@ class SharedPages {
     const std::size_t size = padded(bytes);
     const std::lock_guard lock(mutex_);
     if (page_ == nullptr || page_->used + size > kHugePage) {
-      void* memory = map_pages(kHugePage);
-      if (memory == nullptr) return nullptr;
-      if (page_ != nullptr && page_->arrays == 0) munmap(page_, kHugePage);
-      page_ = ::new (memory) Page;
+      Page* const page = take_page();
+      if (page == nullptr) return nullptr;
+      if (page_ != nullptr && page_->arrays == 0) give_back(page_);
+      page_ = page;
     }
     std::byte* array = reinterpret_cast<std::byte*>(page_) + page_->used;
     page_->used += size;
@@ -73,21 +75,43 @@ class SharedPages {
     if (page->used == offset + padded(bytes)) page->used = offset;
     if (--page->arrays > 0) return;
     page->used = kHeader;
-    if (page != page_) munmap(page, kHugePage);
+    if (page != page_) give_back(page);
   }
 
  private:
   static constexpr std::size_t kHeader = 64;
+  static constexpr std::size_t kMostKept = 8;
   struct Page {
     std::size_t used = kHeader;
     std::size_t arrays = 0;
+    Page* next_kept = nullptr;
   };
+
+  Page* take_page() {
+    if (kept_ != nullptr) {
+      --kept_count_;
+      return std::exchange(kept_, kept_->next_kept);
+    }
+    void* memory = map_pages(kHugePage);
+    return memory == nullptr ? nullptr : ::new (memory) Page;
+  }
+
+  void give_back(Page* page) {
+    if (kept_count_ == kMostKept) {
+      munmap(page, kHugePage);
+      return;
+    }
+    page->next_kept = std::exchange(kept_, page);
+    ++kept_count_;
+  }
 
   /// Arrays begin on cache lines, and no two share one.
   static std::size_t padded(std::size_t bytes) { return (bytes + 63) / 64 * 64; }
 
   std::mutex mutex_;
   Page* page_ = nullptr;  ///< that is being filled
+  Page* kept_ = nullptr;  ///< free
+  std::size_t kept_count_ = 0;
 };
 
 /// Never destroyed: arrays of static objects may outlive everything else.
