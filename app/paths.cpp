@@ -44,8 +44,11 @@ fs::path find_model(const std::string& name) {
 
 fs::path free_name(const fs::path& folder, const std::string& stem, const std::string& extension) {
   fs::path file = folder / (stem + extension);
-  for (int i = 2; is_there(file); ++i)
-    file = folder / (stem + "-" + std::to_string(i) + extension);
+  for (int i = 2; is_there(file); ++i) {
+    std::string name = stem;
+    name.append("-").append(std::to_string(i)).append(extension);
+    file = folder / name;
+  }
   return file;
 }
 

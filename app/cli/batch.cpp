@@ -81,8 +81,9 @@ std::vector<std::string> write_result(const std::string& output, const Model& mo
   const std::vector<std::string> losses = losses_in_format(output, model.mesh, model.attributes);
   write_model(output, model.mesh, model.attributes);
   if (!common.quiet) {
+    const std::string cannot_hold = output + " cannot hold ";
     for (const std::string& loss : losses)
-      say(output + " cannot hold " + loss);
+      say(cannot_hold + loss);
     say(output + ": " + with_commas(model.mesh.vertex_count()) + " vertices, " +
         with_commas(model.mesh.face_count()) + " faces");
   }
