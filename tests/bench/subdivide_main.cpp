@@ -99,9 +99,9 @@ SubdivisionWork work_of(std::string_view task) {
   return work;
 }
 
-/// Bytes of the output and of the level that it is made from: nobody who goes level by level does
-/// with less.
-double least_bytes(const SubdivisionWork& work, bool is_mesh) {
+/// Bytes of the output and of the level that it is made from, half-edges included: what ours holds
+/// at the same time.
+double output_and_level_before(const SubdivisionWork& work, bool is_mesh) {
   constexpr double kPosition = sizeof(glm::vec3);
   constexpr double kCorners = 3.0 * sizeof(Vertex);
   constexpr double kOutgoing = sizeof(Halfedge);
@@ -147,7 +147,8 @@ double timed_ms(std::uint32_t faces, const Run& run) {
 
 Json measure(const SubdivisionWork& work, const NamedSubdivider& who) {
   Json json{{"items", work.soup.face_count()}};
-  const double least = least_bytes(work, who.name.find("half-edge") != std::string_view::npos);
+  const double unit =
+      output_and_level_before(work, who.name.find("half-edge") != std::string_view::npos);
   const bool is_growth = work.options.levels == 1;
   json["ms"] = timed_ms(is_growth ? work.soup.face_count() : ~0U, [&] {
     SubdivisionWork input = work;
@@ -160,7 +161,7 @@ Json measure(const SubdivisionWork& work, const NamedSubdivider& who) {
     if (is_growth) {
       json["peak_bytes_a_face"] = rise / work.soup.face_count();
     } else if (!who.name.starts_with("filling")) {
-      json["peak_of_least"] = rise / least;
+      json["peak_of_levels"] = rise / unit;
     }
     note_result(outcome, json);
     return elapsed.count();

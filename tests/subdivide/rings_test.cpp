@@ -57,7 +57,9 @@ void expect_walked_down(const Mesh& mesh, std::uint32_t levels) {
     level = std::move(finer);
     coarse = level.view();
     const std::uint32_t inside = expect_walked(rings, coarse);
-    if (i >= 2) EXPECT_GT(inside, 0U);
+    if (i >= 2) {
+      EXPECT_GT(inside, 0U);
+    }
     if (testing::Test::HasFailure()) return;
   }
 }
