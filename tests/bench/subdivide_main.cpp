@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -133,39 +134,57 @@ void note_result(const SubdivisionOutcome& outcome, Json& json) {
       std::max<std::size_t>(outcome.mesh.face_count(), outcome.triangles.index.size() / 3);
 }
 
-/// Milliseconds of one run; small meshes are subdivided as often as makes a run long enough to be
-/// timed.
+struct Time {
+  double wall_ms = 0.0;
+  double cpu_ms = 0.0;  ///< of all threads: what a busy machine disturbs least
+};
+
 template <class Run>
-double timed_ms(std::uint32_t faces, const Run& run) {
-  constexpr std::uint32_t kEnough = 300'000;
-  std::vector<double> times;
-  for (std::uint32_t i = 0; i < std::max(kEnough / faces, 1U); ++i)
-    times.push_back(run());
-  std::ranges::nth_element(times, times.begin() + std::ptrdiff_t(times.size() / 2));
-  return times[times.size() / 2];
+Time time_of(const Run& run) {
+  const std::clock_t cpu = std::clock();
+  const auto start = std::chrono::steady_clock::now();
+  run();
+  const std::chrono::duration<double, std::milli> elapsed =
+      std::chrono::steady_clock::now() - start;
+  return {elapsed.count(), 1000.0 * static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC};
 }
 
+void note_time(std::vector<Time> times, Json& json) {
+  const auto middle = times.begin() + std::ptrdiff_t(times.size() / 2);
+  std::ranges::nth_element(times, middle, {}, &Time::wall_ms);
+  json["ms"] = middle->wall_ms;
+  json["cpu_ms"] = middle->cpu_ms;
+}
+
+/// Peak memory is that of the first run, whose memory is fresh.
+void note_memory(const SubdivisionWork& work, const NamedSubdivider& who, std::uint64_t bytes,
+                 Json& json) {
+  const auto rise = static_cast<double>(bytes);
+  if (work.options.levels == 1) {
+    json["peak_bytes_a_face"] = rise / work.soup.face_count();
+  } else if (!who.name.starts_with("filling")) {
+    const bool is_mesh = who.name.find("half-edge") != std::string_view::npos;
+    json["peak_of_levels"] = rise / output_and_level_before(work, is_mesh);
+  }
+}
+
+/// Small meshes of the tasks that show growth are subdivided as often as makes that long enough.
 Json measure(const SubdivisionWork& work, const NamedSubdivider& who) {
-  Json json{{"items", work.soup.face_count()}};
-  const double unit =
-      output_and_level_before(work, who.name.find("half-edge") != std::string_view::npos);
-  const bool is_growth = work.options.levels == 1;
-  json["ms"] = timed_ms(is_growth ? work.soup.face_count() : ~0U, [&] {
+  constexpr std::uint32_t kEnough = 300'000;
+  const std::uint32_t faces = work.soup.face_count();
+  const std::uint32_t runs = work.options.levels == 1 ? std::max(kEnough / faces, 1U) : 1U;
+  Json json{{"items", faces}};
+  std::vector<Time> times;
+  for (std::uint32_t i = 0; i < runs; ++i) {
     SubdivisionWork input = work;
+    SubdivisionOutcome outcome;
     const PeakMemory peak;
-    const auto start = std::chrono::steady_clock::now();
-    const SubdivisionOutcome outcome = who.subdivide(std::move(input));
-    const std::chrono::duration<double, std::milli> elapsed =
-        std::chrono::steady_clock::now() - start;
-    const auto rise = static_cast<double>(peak.rise_bytes());
-    if (is_growth) {
-      json["peak_bytes_a_face"] = rise / work.soup.face_count();
-    } else if (!who.name.starts_with("filling")) {
-      json["peak_of_levels"] = rise / unit;
-    }
+    times.push_back(time_of([&] { outcome = who.subdivide(std::move(input)); }));
+    if (i > 0) continue;
+    note_memory(work, who, peak.rise_bytes(), json);
     note_result(outcome, json);
-    return elapsed.count();
-  });
+  }
+  note_time(std::move(times), json);
   return json;
 }
 
@@ -183,15 +202,15 @@ Json measure_split(std::string_view who) {
   const ThreadLimit one(1);
   const Mesh mesh = read_model(file_of("bunny.obj")).mesh;
   const Soup soup = triangles_of(mesh);
-  const auto start = std::chrono::steady_clock::now();
-  const IndexedTriangles result = split(who, mesh, soup);
-  const std::chrono::duration<double, std::milli> elapsed =
-      std::chrono::steady_clock::now() - start;
+  IndexedTriangles result;
+  Json json;
+  note_time({time_of([&] { result = split(who, mesh, soup); })}, json);
   const IndexedTriangles expected = split_by_arithmetic(mesh);
   if (result.index != expected.index || result.position != expected.position) {
     throw std::runtime_error(std::string(who) + " makes other triangles");
   }
-  return {{"ms", elapsed.count()}, {"faces", result.index.size() / 3}};
+  json["faces"] = result.index.size() / 3;
+  return json;
 }
 
 Json measure(std::string_view task, std::string_view who) {
