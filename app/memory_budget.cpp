@@ -10,7 +10,8 @@ std::string bytes_text(std::uint64_t bytes) {
   constexpr const char* kUnits[] = {"B", "kB", "MB", "GB", "TB"};
   auto value = static_cast<double>(bytes);
   std::size_t unit = 0;
-  while (value >= 1000.0 && unit + 1 < std::size(kUnits)) {
+  // What rounds to a thousand is one of the next.
+  while (value >= 999.5 && unit + 1 < std::size(kUnits)) {
     value /= 1000.0;
     ++unit;
   }
@@ -19,16 +20,17 @@ std::string bytes_text(std::uint64_t bytes) {
 }
 
 std::string subdivision_refusal(const SubdivisionSize& size, std::uint32_t levels,
-                                std::uint64_t available, unsigned copies) {
+                                const MemoryBudget& budget) {
   const std::string what =
       "subdividing " + std::to_string(levels) + (levels == 1 ? " time" : " times") + " would make ";
   if (!size.has_ids) {
     return what + with_commas(size.faces) + " faces or more: too many for 32-bit indices";
   }
-  const std::uint64_t needed = size.peak_bytes + (copies - 1) * size.result_bytes;
-  if (needed <= available / 5 * 4) return "";
+  const std::uint64_t needed =
+      size.peak_bytes + budget.beside + (budget.copies - 1) * (size.result_bytes + budget.beside);
+  if (needed <= budget.available / 5 * 4) return "";
   return what + with_commas(size.faces) + " faces and take " + bytes_text(needed) + " of memory; " +
-         bytes_text(available) + " are free";
+         bytes_text(budget.available) + " are free";
 }
 
 }  // namespace mesher::app

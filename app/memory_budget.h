@@ -10,10 +10,16 @@ namespace mesher::app {
 /// "1.5 GB"
 std::string bytes_text(std::uint64_t bytes);
 
+/// What there is to fill.
+struct MemoryBudget {
+  std::uint64_t available = 0;  ///< bytes
+  unsigned copies = 1;          ///< how often the result is held at the end
+  std::uint64_t beside = 0;     ///< bytes that the result takes beside its mesh, once
+};
+
 /// Why a subdivision cannot be done here, in a person's words, with what it would take; empty where
-/// it can. `available`: bytes that may be filled, of which a fifth is left alone. `copies`: how
-/// often the result is held at the end.
+/// it can. A fifth of what is available is left alone.
 std::string subdivision_refusal(const SubdivisionSize& size, std::uint32_t levels,
-                                std::uint64_t available, unsigned copies);
+                                const MemoryBudget& budget);
 
 }  // namespace mesher::app

@@ -19,12 +19,24 @@ SubdivisionLevel shown(const Session& session) {
   return session.edits.subdivision.value_or(SubdivisionLevel{.settings = session.subdivide});
 }
 
+SubdivideOptions options_of(const SubdivideSettings& settings, std::uint32_t level) {
+  return {.levels = level,
+          .scheme = settings.scheme,
+          .creases = settings.creases,
+          .boundary = settings.boundary,
+          .decay = settings.decay,
+          .limit = settings.limit};
+}
+
 std::string refusal(const Session& session, const SubdivisionLevel& from, std::uint32_t level) {
   const Mesh& base = from.base ? from.base->mesh : session.model.mesh;
+  const Attributes& attributes = from.base ? from.base->attributes : session.model.attributes;
   if (base.face_count() == 0) return "there is nothing to subdivide";
   if (level > kMostLevels) return "that is the finest level there is";
-  return subdivision_refusal(subdivision_size(base, level), level, available_memory_bytes(),
-                             kCopies);
+  return subdivision_refusal(subdivision_size(base, options_of(session.subdivide, level)), level,
+                             {.available = available_memory_bytes(),
+                              .copies = kCopies,
+                              .beside = subdivided_attribute_bytes(attributes, level)});
 }
 
 }  // namespace
@@ -60,14 +72,9 @@ void apply_subdivide_settings(Session& session) {
 
 Shape subdivided(const SubdivisionLevel& wanted, Progress* progress) {
   if (wanted.level == 0) return *wanted.base;
-  const SubdivideSettings& settings = wanted.settings;
-  Subdivided result = subdivide(wanted.base->mesh, {.levels = wanted.level,
-                                                    .scheme = settings.scheme,
-                                                    .creases = settings.creases,
-                                                    .boundary = settings.boundary,
-                                                    .decay = settings.decay,
-                                                    .limit = settings.limit,
-                                                    .progress = progress});
+  SubdivideOptions options = options_of(wanted.settings, wanted.level);
+  options.progress = progress;
+  Subdivided result = subdivide(wanted.base->mesh, options);
   Shape shape{std::move(result.mesh), subdivide_attributes(wanted.base->attributes, wanted.level)};
   if (!result.limit_normal.empty()) shape.attributes.normal = std::move(result.limit_normal);
   return shape;

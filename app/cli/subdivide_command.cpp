@@ -17,9 +17,11 @@
 namespace mesher::app {
 namespace {
 
-void check_memory(const Mesh& mesh, std::uint32_t levels) {
+void check_memory(const Model& model, const SubdivideOptions& options) {
   const std::string refusal =
-      subdivision_refusal(subdivision_size(mesh, levels), levels, available_memory_bytes(), 1);
+      subdivision_refusal(subdivision_size(model.mesh, options), options.levels,
+                          {.available = available_memory_bytes(),
+                           .beside = subdivided_attribute_bytes(model.attributes, options.levels)});
   if (!refusal.empty()) throw DeviceError(refusal);
 }
 
@@ -75,7 +77,7 @@ void run_subdivide(const InputOptions& input, const std::string& output,
   if (model.mesh.face_count() == 0) {
     throw InputError(loaded.file.string(), 0, "has no faces to subdivide");
   }
-  check_memory(model.mesh, options.levels);
+  check_memory(model, options);
   const Json before = counts(model.mesh);
   const bool has_normals = !model.attributes.normal.empty();
   const double seconds = subdivide_model(model, options, common);

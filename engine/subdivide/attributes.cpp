@@ -59,4 +59,13 @@ Attributes subdivide_attributes(const Attributes& attributes, std::uint32_t leve
   return result;
 }
 
+std::size_t subdivided_attribute_bytes(const Attributes& attributes, std::uint32_t levels) {
+  if (levels == 0) return 0;
+  const std::size_t bytes = attributes.texcoord.size() * sizeof(glm::vec2) +
+                            attributes.color.size() * sizeof(glm::u8vec4) +
+                            attributes.group.size() * sizeof(std::uint32_t);
+  const std::size_t last = bytes << (2 * levels);
+  return last + last / 4;
+}
+
 }  // namespace mesher

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "engine/mesh/attributes.h"
@@ -10,5 +11,8 @@ namespace mesher {
 /// seams stay where they are. Groups go to all children. Normals are dropped: they are not those of
 /// the new surface (`limit_normal` are). O(faces of the result), parallel.
 Attributes subdivide_attributes(const Attributes& attributes, std::uint32_t levels);
+
+/// Bytes that they will take, and those of the level before beside them. O(1).
+std::size_t subdivided_attribute_bytes(const Attributes& attributes, std::uint32_t levels);
 
 }  // namespace mesher

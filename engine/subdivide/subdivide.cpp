@@ -164,13 +164,13 @@ std::uint64_t mesh_bytes(std::uint64_t vertices, std::uint64_t faces) {
 
 }  // namespace
 
-SubdivisionSize subdivision_size(const Mesh& mesh, std::uint32_t levels) {
+SubdivisionSize subdivision_size(const Mesh& mesh, const SubdivideOptions& options) {
   SubdivisionSize size;
   size.vertices = mesh.vertex_count();
   size.faces = mesh.face_count();
   std::uint64_t edges = mesh.count_edges();
   std::uint64_t last_bytes = 0;
-  for (std::uint32_t i = 0; i < levels && size.has_ids; ++i) {
+  for (std::uint32_t i = 0; i < options.levels && size.has_ids; ++i) {
     last_bytes = i == 0 ? 0 : mesh_bytes(size.vertices, size.faces);
     size.vertices += edges;
     edges = 2 * edges + 3 * size.faces;
@@ -181,11 +181,16 @@ SubdivisionSize subdivision_size(const Mesh& mesh, std::uint32_t levels) {
   // Beside the result there is the level before, and while that is read the number of the vertex on
   // each of its half-edges, or one point a vertex of it, which is less.
   size.peak_bytes = size.result_bytes + last_bytes + 3 * sizeof(Vertex) * size.faces / 4;
+  if (wants_limit(options)) {
+    const std::uint64_t normals = 3 * sizeof(glm::vec3) * size.faces;
+    size.result_bytes += normals;
+    size.peak_bytes += normals + sizeof(glm::vec3) * size.vertices;
+  }
   return size;
 }
 
 Subdivided subdivide(const Mesh& mesh, const SubdivideOptions& options) {
-  MESHER_ASSERT(subdivision_size(mesh, options.levels).has_ids);
+  MESHER_ASSERT(subdivision_size(mesh, options).has_ids);
   Subdivision subdivision(mesh, options);
   subdivision.run(true);
   Subdivided result;
@@ -196,7 +201,7 @@ Subdivided subdivide(const Mesh& mesh, const SubdivideOptions& options) {
 }
 
 IndexedTriangles subdivide_to_triangles(const Mesh& mesh, const SubdivideOptions& options) {
-  MESHER_ASSERT(subdivision_size(mesh, options.levels).has_ids);
+  MESHER_ASSERT(subdivision_size(mesh, options).has_ids);
   Subdivision subdivision(mesh, options);
   subdivision.run(wants_limit(options));
   if (wants_limit(options)) subdivision.move_to_limit();

@@ -13,13 +13,13 @@ namespace mesher {
 struct SubdivisionSize {
   std::uint64_t vertices = 0;
   std::uint64_t faces = 0;
-  std::uint64_t result_bytes = 0;  ///< of the finished mesh
+  std::uint64_t result_bytes = 0;  ///< of the finished mesh, with the normals of its limit
   std::uint64_t peak_bytes = 0;    ///< while it is made, without the input
   bool has_ids = true;             ///< every half-edge has an id of 32 bits
 };
 
-/// What `levels` of subdivision will take. O(F) for the number of edges.
-SubdivisionSize subdivision_size(const Mesh& mesh, std::uint32_t levels);
+/// What a subdivision will take. O(F) for the number of edges.
+SubdivisionSize subdivision_size(const Mesh& mesh, const SubdivideOptions& options);
 
 /// A subdivided mesh.
 struct Subdivided {

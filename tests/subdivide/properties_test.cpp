@@ -231,7 +231,7 @@ TEST(Properties, TheSizeIsKnownBefore) {
     SCOPED_TRACE(model->name);
     for (std::uint32_t levels = 0; levels <= 3; ++levels) {
       const Mesh fine = subdivide(model->mesh, {.levels = levels}).mesh;
-      const SubdivisionSize size = subdivision_size(model->mesh, levels);
+      const SubdivisionSize size = subdivision_size(model->mesh, {.levels = levels});
       EXPECT_EQ(size.vertices, fine.vertex_count());
       EXPECT_EQ(size.faces, fine.face_count());
       EXPECT_TRUE(size.has_ids);
@@ -246,11 +246,12 @@ TEST(Properties, TheSizeIsKnownBefore) {
 
 TEST(Properties, WhatDoesNotFitIsKnownWithoutOverflow) {
   const Mesh mesh = built(octahedron()).mesh;
-  EXPECT_TRUE(subdivision_size(mesh, 13).has_ids);   // 3 * 8 * 4^13: 1.6 thousand million
-  EXPECT_FALSE(subdivision_size(mesh, 14).has_ids);  // 6.4 thousand million
-  EXPECT_EQ(subdivision_size(mesh, 14).faces, 8ULL << 28);
+  EXPECT_TRUE(
+      subdivision_size(mesh, {.levels = 13}).has_ids);  // 3 * 8 * 4^13: 1.6 thousand million
+  EXPECT_FALSE(subdivision_size(mesh, {.levels = 14}).has_ids);  // 6.4 thousand million
+  EXPECT_EQ(subdivision_size(mesh, {.levels = 14}).faces, 8ULL << 28);
   for (const std::uint32_t levels : {15U, 31U, 32U, 64U, 1000U, 0xFFFFFFFFU})
-    EXPECT_FALSE(subdivision_size(mesh, levels).has_ids) << levels;
+    EXPECT_FALSE(subdivision_size(mesh, {.levels = levels}).has_ids) << levels;
 }
 
 TEST(Properties, NoLevelsAndNoFacesAreFine) {

@@ -1,0 +1,226 @@
+#include "engine/subdivide/features.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "engine/subdivide/butterfly.h"
+#include "engine/subdivide/sharpness.h"
+#include "tests/subdivide/compare.h"
+#include "tests/subdivide/models.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+std::vector<SubdivideOptions> every_rule() {
+  std::vector<SubdivideOptions> all;
+  for (const CreaseRules creases : {CreaseRules::hoppe94, CreaseRules::derose98}) {
+    for (const BoundaryRounding boundary : kBoundaries) {
+      for (const CreaseDecay decay : kDecays)
+        all.push_back({.creases = creases, .boundary = boundary, .decay = decay});
+    }
+  }
+  return all;
+}
+
+/// What is left of the edge of `h` at the end that `h` starts from, read off the mesh.
+float left_at_origin(const Mesh& mesh, Halfedge h, CreaseDecay decay) {
+  const float sharpness = mesh.sharpness(h);
+  if (decay == CreaseDecay::uniform) return decayed(sharpness);
+  SemiSharpSum at_end;
+  at_end.add(sharpness);
+  for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
+    const Halfedge other(i);
+    const bool is_at_end =
+        mesh.origin(other) == mesh.origin(h) || mesh.target(other) == mesh.origin(h);
+    const bool is_counted = mesh.edge(other).index() == i && mesh.edge(other) != mesh.edge(h);
+    if (is_at_end && is_counted && !mesh.is_boundary(other)) at_end.add(mesh.sharpness(other));
+  }
+  return chaikin_decayed(sharpness, at_end);
+}
+
+/// `level`, made of `coarse`, as a mesh with the sharpnesses that are left.
+Mesh with_sharpness(const Mesh& coarse, const Level& level, CreaseDecay decay) {
+  MeshArrays arrays;
+  arrays.position = level.position;
+  arrays.origin = level.origin;
+  arrays.twin = level.twin;
+  arrays.outgoing = level.outgoing;
+  arrays.sharpness.assign(level.origin.size(), 0.0F);
+  for (std::uint32_t i = 0; i < coarse.halfedge_count(); ++i) {
+    const Halfedge h(i);
+    if (coarse.is_boundary(h) || coarse.sharpness(h) <= 0.0F) continue;
+    const Halfedge half = first_half(h);
+    arrays.sharpness[half.index()] = left_at_origin(coarse, h, decay);
+    arrays.sharpness[level.twin[half.index()].index()] = left_at_origin(coarse, h, decay);
+  }
+  if (!coarse.vertex_sharpnesses().empty()) {
+    arrays.vertex_sharpness.assign(level.position.size(), 0.0F);
+    for (std::uint32_t v = 0; v < coarse.vertex_count(); ++v)
+      arrays.vertex_sharpness[v] = decayed(coarse.sharpness(Vertex(v)));
+  }
+  return std::move(arrays).finish();
+}
+
+/// A sharp edge in words that do not depend on the order of lists: lower vertex first.
+struct EdgeFact {
+  float sharpness = 0.0F;
+  std::array<float, 2> left{};
+  friend bool operator==(const EdgeFact&, const EdgeFact&) = default;
+};
+using EdgeFacts = std::map<VertexPair, EdgeFact>;
+
+EdgeFacts edge_facts(const Features& features, const LevelView& level) {
+  EdgeFacts facts;
+  for (const SharpEdge& edge : features.edges()) {
+    const std::array<std::uint32_t, 2> end{level.origin[edge.h.index()].index(),
+                                           level.origin[Mesh::next(edge.h).index()].index()};
+    for (std::size_t side = 0; side < 2; ++side)
+      EXPECT_EQ(features.vertices()[edge.end[side]].v, Vertex(end[side]));
+    EdgeFact fact{edge.sharpness, edge.left};
+    if (end[0] > end[1]) std::swap(fact.left[0], fact.left[1]);
+    EXPECT_TRUE(facts.emplace(pair_of(end[0], end[1]), fact).second) << "an edge is listed twice";
+  }
+  return facts;
+}
+
+struct VertexFact {
+  float own = 0.0F;
+  VertexKind kind = VertexKind::smooth;
+  std::vector<std::uint32_t> across;  ///< vertices at the other ends, sorted
+  friend bool operator==(const VertexFact&, const VertexFact&) = default;
+};
+using VertexFacts = std::map<std::uint32_t, VertexFact>;
+
+VertexFacts vertex_facts(const Features& features) {
+  VertexFacts facts;
+  for (const SharpVertex& vertex : features.vertices()) {
+    VertexFact fact{vertex.own, vertex.kind, {}};
+    for (const std::uint32_t i : features.at(vertex))
+      fact.across.push_back(features.other_end(features.edges()[i], vertex).v.index());
+    std::ranges::sort(fact.across);
+    EXPECT_TRUE(facts.emplace(vertex.v.index(), fact).second) << "a vertex is listed twice";
+  }
+  return facts;
+}
+
+void expect_next_is_scan(const Model& model, const SubdivideOptions& options, int levels) {
+  Mesh mesh = model.mesh;
+  Features features = features_of(mesh, options);
+  for (int i = 1; i <= levels; ++i) {
+    SCOPED_TRACE("level " + std::to_string(i));
+    const Level level = midpoint_step(view_of(mesh), options, false);
+    features = next_features(features, level, options);
+    mesh = with_sharpness(mesh, level, options.decay);
+    const Features scanned = features_of(mesh, options);
+    EXPECT_TRUE(edge_facts(features, level.view()) == edge_facts(scanned, level.view()));
+    EXPECT_TRUE(vertex_facts(features) == vertex_facts(scanned));
+  }
+}
+
+TEST(Features, OfTheNextLevelAreThoseThatAScanFinds) {
+  for (const SubdivideOptions& options : every_rule()) {
+    SCOPED_TRACE("creases " + std::to_string(int(options.creases)) + ", boundary " +
+                 std::to_string(int(options.boundary)) + ", decay " +
+                 std::to_string(int(options.decay)));
+    for (const Model& model : models()) {
+      if (model.mesh.face_count() > 150) continue;
+      SCOPED_TRACE(model.name);
+      expect_next_is_scan(model, options, 2);
+    }
+  }
+}
+
+TEST(Features, AreEverySharpEdgeAndNoOther) {
+  for (const Model& model : models()) {
+    SCOPED_TRACE(model.name);
+    const Mesh& mesh = model.mesh;
+    std::map<VertexPair, float> expected;
+    for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
+      const Halfedge h(i);
+      const float sharpness = mesh.is_boundary(h) || mesh.sharpness(h) >= kSharpForEver
+                                  ? kInfinitelySharp
+                                  : mesh.sharpness(h);
+      if (sharpness > 0.0F)
+        expected[pair_of(mesh.origin(h).index(), mesh.target(h).index())] = sharpness;
+    }
+    std::map<VertexPair, float> found;
+    for (const auto& [ends, fact] : edge_facts(features_of(mesh, {}), view_of(mesh)))
+      found[ends] = fact.sharpness;
+    EXPECT_TRUE(found == expected);
+  }
+}
+
+/// Kinds of the vertices that are not smooth.
+std::map<std::uint32_t, VertexKind> kinds(const Mesh& mesh, const SubdivideOptions& options = {}) {
+  std::map<std::uint32_t, VertexKind> result;
+  for (const auto& [v, fact] : vertex_facts(features_of(mesh, options)))
+    result[v] = fact.kind;
+  return result;
+}
+
+Mesh creased(Soup soup, const std::vector<std::uint32_t>& path) {
+  Mesh mesh = built(std::move(soup)).mesh;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    mesh.set_sharpness(mesh.find_edge(Vertex(path[i]), Vertex(path[i + 1])), kInfinitelySharp);
+  return mesh;
+}
+
+using Kinds = std::map<std::uint32_t, VertexKind>;
+
+TEST(Features, KindsByHand) {
+  using enum VertexKind;
+  // Through the middle of a fan of six, three faces on each side; two neighbours around are darts.
+  EXPECT_EQ(kinds(creased(bipyramid(6), {2, 0, 5})),
+            (Kinds{{0, regular_crease}, {2, dart}, {5, dart}}));
+  EXPECT_EQ(kinds(creased(bipyramid(6), {2, 0, 4})), (Kinds{{0, crease}, {2, dart}, {4, dart}}));
+  EXPECT_EQ(kinds(creased(bipyramid(7), {2, 0, 5})), (Kinds{{0, crease}, {2, dart}, {5, dart}}));
+  EXPECT_EQ(kinds(creased(bipyramid(6), {2, 0, 5, 1})),
+            (Kinds{{0, regular_crease}, {1, dart}, {2, dart}, {5, crease}}));
+  EXPECT_EQ(kinds(creased(bipyramid(6), {2, 0, 5}), {.creases = CreaseRules::derose98})[0], crease);
+  EXPECT_TRUE(kinds(built(octahedron()).mesh).empty());
+}
+
+TEST(Features, ThreeSharpEdgesMakeACorner) {
+  Mesh mesh = creased(bipyramid(6), {2, 0, 5});
+  mesh.set_sharpness(mesh.find_edge(Vertex(0), Vertex(3)), 0.5F);
+  EXPECT_EQ(kinds(mesh)[0], VertexKind::corner);
+  EXPECT_EQ(kinds(creased(grid(3), {5, 6}))[6], VertexKind::dart);
+  EXPECT_EQ(kinds(creased(grid(3), {4, 5}))[4], VertexKind::corner);  // two of them boundary
+}
+
+TEST(Features, BoundaryVerticesAreRegularWithThreeFaces) {
+  const Mesh mesh = built(grid(2)).mesh;  // its diagonals rise to the right
+  EXPECT_EQ(kinds(mesh), (Kinds{{0, VertexKind::crease},
+                                {1, VertexKind::regular_crease},
+                                {2, VertexKind::crease},
+                                {3, VertexKind::regular_crease},
+                                {5, VertexKind::regular_crease},
+                                {6, VertexKind::crease},
+                                {7, VertexKind::regular_crease},
+                                {8, VertexKind::crease}}));
+  const auto rounded = kinds(mesh, {.boundary = BoundaryRounding::edge_and_corner});
+  EXPECT_EQ(rounded.at(2), VertexKind::corner);  // one face
+  EXPECT_EQ(rounded.at(0), VertexKind::crease);  // two
+}
+
+TEST(Features, AVertexIsACornerWhileItsOwnSharpnessLasts) {
+  Mesh mesh = built(icosahedron()).mesh;
+  mesh.set_sharpness(Vertex(3), 1.5F);
+  mesh.set_sharpness(Vertex(7), 12.0F);
+  Features features = features_of(mesh, {});
+  EXPECT_EQ(vertex_facts(features).at(3).own, 1.5F);
+  EXPECT_EQ(vertex_facts(features).at(7).own, kInfinitelySharp);
+  const Level level = midpoint_step(view_of(mesh), {}, false);
+  features = next_features(features, level, {});
+  EXPECT_EQ(vertex_facts(features).at(3).own, 0.5F);
+  const Level last = midpoint_step(level.view(), {}, false);
+  features = next_features(features, last, {});
+  EXPECT_EQ(vertex_facts(features), (VertexFacts{{7, {kInfinitelySharp, VertexKind::corner, {}}}}));
+}
+
+}  // namespace
+}  // namespace mesher::test

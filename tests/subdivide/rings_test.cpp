@@ -1,0 +1,101 @@
+#include "engine/subdivide/rings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "engine/subdivide/butterfly.h"
+#include "tests/subdivide/models.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+/// The half-edges out of a vertex inside, by walking around it.
+std::vector<Halfedge> walked(const LevelView& level, Vertex v) {
+  std::vector<Halfedge> spokes;
+  const Halfedge start = level.outgoing[v.index()];
+  Halfedge h = start;
+  do {
+    spokes.push_back(h);
+    h = level.twin[Mesh::prev(h).index()];
+  } while (h.is_valid() && h != start && spokes.size() < 1000);
+  EXPECT_EQ(h, start) << "vertex " << v.index() << " is on a boundary";
+  std::ranges::sort(spokes);
+  return spokes;
+}
+
+bool is_inside(const LevelView& level, Vertex v) {
+  const Halfedge h = level.outgoing[v.index()];
+  return h.is_valid() && level.twin[h.index()].is_valid();
+}
+
+/// Compares every vertex inside; returns how many there were.
+std::uint32_t expect_walked(const Rings& rings, const LevelView& level) {
+  std::uint32_t inside = 0;
+  for (std::uint32_t v = 0; v < level.vertex_count(); ++v) {
+    if (!is_inside(level, Vertex(v))) continue;
+    ++inside;
+    std::vector<Halfedge> spokes;
+    rings.for_each_spoke(level, Vertex(v), [&](Halfedge h) { spokes.push_back(h); });
+    EXPECT_EQ(spokes, walked(level, Vertex(v))) << "vertex " << v;
+  }
+  return inside;
+}
+
+/// Steps down and compares on every level. From the second on some vertex is inside.
+void expect_walked_down(const Mesh& mesh, std::uint32_t levels) {
+  Rings rings(view_of(mesh), true);
+  expect_walked(rings, view_of(mesh));
+  Level level;
+  LevelView coarse = view_of(mesh);
+  for (std::uint32_t i = 1; i <= levels; ++i) {
+    SCOPED_TRACE("level " + std::to_string(i));
+    Level finer = midpoint_step(coarse, {}, false);
+    rings.descend(coarse.vertex_count());
+    level = std::move(finer);
+    coarse = level.view();
+    const std::uint32_t inside = expect_walked(rings, coarse);
+    if (i >= 2) {
+      EXPECT_GT(inside, 0U);
+    }
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(Rings, AreWhatAWalkMeetsOnEveryLevel) {
+  for (const Model& model : models()) {
+    SCOPED_TRACE(model.name);
+    if (model.mesh.face_count() > 0)
+      expect_walked_down(model.mesh, affordable_levels(model.mesh, 3));
+  }
+}
+
+TEST(Rings, AreStillRightForVerticesOfManyLevelsBefore) {
+  expect_walked_down(built(tetrahedron()).mesh, 6);
+  expect_walked_down(built(fan(5, false)).mesh, 6);
+}
+
+TEST(Rings, KnowHowManyFacesAVertexOfTheMeshHas) {
+  for (const Model& model : models()) {
+    SCOPED_TRACE(model.name);
+    std::vector<std::uint32_t> faces(model.mesh.vertex_count(), 0);
+    for (const Vertex v : model.mesh.origins())
+      ++faces[v.index()];
+    for (const bool lists_spokes : {false, true}) {
+      const Rings rings(view_of(model.mesh), lists_spokes);
+      ASSERT_EQ(rings.base_vertices(), model.mesh.vertex_count());
+      for (std::uint32_t v = 0; v < faces.size(); ++v)
+        EXPECT_EQ(rings.base_valence(v), faces[v]) << v;
+    }
+  }
+}
+
+TEST(Rings, OfNoMeshAreNone) {
+  for (const bool lists_spokes : {false, true})
+    EXPECT_EQ(Rings(view_of(Mesh()), lists_spokes).base_vertices(), 0U);
+}
+
+}  // namespace
+}  // namespace mesher::test

@@ -1,0 +1,96 @@
+#include "engine/subdivide/sharpness.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <utility>
+
+#include "engine/subdivide/options.h"
+
+namespace mesher {
+namespace {
+
+float chaikin(float sharpness, std::initializer_list<float> others) {
+  SemiSharpSum at_end;
+  at_end.add(sharpness);
+  for (const float other : others)
+    at_end.add(other);
+  return chaikin_decayed(sharpness, at_end);
+}
+
+TEST(Sharpness, FallsByOneALevel) {
+  EXPECT_EQ(decayed(0.0F), 0.0F);
+  EXPECT_EQ(decayed(0.75F), 0.0F);
+  EXPECT_EQ(decayed(1.0F), 0.0F);
+  EXPECT_EQ(decayed(1.25F), 0.25F);
+  EXPECT_EQ(decayed(9.5F), 8.5F);
+}
+
+TEST(Sharpness, IsForEverFromTenOn) {
+  for (const float s : {10.0F, 10.5F, 1e9F, kInfinitelySharp}) {
+    EXPECT_EQ(decayed(s), kInfinitelySharp) << s;
+    EXPECT_EQ(chaikin(s, {1.0F}), kInfinitelySharp) << s;
+    EXPECT_FALSE(is_semi_sharp(s)) << s;
+  }
+  EXPECT_TRUE(is_semi_sharp(std::nextafter(10.0F, 0.0F)));
+  EXPECT_TRUE(is_semi_sharp(0.01F));
+  EXPECT_FALSE(is_semi_sharp(0.0F));
+}
+
+TEST(ChaikinDecay, IsAnAverageWithTheOthersLessOne) {
+  EXPECT_EQ(chaikin(2.0F, {1.0F}), 0.75F);
+  EXPECT_EQ(chaikin(2.0F, {2.0F}), 1.0F);
+  EXPECT_EQ(chaikin(2.0F, {1.0F, 3.0F}), 1.0F);
+  EXPECT_EQ(chaikin(1.0F, {5.0F}), 1.0F);
+  EXPECT_EQ(chaikin(0.5F, {0.5F}), 0.0F);
+  EXPECT_EQ(chaikin(0.0F, {9.0F}), 0.0F);
+}
+
+TEST(ChaikinDecay, LeavesOutWhatIsSmoothOrForEver) {
+  EXPECT_EQ(chaikin(2.0F, {}), 1.0F);
+  EXPECT_EQ(chaikin(2.0F, {0.0F, kInfinitelySharp, 10.0F}), 1.0F);
+  EXPECT_EQ(chaikin(2.0F, {0.0F, kInfinitelySharp, 1.0F, 10.0F}), 0.75F);
+}
+
+TEST(VertexRule, CountsSharpEdges) {
+  EXPECT_EQ(vertex_rule(0.0F, 0), VertexRule::smooth);
+  EXPECT_EQ(vertex_rule(0.0F, 1), VertexRule::smooth);
+  EXPECT_EQ(vertex_rule(0.0F, 2), VertexRule::crease);
+  EXPECT_EQ(vertex_rule(0.0F, 3), VertexRule::corner);
+  EXPECT_EQ(vertex_rule(0.1F, 0), VertexRule::corner);
+  EXPECT_EQ(vertex_rule(0.1F, 2), VertexRule::corner);
+}
+
+double transition(std::initializer_list<std::pair<float, float>> sharpnesses) {
+  Transition sum;
+  for (const auto& [before, after] : sharpnesses)
+    sum.add(before, after);
+  return sum.weight();
+}
+
+TEST(Transition, IsTheMeanOfWhatJustFellToZero) {
+  EXPECT_EQ(transition({}), 0.0);
+  EXPECT_EQ(transition({{0.5F, 0.0F}}), 0.5);
+  EXPECT_EQ(transition({{0.25F, 0.0F}, {0.75F, 0.0F}}), 0.5);
+  EXPECT_EQ(transition({{0.25F, 0.0F}, {1.5F, 0.5F}, {0.0F, 0.0F}}), 0.25);
+  EXPECT_EQ(transition({{1.5F, 0.5F}}), 0.0);
+  EXPECT_EQ(transition({{1.5F, 0.0F}}), 1.0);  // by Chaikin's rule, held at 1
+}
+
+TEST(EdgeBlend, IsTheSharpnessOfAnEdgeThatEnds) {
+  EXPECT_EQ(edge_blend(2.0F, 1.0F, 1.0F), 1.0);
+  EXPECT_EQ(edge_blend(kInfinitelySharp, kInfinitelySharp, kInfinitelySharp), 1.0);
+  EXPECT_EQ(edge_blend(0.5F, 0.0F, 0.0F), 0.5);
+  EXPECT_EQ(edge_blend(1.0F, 0.0F, 0.0F), 1.0);
+  EXPECT_EQ(edge_blend(0.0F, 0.0F, 0.0F), 0.0);
+}
+
+TEST(EdgeBlend, StaysBetweenBothPointsWhereOneHalfWearsDownSooner) {
+  EXPECT_EQ(edge_blend(1.25F, 0.25F, 0.0F), 1.0);
+  EXPECT_EQ(edge_blend(1.25F, 0.0F, 0.25F), 1.0);
+  EXPECT_EQ(edge_blend(0.75F, 0.25F, 0.0F), 0.75);
+}
+
+}  // namespace
+}  // namespace mesher
