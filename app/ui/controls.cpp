@@ -61,8 +61,13 @@ bool half_button(const char* name, bool is_possible, const char* help) {
 }
 
 std::string seconds_text(double seconds) {
+  constexpr double kShort = 0.1;
   char text[32];
-  std::snprintf(text, sizeof text, "%.3f s", seconds);
+  if (seconds < kShort) {
+    std::snprintf(text, sizeof text, "%.2f ms", 1e3 * seconds);
+  } else {
+    std::snprintf(text, sizeof text, "%.3f s", seconds);
+  }
   return text;
 }
 

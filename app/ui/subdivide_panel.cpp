@@ -59,7 +59,7 @@ bool draw_rules(SubdivideSettings& settings) {
   is_changed |= choose("crease rules", kCreaseRules, settings.creases);
   is_changed |= choose("boundary", kBoundaries, settings.boundary);
   ImGui::EndDisabled();
-  is_changed |= choose("sharpness falls", kDecays, settings.decay);
+  is_changed |= choose("crease decay", kDecays, settings.decay);
   ImGui::BeginDisabled(settings.scheme != Scheme::loop);
   label("limit");
   is_changed |= ImGui::Checkbox("##limit", &settings.limit);

@@ -43,8 +43,8 @@ struct IndexedTriangles {
   Array<Vertex> index;        ///< 3F
 };
 
-/// The same positions and faces as `subdivide`, without connectivity on the last level, which is
-/// two thirds of the work.
+/// The same positions and faces as `subdivide`, without connectivity on the last level: in about
+/// two thirds of the time.
 [[nodiscard]] IndexedTriangles subdivide_to_triangles(const Mesh& mesh,
                                                       const SubdivideOptions& options);
 

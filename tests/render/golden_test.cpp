@@ -1,37 +1,21 @@
 // Pictures of small models in every mode against pictures that were looked at and approved
-// (tests/golden). Where driver, vector width and the processor's approximate reciprocals are those
-// of tests/golden/driver.txt, every byte must agree; on the same driver elsewhere no component may
-// differ by more than a few steps of 255; on another driver a little rounding is allowed.
+// (tests/golden).
 
-#include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <glm/trigonometric.hpp>
-#include <initializer_list>
 #include <string>
 #include <vector>
 
-#include "engine/io/png.h"
 #include "engine/io/read.h"
 #include "engine/render/offscreen.h"
+#include "tests/support/golden.h"
 #include "tests/support/gpu_test.h"
 #include "tests/support/meshes.h"
-
-#if defined(__SSE__)
-#include <xmmintrin.h>
-#endif
 
 namespace mesher::render {
 namespace {
 
 constexpr std::uint32_t kSize = 320;
-
-const std::filesystem::path kGoldens = MESHER_SOURCE_DIR "/tests/golden";
-const std::filesystem::path kCandidates = MESHER_GOLDEN_CANDIDATES;
 
 struct Scene {
   std::string name;
@@ -190,121 +174,11 @@ Image draw(gpu::Device& device, const Scene& scene) {
   return render_image(device, renderer, mirror, camera, scene.settings, kSize, kSize);
 }
 
-struct Difference {
-  double mean = 0.0;           ///< of all components, 0 to 255
-  double share_visible = 0.0;  ///< of pixels that differ by more than a tenth somewhere
-  std::uint64_t pixels = 0;    ///< that differ at all
-  int largest = 0;             ///< of one component
-  Image picture;               ///< what differs, four times as strong
-};
-
-Difference compare(const Image& a, const Image& b) {
-  constexpr int kVisible = 25;
-  Difference difference;
-  difference.picture = a;
-  std::uint64_t sum = 0;
-  std::uint64_t visible = 0;
-  for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
-    int most = 0;
-    for (std::size_t k = i; k < i + 4; ++k) {
-      const int d = std::abs(int{a.rgba[k]} - int{b.rgba[k]});
-      sum += static_cast<std::uint64_t>(d);
-      most = std::max(most, d);
-      difference.picture.rgba[k] =
-          k == i + 3 ? std::uint8_t{255} : static_cast<std::uint8_t>(std::min(4 * d, 255));
-    }
-    difference.pixels += most > 0 ? 1 : 0;
-    visible += most > kVisible ? 1 : 0;
-    difference.largest = std::max(difference.largest, most);
-  }
-  difference.mean = static_cast<double>(sum) / static_cast<double>(a.rgba.size());
-  difference.share_visible =
-      4.0 * static_cast<double>(visible) / static_cast<double>(a.rgba.size());
-  return difference;
-}
-
-std::string driver_of(const gpu::Device& device) {
-  VkPhysicalDeviceDriverProperties driver{};
-  driver.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES;
-  VkPhysicalDeviceProperties2 properties{};
-  properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
-  properties.pNext = &driver;
-  vkGetPhysicalDeviceProperties2(device.physical(), &properties);
-  return device.name() + ", " + driver.driverInfo;
-}
-
-/// Llvmpipe divides and normalises by the processor's approximate reciprocals, whose last bits each
-/// maker chooses: a fingerprint of them, or "none" where there are no such instructions.
-std::string reciprocals_of_processor() {
-#if defined(__SSE__)
-  std::uint64_t hash = 14695981039346656037U;
-  for (int i = 0; i < 4096; ++i) {
-    const __m128 x = _mm_set_ss(1.0F + 3.0F * static_cast<float>(i) / 4096.0F);
-    for (const __m128 y : {_mm_rcp_ss(x), _mm_rsqrt_ss(x)}) {
-      hash = (hash ^ std::bit_cast<std::uint32_t>(_mm_cvtss_f32(y))) * 1099511628211U;
-    }
-  }
-  return std::to_string(hash);
-#else
-  return "none";
-#endif
-}
-
-/// How much a picture may differ from its golden.
-enum class Agreement { exact, same_driver, other_driver };
-
-Agreement expected_agreement(const gpu::Device& device) {
-  std::ifstream file(kGoldens / "driver.txt");
-  std::string driver;
-  std::string reciprocals;
-  std::getline(file, driver);
-  std::getline(file, reciprocals);
-  if (driver != driver_of(device)) return Agreement::other_driver;
-  return reciprocals == reciprocals_of_processor() ? Agreement::exact : Agreement::same_driver;
-}
-
-bool agrees(const Difference& difference, Agreement expected) {
-  switch (expected) {
-    case Agreement::exact:
-      return difference.pixels == 0;
-    case Agreement::same_driver:
-      return difference.largest <= 12 && difference.mean <= 0.05;
-    case Agreement::other_driver:
-      break;
-  }
-  return difference.mean <= 0.25 && difference.share_visible <= 0.005;
-}
-
 class Golden : public test::GpuTest, public ::testing::WithParamInterface<Scene> {};
 
 TEST_P(Golden, LooksAsApproved) {
   const Scene& scene = GetParam();
-  const Image image = draw(device(), scene);
-  const std::filesystem::path golden = kGoldens / (scene.name + ".png");
-  const std::filesystem::path candidate = kCandidates / (scene.name + ".png");
-  std::filesystem::create_directories(kCandidates);
-  if (!std::filesystem::exists(golden)) {
-    write_png(candidate, image);
-    FAIL() << "no golden yet: look at " << candidate << ", and copy it to tests/golden if it is "
-           << "right (driver: " << driver_of(device()) << ")";
-  }
-  const Image approved = read_png(golden);
-  ASSERT_EQ(approved.width, kSize);
-  ASSERT_EQ(approved.height, kSize);
-  const Difference difference = compare(image, approved);
-  const Agreement expected = expected_agreement(device());
-  if (agrees(difference, expected)) return;
-  write_png(candidate, image);
-  const std::filesystem::path shown = kCandidates / (scene.name + "_difference.png");
-  write_png(shown, difference.picture);
-  FAIL() << difference.pixels << " pixels differ, by " << difference.mean << " on average and "
-         << difference.largest << " at most, " << 100.0 * difference.share_visible
-         << " % of them visibly ("
-         << (expected == Agreement::exact         ? "same driver and processor: none may"
-             : expected == Agreement::same_driver ? "same driver: 0.05 on average, 12 at most"
-                                                  : "another driver: 0.25 and 0.5 % may")
-         << "); see " << candidate << " and " << shown << " (this is " << driver_of(device())
-         << ", " << reciprocals_of_processor() << ")";
+  test::expect_golden(device(), scene.name, draw(device(), scene));
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Golden, ::testing::ValuesIn(scenes()),
@@ -316,17 +190,18 @@ TEST(GoldenComparison, SeesOneBitAndCountsPixels) {
   a.height = 1;
   a.rgba.assign(8, 100);
   Image b = a;
-  EXPECT_EQ(compare(a, b).pixels, 0U);
+  EXPECT_EQ(test::difference_of(a, b).pixels, 0U);
   b.rgba[5] = 101;
-  EXPECT_EQ(compare(a, b).pixels, 1U);
-  EXPECT_EQ(compare(a, b).share_visible, 0.0);
-  EXPECT_EQ(compare(a, b).largest, 1);
-  EXPECT_FALSE(agrees(compare(a, b), Agreement::exact));
-  EXPECT_FALSE(agrees(compare(a, b), Agreement::same_driver));  // two pixels: 0.125 on average
-  EXPECT_TRUE(agrees(compare(a, b), Agreement::other_driver));
+  EXPECT_EQ(test::difference_of(a, b).pixels, 1U);
+  EXPECT_EQ(test::difference_of(a, b).share_visible, 0.0);
+  EXPECT_EQ(test::difference_of(a, b).largest, 1);
+  EXPECT_FALSE(test::agrees(test::difference_of(a, b), test::Agreement::exact));
+  EXPECT_FALSE(test::agrees(test::difference_of(a, b),
+                            test::Agreement::same_driver));  // two pixels: 0.125 on average
+  EXPECT_TRUE(test::agrees(test::difference_of(a, b), test::Agreement::other_driver));
   b.rgba[5] = 180;
-  EXPECT_DOUBLE_EQ(compare(a, b).mean, 10.0);
-  EXPECT_DOUBLE_EQ(compare(a, b).share_visible, 0.5);
+  EXPECT_DOUBLE_EQ(test::difference_of(a, b).mean, 10.0);
+  EXPECT_DOUBLE_EQ(test::difference_of(a, b).share_visible, 0.5);
 }
 
 }  // namespace

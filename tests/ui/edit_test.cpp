@@ -8,9 +8,9 @@ namespace {
 class EditTest : public WindowTest {
  protected:
   // The panel's places in a window of 1280 x 800.
-  static constexpr int kSliderY = 51;
-  static constexpr int kButtonsY = 78;
-  static constexpr int kUndoY = 104;
+  static constexpr int kSliderY = 284;
+  static constexpr int kButtonsY = 311;
+  static constexpr int kUndoY = 337;
   static constexpr int kLeftButtonX = 1056;
   static constexpr int kRightButtonX = 1193;
 };
@@ -81,8 +81,8 @@ TEST_F(EditTest, ThePanelsButtonsWork) {
   EXPECT_REACHES(*v, s["faces"] == 2592);
   click(*v, kRightButtonX, kUndoY);
   EXPECT_REACHES(*v, s["faces"] == 2590);
-  click(*v, 1175, 134);  // costs: opens the list
-  click(*v, 1140, 239);  // its last entry
+  click(*v, 1175, 367);  // costs: opens the list
+  click(*v, 1140, 472);  // its last entry
   EXPECT_REACHES(*v, s["simplify"]["cost"] == "random");
   EXPECT_EQ(v->state()["camera"], start["camera"]);
   quit(*v);

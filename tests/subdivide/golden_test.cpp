@@ -1,0 +1,148 @@
+// Pictures of subdivision against pictures that were looked at and approved (tests/golden): sheets
+// of several small ones each, all drawn by the camera that frames the model before subdivision.
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <string>
+#include <vector>
+
+#include "engine/io/read.h"
+#include "engine/render/offscreen.h"
+#include "engine/subdivide/subdivide.h"
+#include "tests/subdivide/models.h"
+#include "tests/support/golden.h"
+#include "tests/support/gpu_test.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+constexpr std::uint32_t kTile = 160;
+
+const render::Settings kSurface{.shading = render::Shading::gouraud};
+const render::Settings kSurfaceAndEdges{.shading = render::Shading::gouraud, .wireframe = true};
+
+struct View {
+  double yaw_deg = 30.0;
+  double pitch_deg = 25.0;
+};
+
+Mesh asset(const std::string& name) {
+  return read_model(MESHER_SOURCE_DIR "/assets/" + name + ".obj").mesh;
+}
+
+/// The cube, its twelve edges as sharp as that; the diagonals of its sides stay smooth.
+Mesh cube_of_sharpness(float sharpness) {
+  Mesh mesh = build_mesh(cube()).mesh;
+  for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
+    const Halfedge h(i);
+    const float length =
+        glm::distance(mesh.position(mesh.origin(h)), mesh.position(mesh.target(h)));
+    if (length < 1.1F) {
+      mesh.set_sharpness(mesh.find_edge(mesh.origin(h), mesh.target(h)), sharpness);
+    }
+  }
+  return mesh;
+}
+
+/// Places small pictures in rows, from the left and the top.
+class Sheet {
+ public:
+  Sheet(std::uint32_t columns, std::uint32_t rows) : columns_(columns) {
+    image_.width = columns * kTile;
+    image_.height = rows * kTile;
+    image_.rgba.assign(std::size_t{4} * image_.width * image_.height, 255);
+  }
+
+  void add(const Image& tile) {
+    const std::uint32_t left = count_ % columns_ * kTile;
+    const std::uint32_t top = count_ / columns_ * kTile;
+    ASSERT_LE(top + kTile, image_.height);
+    for (std::uint32_t y = 0; y < kTile; ++y) {
+      std::copy_n(tile.pixel(0, y), std::size_t{4} * kTile,
+                  image_.rgba.data() + 4 * (std::size_t{top + y} * image_.width + left));
+    }
+    ++count_;
+  }
+
+  const Image& image() const { return image_; }
+
+ private:
+  std::uint32_t columns_;
+  std::uint32_t count_ = 0;
+  Image image_;
+};
+
+class SubdivideGolden : public GpuTest {
+ protected:
+  /// `mesh` subdivided by `options`; at the limit it is shaded with the limit's normals.
+  Image tile(const Mesh& mesh, const SubdivideOptions& options, const render::Settings& settings,
+             const View& view = {}) {
+    Subdivided result = subdivide(mesh, options);
+    render::Camera camera;
+    camera.set_angles(glm::radians(view.yaw_deg), glm::radians(view.pitch_deg));
+    camera.frame(bounding_box(mesh), 1.0);
+    render::GpuMesh mirror(device());
+    mirror.apply(result.mesh, settings, result.limit_normal);
+    render::Renderer renderer(device());
+    return render::render_image(device(), renderer, mirror, camera, settings, kTile, kTile);
+  }
+};
+
+/// Levels 0 to 4 and the limit; above by Hoppe's rules, below by DeRose's.
+TEST_F(SubdivideGolden, CreasedCube) {
+  const Mesh mesh = asset("creased_cube");
+  Sheet sheet(6, 2);
+  for (const CreaseRules creases : {CreaseRules::hoppe94, CreaseRules::derose98}) {
+    for (std::uint32_t level = 0; level <= 4; ++level)
+      sheet.add(tile(mesh, {.levels = level, .creases = creases}, kSurfaceAndEdges));
+    sheet.add(tile(mesh, {.levels = 4, .creases = creases, .limit = true}, kSurfaceAndEdges));
+  }
+  expect_golden(device(), "subdivide_creased_cube", sheet.image());
+}
+
+/// The cube; then its edges at 0, 0.5, 1 and 1.5, 2, 3, for ever.
+TEST_F(SubdivideGolden, Sharpness) {
+  Sheet sheet(4, 2);
+  sheet.add(tile(cube_of_sharpness(0.0F), {.levels = 0}, kSurfaceAndEdges));
+  for (const float sharpness : {0.0F, 0.5F, 1.0F, 1.5F, 2.0F, 3.0F, kInfinitelySharp}) {
+    sheet.add(tile(cube_of_sharpness(sharpness), {.levels = 4, .creases = CreaseRules::derose98},
+                   kSurface));
+  }
+  expect_golden(device(), "subdivide_sharpness", sheet.image());
+}
+
+/// The model, then three levels of Loop, butterfly and midpoint.
+TEST_F(SubdivideGolden, Schemes) {
+  Sheet sheet(4, 2);
+  const auto add_row = [&](const Mesh& mesh, const View& view) {
+    sheet.add(tile(mesh, {.levels = 0}, kSurfaceAndEdges, view));
+    for (const Scheme scheme : {Scheme::loop, Scheme::butterfly, Scheme::midpoint})
+      sheet.add(tile(mesh, {.levels = 3, .scheme = scheme}, kSurfaceAndEdges, view));
+  };
+  add_row(build_mesh(octahedron()).mesh, {});
+  add_row(asset("bunny_200"), {.yaw_deg = 0.0, .pitch_deg = 10.0});
+  expect_golden(device(), "subdivide_loop_butterfly", sheet.image());
+}
+
+/// The model, its boundary with edges alone and with corners, and beside it a closed one. The box
+/// has no vertex with one face, the sheet has two of them.
+TEST_F(SubdivideGolden, Boundaries) {
+  constexpr View kFromAbove{.yaw_deg = 30.0, .pitch_deg = 40.0};
+  Sheet sheet(4, 2);
+  const auto add_three = [&](const Mesh& mesh, const View& view) {
+    sheet.add(tile(mesh, {.levels = 0}, kSurfaceAndEdges, view));
+    for (const auto boundary : {BoundaryRounding::edge_only, BoundaryRounding::edge_and_corner})
+      sheet.add(tile(mesh, {.levels = 3, .boundary = boundary}, kSurfaceAndEdges, view));
+  };
+  add_three(asset("open_box"), kFromAbove);
+  sheet.add(tile(asset("cube"), {.levels = 3}, kSurfaceAndEdges, kFromAbove));
+  const Mesh flat = build_mesh(grid(2)).mesh;
+  add_three(flat, {});
+  sheet.add(tile(flat, {.levels = 3, .boundary = BoundaryRounding::edge_and_corner, .limit = true},
+                 kSurfaceAndEdges));
+  expect_golden(device(), "subdivide_open_box", sheet.image());
+}
+
+}  // namespace
+}  // namespace mesher::test
