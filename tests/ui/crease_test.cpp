@@ -121,7 +121,7 @@ TEST_F(CreaseTest, ADoubleClickPicksAChain) {
 }
 
 TEST_F(CreaseTest, CtrlSSavesAndAsksBeforeItOverwrites) {
-  const auto v = open_front();
+  const auto v = open({"cube", "--size", "600x400"});
   v->key("shift+c");
   EXPECT_REACHES(*v, s["crease_edges"] == 12);
   const std::string path = (v->folder() / "c.obj").string();
