@@ -103,7 +103,8 @@ EditResult perform(const EditTask& task, Progress* progress);
 void finish_edit(Session& session, EditResult&& result);
 
 /// The model has changed. Picked edges are forgotten unless it `keeps_topology`; where it does, and
-/// is shown in the detail in which it was opened, simplification starts from it as it is now.
+/// is shown in the detail in which it was opened, simplification starts from it as it is now (to
+/// know, the arrays are compared with those that were opened, once something has been simplified).
 void note_model_changed(Session& session, bool keeps_topology);
 
 /// Does an edit to the model and keeps it in the history. An edit without `subdivision_after` ends

@@ -81,16 +81,14 @@ struct Window::Callbacks {
       if (self.events_.release) self.events_.release();
       return;
     }
-    double x = 0.0;
-    double y = 0.0;
-    glfwGetCursorPos(window, &x, &y);
     if (self.events_.press) {
-      self.events_.press(button_of(button), modifiers_of(modifiers), self.to_pixels(x, y));
+      self.events_.press(button_of(button), modifiers_of(modifiers), self.cursor());
     }
   }
   static void cursor(GLFWwindow* window, double x, double y) {
     Window& self = of(window);
-    if (self.events_.move) self.events_.move(self.to_pixels(x, y));
+    self.cursor_ = self.to_pixels(x, y);
+    if (self.events_.move) self.events_.move(*self.cursor_);
   }
   static void scroll(GLFWwindow* window, double, double steps) {
     Window& self = of(window);
@@ -148,6 +146,15 @@ glm::dvec2 Window::to_pixels(double x, double y) const {
   glfwGetWindowSize(window_, &width, &height);
   const glm::uvec2 pixels = framebuffer_size();
   return {x * pixels.x / std::max(width, 1), y * pixels.y / std::max(height, 1)};
+}
+
+// As events come, in their order: where the pointer is by now may be farther on.
+glm::dvec2 Window::cursor() const {
+  if (cursor_) return *cursor_;
+  double x = 0.0;
+  double y = 0.0;
+  glfwGetCursorPos(window_, &x, &y);
+  return to_pixels(x, y);
 }
 
 glm::uvec2 Window::framebuffer_size() const {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,9 +64,11 @@ class Window {
  private:
   struct Callbacks;
   glm::dvec2 to_pixels(double x, double y) const;
+  glm::dvec2 cursor() const;
 
   GLFWwindow* window_ = nullptr;
   Events events_;
+  std::optional<glm::dvec2> cursor_;  ///< of the last move
 };
 
 }  // namespace mesher::app

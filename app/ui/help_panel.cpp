@@ -1,5 +1,8 @@
 #include <imgui.h>
 
+#include <span>
+#include <vector>
+
 #include "app/commands.h"
 #include "app/ui/panels.h"
 
@@ -21,14 +24,6 @@ constexpr MouseHelp kMouse[] = {
     {"Shift+click, double click", "pick the chain of edges"},
 };
 
-void row(const std::string& keys, const char* what) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(keys.c_str());
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(what);
-}
-
 std::string keys_text(std::string_view keys) {
   std::string text;
   for (const KeyPress& key : parse_keys(keys)) {
@@ -36,6 +31,49 @@ std::string keys_text(std::string_view keys) {
     text += key == KeyPress{"/", true, false} ? "?" : to_text(key);
   }
   return text;
+}
+
+struct Row {
+  std::string keys;
+  std::string what;
+};
+
+std::vector<Row> rows() {
+  std::vector<Row> all;
+  for (const Binding& binding : bindings())
+    all.push_back({keys_text(binding.keys), std::string(binding.what)});
+  for (const MouseHelp& help : kMouse)
+    all.push_back({help.gesture, help.what});
+  return all;
+}
+
+void draw_rows(const char* name, std::span<const Row> rows) {
+  if (!ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit)) return;
+  for (const Row& row : rows) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(row.keys.c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(row.what.c_str());
+  }
+  ImGui::EndTable();
+}
+
+/// Side by side where the window is wide enough.
+void draw_all_rows(float window_width) {
+  constexpr float kFitsTwo = 1100.0F;
+  constexpr float kColumn = 460.0F;
+  const std::vector<Row> all = rows();
+  const std::span<const Row> span(all);
+  if (window_width < kFitsTwo) return draw_rows("keys", span);
+  const std::size_t half = (all.size() + 1) / 2;
+  ImGui::BeginGroup();
+  draw_rows("keys", span.first(half));
+  ImGui::EndGroup();
+  ImGui::SameLine(kColumn);
+  ImGui::BeginGroup();
+  draw_rows("more", span.subspan(half));
+  ImGui::EndGroup();
 }
 
 }  // namespace
@@ -47,14 +85,7 @@ void draw_help_panel(Session& session, PanelAreas& areas) {
   constexpr ImGuiWindowFlags kFlags =
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove;
   if (ImGui::Begin("Keys and mouse", &is_open, kFlags)) {
-    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
-      for (const Binding& binding : bindings()) {
-        row(keys_text(binding.keys), std::string(binding.what).c_str());
-      }
-      for (const MouseHelp& help : kMouse)
-        row(help.gesture, help.what);
-      ImGui::EndTable();
-    }
+    draw_all_rows(size.x);
     ImGui::Separator();
     ImGui::TextDisabled(
         "red: boundary   yellow: crease   bright blue: selected   blue: back of a face");
