@@ -13,14 +13,14 @@ constexpr float kFitsWidth = 1000.0F;
 
 }  // namespace
 
-bool begin_side_panel(const char* title, float top) {
+bool begin_side_panel(const char* title, float top, bool* is_open) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x - kPanelMargin, top}, ImGuiCond_Always, {1.0F, 0.0F});
   ImGui::SetNextWindowSizeConstraints({kWidth, 0.0F},
                                       {kWidth, std::max(size.y - top - kPanelMargin, 80.0F)});
-  ImGui::SetNextWindowCollapsed(size.x < kFitsWidth, ImGuiCond_Once);
+  if (is_open == nullptr) ImGui::SetNextWindowCollapsed(size.x < kFitsWidth, ImGuiCond_Once);
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove;
-  return ImGui::Begin(title, nullptr, kFlags);
+  return ImGui::Begin(title, is_open, kFlags);
 }
 
 float end_side_panel(PanelAreas& areas) {

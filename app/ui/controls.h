@@ -12,7 +12,8 @@ namespace mesher::app {
 // What the panels at the right border are made of.
 
 /// Begins a panel below `top`; false where it is folded. End it with `end_side_panel` either way.
-bool begin_side_panel(const char* title, float top);
+/// With `is_open` it has a cross, and is never folded by itself.
+bool begin_side_panel(const char* title, float top, bool* is_open = nullptr);
 /// Notes its area; returns where it ends.
 float end_side_panel(PanelAreas& areas);
 

@@ -4,26 +4,13 @@
 #include <cfloat>
 #include <glm/trigonometric.hpp>
 
+#include "app/ui/controls.h"
 #include "app/ui/panels.h"
 #include "app/words.h"
 #include "engine/mesh/creases.h"
 
 namespace mesher::app {
 namespace {
-
-constexpr float kWidth = 290.0F;
-constexpr float kFieldX = 112.0F;
-
-void tooltip(const char* text) {
-  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", text);
-}
-
-void label(const char* text) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("%s", text);
-  ImGui::SameLine(kFieldX);
-  ImGui::SetNextItemWidth(-FLT_MIN);
-}
 
 void ask(Session& session, const CreaseRequest& request) {
   session.edits.waiting.push_back({.kind = EditRequest::Kind::creases, .creases = request});
@@ -78,20 +65,14 @@ void draw_infinite(Session& session, const SelectedSharpness& sharpness) {
 }
 
 void draw_clear_buttons(Session& session, const SelectedSharpness& sharpness) {
-  const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-  ImGui::BeginDisabled(sharpness.most == 0.0F);
-  if (ImGui::Button("clear selected", {width, 0.0F})) {
+  if (half_button("clear selected", sharpness.most > 0.0F,
+                  "X or Delete: the selected edges get smooth.")) {
     ask(session, {.kind = CreaseRequest::Kind::set, .value = 0.0F});
   }
-  ImGui::EndDisabled();
-  tooltip("X or Delete: the selected edges get smooth.");
   ImGui::SameLine();
-  ImGui::BeginDisabled(session.statistics.crease_edges == 0);
-  if (ImGui::Button("clear all", {width, 0.0F})) {
+  if (half_button("clear all", session.statistics.crease_edges > 0, "Every edge gets smooth.")) {
     ask(session, {.kind = CreaseRequest::Kind::clear_all});
   }
-  ImGui::EndDisabled();
-  tooltip("Every edge gets smooth.");
 }
 
 /// Counts again only where the answer may have changed: a look at every edge.
@@ -129,12 +110,8 @@ void draw_tagging(Session& session, TagCount& last) {
 
 float draw_crease_panel(Session& session, const PanelFacts& facts, float top, TagCount& last,
                         PanelAreas& areas) {
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({size.x - kPanelMargin, top}, ImGuiCond_Always, {1.0F, 0.0F});
-  ImGui::SetNextWindowSizeConstraints({kWidth, 0.0F}, {kWidth, FLT_MAX});
   bool is_open = true;
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove;
-  if (ImGui::Begin("Edit creases", &is_open, kFlags)) {
+  if (begin_side_panel("Edit creases", top, &is_open)) {
     draw_counts(session);
     const SelectedSharpness sharpness = selected_sharpness(session);
     ImGui::BeginDisabled(facts.job != nullptr);  // it may leave other edges
@@ -147,9 +124,7 @@ float draw_crease_panel(Session& session, const PanelFacts& facts, float top, Ta
     draw_tagging(session, last);
     ImGui::EndDisabled();
   }
-  note_area(areas);
-  const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
-  ImGui::End();
+  const float bottom = end_side_panel(areas);
   if (!is_open) set_crease_mode(session, false);
   return bottom;
 }
