@@ -18,7 +18,7 @@ void draw_open_dialog(Session& session, std::string& typed, bool submits, PanelA
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(380.0F);
     // Enter comes by `submits` alone: that ImGui sees it, too, must not open the file twice.
-    ImGui::InputText("##path", &typed);
+    ImGui::InputText("##path", &typed, ImGuiInputTextFlags_AutoSelectAll);
     ImGui::SameLine();
     const bool opens = ImGui::Button("Open") || submits;
     const std::filesystem::path path = opens ? typed_path(typed) : std::filesystem::path();

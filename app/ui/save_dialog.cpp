@@ -16,8 +16,8 @@ void draw_save_dialog(Session& session, bool submits, PanelAreas& areas) {
     ImGui::TextDisabled("obj (the one that keeps creases), ply, stl, off, gltf, glb");
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(380.0F);
-    // Enter comes by `submits` alone, as in the open dialog.
-    ImGui::InputText("##path", &saving.typed);
+    // Typing replaces the suggestion. Enter comes by `submits` alone, as in the open dialog.
+    ImGui::InputText("##path", &saving.typed, ImGuiInputTextFlags_AutoSelectAll);
     ImGui::SameLine();
     const bool overwrites = !saving.asked.empty() && !saving.remark.empty();
     if (ImGui::Button(overwrites ? "Overwrite###save" : "Save###save") || submits) {

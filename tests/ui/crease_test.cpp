@@ -129,7 +129,7 @@ TEST_F(CreaseTest, CtrlSSavesAndAsksBeforeItOverwrites) {
     v->key("ctrl+s");
     EXPECT_REACHES(*v, s["save_dialog"] == true);
     v->settle();
-    server_->xdotool({"key", "ctrl+a"});
+    // The suggestion is selected: typing replaces it.
     server_->xdotool({"type", "--delay", "60", path});
     v->settle();
     v->key("Return");
@@ -142,7 +142,7 @@ TEST_F(CreaseTest, CtrlSSavesAndAsksBeforeItOverwrites) {
   std::ofstream(path) << "mine";
   save_there();
   v->settle();
-  EXPECT_EQ(v->state()["save_dialog"], true);
+  EXPECT_EQ(v->state()["save_dialog"], true) << v->state().dump(2);
   EXPECT_EQ(read_bytes(path), "mine");
   v->key("Return");
   EXPECT_REACHES(*v, s["save_dialog"] == false);
