@@ -1,5 +1,7 @@
 #include "app/ui/controls.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <cfloat>
 #include <cstdio>
@@ -58,6 +60,22 @@ bool half_button(const char* name, bool is_possible, const char* help) {
   ImGui::EndDisabled();
   tooltip(help);
   return is_pressed;
+}
+
+std::size_t choose(const char* what, std::span<const Choice> choices, std::size_t current) {
+  label(what);
+  const std::string id = std::string("##") + what;
+  if (!ImGui::BeginCombo(id.c_str(), choices[current].name)) {
+    tooltip(choices[current].goal);
+    return current;
+  }
+  std::size_t chosen = current;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (ImGui::Selectable(choices[i].name, i == current)) chosen = i;
+    tooltip(choices[i].goal);
+  }
+  ImGui::EndCombo();
+  return chosen;
 }
 
 std::string seconds_text(double seconds) {

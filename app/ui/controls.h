@@ -1,8 +1,7 @@
 #pragma once
 
-#include <imgui.h>
-
 #include <cstddef>
+#include <span>
 #include <string>
 
 #include "app/ui/panels.h"
@@ -35,22 +34,16 @@ struct Choice {
   const char* goal;
 };
 
-/// A list to choose from, in the order of the enum. Returns whether another one was chosen.
+/// A list to choose from. Returns which one is chosen now.
+std::size_t choose(const char* what, std::span<const Choice> choices, std::size_t current);
+
+/// The same for an enum whose values the choices are, in order. Returns whether it changed.
 template <class Enum, std::size_t N>
 bool choose(const char* what, const Choice (&choices)[N], Enum& value) {
-  label(what);
   const auto current = static_cast<std::size_t>(value);
-  const std::string id = std::string("##") + what;
-  if (!ImGui::BeginCombo(id.c_str(), choices[current].name)) {
-    tooltip(choices[current].goal);
-    return false;
-  }
-  for (std::size_t i = 0; i < N; ++i) {
-    if (ImGui::Selectable(choices[i].name, i == current)) value = static_cast<Enum>(i);
-    tooltip(choices[i].goal);
-  }
-  ImGui::EndCombo();
-  return static_cast<std::size_t>(value) != current;
+  const std::size_t chosen = choose(what, std::span<const Choice>(choices), current);
+  value = static_cast<Enum>(chosen);
+  return chosen != current;
 }
 
 }  // namespace mesher::app

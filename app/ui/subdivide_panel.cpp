@@ -1,3 +1,5 @@
+#include <imgui.h>
+
 #include "app/memory_budget.h"
 #include "app/ui/controls.h"
 #include "app/ui/panels.h"
