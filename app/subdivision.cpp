@@ -75,7 +75,8 @@ Shape subdivided(const SubdivisionLevel& wanted, Progress* progress) {
   SubdivideOptions options = options_of(wanted.settings, wanted.level);
   options.progress = progress;
   Subdivided result = subdivide(wanted.base->mesh, options);
-  Shape shape{std::move(result.mesh), subdivide_attributes(wanted.base->attributes, wanted.level)};
+  Shape shape{std::move(result.mesh),
+              subdivide_attributes(wanted.base->attributes, wanted.level, progress)};
   if (!result.limit_normal.empty()) shape.attributes.normal = std::move(result.limit_normal);
   return shape;
 }

@@ -32,7 +32,7 @@ double subdivide_model(Model& model, SubdivideOptions options, const CommonOptio
   const auto start = std::chrono::steady_clock::now();
   Subdivided result = subdivide(model.mesh, options);
   model.mesh = std::move(result.mesh);
-  model.attributes = subdivide_attributes(model.attributes, options.levels);
+  model.attributes = subdivide_attributes(model.attributes, options.levels, options.progress);
   if (!result.limit_normal.empty()) model.attributes.normal = std::move(result.limit_normal);
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

@@ -7,13 +7,22 @@
 #include <mutex>
 #include <utility>
 
+// g++ defines a macro, clang++ answers a question.
+#if defined(__SANITIZE_ADDRESS__)
+#define MESHER_ADDRESS_SANITIZER
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define MESHER_ADDRESS_SANITIZER
+#endif
+#endif
+
 namespace mesher {
 namespace {
 
 constexpr std::size_t kHugePage = std::size_t{2} << 20U;
 // Smaller arrays come from malloc, which has its memory at hand; under AddressSanitizer all do, so
 // that it sees what is done to them.
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(MESHER_ADDRESS_SANITIZER)
 constexpr std::size_t kSmall = static_cast<std::size_t>(-1);
 #else
 constexpr std::size_t kSmall = std::size_t{128} << 10U;
@@ -40,7 +49,7 @@ void* map_pages(std::size_t bytes) {
   const auto address = reinterpret_cast<std::uintptr_t>(memory);
   const std::size_t before = (kHugePage - address % kHugePage) % kHugePage;
   if (before > 0) munmap(begin, before);
-  if (before < kHugePage) munmap(begin + before + bytes, kHugePage - before);
+  munmap(begin + before + bytes, kHugePage - before);
   // Advice only: where it is not taken, memory comes in small pages.
   madvise(begin + before, bytes, MADV_HUGEPAGE);
   return begin + before;
@@ -58,7 +67,6 @@ class SharedPages {
     if (page_ == nullptr || page_->used + size > kHugePage) {
       Page* const page = take_page();
       if (page == nullptr) return nullptr;
-      if (page_ != nullptr && page_->arrays == 0) give_back(page_);
       page_ = page;
     }
     std::byte* array = reinterpret_cast<std::byte*>(page_) + page_->used;

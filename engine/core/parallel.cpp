@@ -5,6 +5,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "engine/core/progress.h"
+
 namespace mesher {
 
 unsigned thread_count() {
@@ -43,6 +45,14 @@ void parallel_chunks(std::size_t n, std::size_t chunk,
     return;
   }
   tbb::parallel_for(std::size_t{0}, chunks, run);
+}
+
+void parallel_chunks(std::size_t n, std::size_t chunk, Progress* progress,
+                     const std::function<void(std::size_t, IndexRange)>& body) {
+  parallel_chunks(n, chunk, [&](std::size_t i, IndexRange range) {
+    report(progress, static_cast<float>(range.begin) / static_cast<float>(n));
+    body(i, range);
+  });
 }
 
 }  // namespace mesher

@@ -8,6 +8,8 @@
 
 namespace mesher {
 
+class Progress;
+
 /// Number of threads that parallel loops may use now (at least 1).
 unsigned thread_count();
 
@@ -49,6 +51,11 @@ void parallel_for_each(std::size_t n, std::size_t grain, const Body& body) {
 /// count, and runs `body(chunk_index, range)` for each in parallel. For work whose partial results
 /// are then combined in chunk order, so that the outcome is the same for any number of threads.
 void parallel_chunks(std::size_t n, std::size_t chunk,
+                     const std::function<void(std::size_t, IndexRange)>& body);
+
+/// The same where somebody may be watching: notes how far it has come before each chunk, and throws
+/// Cancelled soon after that is asked for.
+void parallel_chunks(std::size_t n, std::size_t chunk, Progress* progress,
                      const std::function<void(std::size_t, IndexRange)>& body);
 
 /// Number of chunks that parallel_chunks makes.

@@ -7,7 +7,7 @@
 namespace mesher {
 namespace {
 
-constexpr std::size_t kGrain = 4096;
+constexpr std::size_t kChunk = 4096;
 
 glm::vec2 middle(const glm::vec2& a, const glm::vec2& b) {
   return 0.5F * (a + b);
@@ -22,39 +22,50 @@ glm::u8vec4 middle(const glm::u8vec4& a, const glm::u8vec4& b) {
 
 /// The corners of the four children of each face, in the order of `refine`.
 template <class T>
-Array<T> split_corners(const Array<T>& corner) {
+Array<T> split_corners(const Array<T>& corner, Progress* progress) {
   Array<T> child(4 * corner.size());
-  parallel_for_each(corner.size() / 3, kGrain, [&](std::uint32_t f) {
-    const T a = corner[3 * std::size_t{f}];
-    const T b = corner[3 * std::size_t{f} + 1];
-    const T c = corner[3 * std::size_t{f} + 2];
+  const auto split = [&](std::size_t f) {
+    const T a = corner[3 * f];
+    const T b = corner[3 * f + 1];
+    const T c = corner[3 * f + 2];
     const T ab = middle(a, b);
     const T bc = middle(b, c);
     const T ca = middle(c, a);
-    T* const to = &child[12 * std::size_t{f}];
+    T* const to = &child[12 * f];
     std::size_t i = 0;
     for (const T& value : {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca})
       to[i++] = value;
+  };
+  parallel_chunks(corner.size() / 3, kChunk, progress, [&](std::size_t, IndexRange faces) {
+    for (std::size_t f = faces.begin; f < faces.end; ++f)
+      split(f);
   });
   return child;
 }
 
-Array<std::uint32_t> split_groups(const Array<std::uint32_t>& group) {
+Array<std::uint32_t> split_groups(const Array<std::uint32_t>& group, Progress* progress) {
   Array<std::uint32_t> child(4 * group.size());
-  for (std::size_t f = 0; f < child.size(); ++f)
-    child[f] = group[f / 4];
+  parallel_chunks(child.size(), kChunk, progress, [&](std::size_t, IndexRange faces) {
+    for (std::size_t f = faces.begin; f < faces.end; ++f)
+      child[f] = group[f / 4];
+  });
   return child;
 }
 
 }  // namespace
 
-Attributes subdivide_attributes(const Attributes& attributes, std::uint32_t levels) {
-  Attributes result = attributes;
-  if (levels > 0) result.normal.clear();
-  for (std::uint32_t i = 0; i < levels; ++i) {
-    result.texcoord = split_corners(result.texcoord);
-    result.color = split_corners(result.color);
-    result.group = split_groups(result.group);
+Attributes subdivide_attributes(const Attributes& attributes, std::uint32_t levels,
+                                Progress* progress) {
+  if (levels == 0) return attributes;
+  Attributes result;
+  result.group_names = attributes.group_names;
+  result.texcoord = split_corners(attributes.texcoord, progress);
+  result.color = split_corners(attributes.color, progress);
+  result.group = split_groups(attributes.group, progress);
+  for (std::uint32_t i = 1; i < levels; ++i) {
+    result.texcoord = split_corners(result.texcoord, progress);
+    result.color = split_corners(result.color, progress);
+    result.group = split_groups(result.group, progress);
   }
   return result;
 }

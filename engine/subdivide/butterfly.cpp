@@ -1,7 +1,12 @@
 #include "engine/subdivide/butterfly.h"
 
 #include <algorithm>
-#include <optional>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "engine/core/parallel.h"
 #include "engine/subdivide/refine.h"
@@ -11,6 +16,8 @@ namespace mesher {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
+// From here on the stencils around a vertex are made together.
+constexpr std::uint32_t kHubValence = 33;
 
 /// What stencils need to know of sharp edges, at hand by half-edge and vertex; empty where nothing
 /// is sharp but boundaries.
@@ -37,10 +44,61 @@ struct SharpLookup {
   }
 };
 
+/// The stencils around a vertex of very many neighbours, all at once. The weights of neighbour j
+/// for the edge to neighbour i are cosines of j - i, so that a few sums over the ring serve every
+/// edge: O(1) an edge where adding up each stencil would be O(valence).
+class HubStencils {
+ public:
+  /// Counter-clockwise from any spoke on.
+  HubStencils(const LevelView& level, Halfedge start) {
+    Halfedge h = start;
+    do {
+      places_.emplace_back(h, static_cast<std::uint32_t>(places_.size()));
+      h = level.twin[Mesh::prev(h).index()];
+    } while (h != start);
+    for (const auto& [spoke, j] : places_) {
+      const glm::dvec3 end = level.position[level.origin[Mesh::next(spoke).index()].index()];
+      sum_ += end;
+      for (std::size_t k = 0; k < 2; ++k) {
+        cos_[k] += std::cos(angle(k, j)) * end;
+        sin_[k] += std::sin(angle(k, j)) * end;
+      }
+    }
+    std::ranges::sort(places_);
+  }
+
+  /// What the ring gives to the new vertex on the edge of `h`, which leaves the hub.
+  glm::dvec3 ring_part(Halfedge h) const {
+    const std::uint32_t i =
+        std::ranges::lower_bound(places_, h, {}, &std::pair<Halfedge, std::uint32_t>::first)
+            ->second;
+    const auto wave = [&](std::size_t k) {
+      return std::cos(angle(k, i)) * cos_[k] + std::sin(angle(k, i)) * sin_[k];
+    };
+    return (0.25 * sum_ + wave(0) + 0.5 * wave(1)) / static_cast<double>(places_.size());
+  }
+
+ private:
+  double angle(std::size_t k, std::uint32_t j) const {
+    return 2.0 * std::numbers::pi * static_cast<double>(k + 1) * j /
+           static_cast<double>(places_.size());
+  }
+
+  std::vector<std::pair<Halfedge, std::uint32_t>> places_;  ///< spokes and where they come
+  glm::dvec3 sum_{0.0};
+  std::array<glm::dvec3, 2> cos_{glm::dvec3(0.0), glm::dvec3(0.0)};
+  std::array<glm::dvec3, 2> sin_{glm::dvec3(0.0), glm::dvec3(0.0)};
+};
+
 class Butterfly {
  public:
   Butterfly(const LevelView& level, const Rings& rings, const Features& features)
-      : level_(level), rings_(rings), features_(features), sharp_(level, features) {}
+      : level_(level), rings_(rings), features_(features), sharp_(level, features) {
+    for (std::uint32_t v = 0; v < rings.base_vertices(); ++v) {
+      if (rings.base_valence(v) < kHubValence || !is_extraordinary(Vertex(v))) continue;
+      hubs_.emplace(v, HubStencils(level, level.outgoing[v]));
+    }
+  }
 
   /// As if the edge itself were smooth. On a boundary some value.
   glm::dvec3 smooth_point(Halfedge h, Halfedge twin) const {
@@ -92,6 +150,7 @@ class Butterfly {
   glm::dvec3 around(Halfedge h) const {
     const std::uint32_t valence = rings_.base_valence(origin(h).index());
     glm::dvec3 point = kButterflyCentre * from(h);
+    if (valence >= kHubValence) return point + hubs_.at(origin(h).index()).ring_part(h);
     Halfedge spoke = h;
     for (std::uint32_t i = 0; i < valence; ++i) {
       point += butterfly_ring_weight(valence, i) * from(Mesh::next(spoke));
@@ -120,6 +179,7 @@ class Butterfly {
   const Rings& rings_;
   const Features& features_;
   SharpLookup sharp_;
+  std::unordered_map<std::uint32_t, HubStencils> hubs_;
 };
 
 /// Old vertices stay where they are.

@@ -41,6 +41,12 @@ class FeatureBuilder {
     features_.first_regular_ = first_regular;
   }
 
+  /// Room for so many: no more is taken.
+  void reserve(std::size_t edges, std::size_t vertices) {
+    features_.edges_.reserve(edges);
+    features_.incident_.reserve(2 * edges);
+    features_.vertices_.reserve(vertices);
+  }
   void add_edge(Halfedge h, float sharpness) {
     features_.edges_.push_back(
         {.h = h, .sharpness = sharpness >= kSharpForEver ? kInfinitelySharp : sharpness});
@@ -116,6 +122,12 @@ float own_sharpness(const Mesh& mesh, Vertex v, const SubdivideOptions& options)
   return own >= kSharpForEver ? kInfinitelySharp : own;
 }
 
+/// A crease, seen by its lower half-edge, or a boundary.
+bool is_sharp_edge(const Mesh& mesh, Halfedge h) {
+  if (mesh.is_boundary(h)) return true;
+  return mesh.sharpness(h) > 0.0F && h < mesh.twin(h);
+}
+
 /// An end of a sharp edge; sorted, they are grouped by vertex.
 struct EdgeEnd {
   Vertex v;
@@ -125,14 +137,23 @@ struct EdgeEnd {
 
 }  // namespace
 
+std::size_t count_sharp_edges(const Mesh& mesh) {
+  std::size_t count = 0;
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
+    count += is_sharp_edge(mesh, Halfedge(h)) ? 1U : 0U;
+  return count;
+}
+
 Features features_of(const Mesh& mesh, const SubdivideOptions& options) {
   FeatureBuilder builder(options, mesh.vertex_count());
+  const std::size_t sharp = count_sharp_edges(mesh);
   std::vector<EdgeEnd> ends;
+  ends.reserve(2 * sharp);
+  builder.reserve(sharp, 2 * sharp);
   for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
     const Halfedge h(i);
+    if (!is_sharp_edge(mesh, h)) continue;
     const bool is_boundary = mesh.is_boundary(h);
-    if (!is_boundary && mesh.sharpness(h) <= 0.0F) continue;
-    if (mesh.twin(h) < h) continue;  // listed with its twin
     ends.push_back({mesh.origin(h), builder.edge_count(), 0});
     ends.push_back({mesh.target(h), builder.edge_count(), 1});
     builder.add_edge(h, is_boundary ? kInfinitelySharp : mesh.sharpness(h));
@@ -156,6 +177,7 @@ Features next_features(const Features& features, const Level& finer,
                        const SubdivideOptions& options) {
   FeatureBuilder builder(options, features.first_regular());
   std::vector<std::array<std::uint32_t, 2>> halves(features.edges().size(), {kNone, kNone});
+  builder.reserve(2 * halves.size(), features.vertices().size() + halves.size());
   for (std::size_t i = 0; i < halves.size(); ++i) {
     const SharpEdge& edge = features.edges()[i];
     for (std::size_t side = 0; side < 2; ++side) {

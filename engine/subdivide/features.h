@@ -60,6 +60,12 @@ class Features {
   std::uint32_t first_regular_ = 0;
 };
 
+/// How many edges are creases or boundaries. O(F).
+std::size_t count_sharp_edges(const Mesh& mesh);
+/// Bytes that a level's list takes for each of them, and what making the next one takes beside.
+inline constexpr std::size_t kBytesASharpEdge =
+    sizeof(SharpEdge) + sizeof(SharpVertex) + 4 * sizeof(std::uint32_t);
+
 /// What is sharp on the mesh as it is given. O(F + sharp edges log sharp edges).
 Features features_of(const Mesh& mesh, const SubdivideOptions& options);
 

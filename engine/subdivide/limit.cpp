@@ -14,7 +14,8 @@
 namespace mesher {
 namespace {
 
-constexpr std::size_t kGrain = 4096;
+constexpr std::size_t kChunk = 4096;
+constexpr std::size_t kSharpChunk = 512;
 
 /// cos and sin of 2 pi i / n for the common valences n, in rows.
 class TangentMasks {
@@ -111,11 +112,13 @@ LimitSurface limit_surface(const LevelView& level, const Features& features,
   limit.position.resize(level.position.size());
   limit.normal.resize(level.origin.size());
   const SmoothLimit smooth(level, limit);
-  parallel_for(level.position.size(), kGrain, [&](IndexRange vertices) { smooth.run(vertices); });
-  report(options.progress, 0.9F);
-  parallel_for(features.vertices().size(), 512, [&](IndexRange vertices) {
-    place_sharp_limit(level, features, options, vertices, limit);
-  });
+  parallel_chunks(level.position.size(), kChunk, options.progress,
+                  [&](std::size_t, IndexRange vertices) { smooth.run(vertices); });
+  begin_stage(options.progress, "following creases to the limit");
+  parallel_chunks(features.vertices().size(), kSharpChunk, options.progress,
+                  [&](std::size_t, IndexRange vertices) {
+                    place_sharp_limit(level, features, options, vertices, limit);
+                  });
   return limit;
 }
 

@@ -14,7 +14,8 @@ namespace {
 
 // The slowest ring shrinks to 5/8 a step: after so many, what is left is below 1e-13 of it.
 constexpr int kStepsToConverge = 64;
-// Enough for a ring to lie in its tangent plane, and few enough to tell it from rounding.
+// Enough for a ring of up to a dozen neighbours to lie in its tangent plane. Not more: at a dart it
+// shrinks faster one way than the other, until it is a line.
 constexpr int kStepsToFlatten = 24;
 
 glm::dvec3 unit_or_zero(const glm::dvec3& v) {
@@ -116,15 +117,21 @@ void LocalRing::converge() {
   const glm::dvec3 vertex = vertex_;
   for (int i = 0; i < kStepsToConverge; ++i)
     step();
-  const glm::dvec3 limit = vertex_;
-  // Once more around the limit itself: what shrinks towards it keeps its digits.
+  centre_ = vertex_;
+  // Once more around the vertex itself: the ring keeps its digits while it shrinks.
   spokes_ = spokes;
-  for (Spoke& spoke : spokes_)
-    spoke.end -= limit;
-  vertex_ = vertex - limit;
-  for (int i = 0; i < kStepsToFlatten; ++i)
+  vertex_ = vertex;
+  for (int i = 0; i < kStepsToFlatten; ++i) {
+    centre_on_vertex();
     step();
-  centre_ = limit;
+  }
+}
+
+/// Moves all so that the vertex is at the origin.
+void LocalRing::centre_on_vertex() {
+  for (Spoke& spoke : spokes_)
+    spoke.end -= vertex_;
+  vertex_ = glm::dvec3(0.0);
 }
 
 void LocalRing::step() {
@@ -223,7 +230,7 @@ std::span<const glm::dvec3> LocalRing::limit_normals() {
   for (std::size_t k = 0; k < sectors; ++k) {
     const std::size_t first = sharp_[k];
     const std::size_t next = k + 1 < sharp_.size() ? sharp_[k + 1] : sharp_[0] + faces;
-    const glm::dvec3 normal = sector_normal(first, next - first + 1);
+    const glm::dvec3 normal = sector_normal(own_kind, first, next - first + 1);
     for (std::size_t i = first; i < next; ++i)
       normals_[i % faces] = normal;
   }
@@ -243,10 +250,10 @@ glm::dvec3 LocalRing::smooth_normal() const {
 }
 
 /// Between two sharp spokes, of `count` spokes from `first` on, both included.
-glm::dvec3 LocalRing::sector_normal(std::size_t first, std::size_t count) const {
+glm::dvec3 LocalRing::sector_normal(VertexKind own_kind, std::size_t first,
+                                    std::size_t count) const {
   const auto end = [&](std::size_t i) { return spokes_[(first + i) % spokes_.size()].end; };
   const glm::dvec3 average = fan_normal(first, count);
-  const VertexKind own_kind = kind();
   if (own_kind == VertexKind::corner) {
     // The plane of the two creases' tangents, unless they run into each other.
     const glm::dvec3 a = unit_or_zero(end(0) - vertex_);

@@ -51,17 +51,17 @@ class LocalRing {
   bool has_semi_sharp() const;
   void step();
   void converge();
+  void centre_on_vertex();
   glm::dvec3 next_vertex() const;
   glm::dvec3 next_end(std::size_t i, VertexKind kind) const;
   void wear();
   glm::dvec3 smooth_normal() const;
-  glm::dvec3 sector_normal(std::size_t first, std::size_t count) const;
+  glm::dvec3 sector_normal(VertexKind own_kind, std::size_t first, std::size_t count) const;
   glm::dvec3 fan_normal(std::size_t first, std::size_t count) const;
 
   SubdivideOptions options_;
   glm::dvec3 vertex_{0.0};
-  glm::dvec3 centre_{
-      0.0};  ///< the limit, where it was found by following the ring; all is around it
+  glm::dvec3 centre_{0.0};  ///< the limit, where it was found by following the ring
   float own_ = 0.0F;
   std::vector<Halfedge> halfedges_;
   std::vector<Spoke> spokes_;

@@ -13,6 +13,9 @@ namespace mesher {
 // numbered one an edge, after the old ones, in the order met when walking faces 0..F-1 and their
 // edges ab, bc, ca.
 
+/// Faces that are worked on at a time: what they touch stays in the cache.
+inline constexpr std::size_t kFaceChunk = 2048;
+
 /// An edge as its lower half-edge sees it.
 struct EdgeSite {
   Halfedge h;
@@ -59,8 +62,6 @@ void write_outgoing(const LevelView& coarse, Level& finer);
 
 namespace refine_detail {
 
-inline constexpr std::size_t kChunk = 2048;
-
 /// For each chunk of half-edges the number of edges that begin before it; last the number of all.
 std::vector<std::uint32_t> first_edges(std::span<const Halfedge> twin, std::size_t chunk);
 
@@ -95,14 +96,13 @@ Level refine(const LevelView& coarse, bool is_last, Progress* progress, const Pl
   namespace detail = refine_detail;
   const std::size_t faces = coarse.face_count();
   const std::uint32_t old = coarse.vertex_count();
-  const std::vector<std::uint32_t> first = detail::first_edges(coarse.twin, 3 * detail::kChunk);
+  const std::vector<std::uint32_t> first = detail::first_edges(coarse.twin, 3 * kFaceChunk);
   Level finer = unfilled_level(coarse, first.back(), is_last);
   Array<Vertex> vertex_on(coarse.origin.size());
-  parallel_chunks(faces, detail::kChunk, [&](std::size_t chunk, IndexRange range) {
+  parallel_chunks(faces, kFaceChunk, progress, [&](std::size_t chunk, IndexRange range) {
     detail::write_edges(coarse, range, old + first[chunk], vertex_on, finer, place);
   });
-  report(progress, 0.5F);
-  parallel_chunks(faces, detail::kChunk, [&](std::size_t, IndexRange range) {
+  parallel_chunks(faces, kFaceChunk, progress, [&](std::size_t, IndexRange range) {
     detail::write_faces(coarse, range, vertex_on, finer);
     if (!is_last) write_twins(coarse, range, finer);
   });

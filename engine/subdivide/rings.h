@@ -20,6 +20,8 @@ class Rings {
   /// Call after each step. `vertices`: how many the level had that was refined.
   void descend(std::uint32_t vertices) { first_of_level_.push_back(vertices); }
 
+  bool lists_spokes() const { return !spokes_.empty(); }
+
   std::uint32_t base_vertices() const { return static_cast<std::uint32_t>(start_.size() - 1); }
   /// Number of faces at a vertex of the mesh, which is the valence of an interior one.
   std::uint32_t base_valence(std::uint32_t v) const { return start_[v + 1] - start_[v]; }

@@ -9,8 +9,9 @@
 namespace mesher {
 namespace {
 
-constexpr std::size_t kGrain = 8192;
-constexpr std::uint32_t kChunk = 2048;
+constexpr std::size_t kVertexChunk = 8192;
+// From here on a sum of floats may be off by more than 1e-6 of what it sums.
+constexpr std::uint32_t kHubValence = 65;
 
 /// What one face gives to the new vertex on one of its edges; two faces make the whole.
 inline Point edge_share(Point start, Point end, Point opposite) {
@@ -101,9 +102,9 @@ Level swept(const LevelView& coarse, const Rings& rings, bool is_last, Progress*
   Array<Point> ring(coarse.vertex_count(), Point());
   const std::size_t faces = coarse.face_count();
   std::uint32_t next = coarse.vertex_count();
-  for (std::size_t begin = 0; begin < faces; begin += kChunk) {
+  for (std::size_t begin = 0; begin < faces; begin += kFaceChunk) {
     report(progress, static_cast<float>(begin) / static_cast<float>(faces));
-    const IndexRange chunk{begin, std::min(faces, begin + kChunk)};
+    const IndexRange chunk{begin, std::min(faces, begin + kFaceChunk)};
     sweep(coarse, chunk, finer, ring, next);
     if (!is_last) write_twins(coarse, chunk, finer);
   }
@@ -125,26 +126,45 @@ Level gathered(const LevelView& coarse, const Rings& rings, bool is_last, Progre
   Level finer = refine(coarse, is_last, progress,
                        [&](const EdgeSite& edge) { return gathered_edge(coarse, edge); });
   const VertexMasks masks(rings);
-  parallel_for_each(coarse.vertex_count(), kGrain, [&](std::uint32_t v) {
+  const auto place = [&](std::uint32_t v) {
     Point ring;
     const Halfedge start = coarse.outgoing[v];
     if (start.is_valid() && coarse.twin[start.index()].is_valid()) {
       rings.for_each_spoke(coarse, Vertex(v), [&](Halfedge h) { ring = ring + coarse.to(h); });
     }
     masks.apply(v, coarse.point(Vertex(v)), ring).store(finer.position[v]);
-  });
+  };
+  parallel_chunks(coarse.vertex_count(), kVertexChunk, progress,
+                  [&](std::size_t, IndexRange vertices) {
+                    for (std::size_t v = vertices.begin; v < vertices.end; ++v)
+                      place(static_cast<std::uint32_t>(v));
+                  });
   return finer;
+}
+
+/// Vertices of very many neighbours once more, in doubles: there are few.
+void place_hubs(const LevelView& coarse, const Rings& rings, Level& finer) {
+  for (std::uint32_t v = 0; v < rings.base_vertices(); ++v) {
+    const std::uint32_t valence = rings.base_valence(v);
+    if (valence < kHubValence) continue;
+    glm::dvec3 ring(0.0);
+    const Halfedge start = coarse.outgoing[v];
+    Halfedge h = start;
+    do {
+      ring += glm::dvec3(coarse.position[coarse.origin[Mesh::next(h).index()].index()]);
+      h = coarse.twin[Mesh::prev(h).index()];
+    } while (h.is_valid() && h != start);
+    const RingMask mask = loop_vertex_mask(valence);
+    finer.position[v] = mask.own * glm::dvec3(coarse.position[v]) + mask.each * ring;
+  }
 }
 
 }  // namespace
 
-bool needs_spokes() {
-  return thread_count() > 1;
-}
-
 Level smooth_step(const LevelView& coarse, const Rings& rings, bool is_last, Progress* progress) {
-  Level finer = thread_count() == 1 ? swept(coarse, rings, is_last, progress)
-                                    : gathered(coarse, rings, is_last, progress);
+  Level finer = rings.lists_spokes() ? gathered(coarse, rings, is_last, progress)
+                                     : swept(coarse, rings, is_last, progress);
+  place_hubs(coarse, rings, finer);
   if (!is_last) write_outgoing(coarse, finer);
   return finer;
 }

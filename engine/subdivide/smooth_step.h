@@ -9,12 +9,9 @@ namespace mesher {
 /// One step of Loop subdivision as if nothing were sharp; what lies on a boundary gets some place.
 /// With one thread it is a single sweep over the faces, each of which gives its share to its
 /// vertices and edges; with more, vertices and edges gather what they need across their faces, in
-/// the same order, so that the bytes are the same. `is_last`: without twins and outgoing
-/// half-edges. O(F). Throws Cancelled. Pre: `rings` are those of `coarse`, with spokes where
-/// `needs_spokes`.
+/// the same order, so that the bytes are the same. It gathers where `rings` list spokes. `is_last`:
+/// without twins and outgoing half-edges. O(F). Throws Cancelled. Pre: `rings` are those of
+/// `coarse`.
 Level smooth_step(const LevelView& coarse, const Rings& rings, bool is_last, Progress* progress);
-
-/// Whether smooth_step will ask for spokes.
-bool needs_spokes();
 
 }  // namespace mesher

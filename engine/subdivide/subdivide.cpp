@@ -13,7 +13,7 @@
 #include "engine/subdivide/limit.h"
 #include "engine/subdivide/loop.h"
 #include "engine/subdivide/rings.h"
-#include "engine/subdivide/smooth_step.h"
+#include "engine/subdivide/sharpness.h"
 
 namespace mesher {
 namespace {
@@ -29,8 +29,9 @@ int exponent_of(std::span<const glm::vec3> positions) {
   float most = 0.0F;
   for (const glm::vec3& p : positions)
     most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  constexpr float kLarge = 1e18F;
-  return most > kLarge || (most > 0.0F && most < 1.0F / kLarge) ? std::ilogb(most) + 1 : 0;
+  constexpr int kFarFromTheEnd = 60;
+  const int exponent = most > 0.0F ? std::ilogb(most) : 0;
+  return exponent - std::clamp(exponent, -kFarFromTheEnd, kFarFromTheEnd);
 }
 
 /// What a scheme that overshoots makes of the largest coordinates stays a number.
@@ -47,7 +48,7 @@ class Subdivision {
       : mesh_(mesh),
         options_(options),
         coarse_(view_of(mesh)),
-        rings_(coarse_, needs_spokes()),
+        rings_(coarse_, options.scheme == Scheme::loop && thread_count() > 1),
         features_(features_of(mesh, options)),
         exponent_(exponent_of(mesh.positions())) {
     if (exponent_ == 0) return;
@@ -71,11 +72,16 @@ class Subdivision {
     if (options_.levels == 0) level_ = copy_of_coarse();
   }
 
-  /// Call when nothing is left to compute. Gives the positions their size back.
+  /// Call when nothing is left to compute. Gives the positions their size back; what never moved is
+  /// where it was to the last bit.
   void restore_size() {
     if (exponent_ == 0) return;
     for (glm::vec3& p : level_.position)
       p = scaled(p, exponent_);
+    const bool stays = options_.scheme != Scheme::loop || (options_.levels == 0 && !options_.limit);
+    for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
+      if (stays || mesh_.is_isolated(Vertex(v))) level_.position[v] = mesh_.position(Vertex(v));
+    }
   }
 
   /// Pre: connectivity was kept.
@@ -128,18 +134,18 @@ class Subdivision {
     return sharpness;
   }
 
+  /// The tags of the mesh, worn down; not what is sharp by the boundary rule, which will be again.
   Array<float> vertex_sharpness() const {
-    if (options_.levels == 0) return copy_of(mesh_.vertex_sharpnesses());
-    Array<float> sharpness;
-    for (const SharpVertex& vertex : features_.vertices()) {
-      // Others are sharp by the boundary rule, which will find them again.
-      const bool is_tagged = vertex.v.index() < mesh_.vertex_count() && vertex.own > 0.0F &&
-                             mesh_.sharpness(vertex.v) > 0.0F;
-      if (!is_tagged) continue;
-      if (sharpness.empty()) sharpness.assign(level_.position.size(), 0.0F);
-      sharpness[vertex.v.index()] = vertex.own;
+    if (mesh_.vertex_sharpnesses().empty()) return {};
+    Array<float> sharpness(level_.position.size(), 0.0F);
+    bool has_any = false;
+    for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
+      sharpness[v] = mesh_.sharpness(Vertex(v));
+      for (std::uint32_t i = 0; i < options_.levels && is_semi_sharp(sharpness[v]); ++i)
+        sharpness[v] = decayed(sharpness[v]);
+      has_any = has_any || sharpness[v] > 0.0F;
     }
-    return sharpness;
+    return has_any || options_.levels == 0 ? sharpness : Array<float>{};
   }
 
   const Mesh& mesh_;
@@ -179,8 +185,13 @@ SubdivisionSize subdivision_size(const Mesh& mesh, const SubdivideOptions& optio
   }
   size.result_bytes = mesh_bytes(size.vertices, size.faces);
   // Beside the result there is the level before, and while that is read the number of the vertex on
-  // each of its half-edges, or one point a vertex of it, which is less.
-  size.peak_bytes = size.result_bytes + last_bytes + 3 * sizeof(Vertex) * size.faces / 4;
+  // each of its half-edges, or one point a vertex of it, which is less; what is sharp, on both
+  // levels; and where the half-edges of the mesh are.
+  const std::uint64_t sharp = std::uint64_t{count_sharp_edges(mesh)} << options.levels;
+  size.peak_bytes =
+      size.result_bytes + last_bytes + 3 * sizeof(Vertex) * size.faces / 4 +
+      kBytesASharpEdge * (sharp + sharp / 2) +
+      sizeof(std::uint32_t) * (std::uint64_t{mesh.vertex_count()} + mesh.halfedge_count());
   if (wants_limit(options)) {
     const std::uint64_t normals = 3 * sizeof(glm::vec3) * size.faces;
     size.result_bytes += normals;
