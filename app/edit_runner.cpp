@@ -6,6 +6,11 @@
 #include "engine/core/error.h"
 
 namespace mesher::app {
+namespace {
+
+constexpr const char* kNoMemory = "not enough memory for another copy of the model";
+
+}  // namespace
 
 bool EditRunner::advance() {
   bool has_changed = false;
@@ -30,7 +35,7 @@ void EditRunner::start() {
         wake_);
   } catch (const std::bad_alloc&) {
     session_.edits.waiting.clear();
-    session_.error = "not enough memory for another copy of the model";
+    session_.error = kNoMemory;
   }
 }
 
@@ -40,6 +45,9 @@ void EditRunner::take() {
     finish_edit(session_, job->take());
   } catch (const Cancelled&) {
     session_.notice = "cancelled";
+  } catch (const std::bad_alloc&) {
+    session_.edits.waiting.clear();
+    session_.error = kNoMemory;
   } catch (const std::exception& error) {
     session_.edits.waiting.clear();
     session_.error = error.what();

@@ -53,10 +53,11 @@ void undo(Session& session) {
     session.notice = "nothing to undo";
     return;
   }
-  session.notice = "undone: " + history.undo_name();
+  std::string notice = "undone: " + history.undo_name();
   const bool keeps_topology = history.undo_edit().mesh.keeps_topology();
-  session.edits.subdivision = history.undo_edit().subdivision_before;
   history.undo(session.model, session.statistics);
+  session.notice = std::move(notice);
+  session.edits.subdivision = history.redo_edit().subdivision_before;
   note_model_changed(session, keeps_topology);
 }
 
@@ -66,10 +67,11 @@ void redo(Session& session) {
     session.notice = "nothing to redo";
     return;
   }
-  session.notice = "done again: " + history.redo_name();
+  std::string notice = "done again: " + history.redo_name();
   const bool keeps_topology = history.redo_edit().mesh.keeps_topology();
-  session.edits.subdivision = history.redo_edit().subdivision_after;
   history.redo(session.model, session.statistics);
+  session.notice = std::move(notice);
+  session.edits.subdivision = history.undo_edit().subdivision_after;
   note_model_changed(session, keeps_topology);
 }
 
@@ -216,9 +218,11 @@ void finish_edit(Session& session, EditResult&& result) {
 }
 
 void record_edit(Session& session, Edit&& edit) {
-  edit.subdivision_before = std::exchange(session.edits.subdivision, edit.subdivision_after);
+  edit.subdivision_before = session.edits.subdivision;
   const bool keeps_topology = edit.mesh.keeps_topology();
-  session.edits.history.perform(std::move(edit), session.model, session.statistics);
+  History& history = session.edits.history;
+  history.perform(std::move(edit), session.model, session.statistics);
+  session.edits.subdivision = history.undo_edit().subdivision_after;
   note_model_changed(session, keeps_topology);
 }
 
