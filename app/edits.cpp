@@ -87,14 +87,13 @@ EditTask task_for_shown(Session& session) {
 
 bool is_subdivision(EditRequest::Kind kind) {
   return kind == EditRequest::Kind::finer || kind == EditRequest::Kind::coarser ||
-         kind == EditRequest::Kind::to_level || kind == EditRequest::Kind::same_level;
+         kind == EditRequest::Kind::same_level;
 }
 
 std::optional<EditTask> subdivision_task(Session& session, const EditRequest& request) {
   const std::uint32_t level = shown_level(session);
-  std::uint32_t wanted = request.level;
+  std::uint32_t wanted = level;
   if (request.kind == EditRequest::Kind::finer) wanted = level + 1;
-  if (request.kind == EditRequest::Kind::same_level) wanted = level;
   if (request.kind == EditRequest::Kind::coarser) {
     if (level == 0) {
       session.notice = "nothing coarser is kept";
@@ -102,7 +101,7 @@ std::optional<EditTask> subdivision_task(Session& session, const EditRequest& re
     }
     wanted = level - 1;
   }
-  auto subdivision = begin_subdivision(session, wanted);
+  auto subdivision = begin_subdivision(session, wanted, request.subdivide);
   if (!subdivision) return std::nullopt;
   EditTask task = task_for_shown(session);
   task.title = "Subdividing to level " + std::to_string(wanted);
@@ -116,7 +115,7 @@ EditTask simplify_task(Session& session, const EditRequest& request) {
   EditTask task = task_for_shown(session);
   const bool is_from_opened = request.kind == EditRequest::Kind::simplify_to;
   task.start = is_from_opened ? edits.opened : task.shown;
-  task.options = options_of(session.simplify, session.statistics.box.diagonal());
+  task.options = options_of(request.simplify, session.statistics.box.diagonal());
   task.options.target_faces = target_of(request, task.start->mesh.face_count());
   if (request.kind == EditRequest::Kind::remove_edge) {
     task.title = "Collapsing an edge";
@@ -179,6 +178,12 @@ EditResult perform_subdivision(const EditTask& task, Progress* progress) {
 }
 
 }  // namespace
+
+void request_edit(Session& session, EditRequest request) {
+  request.simplify = session.simplify;
+  request.subdivide = session.subdivide;
+  session.edits.waiting.push_back(request);
+}
 
 std::optional<EditTask> begin_edit(Session& session) {
   const EditRequest request = session.edits.waiting.front();

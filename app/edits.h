@@ -39,13 +39,14 @@ struct EditRequest {
     creases,     ///< `creases`
     finer,       ///< one level of subdivision more
     coarser,     ///< one less, down to what was subdivided
-    to_level,    ///< `level`
     same_level,  ///< what is shown, by the rules that now hold
   };
   Kind kind = Kind::remove_tenth;
   std::uint32_t target_faces = 0;
   CreaseRequest creases{};
-  std::uint32_t level = 0;
+  // The rules that held when it was asked for: until it is done, those of the session may change.
+  SimplifySettings simplify{};
+  SubdivideSettings subdivide{};
 };
 
 /// The ledger of a simplification.
@@ -91,6 +92,9 @@ struct EditResult {
   std::optional<SimplifyOutcome> simplified;
   std::optional<SubdivideOutcome> subdivided;
 };
+
+/// Lets a request wait for its turn, by the rules that the session has now.
+void request_edit(Session& session, EditRequest request);
 
 /// Takes the first waiting request. Undo, redo and edits of creases are done at once and give
 /// nothing; so does what cannot be done, with a notice. Otherwise the task to perform. O(V + F):

@@ -16,7 +16,7 @@ constexpr unsigned kCopies = 4;
 
 /// What is shown, as a level; without its base where nothing is subdivided.
 SubdivisionLevel shown(const Session& session) {
-  return session.edits.subdivision.value_or(SubdivisionLevel{.settings = session.subdivide});
+  return session.edits.subdivision.value_or(SubdivisionLevel{});
 }
 
 SubdivideOptions options_of(const SubdivideSettings& settings, std::uint32_t level) {
@@ -28,12 +28,13 @@ SubdivideOptions options_of(const SubdivideSettings& settings, std::uint32_t lev
           .limit = settings.limit};
 }
 
-std::string refusal(const Session& session, const SubdivisionLevel& from, std::uint32_t level) {
+std::string refusal(const Session& session, const SubdivisionLevel& from, std::uint32_t level,
+                    const SubdivideSettings& settings) {
   const Mesh& base = from.base ? from.base->mesh : session.model.mesh;
   const Attributes& attributes = from.base ? from.base->attributes : session.model.attributes;
   if (base.face_count() == 0) return "there is nothing to subdivide";
   if (level > kMostLevels) return "that is the finest level there is";
-  return subdivision_refusal(subdivision_size(base, options_of(session.subdivide, level)), level,
+  return subdivision_refusal(subdivision_size(base, options_of(settings, level)), level,
                              {.available = available_memory_bytes(),
                               .copies = kCopies,
                               .beside = subdivided_attribute_bytes(attributes, level)});
@@ -45,12 +46,12 @@ std::uint32_t shown_level(const Session& session) {
   return shown(session).level;
 }
 
-std::optional<SubdivisionTask> begin_subdivision(Session& session, std::uint32_t level) {
+std::optional<SubdivisionTask> begin_subdivision(Session& session, std::uint32_t level,
+                                                 const SubdivideSettings& settings) {
   SubdivisionLevel wanted = shown(session);
-  const bool is_shown =
-      wanted.level == level && (level == 0 || wanted.settings == session.subdivide);
+  const bool is_shown = wanted.level == level && (level == 0 || wanted.settings == settings);
   if (is_shown) return std::nullopt;
-  if (std::string reason = refusal(session, wanted, level); !reason.empty()) {
+  if (std::string reason = refusal(session, wanted, level, settings); !reason.empty()) {
     session.notice = std::move(reason);
     return std::nullopt;
   }
@@ -59,7 +60,7 @@ std::optional<SubdivisionTask> begin_subdivision(Session& session, std::uint32_t
         std::make_shared<const Shape>(Shape{session.model.mesh, session.model.attributes});
   }
   wanted.level = level;
-  wanted.settings = session.subdivide;
+  wanted.settings = settings;
   return SubdivisionTask{std::move(wanted)};
 }
 
@@ -67,7 +68,7 @@ void apply_subdivide_settings(Session& session) {
   const SubdivideSettings& settings = session.subdivide;
   session.notice = "subdivision: " + std::string(key(settings.scheme)) + ", " +
                    std::string(key(settings.creases)) + (settings.limit ? ", limit surface" : "");
-  session.edits.waiting.push_back({.kind = EditRequest::Kind::same_level});
+  request_edit(session, {.kind = EditRequest::Kind::same_level});
 }
 
 Shape subdivided(const SubdivisionLevel& wanted, Progress* progress) {

@@ -55,10 +55,11 @@ struct SubdivisionTask {
 /// The level that is shown: 0 where nothing is subdivided.
 std::uint32_t shown_level(const Session& session);
 
-/// The step from what is shown to `level`, by the session's rules. None where there is nothing to
+/// The step from what is shown to `level`, by these rules. None where there is nothing to
 /// do or it cannot be done, which the session's notice says; so it does where that would take more
 /// memory than is free, and how much. O(F): the model is copied where nothing is kept of it yet.
-std::optional<SubdivisionTask> begin_subdivision(Session& session, std::uint32_t level);
+std::optional<SubdivisionTask> begin_subdivision(Session& session, std::uint32_t level,
+                                                 const SubdivideSettings& settings);
 
 /// The shape on the level that is wanted. Touches no session. Throws Cancelled.
 Shape subdivided(const SubdivisionLevel& wanted, Progress* progress);

@@ -69,8 +69,8 @@ void draw_target(Session& session, bool is_busy, int& slider_faces) {
       "Simplifies the model as it was opened to so many faces, when let go:\n"
       "to the right, detail comes back.");
   if (ImGui::IsItemDeactivatedAfterEdit()) {
-    session.edits.waiting.push_back(
-        {EditRequest::Kind::simplify_to, static_cast<std::uint32_t>(slider_faces)});
+    request_edit(session,
+                 {EditRequest::Kind::simplify_to, static_cast<std::uint32_t>(slider_faces)});
   } else if (!ImGui::IsItemActive() && !is_busy && session.edits.waiting.empty()) {
     slider_faces = static_cast<int>(session.statistics.faces);
   }
@@ -78,7 +78,7 @@ void draw_target(Session& session, bool is_busy, int& slider_faces) {
 
 void request_button(Session& session, const char* name, EditRequest::Kind kind, bool is_possible,
                     const std::string& help) {
-  if (half_button(name, is_possible, help.c_str())) session.edits.waiting.push_back({kind});
+  if (half_button(name, is_possible, help.c_str())) request_edit(session, {kind});
 }
 
 void draw_buttons(Session& session) {

@@ -16,7 +16,7 @@ class EditRunnerTest : public testing::Test {
     model.mesh = build_mesh(test::torus(12, 10)).mesh;
     show_model(session_, std::move(model), "torus.obj");
   }
-  void ask(Kind kind) { session_.edits.waiting.push_back({kind}); }
+  void ask(Kind kind) { request_edit(session_, {kind}); }
 
   Session session_;
   EditRunner runner_{session_, nullptr};

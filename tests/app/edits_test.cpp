@@ -31,7 +31,7 @@ void press(Session& session, const char* keys) {
 }
 
 void simplify_to(Session& session, std::uint32_t faces) {
-  session.edits.waiting.push_back({Kind::simplify_to, faces});
+  request_edit(session, {Kind::simplify_to, faces});
   run_waiting_edits(session);
 }
 
@@ -155,7 +155,7 @@ TEST(Edits, SettingsReachTheSimplifier) {
                 .crease_angle_deg = 40.0F,
                 .max_error_percent = 2.0F,
                 .seed = 9};
-  s.edits.waiting.push_back({Kind::remove_tenth});
+  request_edit(s, {Kind::remove_tenth});
   const auto task = begin_edit(s);
   ASSERT_TRUE(task);
   EXPECT_EQ(task->options.cost, CostPolicy::random);
@@ -166,6 +166,16 @@ TEST(Edits, SettingsReachTheSimplifier) {
   EXPECT_EQ(task->options.seed, 9U);
   EXPECT_EQ(task->options.order, ResultOrder::fill_holes);
   EXPECT_EQ(task->title, "Simplifying to 64 faces");
+}
+
+TEST(Edits, SettingsAreThoseThatHeldWhenItWasAskedFor) {
+  Session s = session_with(test::grid(6));
+  s.simplify.cost = CostPolicy::random;
+  request_edit(s, {Kind::remove_tenth});
+  s.simplify.cost = CostPolicy::quadric;
+  const auto task = begin_edit(s);
+  ASSERT_TRUE(task);
+  EXPECT_EQ(task->options.cost, CostPolicy::random);
 }
 
 TEST(Edits, AttributesFollowOrAreDroppedWithANoticeAndComeBack) {
@@ -205,7 +215,7 @@ TEST(Edits, AnotherModelForgetsThem) {
 
 TEST(Edits, StopWhenCancelled) {
   Session s = session_with(test::torus(12, 10));
-  s.edits.waiting.push_back({Kind::remove_tenth});
+  request_edit(s, {Kind::remove_tenth});
   const auto task = begin_edit(s);
   Progress progress;
   progress.cancel();

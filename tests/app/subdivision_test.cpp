@@ -118,8 +118,8 @@ TEST(Subdivision, ACreaseEditStartsFromWhatIsShown) {
   press(s, "s");
   const Mesh level = s.model.mesh;
   s.creases.selected = {level.edge(Halfedge(0))};
-  s.edits.waiting.push_back({.kind = EditRequest::Kind::creases,
-                             .creases = {.kind = CreaseRequest::Kind::set, .value = 3.0F}});
+  request_edit(s, {.kind = EditRequest::Kind::creases,
+                   .creases = {.kind = CreaseRequest::Kind::set, .value = 3.0F}});
   run_waiting_edits(s);
   EXPECT_EQ(shown_level(s), 0U);
   press(s, "shift+s");
@@ -170,18 +170,25 @@ TEST(Subdivision, TheLimitComesWithItsNormals) {
   EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.levels = 2}).mesh));
 }
 
+TEST(Subdivision, ALevelIsMadeByTheRulesThatHeldWhenItWasAskedFor) {
+  Session s = session_with(creased_cube());
+  const Mesh coarse = s.model.mesh;
+  run(s, Command::subdivide);
+  run(s, Command::next_scheme);  // while the first still waits
+  run_waiting_edits(s);
+  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.scheme = Scheme::butterfly}).mesh));
+  press(s, "ctrl+z");
+  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {}).mesh));
+}
+
 TEST(Subdivision, RefusesWhatMemoryCannotHoldAndSaysHowMuch) {
   Session s = session_with(test::torus(40, 40));
-  s.edits.waiting.push_back({.kind = EditRequest::Kind::to_level, .level = 12});
-  run_waiting_edits(s);
-  EXPECT_EQ(s.statistics.faces, 3200U);
+  EXPECT_FALSE(begin_subdivision(s, 12, {}));
   EXPECT_NE(s.notice.find("subdividing 12 times would make"), std::string::npos) << s.notice;
   constexpr std::uint64_t kEnough = 100'000'000'000;
   if (available_memory_bytes() > kEnough) GTEST_SKIP() << "this machine could hold level 9";
-  s.edits.waiting.push_back({.kind = EditRequest::Kind::to_level, .level = 9});
-  run_waiting_edits(s);
+  EXPECT_FALSE(begin_subdivision(s, 9, {}));
   EXPECT_NE(s.notice.find(" GB of memory; "), std::string::npos) << s.notice;
-  EXPECT_EQ(s.edits.history.undo_depth(), 0U);
 }
 
 TEST(Subdivision, OfNothingSaysSo) {
@@ -213,7 +220,7 @@ TEST(Subdivision, IsInTheStateThatScriptsSee) {
 
 TEST(Subdivision, CancelledLeavesTheModelAlone) {
   Session s = session_with(test::torus(40, 40));
-  s.edits.waiting.push_back({.kind = EditRequest::Kind::finer});
+  request_edit(s, {.kind = EditRequest::Kind::finer});
   const auto task = begin_edit(s);
   ASSERT_TRUE(task);
   EXPECT_EQ(task->title, "Subdividing to level 1");
