@@ -36,6 +36,7 @@ void EditRunner::start() {
   } catch (const std::bad_alloc&) {
     session_.edits.waiting.clear();
     session_.error = kNoMemory;
+    follow_shown_level(session_);
   }
 }
 
@@ -52,6 +53,7 @@ void EditRunner::take() {
     session_.edits.waiting.clear();
     session_.error = error.what();
   }
+  follow_shown_level(session_);
 }
 
 void EditRunner::cancel() {

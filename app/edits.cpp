@@ -59,6 +59,7 @@ void undo(Session& session) {
   session.notice = std::move(notice);
   session.edits.subdivision = history.redo_edit().subdivision_before;
   note_model_changed(session, keeps_topology);
+  follow_shown_level(session);
 }
 
 void redo(Session& session) {
@@ -73,6 +74,7 @@ void redo(Session& session) {
   session.notice = std::move(notice);
   session.edits.subdivision = history.undo_edit().subdivision_after;
   note_model_changed(session, keeps_topology);
+  follow_shown_level(session);
 }
 
 /// A task that starts from what is shown. The first one also keeps that, as what was opened.
@@ -218,8 +220,12 @@ void finish_edit(Session& session, EditResult&& result) {
     edits.last = std::move(result.simplified);
   }
   if (result.subdivided) edits.last_subdivision = result.subdivided;
-  if (!result.edit.changes_anything()) return;
-  record_edit(session, std::move(result.edit));
+  if (result.edit.changes_anything()) {
+    record_edit(session, std::move(result.edit));
+  } else if (result.subdivided) {
+    edits.subdivision = std::move(result.edit.subdivision_after);  // other rules, the same surface
+  }
+  follow_shown_level(session);
 }
 
 void record_edit(Session& session, Edit&& edit) {

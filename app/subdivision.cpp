@@ -53,6 +53,7 @@ std::optional<SubdivisionTask> begin_subdivision(Session& session, std::uint32_t
   if (is_shown) return std::nullopt;
   if (std::string reason = refusal(session, wanted, level, settings); !reason.empty()) {
     session.notice = std::move(reason);
+    follow_shown_level(session);
     return std::nullopt;
   }
   if (!wanted.base) {
@@ -62,6 +63,13 @@ std::optional<SubdivisionTask> begin_subdivision(Session& session, std::uint32_t
   wanted.level = level;
   wanted.settings = settings;
   return SubdivisionTask{std::move(wanted)};
+}
+
+void follow_shown_level(Session& session) {
+  const auto& level = session.edits.subdivision;
+  if (level && level->level > 0 && session.edits.waiting.empty()) {
+    session.subdivide = level->settings;
+  }
 }
 
 void apply_subdivide_settings(Session& session) {

@@ -61,6 +61,10 @@ std::uint32_t shown_level(const Session& session);
 std::optional<SubdivisionTask> begin_subdivision(Session& session, std::uint32_t level,
                                                  const SubdivideSettings& settings);
 
+/// Takes the session's rules back to those of the level that is shown, if there is one and nothing
+/// waits that may still change it: what is not done, or undone, has no rules to show.
+void follow_shown_level(Session& session);
+
 /// The shape on the level that is wanted. Touches no session. Throws Cancelled.
 Shape subdivided(const SubdivisionLevel& wanted, Progress* progress);
 

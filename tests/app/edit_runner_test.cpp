@@ -55,6 +55,19 @@ TEST_F(EditRunnerTest, CancellingForgetsWhatWaitsToo) {
   EXPECT_LE(session_.edits.history.undo_depth(), 1U);  // the first may have been done by then
 }
 
+TEST_F(EditRunnerTest, CancellingTakesTheRulesBackToThoseOfTheLevelShown) {
+  ask(Kind::finer);
+  runner_.finish();
+  ask(Kind::finer);
+  runner_.advance();
+  session_.subdivide.scheme = Scheme::butterfly;
+  apply_subdivide_settings(session_);
+  runner_.cancel();
+  runner_.finish();
+  EXPECT_EQ(session_.subdivide, session_.edits.subdivision->settings);
+  EXPECT_EQ(session_.subdivide.scheme, Scheme::loop);
+}
+
 TEST_F(EditRunnerTest, StoppingLeavesTheModelAlone) {
   ask(Kind::remove_tenth);
   ask(Kind::remove_tenth);

@@ -181,6 +181,39 @@ TEST(Subdivision, ALevelIsMadeByTheRulesThatHeldWhenItWasAskedFor) {
   EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {}).mesh));
 }
 
+TEST(Subdivision, TheRulesShownAreThoseOfTheLevelShown) {
+  Session s = session_with(creased_cube());
+  press(s, "s s r");
+  EXPECT_EQ(s.subdivide.creases, CreaseRules::derose98);
+  press(s, "ctrl+z");
+  EXPECT_EQ(s.subdivide.creases, CreaseRules::hoppe94);
+  press(s, "ctrl+y");
+  EXPECT_EQ(s.subdivide.creases, CreaseRules::derose98);
+  s.subdivide.scheme = Scheme::butterfly;
+  EXPECT_FALSE(begin_subdivision(s, kMostLevels + 1, s.subdivide));
+  EXPECT_EQ(s.subdivide.scheme, Scheme::loop);
+}
+
+TEST(Subdivision, AnUndoLeavesAloneTheRulesThatAreAskedForAfterIt) {
+  Session s = session_with(creased_cube());
+  const Mesh coarse = s.model.mesh;
+  press(s, "s s");
+  run(s, Command::undo);
+  run(s, Command::next_scheme);
+  run_waiting_edits(s);
+  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.scheme = Scheme::butterfly}).mesh));
+  EXPECT_EQ(s.subdivide.scheme, Scheme::butterfly);
+}
+
+TEST(Subdivision, RulesThatChangeNothingAreNotTriedAgain) {
+  Session s = session_with(test::cube());
+  press(s, "s r");
+  EXPECT_EQ(s.edits.history.undo_depth(), 1U);
+  EXPECT_EQ(s.edits.subdivision->settings.creases, CreaseRules::derose98);
+  request_edit(s, {.kind = EditRequest::Kind::same_level});
+  EXPECT_FALSE(begin_edit(s));
+}
+
 TEST(Subdivision, RefusesWhatMemoryCannotHoldAndSaysHowMuch) {
   Session s = session_with(test::torus(40, 40));
   EXPECT_FALSE(begin_subdivision(s, 12, {}));
