@@ -43,7 +43,9 @@ void EditRunner::start() {
 void EditRunner::take() {
   const std::unique_ptr<JobOf<EditResult>> job = std::move(job_);
   try {
-    finish_edit(session_, job->take());
+    EditResult result = job->take();
+    if (job->progress().is_cancelled()) throw Cancelled();  // too late to stop it
+    finish_edit(session_, std::move(result));
   } catch (const Cancelled&) {
     session_.notice = "cancelled";
   } catch (const std::bad_alloc&) {
