@@ -237,6 +237,16 @@ void record_edit(Session& session, Edit&& edit) {
   note_model_changed(session, keeps_topology);
 }
 
+bool take_back_last_edit(Session& session) {
+  History& history = session.edits.history;
+  if (history.undo_depth() == 0) return false;
+  const Edit taken_back = history.take_back(session.model, session.statistics);
+  session.edits.subdivision = taken_back.subdivision_before;
+  note_model_changed(session, taken_back.mesh.keeps_topology());
+  follow_shown_level(session);
+  return true;
+}
+
 void note_model_changed(Session& session, bool keeps_topology) {
   Edits& edits = session.edits;
   ++edits.revision;

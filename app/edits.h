@@ -115,6 +115,10 @@ void note_model_changed(Session& session, bool keeps_topology);
 /// the levels of subdivision: what it makes is no level of anything. O(differences).
 void record_edit(Session& session, Edit&& edit);
 
+/// Takes the last edit back for good, because what it made cannot be shown. Returns false where
+/// there is none. Pre: no task runs, which would start from what it made. O(differences).
+bool take_back_last_edit(Session& session);
+
 /// All that waits, one after the other, here and now.
 void run_waiting_edits(Session& session);
 

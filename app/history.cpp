@@ -39,14 +39,18 @@ void add_after(std::deque<Edit>& edits, Edit& edit, Change&& change) {
 
 void History::perform(Edit&& edit, Model& model, Statistics& statistics) {
   add_after(done_, edit, [&] { apply(edit, model, statistics); });
-  for (const Edit& undone : undone_)
-    bytes_ -= undone.memory_bytes();
-  undone_.clear();
+  forget_undone();
   bytes_ += done_.back().memory_bytes();
   while (bytes_ > budget_bytes_ && done_.size() > 1) {
     bytes_ -= done_.front().memory_bytes();
     done_.pop_front();
   }
+}
+
+void History::forget_undone() {
+  for (const Edit& undone : undone_)
+    bytes_ -= undone.memory_bytes();
+  undone_.clear();
 }
 
 void History::undo(Model& model, Statistics& statistics) {
@@ -60,6 +64,7 @@ Edit History::take_back(Model& model, Statistics& statistics) {
   Edit edit = std::move(undone_.back());
   undone_.pop_back();
   bytes_ -= edit.memory_bytes();
+  forget_undone();
   return edit;
 }
 

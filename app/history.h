@@ -47,7 +47,7 @@ class History {
   void perform(Edit&& edit, Model& model, Statistics& statistics);
   /// Takes the last edit back. Pre: undo_depth() > 0, and the model is as the last call left it.
   void undo(Model& model, Statistics& statistics);
-  /// The same, for good: it cannot be done again. Returns the edit.
+  /// The same, for good: neither it nor what was undone before can be done again. Returns the edit.
   Edit take_back(Model& model, Statistics& statistics);
   /// Does the edit again that was undone last. Pre: redo_depth() > 0, the same.
   void redo(Model& model, Statistics& statistics);
@@ -62,6 +62,8 @@ class History {
   std::size_t memory_bytes() const { return bytes_; }
 
  private:
+  void forget_undone();
+
   std::size_t budget_bytes_ = kMemoryBudget;
   std::size_t bytes_ = 0;
   std::deque<Edit> done_;

@@ -68,6 +68,18 @@ TEST(History, WhatIsTakenBackIsGone) {
   EXPECT_EQ(history.memory_bytes(), bytes);
 }
 
+TEST(History, WhatWasUndoneStartsFromWhatIsTakenBackAndGoesToo) {
+  Document d;
+  History history;
+  d.move(history, 0, 5.0F);
+  d.move(history, 1, 6.0F);
+  history.undo(d.model, d.stats);
+  history.take_back(d.model, d.stats);
+  EXPECT_EQ(d.height(0), 0.0F);
+  EXPECT_EQ(history.redo_depth(), 0U);
+  EXPECT_EQ(history.memory_bytes(), 0U);
+}
+
 /// The model becomes a large one, of which the texture coordinates take their share.
 Edit growth(const Document& d) {
   const Mesh large = build_mesh(test::torus(500, 400)).mesh;

@@ -214,6 +214,25 @@ TEST(Subdivision, RulesThatChangeNothingAreNotTriedAgain) {
   EXPECT_FALSE(begin_edit(s));
 }
 
+TEST(Subdivision, WhatCannotBeShownIsTakenBackForGood) {
+  Session s = session_with(creased_cube());
+  EXPECT_FALSE(take_back_last_edit(s));
+  press(s, "s");
+  const Mesh level = s.model.mesh;
+  press(s, "m");
+  const std::uint64_t revision = s.edits.revision;
+  EXPECT_TRUE(take_back_last_edit(s));
+  EXPECT_TRUE(is_same(s.model.mesh, level));
+  EXPECT_EQ(s.statistics.faces, level.face_count());
+  EXPECT_EQ(shown_level(s), 1U);
+  EXPECT_EQ(s.subdivide.scheme, Scheme::loop);
+  EXPECT_EQ(s.edits.history.redo_depth(), 0U);
+  EXPECT_GT(s.edits.revision, revision);
+  EXPECT_TRUE(take_back_last_edit(s));
+  EXPECT_EQ(shown_level(s), 0U);
+  EXPECT_EQ(s.statistics.faces, 12U);
+}
+
 TEST(Subdivision, RefusesWhatMemoryCannotHoldAndSaysHowMuch) {
   Session s = session_with(test::torus(40, 40));
   EXPECT_FALSE(begin_subdivision(s, 12, {}));
