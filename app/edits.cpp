@@ -103,12 +103,13 @@ std::optional<EditTask> subdivision_task(Session& session, const EditRequest& re
     }
     wanted = level - 1;
   }
-  auto subdivision = begin_subdivision(session, wanted, request.subdivide);
-  if (!subdivision) return std::nullopt;
+  auto step = begin_subdivision(session, wanted, request.subdivide);
+  if (!step) return std::nullopt;
   EditTask task = task_for_shown(session);
   task.title = "Subdividing to level " + std::to_string(wanted);
-  task.name = name_of(session.edits.subdivision.value_or(SubdivisionLevel{}), subdivision->wanted);
-  task.subdivision = std::move(subdivision);
+  task.name = name_of(session.edits.subdivision.value_or(SubdivisionLevel{}), *step);
+  if (!step->base) step->base = task.shown;
+  task.work = *std::move(step);
   return task;
 }
 
@@ -116,15 +117,17 @@ EditTask simplify_task(Session& session, const EditRequest& request) {
   Edits& edits = session.edits;
   EditTask task = task_for_shown(session);
   const bool is_from_opened = request.kind == EditRequest::Kind::simplify_to;
-  task.start = is_from_opened ? edits.opened : task.shown;
-  task.options = options_of(request.simplify, session.statistics.box.diagonal());
-  task.options.target_faces = target_of(request, task.start->mesh.face_count());
+  Simplification work{is_from_opened ? edits.opened : task.shown,
+                      options_of(request.simplify, session.statistics.box.diagonal())};
+  const std::uint32_t target = target_of(request, work.start->mesh.face_count());
+  work.options.target_faces = target;
   if (request.kind == EditRequest::Kind::remove_edge) {
     task.title = "Collapsing an edge";
     task.name = "collapse an edge";
   } else {
-    task.title = "Simplifying to " + with_commas(task.options.target_faces) + " faces";
+    task.title = "Simplifying to " + with_commas(target) + " faces";
   }
+  task.work = std::move(work);
   return task;
 }
 
@@ -149,13 +152,13 @@ void take_difference(const EditTask& task, const Shape& shape, Edit& edit) {
   edit.after = statistics(shape.mesh);
 }
 
-EditResult perform_simplification(const EditTask& task, Progress* progress) {
+EditResult perform_work(const EditTask& task, const Simplification& work, Progress* progress) {
   begin_stage(progress, "simplifying");
-  SimplifyOptions options = task.options;
+  SimplifyOptions options = work.options;
   options.progress = progress;
-  Simplified simplified = simplify(Mesh(task.start->mesh), options);
+  Simplified simplified = simplify(Mesh(work.start->mesh), options);
   CarriedAttributes carried =
-      carry_attributes(task.start->attributes, task.start->mesh.origins(), simplified);
+      carry_attributes(work.start->attributes, work.start->mesh.origins(), simplified);
   EditResult result;
   result.edit.name = task.name.empty()
                          ? "simplify to " + with_commas(simplified.report.faces_reached) + " faces"
@@ -166,8 +169,7 @@ EditResult perform_simplification(const EditTask& task, Progress* progress) {
   return result;
 }
 
-EditResult perform_subdivision(const EditTask& task, Progress* progress) {
-  const SubdivisionLevel& wanted = task.subdivision->wanted;
+EditResult perform_work(const EditTask& task, const SubdivisionLevel& wanted, Progress* progress) {
   const auto start = std::chrono::steady_clock::now();
   const Shape shape = subdivided(wanted, progress);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -209,8 +211,8 @@ std::optional<EditTask> begin_edit(Session& session) {
 }
 
 EditResult perform(const EditTask& task, Progress* progress) {
-  return task.subdivision ? perform_subdivision(task, progress)
-                          : perform_simplification(task, progress);
+  return std::visit([&](const auto& work) { return perform_work(task, work, progress); },
+                    task.work);
 }
 
 void finish_edit(Session& session, EditResult&& result) {

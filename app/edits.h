@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "app/crease_edits.h"
@@ -75,16 +76,20 @@ struct Edits {
 
 struct Session;
 
+/// A simplification in the background: what of, and how.
+struct Simplification {
+  std::shared_ptr<const Shape> start;  ///< what is shown, or what was opened
+  SimplifyOptions options;
+};
+
 /// Everything that a simplification or subdivision needs and nothing that anybody else changes: it
 /// may run on another thread.
 struct EditTask {
   std::string title;  ///< "Simplifying to 4,500 faces"
   std::string name;   ///< in the history; empty: after the number of faces reached
   std::shared_ptr<const Shape> shown;
-  std::shared_ptr<const Shape> start;  ///< what is simplified: what is shown, or what was opened
-  Statistics statistics;               ///< of what is shown
-  SimplifyOptions options;
-  std::optional<SubdivisionTask> subdivision;  ///< this is to be done instead of simplifying
+  Statistics statistics;  ///< of what is shown
+  std::variant<Simplification, SubdivisionLevel> work;
 };
 
 struct EditResult {

@@ -11,8 +11,10 @@
 namespace mesher::app {
 namespace {
 
-// Beside the model that is shown: its old and new arrays in the history, and the GPU's mirror.
+// The model that will be shown: that, the result, its arrays in the history, and the GPU's mirror.
 constexpr unsigned kCopies = 4;
+// The model that is shown: the task's, and its arrays in the history.
+constexpr unsigned kCopiesBefore = 2;
 
 /// What is shown, as a level; without its base where nothing is subdivided.
 SubdivisionLevel shown(const Session& session) {
@@ -28,8 +30,16 @@ SubdivideOptions options_of(const SubdivideSettings& settings, std::uint32_t lev
           .limit = settings.limit};
 }
 
+std::uint64_t shown_bytes(const Session& session) {
+  const Attributes& a = session.model.attributes;
+  return session.model.mesh.memory_bytes() + std::span(a.texcoord).size_bytes() +
+         std::span(a.normal).size_bytes() + std::span(a.color).size_bytes() +
+         std::span(a.group).size_bytes();
+}
+
 std::string refusal(const Session& session, const SubdivisionLevel& from, std::uint32_t level,
                     const SubdivideSettings& settings) {
+  if (level == 0) return "";  // nothing is made, and it is the way out of want of memory
   const Mesh& base = from.base ? from.base->mesh : session.model.mesh;
   const Attributes& attributes = from.base ? from.base->attributes : session.model.attributes;
   if (base.face_count() == 0) return "there is nothing to subdivide";
@@ -37,7 +47,8 @@ std::string refusal(const Session& session, const SubdivisionLevel& from, std::u
   return subdivision_refusal(subdivision_size(base, options_of(settings, level)), level,
                              {.available = available_memory_bytes(),
                               .copies = kCopies,
-                              .beside = subdivided_attribute_bytes(attributes, level)});
+                              .beside = subdivided_attribute_bytes(attributes, level),
+                              .held = kCopiesBefore * shown_bytes(session)});
 }
 
 }  // namespace
@@ -46,8 +57,8 @@ std::uint32_t shown_level(const Session& session) {
   return shown(session).level;
 }
 
-std::optional<SubdivisionTask> begin_subdivision(Session& session, std::uint32_t level,
-                                                 const SubdivideSettings& settings) {
+std::optional<SubdivisionLevel> begin_subdivision(Session& session, std::uint32_t level,
+                                                  const SubdivideSettings& settings) {
   SubdivisionLevel wanted = shown(session);
   const bool is_shown = wanted.level == level && (level == 0 || wanted.settings == settings);
   if (is_shown) return std::nullopt;
@@ -56,13 +67,9 @@ std::optional<SubdivisionTask> begin_subdivision(Session& session, std::uint32_t
     follow_shown_level(session);
     return std::nullopt;
   }
-  if (!wanted.base) {
-    wanted.base =
-        std::make_shared<const Shape>(Shape{session.model.mesh, session.model.attributes});
-  }
   wanted.level = level;
   wanted.settings = settings;
-  return SubdivisionTask{std::move(wanted)};
+  return wanted;
 }
 
 void follow_shown_level(Session& session) {

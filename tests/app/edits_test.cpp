@@ -158,13 +158,14 @@ TEST(Edits, SettingsReachTheSimplifier) {
   request_edit(s, {Kind::remove_tenth});
   const auto task = begin_edit(s);
   ASSERT_TRUE(task);
-  EXPECT_EQ(task->options.cost, CostPolicy::random);
-  EXPECT_EQ(task->options.placement, Placement::midpoint);
-  EXPECT_EQ(task->options.boundary, BoundaryRule::lock);
-  EXPECT_EQ(task->options.crease_angle_deg, 40.0F);
-  EXPECT_NEAR(task->options.max_error, 0.02 * s.statistics.box.diagonal(), 1e-6);
-  EXPECT_EQ(task->options.seed, 9U);
-  EXPECT_EQ(task->options.order, ResultOrder::fill_holes);
+  const SimplifyOptions& options = std::get<Simplification>(task->work).options;
+  EXPECT_EQ(options.cost, CostPolicy::random);
+  EXPECT_EQ(options.placement, Placement::midpoint);
+  EXPECT_EQ(options.boundary, BoundaryRule::lock);
+  EXPECT_EQ(options.crease_angle_deg, 40.0F);
+  EXPECT_NEAR(options.max_error, 0.02 * s.statistics.box.diagonal(), 1e-6);
+  EXPECT_EQ(options.seed, 9U);
+  EXPECT_EQ(options.order, ResultOrder::fill_holes);
   EXPECT_EQ(task->title, "Simplifying to 64 faces");
 }
 
@@ -175,7 +176,8 @@ TEST(Edits, SettingsAreThoseThatHeldWhenItWasAskedFor) {
   s.simplify.cost = CostPolicy::quadric;
   const auto task = begin_edit(s);
   ASSERT_TRUE(task);
-  EXPECT_EQ(task->options.cost, CostPolicy::random);
+  const SimplifyOptions& options = std::get<Simplification>(task->work).options;
+  EXPECT_EQ(options.cost, CostPolicy::random);
 }
 
 TEST(Edits, AttributesFollowOrAreDroppedWithANoticeAndComeBack) {

@@ -9,6 +9,7 @@
 #include "engine/core/memory.h"
 #include "engine/subdivide/subdivide.h"
 #include "tests/support/meshes.h"
+#include "tests/support/scarce_memory.h"
 
 namespace mesher::app {
 namespace {
@@ -241,6 +242,27 @@ TEST(Subdivision, RefusesWhatMemoryCannotHoldAndSaysHowMuch) {
   if (available_memory_bytes() > kEnough) GTEST_SKIP() << "this machine could hold level 9";
   EXPECT_FALSE(begin_subdivision(s, 9, {}));
   EXPECT_NE(s.notice.find(" GB of memory; "), std::string::npos) << s.notice;
+}
+
+TEST(Subdivision, CountsWhatIsShownButNeverRefusesToGoBack) {
+  if (!test::kMemoryCanBeScarce) GTEST_SKIP();
+  Session s = session_with(test::torus(100, 100));
+  press(s, "s s s");
+  const std::uint64_t twice = 2 * s.model.mesh.memory_bytes();
+  const test::ScarceMemory scarce(twice);  // level 1 takes an eighth of that
+  EXPECT_FALSE(begin_subdivision(s, 1, {}));
+  EXPECT_NE(s.notice.find("of memory; "), std::string::npos) << s.notice;
+  EXPECT_FALSE(begin_subdivision(s, 3, {.scheme = Scheme::butterfly}));
+  EXPECT_TRUE(begin_subdivision(s, 0, {}));
+}
+
+TEST(Subdivision, TheModelIsCopiedOnce) {
+  Session s = session_with(test::cube());
+  request_edit(s, {.kind = EditRequest::Kind::finer});
+  const auto task = begin_edit(s);
+  ASSERT_TRUE(task);
+  EXPECT_EQ(std::get<SubdivisionLevel>(task->work).base, task->shown);
+  EXPECT_EQ(s.edits.opened, task->shown);
 }
 
 TEST(Subdivision, OfNothingSaysSo) {
