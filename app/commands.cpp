@@ -179,7 +179,7 @@ void run(Session& session, Command command) {
     case Command::coarsen:
     case Command::undo:
     case Command::redo:
-      return session.edits.waiting.push_back({edit_of(command)});
+      return request_edit(session, {edit_of(command)});
     case Command::toggle_creases:
       return set_crease_mode(session, !session.creases.is_on);
     case Command::select_creases:
@@ -189,8 +189,8 @@ void run(Session& session, Command command) {
     case Command::smoothen:
     case Command::sharpen_fully:
     case Command::clear_creases:
-      return session.edits.waiting.push_back(
-          {.kind = EditRequest::Kind::creases, .creases = crease_edit_of(session, command)});
+      return request_edit(session, {.kind = EditRequest::Kind::creases,
+                                    .creases = crease_edit_of(session, command)});
     case Command::toggle_limit:
       session.subdivide.limit = !session.subdivide.limit;
       return apply_subdivide_settings(session);

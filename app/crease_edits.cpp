@@ -123,8 +123,8 @@ Statistics counted(const Session& session, const std::vector<EdgeSharpness>& wan
 void take_back_same_drag(Session& session, std::uint64_t drag) {
   History& history = session.edits.history;
   if (drag == 0 || history.undo_depth() == 0 || history.undo_edit().drag != drag) return;
-  session.edits.subdivision = history.undo_edit().subdivision_before;
-  history.take_back(session.model, session.statistics);
+  const Edit taken_back = history.take_back(session.model, session.statistics);
+  session.edits.subdivision = taken_back.subdivision_before;
 }
 
 }  // namespace

@@ -6,6 +6,11 @@
 #include "engine/core/error.h"
 
 namespace mesher::app {
+namespace {
+
+constexpr const char* kNoMemory = "not enough memory for another copy of the model";
+
+}  // namespace
 
 bool EditRunner::advance() {
   bool has_changed = false;
@@ -30,20 +35,27 @@ void EditRunner::start() {
         wake_);
   } catch (const std::bad_alloc&) {
     session_.edits.waiting.clear();
-    session_.error = "not enough memory for another copy of the model";
+    session_.error = kNoMemory;
+    follow_shown_level(session_);
   }
 }
 
 void EditRunner::take() {
   const std::unique_ptr<JobOf<EditResult>> job = std::move(job_);
   try {
-    finish_edit(session_, job->take());
+    EditResult result = job->take();
+    if (job->progress().is_cancelled()) throw Cancelled();  // too late to stop it
+    finish_edit(session_, std::move(result));
   } catch (const Cancelled&) {
     session_.notice = "cancelled";
+  } catch (const std::bad_alloc&) {
+    session_.edits.waiting.clear();
+    session_.error = kNoMemory;
   } catch (const std::exception& error) {
     session_.edits.waiting.clear();
     session_.error = error.what();
   }
+  follow_shown_level(session_);
 }
 
 void EditRunner::cancel() {

@@ -8,8 +8,8 @@
 
 namespace mesher::app {
 
-/// Runs the edits that a session waits for, one after the other, each simplification in the
-/// background: keys pressed meanwhile queue up.
+/// Runs the edits that a session waits for, one after the other, each simplification and
+/// subdivision in the background: keys pressed meanwhile queue up.
 class EditRunner {
  public:
   /// `wake` as for Job.

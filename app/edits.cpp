@@ -53,11 +53,13 @@ void undo(Session& session) {
     session.notice = "nothing to undo";
     return;
   }
-  session.notice = "undone: " + history.undo_name();
+  std::string notice = "undone: " + history.undo_name();
   const bool keeps_topology = history.undo_edit().mesh.keeps_topology();
-  session.edits.subdivision = history.undo_edit().subdivision_before;
   history.undo(session.model, session.statistics);
+  session.notice = std::move(notice);
+  session.edits.subdivision = history.redo_edit().subdivision_before;
   note_model_changed(session, keeps_topology);
+  follow_shown_level(session);
 }
 
 void redo(Session& session) {
@@ -66,11 +68,13 @@ void redo(Session& session) {
     session.notice = "nothing to redo";
     return;
   }
-  session.notice = "done again: " + history.redo_name();
+  std::string notice = "done again: " + history.redo_name();
   const bool keeps_topology = history.redo_edit().mesh.keeps_topology();
-  session.edits.subdivision = history.redo_edit().subdivision_after;
   history.redo(session.model, session.statistics);
+  session.notice = std::move(notice);
+  session.edits.subdivision = history.undo_edit().subdivision_after;
   note_model_changed(session, keeps_topology);
+  follow_shown_level(session);
 }
 
 /// A task that starts from what is shown. The first one also keeps that, as what was opened.
@@ -85,14 +89,13 @@ EditTask task_for_shown(Session& session) {
 
 bool is_subdivision(EditRequest::Kind kind) {
   return kind == EditRequest::Kind::finer || kind == EditRequest::Kind::coarser ||
-         kind == EditRequest::Kind::to_level || kind == EditRequest::Kind::same_level;
+         kind == EditRequest::Kind::same_level;
 }
 
 std::optional<EditTask> subdivision_task(Session& session, const EditRequest& request) {
   const std::uint32_t level = shown_level(session);
-  std::uint32_t wanted = request.level;
+  std::uint32_t wanted = level;
   if (request.kind == EditRequest::Kind::finer) wanted = level + 1;
-  if (request.kind == EditRequest::Kind::same_level) wanted = level;
   if (request.kind == EditRequest::Kind::coarser) {
     if (level == 0) {
       session.notice = "nothing coarser is kept";
@@ -100,12 +103,13 @@ std::optional<EditTask> subdivision_task(Session& session, const EditRequest& re
     }
     wanted = level - 1;
   }
-  auto subdivision = begin_subdivision(session, wanted);
-  if (!subdivision) return std::nullopt;
+  auto step = begin_subdivision(session, wanted, request.subdivide);
+  if (!step) return std::nullopt;
   EditTask task = task_for_shown(session);
   task.title = "Subdividing to level " + std::to_string(wanted);
-  task.name = name_of(session.edits.subdivision.value_or(SubdivisionLevel{}), subdivision->wanted);
-  task.subdivision = std::move(subdivision);
+  task.name = name_of(session.edits.subdivision.value_or(SubdivisionLevel{}), *step);
+  if (!step->base) step->base = task.shown;
+  task.work = *std::move(step);
   return task;
 }
 
@@ -113,15 +117,17 @@ EditTask simplify_task(Session& session, const EditRequest& request) {
   Edits& edits = session.edits;
   EditTask task = task_for_shown(session);
   const bool is_from_opened = request.kind == EditRequest::Kind::simplify_to;
-  task.start = is_from_opened ? edits.opened : task.shown;
-  task.options = options_of(session.simplify, session.statistics.box.diagonal());
-  task.options.target_faces = target_of(request, task.start->mesh.face_count());
+  Simplification work{is_from_opened ? edits.opened : task.shown,
+                      options_of(request.simplify, session.statistics.box.diagonal())};
+  const std::uint32_t target = target_of(request, work.start->mesh.face_count());
+  work.options.target_faces = target;
   if (request.kind == EditRequest::Kind::remove_edge) {
     task.title = "Collapsing an edge";
     task.name = "collapse an edge";
   } else {
-    task.title = "Simplifying to " + with_commas(task.options.target_faces) + " faces";
+    task.title = "Simplifying to " + with_commas(target) + " faces";
   }
+  task.work = std::move(work);
   return task;
 }
 
@@ -146,13 +152,13 @@ void take_difference(const EditTask& task, const Shape& shape, Edit& edit) {
   edit.after = statistics(shape.mesh);
 }
 
-EditResult perform_simplification(const EditTask& task, Progress* progress) {
+EditResult perform_work(const EditTask& task, const Simplification& work, Progress* progress) {
   begin_stage(progress, "simplifying");
-  SimplifyOptions options = task.options;
+  SimplifyOptions options = work.options;
   options.progress = progress;
-  Simplified simplified = simplify(Mesh(task.start->mesh), options);
+  Simplified simplified = simplify(Mesh(work.start->mesh), options);
   CarriedAttributes carried =
-      carry_attributes(task.start->attributes, task.start->mesh.origins(), simplified);
+      carry_attributes(work.start->attributes, work.start->mesh.origins(), simplified);
   EditResult result;
   result.edit.name = task.name.empty()
                          ? "simplify to " + with_commas(simplified.report.faces_reached) + " faces"
@@ -163,8 +169,7 @@ EditResult perform_simplification(const EditTask& task, Progress* progress) {
   return result;
 }
 
-EditResult perform_subdivision(const EditTask& task, Progress* progress) {
-  const SubdivisionLevel& wanted = task.subdivision->wanted;
+EditResult perform_work(const EditTask& task, const SubdivisionLevel& wanted, Progress* progress) {
   const auto start = std::chrono::steady_clock::now();
   const Shape shape = subdivided(wanted, progress);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -177,6 +182,12 @@ EditResult perform_subdivision(const EditTask& task, Progress* progress) {
 }
 
 }  // namespace
+
+void request_edit(Session& session, EditRequest request) {
+  request.simplify = session.simplify;
+  request.subdivide = session.subdivide;
+  session.edits.waiting.push_back(request);
+}
 
 std::optional<EditTask> begin_edit(Session& session) {
   const EditRequest request = session.edits.waiting.front();
@@ -200,8 +211,8 @@ std::optional<EditTask> begin_edit(Session& session) {
 }
 
 EditResult perform(const EditTask& task, Progress* progress) {
-  return task.subdivision ? perform_subdivision(task, progress)
-                          : perform_simplification(task, progress);
+  return std::visit([&](const auto& work) { return perform_work(task, work, progress); },
+                    task.work);
 }
 
 void finish_edit(Session& session, EditResult&& result) {
@@ -211,15 +222,31 @@ void finish_edit(Session& session, EditResult&& result) {
     edits.last = std::move(result.simplified);
   }
   if (result.subdivided) edits.last_subdivision = result.subdivided;
-  if (!result.edit.changes_anything()) return;
-  record_edit(session, std::move(result.edit));
+  if (result.edit.changes_anything()) {
+    record_edit(session, std::move(result.edit));
+  } else if (result.subdivided) {
+    edits.subdivision = std::move(result.edit.subdivision_after);  // other rules, the same surface
+  }
+  follow_shown_level(session);
 }
 
 void record_edit(Session& session, Edit&& edit) {
-  edit.subdivision_before = std::exchange(session.edits.subdivision, edit.subdivision_after);
+  edit.subdivision_before = session.edits.subdivision;
   const bool keeps_topology = edit.mesh.keeps_topology();
-  session.edits.history.perform(std::move(edit), session.model, session.statistics);
+  History& history = session.edits.history;
+  history.perform(std::move(edit), session.model, session.statistics);
+  session.edits.subdivision = history.undo_edit().subdivision_after;
   note_model_changed(session, keeps_topology);
+}
+
+bool take_back_last_edit(Session& session) {
+  History& history = session.edits.history;
+  if (history.undo_depth() == 0) return false;
+  const Edit taken_back = history.take_back(session.model, session.statistics);
+  session.edits.subdivision = taken_back.subdivision_before;
+  note_model_changed(session, taken_back.mesh.keeps_topology());
+  follow_shown_level(session);
+  return true;
 }
 
 void note_model_changed(Session& session, bool keeps_topology) {

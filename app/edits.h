@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "app/crease_edits.h"
@@ -39,13 +40,14 @@ struct EditRequest {
     creases,     ///< `creases`
     finer,       ///< one level of subdivision more
     coarser,     ///< one less, down to what was subdivided
-    to_level,    ///< `level`
     same_level,  ///< what is shown, by the rules that now hold
   };
   Kind kind = Kind::remove_tenth;
   std::uint32_t target_faces = 0;
   CreaseRequest creases{};
-  std::uint32_t level = 0;
+  // The rules that held when it was asked for: until it is done, those of the session may change.
+  SimplifySettings simplify{};
+  SubdivideSettings subdivide{};
 };
 
 /// The ledger of a simplification.
@@ -74,16 +76,20 @@ struct Edits {
 
 struct Session;
 
+/// A simplification in the background: what of, and how.
+struct Simplification {
+  std::shared_ptr<const Shape> start;  ///< what is shown, or what was opened
+  SimplifyOptions options;
+};
+
 /// Everything that a simplification or subdivision needs and nothing that anybody else changes: it
 /// may run on another thread.
 struct EditTask {
   std::string title;  ///< "Simplifying to 4,500 faces"
   std::string name;   ///< in the history; empty: after the number of faces reached
   std::shared_ptr<const Shape> shown;
-  std::shared_ptr<const Shape> start;  ///< what is simplified: what is shown, or what was opened
-  Statistics statistics;               ///< of what is shown
-  SimplifyOptions options;
-  std::optional<SubdivisionTask> subdivision;  ///< this is to be done instead of simplifying
+  Statistics statistics;  ///< of what is shown
+  std::variant<Simplification, SubdivisionLevel> work;
 };
 
 struct EditResult {
@@ -91,6 +97,9 @@ struct EditResult {
   std::optional<SimplifyOutcome> simplified;
   std::optional<SubdivideOutcome> subdivided;
 };
+
+/// Lets a request wait for its turn, by the rules that the session has now.
+void request_edit(Session& session, EditRequest request);
 
 /// Takes the first waiting request. Undo, redo and edits of creases are done at once and give
 /// nothing; so does what cannot be done, with a notice. Otherwise the task to perform. O(V + F):
@@ -110,6 +119,10 @@ void note_model_changed(Session& session, bool keeps_topology);
 /// Does an edit to the model and keeps it in the history. An edit without `subdivision_after` ends
 /// the levels of subdivision: what it makes is no level of anything. O(differences).
 void record_edit(Session& session, Edit&& edit);
+
+/// Takes the last edit back for good, because what it made cannot be shown. Returns false where
+/// there is none. Pre: no task runs, which would start from what it made. O(differences).
+bool take_back_last_edit(Session& session);
 
 /// All that waits, one after the other, here and now.
 void run_waiting_edits(Session& session);

@@ -5,7 +5,6 @@
 #include <deque>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/subdivision.h"
 #include "engine/mesh/delta.h"
@@ -34,7 +33,8 @@ struct Edit {
 };
 
 /// The edits of a model, done and undone. Past a limit of memory the oldest are forgotten, though
-/// never the last one.
+/// never the last one. What needs more memory than there is throws std::bad_alloc, and neither the
+/// model nor the history has changed then.
 class History {
  public:
   static constexpr std::size_t kMemoryBudget = std::size_t{1} << 30U;
@@ -47,8 +47,8 @@ class History {
   void perform(Edit&& edit, Model& model, Statistics& statistics);
   /// Takes the last edit back. Pre: undo_depth() > 0, and the model is as the last call left it.
   void undo(Model& model, Statistics& statistics);
-  /// The same, for good: it cannot be done again.
-  void take_back(Model& model, Statistics& statistics);
+  /// The same, for good: neither it nor what was undone before can be done again. Returns the edit.
+  Edit take_back(Model& model, Statistics& statistics);
   /// Does the edit again that was undone last. Pre: redo_depth() > 0, the same.
   void redo(Model& model, Statistics& statistics);
 
@@ -62,10 +62,12 @@ class History {
   std::size_t memory_bytes() const { return bytes_; }
 
  private:
+  void forget_undone();
+
   std::size_t budget_bytes_ = kMemoryBudget;
   std::size_t bytes_ = 0;
   std::deque<Edit> done_;
-  std::vector<Edit> undone_;  ///< the last undone at the end
+  std::deque<Edit> undone_;  ///< the last undone at the end
 };
 
 }  // namespace mesher::app

@@ -26,8 +26,8 @@ std::string subdivision_refusal(const SubdivisionSize& size, std::uint32_t level
   if (!size.has_ids) {
     return what + with_commas(size.faces) + " faces or more: too many for 32-bit indices";
   }
-  const std::uint64_t needed =
-      size.peak_bytes + budget.beside + (budget.copies - 1) * (size.result_bytes + budget.beside);
+  const std::uint64_t needed = budget.held + size.peak_bytes + budget.beside +
+                               (budget.copies - 1) * (size.result_bytes + budget.beside);
   if (needed <= budget.available / 5 * 4) return "";
   return what + with_commas(size.faces) + " faces and take " + bytes_text(needed) + " of memory; " +
          bytes_text(budget.available) + " are free";

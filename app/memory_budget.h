@@ -15,6 +15,7 @@ struct MemoryBudget {
   std::uint64_t available = 0;  ///< bytes
   unsigned copies = 1;          ///< how often the result is held at the end
   std::uint64_t beside = 0;     ///< bytes that the result takes beside its mesh, once
+  std::uint64_t held = 0;       ///< bytes that are taken whatever the result
 };
 
 /// Why a subdivision cannot be done here, in a person's words, with what it would take; empty where

@@ -11,12 +11,14 @@
 namespace mesher::app {
 namespace {
 
-// Beside the model that is shown: its old and new arrays in the history, and the GPU's mirror.
+// The model that will be shown: that, the result, its arrays in the history, and the GPU's mirror.
 constexpr unsigned kCopies = 4;
+// The model that is shown: the task's, and its arrays in the history.
+constexpr unsigned kCopiesBefore = 2;
 
 /// What is shown, as a level; without its base where nothing is subdivided.
 SubdivisionLevel shown(const Session& session) {
-  return session.edits.subdivision.value_or(SubdivisionLevel{.settings = session.subdivide});
+  return session.edits.subdivision.value_or(SubdivisionLevel{});
 }
 
 SubdivideOptions options_of(const SubdivideSettings& settings, std::uint32_t level) {
@@ -28,15 +30,25 @@ SubdivideOptions options_of(const SubdivideSettings& settings, std::uint32_t lev
           .limit = settings.limit};
 }
 
-std::string refusal(const Session& session, const SubdivisionLevel& from, std::uint32_t level) {
+std::uint64_t shown_bytes(const Session& session) {
+  const Attributes& a = session.model.attributes;
+  return session.model.mesh.memory_bytes() + std::span(a.texcoord).size_bytes() +
+         std::span(a.normal).size_bytes() + std::span(a.color).size_bytes() +
+         std::span(a.group).size_bytes();
+}
+
+std::string refusal(const Session& session, const SubdivisionLevel& from, std::uint32_t level,
+                    const SubdivideSettings& settings) {
+  if (level == 0) return "";  // nothing is made, and it is the way out of want of memory
   const Mesh& base = from.base ? from.base->mesh : session.model.mesh;
   const Attributes& attributes = from.base ? from.base->attributes : session.model.attributes;
   if (base.face_count() == 0) return "there is nothing to subdivide";
   if (level > kMostLevels) return "that is the finest level there is";
-  return subdivision_refusal(subdivision_size(base, options_of(session.subdivide, level)), level,
+  return subdivision_refusal(subdivision_size(base, options_of(settings, level)), level,
                              {.available = available_memory_bytes(),
                               .copies = kCopies,
-                              .beside = subdivided_attribute_bytes(attributes, level)});
+                              .beside = subdivided_attribute_bytes(attributes, level),
+                              .held = kCopiesBefore * shown_bytes(session)});
 }
 
 }  // namespace
@@ -45,29 +57,33 @@ std::uint32_t shown_level(const Session& session) {
   return shown(session).level;
 }
 
-std::optional<SubdivisionTask> begin_subdivision(Session& session, std::uint32_t level) {
+std::optional<SubdivisionLevel> begin_subdivision(Session& session, std::uint32_t level,
+                                                  const SubdivideSettings& settings) {
   SubdivisionLevel wanted = shown(session);
-  const bool is_shown =
-      wanted.level == level && (level == 0 || wanted.settings == session.subdivide);
+  const bool is_shown = wanted.level == level && (level == 0 || wanted.settings == settings);
   if (is_shown) return std::nullopt;
-  if (std::string reason = refusal(session, wanted, level); !reason.empty()) {
+  if (std::string reason = refusal(session, wanted, level, settings); !reason.empty()) {
     session.notice = std::move(reason);
+    follow_shown_level(session);
     return std::nullopt;
   }
-  if (!wanted.base) {
-    wanted.base =
-        std::make_shared<const Shape>(Shape{session.model.mesh, session.model.attributes});
-  }
   wanted.level = level;
-  wanted.settings = session.subdivide;
-  return SubdivisionTask{std::move(wanted)};
+  wanted.settings = settings;
+  return wanted;
+}
+
+void follow_shown_level(Session& session) {
+  const auto& level = session.edits.subdivision;
+  if (level && level->level > 0 && session.edits.waiting.empty()) {
+    session.subdivide = level->settings;
+  }
 }
 
 void apply_subdivide_settings(Session& session) {
   const SubdivideSettings& settings = session.subdivide;
   session.notice = "subdivision: " + std::string(key(settings.scheme)) + ", " +
                    std::string(key(settings.creases)) + (settings.limit ? ", limit surface" : "");
-  session.edits.waiting.push_back({.kind = EditRequest::Kind::same_level});
+  request_edit(session, {.kind = EditRequest::Kind::same_level});
 }
 
 Shape subdivided(const SubdivisionLevel& wanted, Progress* progress) {

@@ -47,18 +47,19 @@ struct SubdivideOutcome {
   double seconds = 0.0;
 };
 
-/// What a subdivision in the background needs.
-struct SubdivisionTask {
-  SubdivisionLevel wanted;
-};
-
 /// The level that is shown: 0 where nothing is subdivided.
 std::uint32_t shown_level(const Session& session);
 
-/// The step from what is shown to `level`, by the session's rules. None where there is nothing to
+/// The step from what is shown to `level`, by these rules. None where there is nothing to
 /// do or it cannot be done, which the session's notice says; so it does where that would take more
-/// memory than is free, and how much. O(F): the model is copied where nothing is kept of it yet.
-std::optional<SubdivisionTask> begin_subdivision(Session& session, std::uint32_t level);
+/// memory than is free, and how much. Without a base where that is what is shown, of which nothing
+/// is kept yet. O(F).
+std::optional<SubdivisionLevel> begin_subdivision(Session& session, std::uint32_t level,
+                                                  const SubdivideSettings& settings);
+
+/// Takes the session's rules back to those of the level that is shown, if there is one and nothing
+/// waits that may still change it: what is not done, or undone, has no rules to show.
+void follow_shown_level(Session& session);
 
 /// The shape on the level that is wanted. Touches no session. Throws Cancelled.
 Shape subdivided(const SubdivisionLevel& wanted, Progress* progress);

@@ -283,26 +283,39 @@ class Viewer {
     const render::UploadStats stats =
         mesh_.apply(session_.model.mesh, session_.settings, shading_normals(session_));
     if (mesh_.mark(marked_edges(session_))) drawn_.reset();
+    uploaded_revision_ = session_.edits.revision;
     if (stats.uploaded_bytes == 0 && mesh_.face_count() == faces_before) return;
     upload_ = stats;
     drawn_.reset();
   }
 
   /// Everything that a frame needs and that can fail for want of memory, before the frame begins.
-  /// Where a change of settings was too much, takes it back and says so.
+  /// Where a change of settings or an edit was too much, takes it back and says so.
   bool prepare_scene() {
     try {
       upload();
       drawable_settings_ = session_.settings;
       return true;
     } catch (const Error& error) {
-      if (!drawable_settings_ || *drawable_settings_ == session_.settings) throw;
-      session_.settings = *drawable_settings_;
+      if (!take_back_settings() && !take_back_edit()) throw;
       session_.error = error.what();
       mesh_.invalidate();
       want_frames();
       return false;
     }
+  }
+
+  bool take_back_settings() {
+    if (!drawable_settings_ || *drawable_settings_ == session_.settings) return false;
+    session_.settings = *drawable_settings_;
+    return true;
+  }
+
+  // What runs or waits would go on from what cannot be shown.
+  bool take_back_edit() {
+    if (!uploaded_revision_ || *uploaded_revision_ == session_.edits.revision) return false;
+    edits_.stop();
+    return take_back_last_edit(session_);
   }
 
   void draw_scene(const gpu::Frame& frame) {
@@ -368,6 +381,7 @@ class Viewer {
   std::unique_ptr<JobOf<Saved>> save_;
   std::optional<Drawn> drawn_;
   std::optional<render::Settings> drawable_settings_;  ///< those that the mirror was made for
+  std::optional<std::uint64_t> uploaded_revision_;     ///< of the edits that the mirror has
   render::UploadStats upload_;
   glm::dvec2 cursor_{0.0};
   std::string title_;

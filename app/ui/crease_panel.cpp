@@ -13,7 +13,7 @@ namespace mesher::app {
 namespace {
 
 void ask(Session& session, const CreaseRequest& request) {
-  session.edits.waiting.push_back({.kind = EditRequest::Kind::creases, .creases = request});
+  request_edit(session, {.kind = EditRequest::Kind::creases, .creases = request});
 }
 
 void draw_counts(const Session& session) {

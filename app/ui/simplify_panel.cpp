@@ -57,28 +57,29 @@ void draw_rules(SimplifySettings& settings) {
   ImGui::EndDisabled();
 }
 
-/// Applies on release, since dragging passes through everything in between.
+/// Applies on release, since dragging passes through everything in between. Where the model is
+/// shown in more detail than it was opened in, the slider stands at its right end.
 void draw_target(Session& session, bool is_busy, int& slider_faces) {
-  const auto most =
-      static_cast<int>(std::max(session.edits.opened_faces, session.statistics.faces));
+  const auto most = static_cast<int>(session.edits.opened_faces);
   const int fewest = std::min(session.statistics.is_closed() ? 4 : 1, most);
   ImGui::SetNextItemWidth(-FLT_MIN);
   ImGui::SliderInt("##faces", &slider_faces, fewest, std::max(most, fewest + 1), "%d faces",
                    ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
   tooltip(
       "Simplifies the model as it was opened to so many faces, when let go:\n"
-      "to the right, detail comes back.");
+      "to the right, detail comes back, up to what was opened. What a subdivision\n"
+      "added beyond that is not kept.");
   if (ImGui::IsItemDeactivatedAfterEdit()) {
-    session.edits.waiting.push_back(
-        {EditRequest::Kind::simplify_to, static_cast<std::uint32_t>(slider_faces)});
+    request_edit(session,
+                 {EditRequest::Kind::simplify_to, static_cast<std::uint32_t>(slider_faces)});
   } else if (!ImGui::IsItemActive() && !is_busy && session.edits.waiting.empty()) {
-    slider_faces = static_cast<int>(session.statistics.faces);
+    slider_faces = std::min(static_cast<int>(session.statistics.faces), std::max(most, fewest + 1));
   }
 }
 
 void request_button(Session& session, const char* name, EditRequest::Kind kind, bool is_possible,
                     const std::string& help) {
-  if (half_button(name, is_possible, help.c_str())) session.edits.waiting.push_back({kind});
+  if (half_button(name, is_possible, help.c_str())) request_edit(session, {kind});
 }
 
 void draw_buttons(Session& session) {

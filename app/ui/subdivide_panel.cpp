@@ -27,7 +27,7 @@ constexpr Choice kDecays[kCreaseDecayCount] = {
     {"Chaikin", "Semi-sharp edges are averaged along the crease, then lose 1 a level."}};
 
 void ask(Session& session, EditRequest::Kind kind) {
-  session.edits.waiting.push_back({.kind = kind});
+  request_edit(session, {.kind = kind});
 }
 
 /// What the next level would be.

@@ -1,9 +1,12 @@
 #include "engine/core/memory.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <fstream>
 #include <limits>
-#include <string>
+#include <sstream>
 
 namespace mesher {
 namespace {
@@ -22,7 +25,7 @@ std::uint64_t system_available() {
   return kUnknown;
 }
 
-/// A number on its own in a file; "max" and what is no number mean no limit.
+/// A number at the beginning of a file; "max" and what is no number mean no limit.
 std::uint64_t number_in(const std::string& path) {
   std::ifstream file(path);
   std::uint64_t value = 0;
@@ -40,25 +43,82 @@ std::uint64_t named_number_in(const std::string& path, const std::string& name) 
   return 0;
 }
 
-/// `cached`: what of the use is files that were read, which make room.
-std::uint64_t group_available(const std::string& folder, const char* limit_file,
-                              const char* used_file, const char* cached) {
-  const std::uint64_t limit = number_in(folder + limit_file);
-  const std::uint64_t used = number_in(folder + used_file);
+/// How one version of control groups calls its files.
+struct GroupFiles {
+  const char* root;
+  const char* limit;
+  const char* used;
+  const char* cached;  ///< what of the use is files that were read, which make room
+};
+
+std::uint64_t group_available(const std::string& folder, const GroupFiles& files) {
+  const std::uint64_t limit = number_in(folder + "/" + files.limit);
+  const std::uint64_t used = number_in(folder + "/" + files.used);
   if (limit == kUnknown || used == kUnknown) return kUnknown;
-  const std::uint64_t files = named_number_in(folder + "memory.stat", cached);
-  const std::uint64_t held = used > files ? used - files : 0;
+  const std::uint64_t cached = named_number_in(folder + "/memory.stat", files.cached);
+  const std::uint64_t held = used > cached ? used - cached : 0;
   return limit > held ? limit - held : 0;
+}
+
+/// The least over the process's own group and those that it is in.
+std::uint64_t groups_available(const std::string& path, const GroupFiles& files) {
+  std::uint64_t least = kUnknown;
+  for (const std::string& group : with_parents(path))
+    least = std::min(least, group_available(files.root + group, files));
+  return least;
+}
+
+/// What is left of the limit that a shell's `ulimit -v` sets.
+std::uint64_t address_space_available() {
+  rlimit limit = {};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kUnknown;
+  const std::uint64_t pages = number_in("/proc/self/statm");
+  if (pages == kUnknown) return kUnknown;
+  const std::uint64_t mapped = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  return limit.rlim_cur > mapped ? limit.rlim_cur - mapped : 0;
+}
+
+bool has_memory(const std::string& controllers) {
+  return ("," + controllers + ",").find(",memory,") != std::string::npos;
 }
 
 }  // namespace
 
+// A line is "number:controllers:path"; of version 2 there is one, with no controllers.
+GroupPaths parse_group_paths(const std::string& text) {
+  GroupPaths paths;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t first = line.find(':');
+    const std::size_t second = first == std::string::npos ? first : line.find(':', first + 1);
+    if (second == std::string::npos) continue;
+    const std::string controllers = line.substr(first + 1, second - first - 1);
+    const std::string path = line.substr(second + 1);
+    if (controllers.empty()) paths.v2 = path;
+    if (has_memory(controllers)) paths.v1 = path;
+  }
+  return paths;
+}
+
+std::vector<std::string> with_parents(std::string path) {
+  std::vector<std::string> paths;
+  while (!path.empty()) {
+    if (path.back() != '/') paths.push_back(path);
+    path.erase(path.find_last_of('/') == std::string::npos ? 0 : path.find_last_of('/'));
+  }
+  paths.emplace_back();
+  return paths;
+}
+
 std::uint64_t available_memory_bytes() {
-  return std::min(
-      {system_available(),
-       group_available("/sys/fs/cgroup/", "memory.max", "memory.current", "inactive_file"),
-       group_available("/sys/fs/cgroup/memory/", "memory.limit_in_bytes", "memory.usage_in_bytes",
-                       "total_inactive_file")});
+  std::stringstream groups;
+  groups << std::ifstream("/proc/self/cgroup").rdbuf();
+  const GroupPaths paths = parse_group_paths(groups.str());
+  return std::min({system_available(), address_space_available(),
+                   groups_available(paths.v2, {"/sys/fs/cgroup", "memory.max", "memory.current",
+                                               "inactive_file"}),
+                   groups_available(paths.v1, {"/sys/fs/cgroup/memory", "memory.limit_in_bytes",
+                                               "memory.usage_in_bytes", "total_inactive_file"})});
 }
 
 }  // namespace mesher

@@ -90,15 +90,6 @@ std::size_t ArrayDelta::memory_bytes() const {
   return ranges_.capacity() * sizeof(ChangedRange) + before_.capacity() + after_.capacity();
 }
 
-std::vector<ChangedRange> ArrayDelta::written(Direction direction) const {
-  std::vector<ChangedRange> ranges = ranges_;
-  if (count(direction) > common()) {
-    append(ranges,
-           {static_cast<std::uint32_t>(common()), static_cast<std::uint32_t>(count(direction))});
-  }
-  return ranges;
-}
-
 Array<std::byte> ArrayDelta::gather(std::span<const std::byte> bytes) const {
   const std::size_t tail = common() * element_bytes_;
   std::size_t size = bytes.size() - tail;

@@ -55,6 +55,11 @@ class ArrayDelta {
   /// Bytes that the difference occupies.
   std::size_t memory_bytes() const;
 
+  /// Gives `array` room for either state, so that writing cannot fail. Throws std::bad_alloc.
+  template <class T>
+  void make_room(Array<T>& array) const {
+    array.reserve(std::max(old_count_, new_count_));
+  }
   /// Takes `array` from one state to the other. O(differences), apart from resizing.
   /// Pre: it is in the state that `direction` starts from.
   template <class T>
@@ -63,8 +68,16 @@ class ArrayDelta {
     array.resize(count(direction));
     write_bytes(std::as_writable_bytes(std::span(array)), direction);
   }
-  /// The elements that writing changes or adds, sorted and disjoint.
-  std::vector<ChangedRange> written(Direction direction) const;
+  /// Calls `visit` for every range of elements that writing changes or adds, in order.
+  template <class Visit>
+  void for_each_written(Direction direction, Visit&& visit) const {
+    for (const ChangedRange range : ranges_)
+      visit(range);
+    if (count(direction) > common()) {
+      visit(ChangedRange{static_cast<std::uint32_t>(common()),
+                         static_cast<std::uint32_t>(count(direction))});
+    }
+  }
 
  private:
   ArrayDelta(std::span<const std::byte> before, std::span<const std::byte> after,

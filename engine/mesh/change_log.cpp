@@ -1,6 +1,7 @@
 #include "engine/mesh/change_log.h"
 
 #include <algorithm>
+#include <new>
 
 namespace mesher {
 
@@ -14,12 +15,16 @@ void ChangeLog::add(GpuArray array, std::uint32_t first, std::uint32_t count) {
       return;
     }
   }
-  if (ranges.size() == kMaxRanges) {
-    whole_[i] = true;
-    ranges.clear();
-    return;
+  if (ranges.size() < kMaxRanges) {
+    try {
+      ranges.push_back({first, first + count});
+      return;
+    } catch (const std::bad_alloc&) {
+      // As with too many: that costs a copy, an edit that fails halfway costs the mesh.
+    }
   }
-  ranges.push_back({first, first + count});
+  whole_[i] = true;
+  ranges.clear();
 }
 
 void ChangeLog::note_all() {

@@ -26,7 +26,8 @@ struct ChangedRange {
 
 /// Which elements of which GPU arrays edits have touched since the log was last cleared. Noting is
 /// O(1); a range that continues or repeats the one noted before it is merged at once. Past
-/// kMaxRanges ranges an array counts as changed whole: sorting them would cost more than copying.
+/// kMaxRanges ranges, or where there is no memory for more, an array counts as changed whole:
+/// sorting them would cost more than copying. Noting never fails.
 class ChangeLog {
  public:
   static constexpr std::size_t kMaxRanges = 100'000;

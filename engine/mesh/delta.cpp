@@ -1,13 +1,15 @@
 #include "engine/mesh/delta.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mesher {
 namespace {
 
-void note(ChangeLog& changes, GpuArray array, const std::vector<ChangedRange>& ranges) {
-  for (const ChangedRange range : ranges)
+void note(ChangeLog& changes, GpuArray array, const ArrayDelta& delta, Direction direction) {
+  delta.for_each_written(direction, [&](ChangedRange range) {
     changes.note(array, range.begin, range.end - range.begin);
+  });
 }
 
 template <class T>
@@ -48,7 +50,18 @@ std::size_t MeshDelta::memory_bytes() const {
          outgoing_.memory_bytes() + sharpness_.memory_bytes() + vertex_sharpness_.memory_bytes();
 }
 
+void MeshDelta::make_room(Mesh& mesh) const {
+  position_.make_room(mesh.position_);
+  origin_.make_room(mesh.origin_);
+  twin_.make_room(mesh.twin_);
+  outgoing_.make_room(mesh.outgoing_);
+  sharpness_.make_room(mesh.sharpness_);
+  vertex_sharpness_.make_room(mesh.vertex_sharpness_);
+}
+
+// All that can fail comes first: a mesh that is written by half is none.
 void MeshDelta::write(Mesh& mesh, Direction direction) const {
+  make_room(mesh);
   position_.write(mesh.position_, direction);
   origin_.write(mesh.origin_, direction);
   twin_.write(mesh.twin_, direction);
@@ -56,16 +69,16 @@ void MeshDelta::write(Mesh& mesh, Direction direction) const {
   sharpness_.write(mesh.sharpness_, direction);
   vertex_sharpness_.write(mesh.vertex_sharpness_, direction);
   ChangeLog& changes = mesh.changes_;
-  note(changes, GpuArray::position, position_.written(direction));
-  note(changes, GpuArray::origin, origin_.written(direction));
-  note(changes, GpuArray::edge_class, twin_.written(direction));
-  note(changes, GpuArray::edge_class, sharpness_.written(direction));
+  note(changes, GpuArray::position, position_, direction);
+  note(changes, GpuArray::origin, origin_, direction);
+  note(changes, GpuArray::edge_class, twin_, direction);
+  note(changes, GpuArray::edge_class, sharpness_, direction);
   // Where a vertex has lost its last face, no other element tells that its normal is gone.
-  for (const ChangedRange range : outgoing_.written(direction)) {
+  outgoing_.for_each_written(direction, [&](ChangedRange range) {
     for (std::uint32_t v = range.begin; v < range.end; ++v) {
       if (!mesh.outgoing_[v].is_valid()) changes.note(GpuArray::position, v);
     }
-  }
+  });
 }
 
 MeshDelta difference(const Mesh& before, const Mesh& after) {
@@ -84,6 +97,10 @@ MeshDelta sharpness_difference(const Mesh& mesh, std::span<const EdgeSharpness> 
   std::sort(writes.begin(), writes.end(),
             [](const auto& a, const auto& b) { return a.index < b.index; });
   return {mesh, writes};
+}
+
+void make_room(Mesh& mesh, const MeshDelta& delta) {
+  delta.make_room(mesh);
 }
 
 void apply(Mesh& mesh, const MeshDelta& delta) {
@@ -114,17 +131,29 @@ std::size_t AttributesDelta::memory_bytes() const {
          group_.memory_bytes();
 }
 
+void AttributesDelta::make_room(Attributes& attributes) const {
+  texcoord_.make_room(attributes.texcoord);
+  normal_.make_room(attributes.normal);
+  color_.make_room(attributes.color);
+  group_.make_room(attributes.group);
+}
+
 void AttributesDelta::write(Attributes& attributes, Direction direction) const {
+  std::vector<std::string> names = direction == Direction::forward ? new_names_ : old_names_;
+  make_room(attributes);
   texcoord_.write(attributes.texcoord, direction);
   normal_.write(attributes.normal, direction);
   color_.write(attributes.color, direction);
   group_.write(attributes.group, direction);
-  if (old_names_ == new_names_) return;
-  attributes.group_names = direction == Direction::forward ? new_names_ : old_names_;
+  if (old_names_ != new_names_) attributes.group_names = std::move(names);
 }
 
 AttributesDelta difference(const Attributes& before, const Attributes& after) {
   return {before, after};
+}
+
+void make_room(Attributes& attributes, const AttributesDelta& delta) {
+  delta.make_room(attributes);
 }
 
 void apply(Attributes& attributes, const AttributesDelta& delta) {

@@ -30,11 +30,13 @@ class MeshDelta {
  private:
   friend MeshDelta difference(const Mesh& before, const Mesh& after);
   friend MeshDelta sharpness_difference(const Mesh& mesh, std::span<const EdgeSharpness> wanted);
+  friend void make_room(Mesh& mesh, const MeshDelta& delta);
   friend void apply(Mesh& mesh, const MeshDelta& delta);
   friend void revert(Mesh& mesh, const MeshDelta& delta);
 
   MeshDelta(const Mesh& before, const Mesh& after);
   MeshDelta(const Mesh& mesh, std::span<const ElementWrite<float>> sharpness);
+  void make_room(Mesh& mesh) const;
   void write(Mesh& mesh, Direction direction) const;
 
   ArrayDelta position_;
@@ -56,10 +58,13 @@ MeshDelta sharpness_difference(const Mesh& mesh, std::span<const EdgeSharpness> 
 /// Turns the delta's `before` into its `after`, arrays identical bit by bit, and notes what the GPU
 /// mirrors of it in `mesh.changes()`: every changed or new element (twins and sharpnesses as edge
 /// classes, and the position of a vertex that no face uses any more, whose normal is gone).
-/// O(differences), apart from resizing. Pre: `mesh` has the arrays of `before`.
+/// O(differences), apart from resizing. Throws std::bad_alloc, and nothing has changed then.
+/// Pre: `mesh` has the arrays of `before`.
 void apply(Mesh& mesh, const MeshDelta& delta);
 /// The way back. Pre: `mesh` has the arrays of `after`.
 void revert(Mesh& mesh, const MeshDelta& delta);
+/// Makes room for either state: apply and revert cannot fail after that. Throws std::bad_alloc.
+void make_room(Mesh& mesh, const MeshDelta& delta);
 
 /// The same for what a file says beyond shape.
 class AttributesDelta {
@@ -71,10 +76,12 @@ class AttributesDelta {
 
  private:
   friend AttributesDelta difference(const Attributes& before, const Attributes& after);
+  friend void make_room(Attributes& attributes, const AttributesDelta& delta);
   friend void apply(Attributes& attributes, const AttributesDelta& delta);
   friend void revert(Attributes& attributes, const AttributesDelta& delta);
 
   AttributesDelta(const Attributes& before, const Attributes& after);
+  void make_room(Attributes& attributes) const;
   void write(Attributes& attributes, Direction direction) const;
 
   ArrayDelta texcoord_;
@@ -90,5 +97,8 @@ AttributesDelta difference(const Attributes& before, const Attributes& after);
 void apply(Attributes& attributes, const AttributesDelta& delta);
 /// Pre: they are those of its `after`.
 void revert(Attributes& attributes, const AttributesDelta& delta);
+/// Makes room for either state: what can still fail after that are the names of groups, before
+/// anything has changed. Throws std::bad_alloc.
+void make_room(Attributes& attributes, const AttributesDelta& delta);
 
 }  // namespace mesher

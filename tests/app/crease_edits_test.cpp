@@ -31,7 +31,7 @@ class CreaseEdits : public testing::Test {
     }
   }
   void ask(const CreaseRequest& request) {
-    s_.edits.waiting.push_back({.kind = EditRequest::Kind::creases, .creases = request});
+    request_edit(s_, {.kind = EditRequest::Kind::creases, .creases = request});
     run_waiting_edits(s_);
   }
   Edge edge(std::uint32_t a, std::uint32_t b) const {
@@ -302,7 +302,7 @@ TEST_F(CreaseEdits, ARequestIsAboutWhatIsSelectedWhenItsTurnComes) {
 TEST_F(CreaseEdits, SimplifyingFromWhatWasOpenedKeepsTheCreasesOfThatDetail) {
   show(test::torus(12, 10));
   const auto simplify_to = [&](std::uint32_t faces) {
-    s_.edits.waiting.push_back({EditRequest::Kind::simplify_to, faces});
+    request_edit(s_, {EditRequest::Kind::simplify_to, faces});
     run_waiting_edits(s_);
   };
   simplify_to(150);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "tests/support/meshes.h"
 
 namespace mesher::app {
@@ -16,7 +18,7 @@ class EditRunnerTest : public testing::Test {
     model.mesh = build_mesh(test::torus(12, 10)).mesh;
     show_model(session_, std::move(model), "torus.obj");
   }
-  void ask(Kind kind) { session_.edits.waiting.push_back({kind}); }
+  void ask(Kind kind) { request_edit(session_, {kind}); }
 
   Session session_;
   EditRunner runner_{session_, nullptr};
@@ -52,7 +54,31 @@ TEST_F(EditRunnerTest, CancellingForgetsWhatWaitsToo) {
   runner_.cancel();
   runner_.finish();
   EXPECT_TRUE(session_.edits.waiting.empty());
-  EXPECT_LE(session_.edits.history.undo_depth(), 1U);  // the first may have been done by then
+  EXPECT_EQ(session_.edits.history.undo_depth(), 0U);
+}
+
+TEST_F(EditRunnerTest, WhatIsDoneButCancelledIsDropped) {
+  ask(Kind::remove_tenth);
+  runner_.advance();
+  while (!runner_.job()->is_done())
+    std::this_thread::yield();
+  runner_.cancel();
+  EXPECT_TRUE(runner_.advance());
+  EXPECT_EQ(session_.statistics.faces, 240U);
+  EXPECT_EQ(session_.notice, "cancelled");
+}
+
+TEST_F(EditRunnerTest, CancellingTakesTheRulesBackToThoseOfTheLevelShown) {
+  ask(Kind::finer);
+  runner_.finish();
+  ask(Kind::finer);
+  runner_.advance();
+  session_.subdivide.scheme = Scheme::butterfly;
+  apply_subdivide_settings(session_);
+  runner_.cancel();
+  runner_.finish();
+  EXPECT_EQ(session_.subdivide, session_.edits.subdivision->settings);
+  EXPECT_EQ(session_.subdivide.scheme, Scheme::loop);
 }
 
 TEST_F(EditRunnerTest, StoppingLeavesTheModelAlone) {

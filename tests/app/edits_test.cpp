@@ -31,7 +31,7 @@ void press(Session& session, const char* keys) {
 }
 
 void simplify_to(Session& session, std::uint32_t faces) {
-  session.edits.waiting.push_back({Kind::simplify_to, faces});
+  request_edit(session, {Kind::simplify_to, faces});
   run_waiting_edits(session);
 }
 
@@ -155,17 +155,29 @@ TEST(Edits, SettingsReachTheSimplifier) {
                 .crease_angle_deg = 40.0F,
                 .max_error_percent = 2.0F,
                 .seed = 9};
-  s.edits.waiting.push_back({Kind::remove_tenth});
+  request_edit(s, {Kind::remove_tenth});
   const auto task = begin_edit(s);
   ASSERT_TRUE(task);
-  EXPECT_EQ(task->options.cost, CostPolicy::random);
-  EXPECT_EQ(task->options.placement, Placement::midpoint);
-  EXPECT_EQ(task->options.boundary, BoundaryRule::lock);
-  EXPECT_EQ(task->options.crease_angle_deg, 40.0F);
-  EXPECT_NEAR(task->options.max_error, 0.02 * s.statistics.box.diagonal(), 1e-6);
-  EXPECT_EQ(task->options.seed, 9U);
-  EXPECT_EQ(task->options.order, ResultOrder::fill_holes);
+  const SimplifyOptions& options = std::get<Simplification>(task->work).options;
+  EXPECT_EQ(options.cost, CostPolicy::random);
+  EXPECT_EQ(options.placement, Placement::midpoint);
+  EXPECT_EQ(options.boundary, BoundaryRule::lock);
+  EXPECT_EQ(options.crease_angle_deg, 40.0F);
+  EXPECT_NEAR(options.max_error, 0.02 * s.statistics.box.diagonal(), 1e-6);
+  EXPECT_EQ(options.seed, 9U);
+  EXPECT_EQ(options.order, ResultOrder::fill_holes);
   EXPECT_EQ(task->title, "Simplifying to 64 faces");
+}
+
+TEST(Edits, SettingsAreThoseThatHeldWhenItWasAskedFor) {
+  Session s = session_with(test::grid(6));
+  s.simplify.cost = CostPolicy::random;
+  request_edit(s, {Kind::remove_tenth});
+  s.simplify.cost = CostPolicy::quadric;
+  const auto task = begin_edit(s);
+  ASSERT_TRUE(task);
+  const SimplifyOptions& options = std::get<Simplification>(task->work).options;
+  EXPECT_EQ(options.cost, CostPolicy::random);
 }
 
 TEST(Edits, AttributesFollowOrAreDroppedWithANoticeAndComeBack) {
@@ -205,7 +217,7 @@ TEST(Edits, AnotherModelForgetsThem) {
 
 TEST(Edits, StopWhenCancelled) {
   Session s = session_with(test::torus(12, 10));
-  s.edits.waiting.push_back({Kind::remove_tenth});
+  request_edit(s, {Kind::remove_tenth});
   const auto task = begin_edit(s);
   Progress progress;
   progress.cancel();

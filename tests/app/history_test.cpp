@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <new>
+
 #include "tests/support/meshes.h"
+#include "tests/support/scarce_memory.h"
 
 namespace mesher::app {
 namespace {
@@ -63,6 +66,54 @@ TEST(History, WhatIsTakenBackIsGone) {
   EXPECT_EQ(history.undo_depth(), 1U);
   EXPECT_EQ(history.redo_depth(), 0U);
   EXPECT_EQ(history.memory_bytes(), bytes);
+}
+
+TEST(History, WhatWasUndoneStartsFromWhatIsTakenBackAndGoesToo) {
+  Document d;
+  History history;
+  d.move(history, 0, 5.0F);
+  d.move(history, 1, 6.0F);
+  history.undo(d.model, d.stats);
+  history.take_back(d.model, d.stats);
+  EXPECT_EQ(d.height(0), 0.0F);
+  EXPECT_EQ(history.redo_depth(), 0U);
+  EXPECT_EQ(history.memory_bytes(), 0U);
+}
+
+/// The model becomes a large one, of which the texture coordinates take their share.
+Edit growth(const Document& d) {
+  const Mesh large = build_mesh(test::torus(500, 400)).mesh;
+  Attributes attributes;
+  attributes.texcoord.assign(large.halfedge_count(), {0.5F, 0.5F});
+  return {.name = "grow",
+          .mesh = difference(d.model.mesh, large),
+          .attributes = difference(d.model.attributes, attributes),
+          .before = d.stats,
+          .after = statistics(large)};
+}
+
+TEST(History, WantOfMemoryChangesNothing) {
+  if (!test::kMemoryCanBeScarce) GTEST_SKIP();
+  int failures = 0;
+  for (std::uint64_t bytes = 0;; bytes += 2'000'000) {
+    Document d;
+    const Mesh before = d.model.mesh;
+    History history;
+    Edit edit = growth(d);
+    try {
+      const test::ScarceMemory scarce(bytes);
+      history.perform(std::move(edit), d.model, d.stats);
+    } catch (const std::bad_alloc&) {
+      ++failures;
+    }
+    if (history.undo_depth() == 1) break;
+    EXPECT_TRUE(difference(before, d.model.mesh).is_empty());
+    EXPECT_TRUE(d.model.attributes.texcoord.empty());
+    EXPECT_EQ(d.stats.faces, before.face_count());
+    EXPECT_EQ(history.memory_bytes(), 0U);
+    ASSERT_LT(failures, 100);
+  }
+  EXPECT_GT(failures, 5);
 }
 
 TEST(History, ANewEditForgetsWhatWasUndone) {

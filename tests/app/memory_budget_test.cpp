@@ -57,6 +57,13 @@ TEST(MemoryBudget, CountsWhatIsBesideTheMesh) {
   EXPECT_NE(subdivision_refusal(kSize, 2, {.available = 200'000, .beside = 100}), "");
 }
 
+TEST(MemoryBudget, CountsWhatIsTakenWhateverTheResult) {
+  EXPECT_EQ(subdivision_refusal(kSize, 2, {.available = 325'000, .copies = 1, .held = 100'000}),
+            "");
+  EXPECT_NE(subdivision_refusal(kSize, 2, {.available = 324'990, .copies = 1, .held = 100'000}),
+            "");
+}
+
 TEST(MemoryBudget, TextHasThreeDigitsAtMost) {
   EXPECT_EQ(bytes_text(999), "999 B");
   EXPECT_EQ(bytes_text(999'400), "999 kB");

@@ -9,6 +9,7 @@
 #include "engine/core/memory.h"
 #include "engine/subdivide/subdivide.h"
 #include "tests/support/meshes.h"
+#include "tests/support/scarce_memory.h"
 
 namespace mesher::app {
 namespace {
@@ -118,8 +119,8 @@ TEST(Subdivision, ACreaseEditStartsFromWhatIsShown) {
   press(s, "s");
   const Mesh level = s.model.mesh;
   s.creases.selected = {level.edge(Halfedge(0))};
-  s.edits.waiting.push_back({.kind = EditRequest::Kind::creases,
-                             .creases = {.kind = CreaseRequest::Kind::set, .value = 3.0F}});
+  request_edit(s, {.kind = EditRequest::Kind::creases,
+                   .creases = {.kind = CreaseRequest::Kind::set, .value = 3.0F}});
   run_waiting_edits(s);
   EXPECT_EQ(shown_level(s), 0U);
   press(s, "shift+s");
@@ -170,18 +171,98 @@ TEST(Subdivision, TheLimitComesWithItsNormals) {
   EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.levels = 2}).mesh));
 }
 
+TEST(Subdivision, ALevelIsMadeByTheRulesThatHeldWhenItWasAskedFor) {
+  Session s = session_with(creased_cube());
+  const Mesh coarse = s.model.mesh;
+  run(s, Command::subdivide);
+  run(s, Command::next_scheme);  // while the first still waits
+  run_waiting_edits(s);
+  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.scheme = Scheme::butterfly}).mesh));
+  press(s, "ctrl+z");
+  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {}).mesh));
+}
+
+TEST(Subdivision, TheRulesShownAreThoseOfTheLevelShown) {
+  Session s = session_with(creased_cube());
+  press(s, "s s r");
+  EXPECT_EQ(s.subdivide.creases, CreaseRules::derose98);
+  press(s, "ctrl+z");
+  EXPECT_EQ(s.subdivide.creases, CreaseRules::hoppe94);
+  press(s, "ctrl+y");
+  EXPECT_EQ(s.subdivide.creases, CreaseRules::derose98);
+  s.subdivide.scheme = Scheme::butterfly;
+  EXPECT_FALSE(begin_subdivision(s, kMostLevels + 1, s.subdivide));
+  EXPECT_EQ(s.subdivide.scheme, Scheme::loop);
+}
+
+TEST(Subdivision, AnUndoLeavesAloneTheRulesThatAreAskedForAfterIt) {
+  Session s = session_with(creased_cube());
+  const Mesh coarse = s.model.mesh;
+  press(s, "s s");
+  run(s, Command::undo);
+  run(s, Command::next_scheme);
+  run_waiting_edits(s);
+  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.scheme = Scheme::butterfly}).mesh));
+  EXPECT_EQ(s.subdivide.scheme, Scheme::butterfly);
+}
+
+TEST(Subdivision, RulesThatChangeNothingAreNotTriedAgain) {
+  Session s = session_with(test::cube());
+  press(s, "s r");
+  EXPECT_EQ(s.edits.history.undo_depth(), 1U);
+  EXPECT_EQ(s.edits.subdivision->settings.creases, CreaseRules::derose98);
+  request_edit(s, {.kind = EditRequest::Kind::same_level});
+  EXPECT_FALSE(begin_edit(s));
+}
+
+TEST(Subdivision, WhatCannotBeShownIsTakenBackForGood) {
+  Session s = session_with(creased_cube());
+  EXPECT_FALSE(take_back_last_edit(s));
+  press(s, "s");
+  const Mesh level = s.model.mesh;
+  press(s, "m");
+  const std::uint64_t revision = s.edits.revision;
+  EXPECT_TRUE(take_back_last_edit(s));
+  EXPECT_TRUE(is_same(s.model.mesh, level));
+  EXPECT_EQ(s.statistics.faces, level.face_count());
+  EXPECT_EQ(shown_level(s), 1U);
+  EXPECT_EQ(s.subdivide.scheme, Scheme::loop);
+  EXPECT_EQ(s.edits.history.redo_depth(), 0U);
+  EXPECT_GT(s.edits.revision, revision);
+  EXPECT_TRUE(take_back_last_edit(s));
+  EXPECT_EQ(shown_level(s), 0U);
+  EXPECT_EQ(s.statistics.faces, 12U);
+}
+
 TEST(Subdivision, RefusesWhatMemoryCannotHoldAndSaysHowMuch) {
   Session s = session_with(test::torus(40, 40));
-  s.edits.waiting.push_back({.kind = EditRequest::Kind::to_level, .level = 12});
-  run_waiting_edits(s);
-  EXPECT_EQ(s.statistics.faces, 3200U);
+  EXPECT_FALSE(begin_subdivision(s, 12, {}));
   EXPECT_NE(s.notice.find("subdividing 12 times would make"), std::string::npos) << s.notice;
   constexpr std::uint64_t kEnough = 100'000'000'000;
   if (available_memory_bytes() > kEnough) GTEST_SKIP() << "this machine could hold level 9";
-  s.edits.waiting.push_back({.kind = EditRequest::Kind::to_level, .level = 9});
-  run_waiting_edits(s);
+  EXPECT_FALSE(begin_subdivision(s, 9, {}));
   EXPECT_NE(s.notice.find(" GB of memory; "), std::string::npos) << s.notice;
-  EXPECT_EQ(s.edits.history.undo_depth(), 0U);
+}
+
+TEST(Subdivision, CountsWhatIsShownButNeverRefusesToGoBack) {
+  if (!test::kMemoryCanBeScarce) GTEST_SKIP();
+  Session s = session_with(test::torus(100, 100));
+  press(s, "s s s");
+  const std::uint64_t twice = 2 * s.model.mesh.memory_bytes();
+  const test::ScarceMemory scarce(twice);  // level 1 takes an eighth of that
+  EXPECT_FALSE(begin_subdivision(s, 1, {}));
+  EXPECT_NE(s.notice.find("of memory; "), std::string::npos) << s.notice;
+  EXPECT_FALSE(begin_subdivision(s, 3, {.scheme = Scheme::butterfly}));
+  EXPECT_TRUE(begin_subdivision(s, 0, {}));
+}
+
+TEST(Subdivision, TheModelIsCopiedOnce) {
+  Session s = session_with(test::cube());
+  request_edit(s, {.kind = EditRequest::Kind::finer});
+  const auto task = begin_edit(s);
+  ASSERT_TRUE(task);
+  EXPECT_EQ(std::get<SubdivisionLevel>(task->work).base, task->shown);
+  EXPECT_EQ(s.edits.opened, task->shown);
 }
 
 TEST(Subdivision, OfNothingSaysSo) {
@@ -213,7 +294,7 @@ TEST(Subdivision, IsInTheStateThatScriptsSee) {
 
 TEST(Subdivision, CancelledLeavesTheModelAlone) {
   Session s = session_with(test::torus(40, 40));
-  s.edits.waiting.push_back({.kind = EditRequest::Kind::finer});
+  request_edit(s, {.kind = EditRequest::Kind::finer});
   const auto task = begin_edit(s);
   ASSERT_TRUE(task);
   EXPECT_EQ(task->title, "Subdividing to level 1");

@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <new>
 #include <random>
 #include <vector>
 
 #include "engine/core/parallel.h"
 #include "engine/mesh/collapse.h"
 #include "tests/support/meshes.h"
+#include "tests/support/scarce_memory.h"
 
 namespace mesher {
 namespace {
@@ -179,6 +181,56 @@ TEST(MeshDelta, NotesAVertexThatLosesItsFaces) {
   apply(mesh, difference(with_face, without));
   EXPECT_TRUE(is_noted(mesh, GpuArray::position, 1));
   expect_same_arrays(mesh, without);
+}
+
+TEST(MeshDelta, WantOfMemoryChangesNothing) {
+  if (!test::kMemoryCanBeScarce) GTEST_SKIP();
+  const Mesh small = creased_mesh();
+  const Mesh large = build_mesh(test::torus(500, 400)).mesh;  // arrays of 2.4 and 4.8 MB
+  const MeshDelta delta = difference(small, large);
+  int failures = 0;
+  for (std::uint64_t bytes = 0;; bytes += 1'000'000) {
+    Mesh mesh = small;
+    try {
+      const test::ScarceMemory scarce(bytes);
+      apply(mesh, delta);
+    } catch (const std::bad_alloc&) {
+      ++failures;
+    }
+    if (mesh.face_count() == large.face_count()) {
+      expect_same_arrays(mesh, large);
+      break;
+    }
+    expect_same_arrays(mesh, small);
+    ASSERT_LT(failures, 100);
+  }
+  EXPECT_GT(failures, 5);
+}
+
+TEST(AttributesDelta, WantOfMemoryChangesNothing) {
+  if (!test::kMemoryCanBeScarce) GTEST_SKIP();
+  Attributes small;
+  small.texcoord.assign(30, {0.5F, 0.5F});
+  small.color.assign(30, {1, 2, 3, 4});
+  Attributes large;
+  large.texcoord.assign(1'000'000, {0.25F, 0.5F});
+  large.color.assign(1'000'000, {9, 9, 9, 9});
+  const AttributesDelta delta = difference(small, large);
+  int failures = 0;
+  for (std::uint64_t bytes = 0;; bytes += 1'000'000) {
+    Attributes a = small;
+    try {
+      const test::ScarceMemory scarce(bytes);
+      apply(a, delta);
+    } catch (const std::bad_alloc&) {
+      ++failures;
+    }
+    const bool is_done = a.color.size() == large.color.size();
+    EXPECT_TRUE(difference(a, is_done ? large : small).is_empty());
+    if (is_done) break;
+    ASSERT_LT(failures, 100);
+  }
+  EXPECT_GT(failures, 3);
 }
 
 TEST(AttributesDelta, GoesBackAndForth) {

@@ -9,6 +9,8 @@ class EditTest : public WindowTest {
  protected:
   // The panel's places in a window of 1280 x 800.
   static constexpr int kSliderY = 284;
+  // How the last subdivision went, which the panel above says once there was one.
+  static constexpr int kOutcomeLine = 21;
   static constexpr int kButtonsY = 311;
   static constexpr int kUndoY = 337;
   static constexpr int kLeftButtonX = 1056;
@@ -66,6 +68,16 @@ TEST_F(EditTest, TheSliderAppliesOnReleaseAndBringsDetailBack) {
   EXPECT_REACHES(*v, s["faces"] == 2880 && s["undo_depth"] == 2);
   v->key("ctrl+z");
   EXPECT_REACHES(*v, s["faces"] == coarse);
+  quit(*v);
+}
+
+TEST_F(EditTest, TheSliderEndsAtWhatWasOpenedWhereMoreIsShown) {
+  const auto v = open({"knot", "--size", "1280x800"});
+  v->key("s");
+  EXPECT_REACHES(*v, s["faces"] == 4 * 2880);
+  v->settle();
+  slide(*v, 1255, 1235, kSliderY + kOutcomeLine);
+  EXPECT_REACHES(*v, s["faces"] < 2880);
   quit(*v);
 }
 
