@@ -58,6 +58,7 @@ void undo(Session& session) {
   history.undo(session.model, session.statistics);
   session.notice = std::move(notice);
   session.edits.subdivision = history.redo_edit().subdivision_before;
+  session.edits.was_undone = true;
   note_model_changed(session, keeps_topology);
   follow_shown_level(session);
 }
@@ -73,6 +74,7 @@ void redo(Session& session) {
   history.redo(session.model, session.statistics);
   session.notice = std::move(notice);
   session.edits.subdivision = history.undo_edit().subdivision_after;
+  session.edits.was_undone = false;
   note_model_changed(session, keeps_topology);
   follow_shown_level(session);
 }
@@ -236,11 +238,17 @@ void record_edit(Session& session, Edit&& edit) {
   History& history = session.edits.history;
   history.perform(std::move(edit), session.model, session.statistics);
   session.edits.subdivision = history.undo_edit().subdivision_after;
+  session.edits.was_undone = false;
   note_model_changed(session, keeps_topology);
 }
 
 bool take_back_last_edit(Session& session) {
   History& history = session.edits.history;
+  if (session.edits.was_undone && history.redo_depth() > 0) {
+    redo(session);
+    session.edits.was_undone = true;  // where there were more in a row, they come next
+    return true;
+  }
   if (history.undo_depth() == 0) return false;
   const Edit taken_back = history.take_back(session.model, session.statistics);
   session.edits.subdivision = taken_back.subdivision_before;

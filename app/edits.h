@@ -70,6 +70,7 @@ struct Edits {
   std::optional<SubdivisionLevel> subdivision;
   /// What a command asks of whoever runs the session: to be done in this order.
   std::deque<EditRequest> waiting;
+  bool was_undone = false;  ///< what was done last is an undo
   /// Grows with every change of the model: tells whoever keeps what follows from it.
   std::uint64_t revision = 0;
 };
@@ -120,8 +121,9 @@ void note_model_changed(Session& session, bool keeps_topology);
 /// the levels of subdivision: what it makes is no level of anything. O(differences).
 void record_edit(Session& session, Edit&& edit);
 
-/// Takes the last edit back for good, because what it made cannot be shown. Returns false where
-/// there is none. Pre: no task runs, which would start from what it made. O(differences).
+/// Takes back what was done last, because what it made cannot be shown: an edit for good, an undo
+/// by doing its edit again. Returns false where there is none. Pre: no task runs, which would start
+/// from what was made. O(differences).
 bool take_back_last_edit(Session& session);
 
 /// All that waits, one after the other, here and now.

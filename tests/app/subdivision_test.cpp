@@ -234,6 +234,20 @@ TEST(Subdivision, WhatCannotBeShownIsTakenBackForGood) {
   EXPECT_EQ(s.statistics.faces, 12U);
 }
 
+TEST(Subdivision, AnUndoThatCannotBeShownIsDoneAgain) {
+  Session s = session_with(creased_cube());
+  press(s, "s s shift+s shift+s");
+  const Mesh coarse = s.model.mesh;
+  press(s, "ctrl+z ctrl+z");
+  EXPECT_EQ(shown_level(s), 2U);
+  EXPECT_TRUE(take_back_last_edit(s));
+  EXPECT_EQ(shown_level(s), 1U);
+  EXPECT_TRUE(take_back_last_edit(s));
+  EXPECT_EQ(shown_level(s), 0U);
+  EXPECT_TRUE(is_same(s.model.mesh, coarse));
+  EXPECT_EQ(s.edits.history.undo_depth(), 4U);
+}
+
 TEST(Subdivision, RefusesWhatMemoryCannotHoldAndSaysHowMuch) {
   Session s = session_with(test::torus(40, 40));
   EXPECT_FALSE(begin_subdivision(s, 12, {}));
