@@ -65,22 +65,18 @@ void write_faces(const LevelView& coarse, IndexRange faces, std::span<const Vert
 }  // namespace refine_detail
 
 void write_twins(const LevelView& coarse, IndexRange faces, Level& finer) {
+  const auto first = [](Halfedge t) { return t.is_valid() ? first_half(t).index() : kNone; };
+  const auto second = [](Halfedge t) { return t.is_valid() ? second_half(t).index() : kNone; };
   for (std::size_t f = faces.begin; f < faces.end; ++f) {
-    Halfedge* child = &finer.twin[12 * f];
+    const Halfedge ab = coarse.twin[3 * f];
+    const Halfedge bc = coarse.twin[3 * f + 1];
+    const Halfedge ca = coarse.twin[3 * f + 2];
     const auto base = static_cast<std::uint32_t>(12 * f);
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const auto h = static_cast<std::uint32_t>(3 * f + k);
-      const Halfedge t = coarse.twin[h];
-      finer.twin[first_half(Halfedge(h)).index()] = t.is_valid() ? second_half(t) : t;
-      finer.twin[second_half(Halfedge(h)).index()] = t.is_valid() ? first_half(t) : t;
-    }
-    // Each outer child shares one edge with the middle one.
-    child[1] = Halfedge(base + 11);
-    child[5] = Halfedge(base + 9);
-    child[6] = Halfedge(base + 10);
-    child[9] = Halfedge(base + 5);
-    child[10] = Halfedge(base + 6);
-    child[11] = Halfedge(base + 1);
+    // Each outer child shares one edge with the middle one, whose corners are the last three.
+    auto* const to = reinterpret_cast<FourIndices*>(&finer.twin[12 * f]);
+    to[0] = FourIndices{second(ab), base + 11, first(ca), first(ab)};
+    to[1] = FourIndices{second(bc), base + 9, base + 10, first(bc)};
+    to[2] = FourIndices{second(ca), base + 5, base + 6, base + 1};
   }
 }
 

@@ -38,21 +38,19 @@ std::uint32_t count_edges(std::span<const Halfedge> twin);
 /// half-edges.
 Level unfilled_level(const LevelView& coarse, std::uint32_t edges, bool is_last);
 
+/// The twelve half-edges of a face's children are written four at a time: one by one, storing them
+/// is what a level waits for.
+using FourIndices = std::uint32_t __attribute__((vector_size(16), aligned(4), may_alias));
+
 /// The corners of a face's children, given its own and the vertices on its edges ab, bc, ca.
 inline void write_children(const std::array<Vertex, 3>& corner, const std::array<Vertex, 3>& edge,
                            Vertex* child) {
-  child[0] = corner[0];
-  child[1] = edge[0];
-  child[2] = edge[2];
-  child[3] = edge[0];
-  child[4] = corner[1];
-  child[5] = edge[1];
-  child[6] = edge[2];
-  child[7] = edge[1];
-  child[8] = corner[2];
-  child[9] = edge[0];
-  child[10] = edge[1];
-  child[11] = edge[2];
+  const auto [a, b, c] = corner;
+  const auto [ab, bc, ca] = edge;
+  auto* const to = reinterpret_cast<FourIndices*>(child);
+  to[0] = FourIndices{a.index(), ab.index(), ca.index(), ab.index()};
+  to[1] = FourIndices{b.index(), bc.index(), ca.index(), bc.index()};
+  to[2] = FourIndices{c.index(), ab.index(), bc.index(), ca.index()};
 }
 
 /// The twins in the children of `faces`.
