@@ -175,19 +175,20 @@ SubdivisionSize subdivision_size(const Mesh& mesh, const SubdivideOptions& optio
   size.vertices = mesh.vertex_count();
   size.faces = mesh.face_count();
   std::uint64_t edges = mesh.count_edges();
+  std::uint64_t sharp = count_sharp_edges(mesh);
   std::uint64_t last_bytes = 0;
   for (std::uint32_t i = 0; i < options.levels && size.has_ids; ++i) {
     last_bytes = i == 0 ? 0 : mesh_bytes(size.vertices, size.faces);
     size.vertices += edges;
     edges = 2 * edges + 3 * size.faces;
     size.faces *= 4;
+    sharp *= 2;
     size.has_ids = 3 * size.faces < kNone && size.vertices < kNone;
   }
   size.result_bytes = mesh_bytes(size.vertices, size.faces);
   // Beside the result there is the level before, and while that is read the number of the vertex on
   // each of its half-edges, or one point a vertex of it, which is less; what is sharp, on both
   // levels; and where the half-edges of the mesh are.
-  const std::uint64_t sharp = std::uint64_t{count_sharp_edges(mesh)} << options.levels;
   size.peak_bytes =
       size.result_bytes + last_bytes + 3 * sizeof(Vertex) * size.faces / 4 +
       kBytesASharpEdge * (sharp + sharp / 2) +
