@@ -7,6 +7,8 @@
 #include <mutex>
 #include <utility>
 
+#include "engine/core/memory.h"
+
 // g++ defines a macro, clang++ answers a question.
 #if defined(__SANITIZE_ADDRESS__)
 #define MESHER_ADDRESS_SANITIZER
@@ -133,6 +135,7 @@ constexpr std::size_t kShared = kHugePage - 64;
 }  // namespace
 
 void* allocate_array(std::size_t bytes) {
+  if (!MemoryLimit::take(bytes)) throw std::bad_alloc();
   void* memory = nullptr;
   if (bytes < kSmall) {
     memory = std::malloc(bytes == 0 ? 1 : bytes);

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -82,7 +83,27 @@ bool has_memory(const std::string& controllers) {
   return ("," + controllers + ",").find(",memory,") != std::string::npos;
 }
 
+/// What a MemoryLimit leaves; kUnknown where there is none.
+std::atomic<std::uint64_t> left_of_limit{kUnknown};
+
 }  // namespace
+
+MemoryLimit::MemoryLimit(std::uint64_t bytes) {
+  left_of_limit = bytes;
+}
+
+MemoryLimit::~MemoryLimit() {
+  left_of_limit = kUnknown;
+}
+
+bool MemoryLimit::take(std::uint64_t bytes) {
+  std::uint64_t left = left_of_limit.load(std::memory_order_relaxed);
+  while (left != kUnknown) {
+    if (bytes > left) return false;
+    if (left_of_limit.compare_exchange_weak(left, left - bytes)) return true;
+  }
+  return true;
+}
 
 // A line is "number:controllers:path"; of version 2 there is one, with no controllers.
 GroupPaths parse_group_paths(const std::string& text) {
@@ -114,7 +135,7 @@ std::uint64_t available_memory_bytes() {
   std::stringstream groups;
   groups << std::ifstream("/proc/self/cgroup").rdbuf();
   const GroupPaths paths = parse_group_paths(groups.str());
-  return std::min({system_available(), address_space_available(),
+  return std::min({system_available(), address_space_available(), left_of_limit.load(),
                    groups_available(paths.v2, {"/sys/fs/cgroup", "memory.max", "memory.current",
                                                "inactive_file"}),
                    groups_available(paths.v1, {"/sys/fs/cgroup/memory", "memory.limit_in_bytes",

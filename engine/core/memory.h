@@ -24,4 +24,19 @@ GroupPaths parse_group_paths(const std::string& text);
 /// "/a/b", "/a" and "", which is the root.
 std::vector<std::string> with_parents(std::string path);
 
+/// As long as it lives, arrays of the whole process (engine/core/array.h) may take so many bytes
+/// more and no others, freed or not; what is available is at most that. What runs out of memory can
+/// so be shown on any machine, under a sanitizer, too. One at a time.
+class MemoryLimit {
+ public:
+  explicit MemoryLimit(std::uint64_t bytes);
+  ~MemoryLimit();
+  MemoryLimit(const MemoryLimit&) = delete;
+  MemoryLimit& operator=(const MemoryLimit&) = delete;
+
+  /// Takes bytes off the limit there is. False where it does not hold them; true where there is
+  /// none.
+  static bool take(std::uint64_t bytes);
+};
+
 }  // namespace mesher

@@ -4,8 +4,8 @@
 
 #include <new>
 
+#include "engine/core/memory.h"
 #include "tests/support/meshes.h"
-#include "tests/support/scarce_memory.h"
 
 namespace mesher::app {
 namespace {
@@ -93,7 +93,6 @@ Edit growth(const Document& d) {
 }
 
 TEST(History, WantOfMemoryChangesNothing) {
-  if (!test::kMemoryCanBeScarce) GTEST_SKIP();
   int failures = 0;
   for (std::uint64_t bytes = 0;; bytes += 2'000'000) {
     Document d;
@@ -101,7 +100,7 @@ TEST(History, WantOfMemoryChangesNothing) {
     History history;
     Edit edit = growth(d);
     try {
-      const test::ScarceMemory scarce(bytes);
+      const MemoryLimit scarce(bytes);
       history.perform(std::move(edit), d.model, d.stats);
     } catch (const std::bad_alloc&) {
       ++failures;

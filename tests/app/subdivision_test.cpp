@@ -9,7 +9,6 @@
 #include "engine/core/memory.h"
 #include "engine/subdivide/subdivide.h"
 #include "tests/support/meshes.h"
-#include "tests/support/scarce_memory.h"
 
 namespace mesher::app {
 namespace {
@@ -252,18 +251,16 @@ TEST(Subdivision, RefusesWhatMemoryCannotHoldAndSaysHowMuch) {
   Session s = session_with(test::torus(40, 40));
   EXPECT_FALSE(begin_subdivision(s, 12, {}));
   EXPECT_NE(s.notice.find("subdividing 12 times would make"), std::string::npos) << s.notice;
-  constexpr std::uint64_t kEnough = 100'000'000'000;
-  if (available_memory_bytes() > kEnough) GTEST_SKIP() << "this machine could hold level 9";
+  const MemoryLimit scarce(1'000'000'000);
   EXPECT_FALSE(begin_subdivision(s, 9, {}));
   EXPECT_NE(s.notice.find(" GB of memory; "), std::string::npos) << s.notice;
 }
 
 TEST(Subdivision, CountsWhatIsShownButNeverRefusesToGoBack) {
-  if (!test::kMemoryCanBeScarce) GTEST_SKIP();
   Session s = session_with(test::torus(100, 100));
   press(s, "s s s");
   const std::uint64_t twice = 2 * s.model.mesh.memory_bytes();
-  const test::ScarceMemory scarce(twice);  // level 1 takes an eighth of that
+  const MemoryLimit scarce(twice);  // level 1 takes an eighth of that
   EXPECT_FALSE(begin_subdivision(s, 1, {}));
   EXPECT_NE(s.notice.find("of memory; "), std::string::npos) << s.notice;
   EXPECT_FALSE(begin_subdivision(s, 3, {.scheme = Scheme::butterfly}));

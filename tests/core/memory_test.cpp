@@ -1,9 +1,13 @@
 #include "engine/core/memory.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
-#include "tests/support/scarce_memory.h"
+#include <fstream>
+#include <new>
+
+#include "engine/core/array.h"
 
 namespace mesher {
 namespace {
@@ -21,10 +25,30 @@ TEST(AvailableMemory, IsCountedInBytes) {
 }
 
 TEST(AvailableMemory, IsNotMoreThanTheProcessMayMap) {
-  if (!test::kMemoryCanBeScarce) GTEST_SKIP();
-  const test::ScarceMemory scarce(50'000'000);
-  EXPECT_LE(available_memory_bytes(), 50'000'000U);
-  EXPECT_GT(available_memory_bytes(), 1'000'000U);
+  rlimit before = {};
+  ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
+  std::uint64_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  constexpr std::uint64_t kRoom = 500'000'000;
+  const rlimit limit{pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) + kRoom,
+                     before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_AS, &limit), 0);
+  const std::uint64_t available = available_memory_bytes();
+  setrlimit(RLIMIT_AS, &before);
+  EXPECT_LE(available, kRoom);
+  EXPECT_GT(available, 1'000'000U);
+}
+
+TEST(MemoryLimit, IsWhatArraysMayTakeAndWhatIsAvailable) {
+  {
+    const MemoryLimit limit(1'000'000);
+    EXPECT_EQ(available_memory_bytes(), 1'000'000U);
+    const Array<std::uint8_t> first(600'000);
+    EXPECT_EQ(available_memory_bytes(), 400'000U);
+    EXPECT_THROW(Array<std::uint8_t>(400'001), std::bad_alloc);
+    EXPECT_NO_THROW(Array<std::uint8_t>(400'000));
+  }
+  EXPECT_NO_THROW(Array<std::uint8_t>(2'000'000));
 }
 
 TEST(ControlGroups, AreReadInBothVersions) {

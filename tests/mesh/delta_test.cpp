@@ -1,4 +1,5 @@
 #include "engine/mesh/delta.h"
+#include "engine/core/memory.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,6 @@
 #include "engine/core/parallel.h"
 #include "engine/mesh/collapse.h"
 #include "tests/support/meshes.h"
-#include "tests/support/scarce_memory.h"
 
 namespace mesher {
 namespace {
@@ -184,7 +184,6 @@ TEST(MeshDelta, NotesAVertexThatLosesItsFaces) {
 }
 
 TEST(MeshDelta, WantOfMemoryChangesNothing) {
-  if (!test::kMemoryCanBeScarce) GTEST_SKIP();
   const Mesh small = creased_mesh();
   const Mesh large = build_mesh(test::torus(500, 400)).mesh;  // arrays of 2.4 and 4.8 MB
   const MeshDelta delta = difference(small, large);
@@ -192,7 +191,7 @@ TEST(MeshDelta, WantOfMemoryChangesNothing) {
   for (std::uint64_t bytes = 0;; bytes += 1'000'000) {
     Mesh mesh = small;
     try {
-      const test::ScarceMemory scarce(bytes);
+      const MemoryLimit scarce(bytes);
       apply(mesh, delta);
     } catch (const std::bad_alloc&) {
       ++failures;
@@ -208,7 +207,6 @@ TEST(MeshDelta, WantOfMemoryChangesNothing) {
 }
 
 TEST(AttributesDelta, WantOfMemoryChangesNothing) {
-  if (!test::kMemoryCanBeScarce) GTEST_SKIP();
   Attributes small;
   small.texcoord.assign(30, {0.5F, 0.5F});
   small.color.assign(30, {1, 2, 3, 4});
@@ -220,7 +218,7 @@ TEST(AttributesDelta, WantOfMemoryChangesNothing) {
   for (std::uint64_t bytes = 0;; bytes += 1'000'000) {
     Attributes a = small;
     try {
-      const test::ScarceMemory scarce(bytes);
+      const MemoryLimit scarce(bytes);
       apply(a, delta);
     } catch (const std::bad_alloc&) {
       ++failures;
