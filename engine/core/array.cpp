@@ -90,7 +90,7 @@ class SharedPages {
 
  private:
   static constexpr std::size_t kHeader = 64;
-  static constexpr std::size_t kMostKept = 8;
+  static constexpr std::size_t kMostKept = 16;  // 32 MB: up to so much malloc keeps, too
   struct Page {
     std::size_t used = kHeader;
     std::size_t arrays = 0;

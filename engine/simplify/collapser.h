@@ -50,7 +50,7 @@ struct CollapseContext {
 struct CollapseOutcome {
   std::uint32_t removed_faces = 0;
   double paid = 0.0;  ///< sum of Candidate::error
-  std::vector<CollapseRecord> records;
+  Array<CollapseRecord> records;
   std::array<std::uint64_t, kRejectionCount> rejected{};
 };
 

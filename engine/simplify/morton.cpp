@@ -64,7 +64,7 @@ void sort_by_digit(const Array<Item>& from, Array<Item>& to, std::uint32_t shift
 
 }  // namespace
 
-std::vector<Vertex> morton_order(std::span<const glm::vec3> positions,
+Array<Vertex> morton_order(std::span<const glm::vec3> positions,
                                  std::span<const Vertex> vertices, const MortonGrid& grid) {
   if (vertices.empty()) return {};
   const Extent box = extent(positions, vertices);
@@ -90,7 +90,7 @@ std::vector<Vertex> morton_order(std::span<const glm::vec3> positions,
     sort_by_digit(items, sorted, bits);
     std::swap(items, sorted);
   }
-  std::vector<Vertex> order(vertices.size());
+  Array<Vertex> order(vertices.size());
   for (std::size_t i = 0; i < items.size(); ++i)
     order[i] = items[i].vertex;
   return order;

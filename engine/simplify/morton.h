@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
-#include <vector>
 
+#include "engine/core/array.h"
 #include "engine/mesh/ids.h"
 
 namespace mesher {
@@ -19,7 +19,7 @@ struct MortonGrid {
 
 /// Sorts vertices along a Z-shaped curve through their box (G. Morton, 1966), so that neighbours on
 /// the surface are mostly neighbours in the order. Stable. O(n).
-std::vector<Vertex> morton_order(std::span<const glm::vec3> positions,
-                                 std::span<const Vertex> vertices, const MortonGrid& grid);
+Array<Vertex> morton_order(std::span<const glm::vec3> positions, std::span<const Vertex> vertices,
+                           const MortonGrid& grid);
 
 }  // namespace mesher

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <glm/vec3.hpp>
 #include <span>
-#include <vector>
 
+#include "engine/core/array.h"
 #include "engine/mesh/ids.h"
 
 namespace mesher {
@@ -37,10 +37,10 @@ class CollapseRecorder : public CollapseObserver {
   void collapsed(std::span<const CollapseRecord> records) override {
     records_.insert(records_.end(), records.begin(), records.end());
   }
-  const std::vector<CollapseRecord>& records() const { return records_; }
+  const Array<CollapseRecord>& records() const { return records_; }
 
  private:
-  std::vector<CollapseRecord> records_;
+  Array<CollapseRecord> records_;
 };
 
 }  // namespace mesher

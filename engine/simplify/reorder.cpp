@@ -1,7 +1,6 @@
 #include "engine/simplify/reorder.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "engine/core/parallel.h"
 #include "engine/simplify/morton.h"
@@ -21,10 +20,9 @@ Array<std::uint32_t> places(const Array<Id>& source, std::uint32_t old_count) {
 }
 
 Array<Vertex> vertices_by_place(const Mesh& mesh) {
-  std::vector<Vertex> all(mesh.vertex_count());
+  Array<Vertex> all(mesh.vertex_count());
   parallel_for_each(all.size(), kGrain, [&](std::uint32_t v) { all[v] = Vertex(v); });
-  const std::vector<Vertex> order = morton_order(mesh.positions(), all, {});
-  return {order.begin(), order.end()};
+  return morton_order(mesh.positions(), all, {});
 }
 
 Array<Face> faces_by_vertex(const Mesh& mesh, const Array<std::uint32_t>& vertex_place) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
+#include "engine/core/array.h"
 #include "engine/simplify/collapser.h"
 #include "engine/simplify/error_bound.h"
 #include "engine/simplify/observer.h"
@@ -61,7 +61,7 @@ class Rounds {
   std::unique_ptr<CollapsePolicy> policy_;
   Schedule schedule_;
   CollapseContext context_;
-  std::vector<Vertex> live_;
+  Array<Vertex> live_;
   std::uint32_t faces_;
   std::uint64_t collapses_ = 0;
   double paid_ = 0.0;

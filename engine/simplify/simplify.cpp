@@ -96,7 +96,7 @@ class Translator : public CollapseObserver {
   const Reordered& order_;
   const Units& units_;
   CollapseObserver* observer_;
-  std::vector<CollapseRecord> translated_;
+  Array<CollapseRecord> translated_;
 };
 
 /// Old ids of what is left, in the order that the caller asked for. `source[i]` is the input's id
@@ -104,7 +104,7 @@ class Translator : public CollapseObserver {
 template <class Id, class IsLeft>
 Array<Id> in_order(const Array<Id>& source, ResultOrder order, const IsLeft& is_left) {
   const auto n = static_cast<std::uint32_t>(source.size());
-  std::vector<std::uint32_t> by_source(n, kNone);
+  Array<std::uint32_t> by_source(n, kNone);
   std::uint32_t left = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
     if (!is_left(Id(i))) continue;

@@ -19,11 +19,11 @@ TEST(MortonOrder, IsAPermutationThatKeepsNeighboursTogether) {
   for (int i = 0; i < 4'000; ++i) {
     positions.emplace_back(float(random() % 1000), float(random() % 1000), float(random() % 1000));
   }
-  std::vector<Vertex> all;
+  Array<Vertex> all;
   for (std::uint32_t v = 0; v < positions.size(); ++v)
     all.emplace_back(v);
   for (const MortonGrid& grid : {MortonGrid{}, MortonGrid{.bits = 7, .shift = 0.999F}}) {
-    std::vector<Vertex> order = morton_order(positions, all, grid);
+    Array<Vertex> order = morton_order(positions, all, grid);
     double step = 0.0;
     for (std::size_t i = 1; i < order.size(); ++i) {
       step += double{glm::distance(positions[order[i].index()], positions[order[i - 1].index()])};
@@ -36,7 +36,7 @@ TEST(MortonOrder, IsAPermutationThatKeepsNeighboursTogether) {
 
 TEST(MortonOrder, TakesOnePointManyTimesAndNone) {
   const std::vector<glm::vec3> positions(100, glm::vec3(3.0F));
-  std::vector<Vertex> all;
+  Array<Vertex> all;
   for (std::uint32_t v = 0; v < positions.size(); ++v)
     all.emplace_back(v);
   EXPECT_EQ(morton_order(positions, all, {}), all) << "equal places keep their order";

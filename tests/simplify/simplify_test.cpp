@@ -32,7 +32,7 @@ TEST(Simplify, TheSameBytesForAnyNumberOfThreads) {
   for (std::size_t p = 0; p < kCostPolicyCount; ++p) {
     SCOPED_TRACE(key(static_cast<CostPolicy>(p)));
     std::optional<Simplified> first;
-    std::vector<CollapseRecord> first_records;
+    Array<CollapseRecord> first_records;
     for (const unsigned threads : {1U, 2U, 5U}) {
       const ThreadLimit limit(threads);
       CollapseRecorder recorder;
