@@ -64,8 +64,8 @@ void sort_by_digit(const Array<Item>& from, Array<Item>& to, std::uint32_t shift
 
 }  // namespace
 
-Array<Vertex> morton_order(std::span<const glm::vec3> positions,
-                                 std::span<const Vertex> vertices, const MortonGrid& grid) {
+Array<Vertex> morton_order(std::span<const glm::vec3> positions, std::span<const Vertex> vertices,
+                           const MortonGrid& grid) {
   if (vertices.empty()) return {};
   const Extent box = extent(positions, vertices);
   const glm::vec3 size = box.max - box.min;
