@@ -25,6 +25,8 @@ struct alignas(32) QueueEntry {
   Halfedge best;                 ///< the cheapest of the half-edges out of the vertex
   float cost = 0.0F;             ///< of `best` when it was chosen
   bool has_refused = false;      ///< an edge of the vertex was refused for its surroundings
+  /// The highest CollapseRecord::rank of the collapses in whose one-rings the vertex was.
+  std::uint16_t rank = 0;
 };
 
 /// Vertices by cost, cheapest first, to within 1/32 of an octave (2 %); first come, first served

@@ -302,6 +302,20 @@ bool Collapser::makes_feature_triangle(Halfedge h) const {
   return false;
 }
 
+/// The rank of the collapse that is about to be done, noted where later ones will look for it.
+std::uint16_t Collapser::take_rank(Halfedge h, float cost) {
+  const Mesh& mesh = context_.surface.mesh();
+  std::uint16_t& at_kept = entry(mesh.target(h)).rank;
+  auto rank = static_cast<std::uint16_t>(BucketQueue::bucket_of(cost));
+  rank = std::max({rank, at_kept, entry(mesh.origin(h)).rank});
+  for (const Vertex v : fan_.ring())
+    rank = std::max(rank, entry(v).rank);
+  for (const Vertex v : fan_.ring())
+    entry(v).rank = rank;
+  at_kept = rank;
+  return rank;
+}
+
 void Collapser::collapse(Halfedge h, const Candidate& candidate) {
   Surface& surface = context_.surface;
   const Mesh& mesh = surface.mesh();
@@ -309,7 +323,8 @@ void Collapser::collapse(Halfedge h, const Candidate& candidate) {
   const Vertex removed = mesh.origin(h);
   const Vertex kept = mesh.target(h);
   MESHER_ASSERT(check_collapse(mesh, h).is_legal());
-  outcome_.records.push_back({h, t, removed, kept, candidate.position});
+  outcome_.records.push_back(
+      {h, t, removed, kept, candidate.position, take_rank(h, candidate.cost)});
   outcome_.paid += double{candidate.error};
   queue_.remove(removed);
   queue_.remove(kept);

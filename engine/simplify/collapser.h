@@ -98,6 +98,7 @@ class Collapser {
   void refuse(Halfedge h, Rejection cause);
   std::optional<Rejection> check(Halfedge h, const Candidate& candidate);
   void collapse(Halfedge h, const Candidate& candidate);
+  std::uint16_t take_rank(Halfedge h, float cost);
   bool makes_feature_triangle(Halfedge h) const;
   void add_contributions(Face f, float sign);
   void merge(Halfedge h, const glm::vec3& p);

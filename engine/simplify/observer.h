@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
 
@@ -17,6 +18,13 @@ struct CollapseRecord {
   Vertex removed;
   Vertex kept;
   glm::vec3 position;  ///< where `kept` went
+  /// Below kRanks: grows with the cost, 32 ranks an octave; at least that of each collapse before
+  /// it whose one-rings have a vertex of this one's. So a stable sort by rank puts the collapses in
+  /// an order in which each is legal, too, and which goes from the cheapest to the dearest over the
+  /// whole mesh.
+  std::uint32_t rank = 0;
+
+  static constexpr std::uint32_t kRanks = 1U << 13U;
 };
 
 /// Is told of the collapses in an order in which each is legal after those before it, the same for
@@ -30,7 +38,7 @@ class CollapseObserver {
   virtual void collapsed(std::span<const CollapseRecord> records) = 0;
 };
 
-/// Keeps them all. 28 bytes a collapse.
+/// Keeps them all. 32 bytes a collapse.
 class CollapseRecorder : public CollapseObserver {
  public:
   void expect(std::size_t collapses) override { records_.reserve(records_.size() + collapses); }

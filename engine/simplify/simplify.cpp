@@ -82,7 +82,7 @@ class Translator : public CollapseObserver {
     for (const CollapseRecord& r : records) {
       translated_.push_back(
           {translated(r.halfedge), translated(r.twin), order_.vertex_source[r.removed.index()],
-           order_.vertex_source[r.kept.index()], units_.original(r.kept, r.position)});
+           order_.vertex_source[r.kept.index()], units_.original(r.kept, r.position), r.rank});
     }
     observer_->collapsed(translated_);
   }
