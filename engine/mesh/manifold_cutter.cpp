@@ -6,6 +6,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
+#include "engine/mesh/outgoing.h"
 
 namespace mesher {
 
@@ -24,7 +25,7 @@ void ManifoldCutter::run(EdgeMatching&& matching) {
   cut_disagreeing(matching_.disagreeing_edges);
   report_[Repair::non_manifold_edges_cut] += matching_.crowd_count();
   pair_crowds();
-  fill_outgoing();
+  fill_outgoing(mesh_);
   if (has_single_fans() && matching_.crowd_count() == 0) return;
   split_vertices();
   if (cut_parallel_crowds()) {
@@ -34,7 +35,7 @@ void ManifoldCutter::run(EdgeMatching&& matching) {
       stitch(matching_.crowd(i));
   }
   report_[Repair::non_manifold_vertices_cut] += count_split_vertices();
-  fill_outgoing();
+  fill_outgoing(mesh_);
 }
 
 void ManifoldCutter::cut_disagreeing(std::uint64_t expected) {
@@ -86,17 +87,6 @@ void ManifoldCutter::pair_crowd(std::span<const std::uint32_t> crowd) {
       mesh_.twin[open.back()] = Halfedge(h);
       open.pop_back();
     }
-  }
-}
-
-void ManifoldCutter::fill_outgoing() {
-  mesh_.outgoing.assign(mesh_.position.size(), Halfedge{});
-  const auto halfedges = static_cast<std::uint32_t>(mesh_.origin.size());
-  for (std::uint32_t h = halfedges; h-- > 0;) {
-    Halfedge& outgoing = mesh_.outgoing[mesh_.origin[h].index()];
-    const bool keeps_boundary =
-        outgoing.is_valid() && !mesh_.twin[outgoing.index()].is_valid() && mesh_.twin[h].is_valid();
-    if (!keeps_boundary) outgoing = Halfedge(h);
   }
 }
 

@@ -29,7 +29,6 @@ class ManifoldCutter {
   void cut_disagreeing(std::uint64_t expected);
   void pair_crowds();
   void pair_crowd(std::span<const std::uint32_t> crowd);
-  void fill_outgoing();
   bool has_single_fans() const;
   void split_vertices();
   bool has_parallel_edges(std::span<const std::uint32_t> crowd) const;

@@ -9,6 +9,8 @@
 
 namespace mesher {
 
+struct SplitStep;
+
 /// A mesh in every level of detail from a coarse base to the full model: a base mesh and the vertex
 /// splits that refine it, with a cursor that goes up and down (H. Hoppe, "Efficient implementation
 /// of progressive meshes", 1998). Level i is the base after the first i splits.
@@ -81,19 +83,21 @@ class ProgressiveMesh {
 
  private:
   friend class ProgressiveBuilder;
-  struct Arrays;
 
-  void take_sharpness(const NewSplit& split, const VertexSplit& record);
+  SplitStep step(std::uint32_t split) const;
+  void add_sharpness(const NewSplit& split, float coarse_corner);
 
   Mesh mesh_;
   std::uint32_t level_ = 0;
   std::uint32_t base_vertices_ = 0;
   std::uint32_t base_faces_ = 0;
   std::uint32_t full_faces_ = 0;
+  bool has_sharp_base_ = false;
   Array<VertexSplit> splits_;
   Array<Halfedge> moved_;
   Array<SplitSharpness> sharpness_;
   Array<SplitCornerSharpness> corner_sharpness_;
+  Array<Halfedge> spokes_;  ///< scratch of append
 };
 
 }  // namespace mesher

@@ -71,7 +71,8 @@ struct NewSplit {
   glm::vec3 parent_position;
   glm::vec3 child_position;
   SplitSharpness sharpness;
-  float parent_corner_sharpness = 0.0F;  ///< after the split
+  /// After the split; of no account where the base's vertices have no sharpness of their own.
+  float parent_corner_sharpness = 0.0F;
   float child_corner_sharpness = 0.0F;
 };
 

@@ -11,6 +11,8 @@
 
 namespace mesher {
 
+static_assert(CollapseRecord::kRanks == BucketQueue::kBuckets);
+
 Schedule::Schedule(const Surface& surface)
     : edge_cost(surface.mesh().halfedge_count()),
       vertices(surface.mesh().vertex_count(), QueueEntry{}) {}

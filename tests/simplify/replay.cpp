@@ -55,12 +55,6 @@ std::vector<std::array<Corner, 3>> sorted_faces(const Mesh& mesh) {
   return faces;
 }
 
-template <class T>
-bool is_equal(std::span<const T> a, std::span<const T> b) {
-  return a.size() == b.size() &&
-         (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
-}
-
 }  // namespace
 
 std::uint64_t count_folds(const Mesh& mesh) {
@@ -103,13 +97,6 @@ Mesh replay(Mesh mesh, std::span<const CollapseRecord> records,
 
 bool is_same_surface(const Mesh& a, const Mesh& b) {
   return a.vertex_count() == b.vertex_count() && sorted_faces(a) == sorted_faces(b);
-}
-
-bool is_identical(const Mesh& a, const Mesh& b) {
-  return is_equal(a.positions(), b.positions()) && is_equal(a.origins(), b.origins()) &&
-         is_equal(a.twins(), b.twins()) && is_equal(a.outgoings(), b.outgoings()) &&
-         is_equal(a.sharpnesses(), b.sharpnesses()) &&
-         is_equal(a.vertex_sharpnesses(), b.vertex_sharpnesses());
 }
 
 }  // namespace mesher::test

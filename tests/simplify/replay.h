@@ -23,7 +23,4 @@ Mesh replay(Mesh mesh, std::span<const CollapseRecord> records,
 /// order.
 bool is_same_surface(const Mesh& a, const Mesh& b);
 
-/// Whether two meshes are equal array by array, bit by bit.
-bool is_identical(const Mesh& a, const Mesh& b);
-
 }  // namespace mesher::test

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <initializer_list>
 #include <random>
 #include <vector>
@@ -149,6 +150,21 @@ inline void expect_valid(const Mesh& mesh) {
   for (const Violation& v : validate(mesh)) {
     ADD_FAILURE() << "invariant " << v.invariant << ": " << v.what;
   }
+}
+
+/// Bit by bit.
+template <class T>
+bool is_equal(std::span<const T> a, std::span<const T> b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
+}
+
+/// Whether two meshes are equal array by array, bit by bit.
+inline bool is_identical(const Mesh& a, const Mesh& b) {
+  return is_equal(a.positions(), b.positions()) && is_equal(a.origins(), b.origins()) &&
+         is_equal(a.twins(), b.twins()) && is_equal(a.outgoings(), b.outgoings()) &&
+         is_equal(a.sharpnesses(), b.sharpnesses()) &&
+         is_equal(a.vertex_sharpnesses(), b.vertex_sharpnesses());
 }
 
 /// Builds and validates.

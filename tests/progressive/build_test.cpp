@@ -1,0 +1,145 @@
+#include "engine/progressive/build.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/trigonometric.hpp>
+#include <optional>
+#include <random>
+
+#include "engine/core/error.h"
+#include "engine/core/parallel.h"
+#include "engine/mesh/creases.h"
+#include "engine/simplify/simplify.h"
+#include "tests/progressive/checks.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+/// Fails where the full detail is not the input under the names that the sources give.
+void expect_is_input(Progressive& progressive, const Mesh& input) {
+  ProgressiveMesh& mesh = progressive.mesh;
+  mesh.go_to(mesh.split_count());
+  const Mesh& full = mesh.mesh();
+  ASSERT_EQ(full.vertex_count(), input.vertex_count());
+  ASSERT_EQ(full.face_count(), input.face_count());
+  for (std::uint32_t v = 0; v < full.vertex_count(); ++v) {
+    const Vertex source = progressive.vertex_source[v];
+    ASSERT_EQ(0, std::memcmp(&full.position(Vertex(v)), &input.position(source), 12));
+    ASSERT_EQ(full.sharpness(Vertex(v)), input.sharpness(source));
+  }
+  std::vector<Halfedge> place(input.halfedge_count());
+  for (std::uint32_t f = 0; f < full.face_count(); ++f) {
+    Halfedge from = progressive.face_source[f];
+    for (std::uint32_t c = 0; c < 3; ++c, from = Mesh::next(from))
+      place[from.index()] = Mesh::halfedge(Face(f), c);
+  }
+  for (std::uint32_t i = 0; i < input.halfedge_count(); ++i) {
+    const Halfedge h(i);
+    const Halfedge to = place[i];
+    ASSERT_TRUE(to.is_valid());
+    ASSERT_EQ(progressive.vertex_source[full.origin(to).index()], input.origin(h));
+    ASSERT_EQ(full.sharpness(to), input.sharpness(h));
+    ASSERT_EQ(full.twin(to), input.twin(h).is_valid() ? place[input.twin(h).index()] : Halfedge{});
+  }
+}
+
+Mesh tagged(Mesh mesh, float angle_deg, float sharpness) {
+  for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
+    if (i % 7 == 0) mesh.set_sharpness(mesh.edge(Halfedge(i)), sharpness);
+  }
+  tag_creases_by_angle(mesh, glm::radians(angle_deg));
+  return mesh;
+}
+
+void examine(const Mesh& input, const SimplifyOptions& options) {
+  Progressive progressive = make_progressive(input, options);
+  EXPECT_EQ(progressive.mesh.level(), 0U);
+  EXPECT_EQ(progressive.mesh.base_face_count(), progressive.report.faces_reached);
+  examine_levels(progressive.mesh, 40);
+  expect_is_input(progressive, input);
+  ProgressiveMesh again = appended(progressive.mesh);
+  expect_same(progressive.mesh, again);
+}
+
+TEST(BuildProgressive, FullDetailIsTheInputAndEveryLevelIsValid) {
+  const Mesh meshes[] = {
+      built(torus(30, 20)).mesh, built(grid(20)).mesh,
+      built(join(torus(9, 8), join(grid(6), cube(), {0, 9, 0}), {9, 0, 0})).mesh};
+  for (const Mesh& mesh : meshes) {
+    for (std::size_t p = 0; p < kCostPolicyCount; ++p) {
+      SCOPED_TRACE(key(static_cast<CostPolicy>(p)));
+      examine(mesh, {.target_faces = 1, .cost = static_cast<CostPolicy>(p)});
+    }
+  }
+}
+
+TEST(BuildProgressive, RandomSoupsMakeProgressiveMeshes) {
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    examine(build_mesh(random_soup(seed)).mesh, {.target_faces = 1});
+    ASSERT_FALSE(HasFailure());
+  }
+}
+
+TEST(BuildProgressive, CreasesAndSharpVerticesSurvive) {
+  Mesh mesh = built(join(torus(14, 9), grid(8), {9, 0, 0})).mesh;
+  mesh.set_sharpness(Vertex(5), 2.0F);
+  mesh.set_sharpness(Vertex(50), kInfinitelySharp);
+  examine(tagged(mesh, 40.0F, 1.25F), {.target_faces = 1});
+  examine(tagged(mesh, 180.0F, kInfinitelySharp), {.target_faces = 40});
+}
+
+TEST(BuildProgressive, SameMeshForAnyNumberOfThreads) {
+  const Mesh mesh = built(torus(120, 90)).mesh;
+  std::optional<Progressive> first;
+  for (const unsigned threads : {1U, 2U, 5U}) {
+    const ThreadLimit limit(threads);
+    Progressive progressive = make_progressive(mesh, {.target_faces = 200});
+    if (first) {
+      expect_same(first->mesh, progressive.mesh);
+      EXPECT_EQ(first->vertex_source, progressive.vertex_source);
+      EXPECT_EQ(first->face_source, progressive.face_source);
+    } else {
+      first = std::move(progressive);
+    }
+  }
+}
+
+TEST(BuildProgressive, RanksKeepWhatDependsOnOtherThingsBehindThem) {
+  const Mesh mesh = built(torus(120, 90)).mesh;
+  CollapseRecorder recorder;
+  EXPECT_EQ(simplify(Mesh(mesh), {.target_faces = 100, .observer = &recorder}).report.faces_reached,
+            100U);
+  for (const CollapseRecord& c : recorder.records())
+    ASSERT_LT(c.rank, CollapseRecord::kRanks);
+  // Of two with the same kept vertex the later has at least the earlier's rank.
+  std::vector<std::uint32_t> rank(mesh.vertex_count(), 0);
+  for (const CollapseRecord& c : recorder.records()) {
+    ASSERT_GE(c.rank, rank[c.kept.index()]);
+    ASSERT_GE(c.rank, rank[c.removed.index()]);
+    rank[c.kept.index()] = c.rank;
+  }
+}
+
+TEST(BuildProgressive, WithoutCollapsesThereIsOnlyTheBase) {
+  const Mesh mesh = built(cube()).mesh;
+  Progressive progressive = build_progressive(mesh, {});
+  EXPECT_EQ(progressive.mesh.split_count(), 0U);
+  expect_valid_level(progressive.mesh);
+  expect_is_input(progressive, mesh);
+  Progressive empty = make_progressive(Mesh(), {});
+  EXPECT_EQ(empty.mesh.mesh().vertex_count(), 0U);
+}
+
+TEST(BuildProgressive, CanBeCancelled) {
+  const Mesh mesh = built(torus(30, 20)).mesh;
+  CollapseRecorder recorder;
+  EXPECT_GT(simplify(Mesh(mesh), {.observer = &recorder}).report.collapses, 0U);
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(build_progressive(mesh, recorder.records(), &progress), Cancelled);
+}
+
+}  // namespace
+}  // namespace mesher::test

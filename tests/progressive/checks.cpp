@@ -1,0 +1,109 @@
+#include "tests/progressive/checks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/mesh/circulators.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+void expect_lowest_outgoing(const Mesh& mesh) {
+  for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i) {
+    const Vertex v(i);
+    if (mesh.is_isolated(v) || mesh.is_boundary(v)) continue;
+    for (const Halfedge h : halfedges_around(mesh, v))
+      ASSERT_LE(mesh.outgoing(v), h) << "P3 at vertex " << i;
+  }
+}
+
+/// P4 by its words: which corners of this level are at the parent now and at the child after.
+void expect_moved(const ProgressiveMesh& mesh) {
+  const std::uint32_t split = mesh.level();
+  for (const Halfedge h : mesh.moved(split)) {
+    ASSERT_LT(h.index(), mesh.mesh().halfedge_count());
+    ASSERT_EQ(mesh.mesh().origin(h), mesh.splits()[split].parent);
+  }
+}
+
+}  // namespace
+
+void expect_valid_level(const ProgressiveMesh& mesh) {
+  expect_valid(mesh.mesh());
+  EXPECT_EQ(mesh.mesh().vertex_count(), mesh.base_vertex_count() + mesh.level());
+  EXPECT_EQ(mesh.mesh().face_count(), mesh.face_count(mesh.level()));
+  expect_lowest_outgoing(mesh.mesh());
+  if (mesh.level() < mesh.split_count()) expect_moved(mesh);
+}
+
+std::vector<Mesh> levels(ProgressiveMesh& mesh, const std::vector<std::uint32_t>& at) {
+  std::vector<Mesh> found;
+  for (const std::uint32_t level : at) {
+    mesh.go_to(level);
+    found.push_back(mesh.mesh());
+  }
+  return found;
+}
+
+std::vector<std::uint32_t> some_levels(const ProgressiveMesh& mesh, std::uint32_t count) {
+  std::vector<std::uint32_t> at;
+  const std::uint64_t splits = mesh.split_count();
+  for (std::uint64_t i = 0; i <= count; ++i)
+    at.push_back(static_cast<std::uint32_t>(splits * i / count));
+  at.erase(std::unique(at.begin(), at.end()), at.end());
+  return at;
+}
+
+ProgressiveMesh appended(ProgressiveMesh& mesh) {
+  mesh.go_to(0);
+  ProgressiveMesh copy{Mesh(mesh.mesh())};
+  for (std::uint32_t i = 0; i < mesh.split_count(); ++i) {
+    mesh.go_to(i);
+    const NewSplit split = mesh.next_split();
+    if (!copy.can_append(split.parent, split.cut)) {
+      ADD_FAILURE() << "split " << i << " cannot be appended";
+      break;
+    }
+    copy.append(split);
+  }
+  return copy;
+}
+
+void expect_same(ProgressiveMesh& a, ProgressiveMesh& b) {
+  ASSERT_EQ(a.split_count(), b.split_count());
+  EXPECT_EQ(a.base_vertex_count(), b.base_vertex_count());
+  EXPECT_EQ(a.base_face_count(), b.base_face_count());
+  EXPECT_EQ(a.full_face_count(), b.full_face_count());
+  EXPECT_TRUE(is_equal(a.splits(), b.splits()));
+  EXPECT_TRUE(is_equal(a.sharpnesses(), b.sharpnesses()));
+  EXPECT_TRUE(is_equal(a.corner_sharpnesses(), b.corner_sharpnesses()));
+  for (std::uint32_t i = 0; i < a.split_count(); ++i)
+    ASSERT_TRUE(is_equal(a.moved(i), b.moved(i))) << "split " << i;
+  for (const std::uint32_t level : {0U, a.split_count()}) {
+    a.go_to(level);
+    b.go_to(level);
+    EXPECT_TRUE(is_identical(a.mesh(), b.mesh())) << "level " << level;
+  }
+}
+
+void examine_levels(ProgressiveMesh& mesh, std::uint32_t count) {
+  std::vector<std::uint32_t> at = some_levels(mesh, count);
+  mesh.go_to(0);
+  const std::vector<Mesh> up = levels(mesh, at);
+  for (std::size_t i = at.size(); i-- > 0;) {
+    mesh.go_to(at[i]);
+    EXPECT_TRUE(is_identical(mesh.mesh(), up[i])) << "down to level " << at[i];
+    expect_valid_level(mesh);
+    if (testing::Test::HasFailure()) return;
+  }
+  // There and back by the longest ways.
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const std::size_t k = i % 2 == 0 ? i : at.size() - i;
+    mesh.go_to(at[k]);
+    EXPECT_TRUE(is_identical(mesh.mesh(), up[k])) << "jump to level " << at[k];
+  }
+}
+
+}  // namespace mesher::test
