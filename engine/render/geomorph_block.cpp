@@ -1,6 +1,7 @@
 #include "engine/render/geomorph_block.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "shaders/shared/constants.h"
 
@@ -12,13 +13,19 @@ bool is_growing(const GpuMesh& mesh, const GeomorphTime& time) {
   return time.rate != 0.0F || time.fixed < 1.0F;
 }
 
+/// One over how often the vertices from the first birth on double those before. By the number that
+/// may come, so that a color stays while levels go up and down.
+float birth_scale(const GpuMesh& mesh, std::uint32_t first) {
+  const std::uint32_t births = mesh.morph().split_count();
+  const double all =
+      mesh.morph().is_empty() ? mesh.vertex_count() : static_cast<double>(first) + births;
+  const double doublings = std::log2((all + 1.0) / (first + 1.0));
+  return static_cast<float>(1.0 / std::max(doublings, 1e-3));
+}
+
 shared::GeomorphConstants constants_of(const GpuMesh& mesh, const Settings& settings) {
   const GeomorphTime time =
       is_growing(mesh, settings.geomorph) ? settings.geomorph : GeomorphTime::done();
-  // By the number that may come, so that a color stays while levels go up and down.
-  const std::uint32_t all =
-      mesh.vertex_count() - std::min(mesh.vertex_count(), settings.first_birth);
-  const std::uint32_t births = mesh.morph().is_empty() ? all : mesh.morph().split_count();
   return {.positions = mesh.positions().address(),
           .heads = mesh.morph().heads().address(),
           .splits = mesh.morph().splits().address(),
@@ -28,8 +35,7 @@ shared::GeomorphConstants constants_of(const GpuMesh& mesh, const Settings& sett
           .rate = time.rate,
           .fixed_share = time.fixed,
           .first_birth = settings.first_birth,
-          .birth_scale =
-              settings.colors_births ? 1.0F / static_cast<float>(std::max(births, 1U)) : -1.0F,
+          .birth_scale = settings.colors_births ? birth_scale(mesh, settings.first_birth) : -1.0F,
           .unused = 0};
 }
 

@@ -40,7 +40,8 @@ struct Settings {
   /// How far splits have grown that the mirror has a MorphSource for; without one it is ignored.
   GeomorphTime geomorph = GeomorphTime::done();
   /// The surface's front is colored by when a vertex came: `front` for those below `first_birth`,
-  /// from there on dark violet (early) over green to yellow (late).
+  /// from there on violet (early) over green to yellow (late), the same step each time that their
+  /// number has doubled.
   bool colors_births = false;
   std::uint32_t first_birth = 0;
 

@@ -69,7 +69,7 @@ struct GeomorphConstants {
   float rate;
   float fixed_share;
   uint first_birth;   // the first vertex that came with a split
-  float birth_scale;  // one over the number of those; negative: the surface has one color
+  float birth_scale;  // one over how often those double the mesh; negative: it has one color
   uint unused;        // a multiple of 8 bytes
 };
 

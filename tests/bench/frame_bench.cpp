@@ -1,12 +1,20 @@
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 
 #include "engine/gpu/device.h"
 #include "engine/gpu/instance.h"
+#include "engine/io/read.h"
 #include "engine/mesh/build.h"
 #include "engine/mesh/statistics.h"
+#include "engine/progressive/build.h"
+#include "engine/progressive/geomorph.h"
 #include "engine/render/gpu_mesh.h"
 #include "engine/render/renderer.h"
 #include "engine/render/scene_target.h"
@@ -62,6 +70,88 @@ void add(const std::string& name, const std::shared_ptr<Scene>& scene,
       ->Unit(benchmark::kMillisecond);
 }
 
+/// A progressive mesh under a slider.
+struct DragScene {
+  explicit DragScene(const Mesh& full)
+      : mesh(make_progressive(full, {.target_faces = full.face_count() / 100}).mesh),
+        geomorph(mesh) {
+    camera.set_angles(0.6, 0.3);
+    camera.frame(bounding_box(full), 1.0);
+  }
+
+  /// What the slider's handle asks for, 0 to 1, until the picture is there. Returns the bytes that
+  /// were copied to the GPU.
+  std::uint64_t show(double position, render::Settings settings,
+                     const render::SceneTarget& target) {
+    const double count = mesh.split_count();
+    const double window = 0.05 * count;
+    const double time = position * (count + window);
+    mesh.go_to(static_cast<std::uint32_t>(std::min(count, std::ceil(time))));
+    geomorph.follow(mesh);
+    settings.geomorph = GeomorphTime::continuous(time, window);
+    const render::UploadStats stats =
+        gpu_mesh.apply(mesh.mesh(), settings,
+                       {.vertex_normals = geomorph.normals(),
+                        .morph = {.heads = geomorph.heads(), .splits = geomorph.splits()}});
+    device.run_once([&](VkCommandBuffer commands) {
+      renderer.draw(commands, target, gpu_mesh, camera, settings);
+    });
+    return stats.uploaded_bytes;
+  }
+
+  gpu::Instance instance;
+  gpu::Device device{instance};
+  ProgressiveMesh mesh;
+  Geomorph geomorph;
+  render::Camera camera;
+  render::GpuMesh gpu_mesh{device};
+  render::Renderer renderer{device};
+};
+
+/// The slider from end to end and back, a hundred frames each way.
+void drag(State& state, DragScene& scene, const render::Settings& settings) {
+  using Clock = std::chrono::steady_clock;
+  constexpr int kFrames = 100;
+  const render::SceneTarget target(scene.device, {kPixels, kPixels}, settings.samples);
+  scene.show(0.5, settings, target);  // makes the pipelines
+  scene.show(1.0, settings, target);
+  for (auto _ : state) {
+    double bytes = 0.0;
+    double longest = 0.0;
+    const auto start = Clock::now();
+    for (int i = 1; i <= 2 * kFrames; ++i) {
+      const auto begin = Clock::now();
+      const double position = std::abs(1.0 - static_cast<double>(i) / kFrames);
+      bytes += static_cast<double>(scene.show(position, settings, target));
+      longest = std::max(longest, std::chrono::duration<double>(Clock::now() - begin).count());
+    }
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    state.SetIterationTime(seconds / (2 * kFrames));
+    state.counters["frames_per_s"] = 2 * kFrames / seconds;
+    state.counters["longest_ms"] = 1e3 * longest;
+    state.counters["kb_a_frame"] = 1e-3 * bytes / (2 * kFrames);
+  }
+}
+
+void register_drag(const Settings& settings) {
+  const std::filesystem::path file = settings.scans / "armadillo.obj";
+  if (!std::filesystem::exists(file)) {
+    std::fprintf(stderr, "bench_engine: SKIPPED frame_drag: no %s\n", file.string().c_str());
+    return;
+  }
+  const auto scene = std::make_shared<DragScene>(read_model(file, {}).mesh);
+  const auto add_drag = [&](const std::string& task, const render::Settings& look) {
+    benchmark::RegisterBenchmark((task + "/mesher").c_str(),
+                                 [=](State& state) { drag(state, *scene, look); })
+        ->Iterations(1)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+  };
+  add_drag("frame_drag", {.shading = render::Shading::flat});
+  add_drag("frame_drag_1_sample", {.shading = render::Shading::flat, .samples = 1});
+  add_drag("frame_drag_gouraud", {.shading = render::Shading::gouraud});
+}
+
 }  // namespace
 
 void register_frame(const Settings& settings) {
@@ -73,6 +163,7 @@ void register_frame(const Settings& settings) {
   add_pair("frame_flat", {.shading = render::Shading::flat});
   add_pair("frame_gouraud", {.shading = render::Shading::gouraud});
   add_pair("frame_wireframe", {.shading = render::Shading::gouraud, .wireframe = true});
+  register_drag(settings);
 }
 
 }  // namespace mesher::bench
