@@ -48,8 +48,8 @@ uint previous(GeomorphConstants time, uint head) {
   return Uints(time.splits).at[kSplitWords * (head >> 1) + kPrevious];
 }
 
-// A shader may have one loop only of those below: llvmpipe of Mesa 22.3 takes 0 for the head of a
-// vertex where a second one begins that nothing moves.
+// A shader may have one loop only of those below: with two, llvmpipe of Mesa 22.3 moves some vertices
+// wrongly that nothing should move.
 void morph(GeomorphConstants time, uint vertex, inout vec3 position) {
   precise vec3 p = position;
   for (uint head = head_of(time, vertex); is_growing(time, head);) {
