@@ -64,8 +64,8 @@ Image ScriptedSession::picture() {
   if (!gpu_) gpu_ = std::make_unique<Gpu>(options_);
   if (gpu_->generation != session_.model_generation) gpu_->mesh.invalidate();
   gpu_->generation = session_.model_generation;
-  const render::UploadStats upload =
-      gpu_->mesh.apply(session_.model.mesh, session_.settings, shading_normals(session_));
+  const render::UploadStats upload = gpu_->mesh.apply(
+      session_.model.mesh, session_.settings, {.corner_normals = shading_normals(session_)});
   if (upload.uploaded_bytes > 0) gpu_->upload = upload;
   gpu_->mesh.mark(marked_edges(session_));
   if (options_.panels) return picture_with_panels();

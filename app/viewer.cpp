@@ -280,8 +280,8 @@ class Viewer {
       mesh_generation_ = session_.model_generation;
     }
     const std::uint32_t faces_before = mesh_.face_count();
-    const render::UploadStats stats =
-        mesh_.apply(session_.model.mesh, session_.settings, shading_normals(session_));
+    const render::UploadStats stats = mesh_.apply(session_.model.mesh, session_.settings,
+                                                  {.corner_normals = shading_normals(session_)});
     if (mesh_.mark(marked_edges(session_))) drawn_.reset();
     uploaded_revision_ = session_.edits.revision;
     if (stats.uploaded_bytes == 0 && mesh_.face_count() == faces_before) return;
