@@ -1,0 +1,271 @@
+#include "engine/progressive/split_coder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <utility>
+
+#include "engine/progressive/cut_model.h"
+#include "engine/progressive/parent_model.h"
+#include "engine/progressive/place_model.h"
+#include "engine/progressive/sharp_split_model.h"
+#include "engine/progressive/split_ring.h"
+
+namespace mesher {
+namespace {
+
+/// From the middle of what will be around the parent to that around the child, as a guess of how
+/// one will lie to the other: so much of it (the best on scans, and much the same on all).
+constexpr double kApart = 0.609375;
+
+/// Positions as floats, exactly: first the parent, then the child.
+class FloatPlaces {
+ public:
+  template <class Coder>
+  bool code(Coder& coder, const Mesh& mesh, const SplitRing& ring, NewSplit& split) {
+    const SplitSides s(ring, split.cut);
+    const glm::dvec3 apart = s.child - s.parent;
+    const glm::vec3 before = mesh.position(split.parent);
+    Stays stays = Stays::neither;
+    if constexpr (!Coder::kDecodes) {
+      if (has_same_bits(split.parent_position, before)) {
+        stays = Stays::parent;
+      } else if (has_same_bits(split.child_position, before)) {
+        stays = Stays::child;
+      }
+    }
+    stays = stays_.code(coder, stays);
+    if (stays == Stays::parent) split.parent_position = before;
+    if (stays == Stays::child) split.child_position = before;
+    PlaceGuess guess{.mean = 0.53125 * s.parent - 0.09375 * s.child,
+                     .normal = normal_of(s),
+                     .variance = dot(apart, apart)};
+    if (stays == Stays::child) guess.mean = -kApart * apart;
+    if (stays != Stays::parent &&
+        !code_point(coder, parent_, ring.at(), guess, split.parent_position)) {
+      return false;
+    }
+    if (stays == Stays::child) return true;
+    const glm::dvec3 parent = glm::dvec3(split.parent_position) - ring.at();
+    guess.mean = 0.125 * parent - 0.1875 * s.parent + 0.484375 * s.child;
+    if (stays == Stays::parent) {
+      guess.mean = kApart * apart;
+    } else {
+      use_plane(guess, s.child_normal + cross(s.opening, parent), -dot(parent, s.parent_normal));
+    }
+    return code_point(coder, child_, ring.at(), guess, split.child_position);
+  }
+
+ private:
+  using Model = DifferenceModel<6>;
+
+  static bool has_same_bits(const glm::vec3& a, const glm::vec3& b) {
+    return pm_ordered(a.x) == pm_ordered(b.x) && pm_ordered(a.y) == pm_ordered(b.y) &&
+           pm_ordered(a.z) == pm_ordered(b.z);
+  }
+
+  /// Of the last place of a float near a number: the exponent of a double for it, and 23.
+  static int fineness(double value) {
+    constexpr int least = 1023 - 126;
+    return std::max(exponent_of(value), least);
+  }
+
+  template <class Coder>
+  static bool code_point(Coder& coder, Model& model, const glm::dvec3& at, const PlaceGuess& guess,
+                         glm::vec3& position) {
+    const PlaceOrder order(guess);
+    const double largest = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
+    glm::dvec3 point(0.0);
+    for (int step = 0; step < 3; ++step) {
+      const int i = order.axis(step);
+      const double near = clamped(at[i] + order.mean(step, point));
+      const int fine = fineness(near);
+      const int width = (exponent_of(order.variance(step)) + 1023 + 46 - 2 * fine) / 2;
+      const int shift = std::clamp(fineness(largest) - fine, 0, 15);
+      const std::int64_t before = pm_ordered(static_cast<float>(near));
+      const std::int64_t difference = Coder::kDecodes ? 0 : pm_ordered(position[i]) - before;
+      const std::int64_t number = before + model.code(coder, guess, step, width, shift, difference);
+      if (!is_finite_ordered(number)) return false;
+      position[i] = pm_float(static_cast<std::int32_t>(number));
+      point[i] = double{position[i]} - at[i];
+    }
+    return true;
+  }
+
+  static double clamped(double value) {
+    constexpr double most = std::numeric_limits<float>::max();
+    return value >= -most ? std::min(value, most) : value < -most ? -most : 0.0;
+  }
+
+  StaysModel stays_;
+  Model parent_;
+  Model child_;
+};
+
+/// Positions on a grid: first how the child lies to the parent, then the parent.
+class GridPlaces {
+ public:
+  explicit GridPlaces(Array<glm::ivec3>&& numbers) : numbers_(std::move(numbers)) {}
+
+  const glm::ivec3& at(Vertex v) const { return numbers_[v.index()]; }
+
+  template <class Coder>
+  bool code(Coder& coder, const PmHeader& header, const SplitRing& ring, NewSplit& split) {
+    glm::ivec3 parent(0);
+    glm::ivec3 child(0);
+    if constexpr (!Coder::kDecodes) {
+      parent = header.grid.numbers(split.parent_position, header.coordinate_bits);
+      child = header.grid.numbers(split.child_position, header.coordinate_bits);
+    }
+    code_numbers(coder, ring, split, parent, child);
+    const int highest = (1 << header.coordinate_bits) - 1;
+    for (int i = 0; i < 3; ++i) {
+      if (std::min(parent[i], child[i]) < 0 || std::max(parent[i], child[i]) > highest)
+        return false;
+    }
+    numbers_[split.parent.index()] = parent;
+    numbers_.push_back(child);
+    split.parent_position = header.grid.position(parent);
+    split.child_position = header.grid.position(child);
+    return true;
+  }
+
+ private:
+  using Model = DifferenceModel<5>;
+
+  template <class Coder>
+  void code_numbers(Coder& coder, const SplitRing& ring, const NewSplit& split, glm::ivec3& parent,
+                    glm::ivec3& child) {
+    const SplitSides s(ring, split.cut);
+    const glm::ivec3 before = numbers_[split.parent.index()];
+    Stays stays = parent == before  ? Stays::parent
+                  : child == before ? Stays::child
+                                    : Stays::neither;
+    stays = stays_.code(coder, stays);
+    const glm::dvec3 apart = s.child - s.parent;
+    PlaceGuess guess{.mean = kApart * apart, .normal = normal_of(s), .variance = dot(apart, apart)};
+    glm::ivec3 offset = child - parent;
+    code_point(coder, difference_, glm::ivec3(0), guess, offset);
+    if (stays == Stays::parent) {
+      parent = before;
+    } else if (stays == Stays::child) {
+      parent = before - offset;
+    } else {
+      const glm::dvec3 d(offset);
+      guess.mean = -0.4921875 * d + 0.1875 * (s.parent + s.child);
+      guess.variance = dot(d, d);
+      guess.stretch = d;
+      use_plane(guess, guess.normal + cross(d, s.opening), -dot(d, s.child_normal));
+      code_point(coder, parent_, before, guess, parent);
+    }
+    child = parent + offset;
+  }
+
+  template <class Coder>
+  static void code_point(Coder& coder, Model& model, const glm::ivec3& at, const PlaceGuess& guess,
+                         glm::ivec3& numbers) {
+    // Outside the grid by far; what is hostile ends there.
+    constexpr std::int64_t most = std::int64_t{1} << 26U;
+    const PlaceOrder order(guess);
+    glm::dvec3 point(0.0);
+    for (int step = 0; step < 3; ++step) {
+      const int i = order.axis(step);
+      const double near = std::floor(at[i] + order.mean(step, point) + 0.5);
+      const auto before = static_cast<std::int64_t>(near >= -most  ? std::min<double>(near, most)
+                                                    : near < -most ? -most
+                                                                   : 0);
+      const int width = (exponent_of(order.variance(step)) - 1023) / 2;
+      const std::int64_t number =
+          before + model.code(coder, guess, step, width, 0, numbers[i] - before);
+      numbers[i] = static_cast<int>(std::clamp(number, -most, most));
+      point[i] = numbers[i] - at[i];
+    }
+  }
+
+  Array<glm::ivec3> numbers_;
+  StaysModel stays_;
+  Model difference_;
+  Model parent_;
+};
+
+}  // namespace
+
+template <class Coder>
+struct SplitCoder<Coder>::State {
+  PmHeader header;
+  SplitRing ring;
+  ParentModel parent;
+  CutModel cut;
+  FloatPlaces floats;
+  GridPlaces grid;
+  SharpSplitModel sharpness;
+  SharpCornerModel corners;
+  std::uint64_t most_moved = 0;
+  std::uint64_t most_walked = 0;
+  std::uint64_t moved = 0;
+  std::uint64_t walked = 0;
+
+  State(const PmHeader& h, Array<glm::ivec3>&& numbers) : header(h), grid(std::move(numbers)) {}
+
+  std::string_view code_parent(Coder& coder, const ProgressiveMesh& pm, NewSplit& split) {
+    const Mesh& mesh = pm.mesh();
+    if (pm.level() == 0) parent.begin(mesh);
+    split.parent = parent.code(coder, split.parent);
+    if (!split.parent.is_valid()) return "a split has a parent that is not there";
+    if (!ring.gather(mesh, split.parent)) return "a split has a parent of too many faces";
+    walked += ring.faces();
+    return walked <= most_walked ? std::string_view{}
+                                 : "too many faces around the parents of splits";
+  }
+
+  std::string_view code_cut(Coder& coder, const ProgressiveMesh& pm, NewSplit& split) {
+    if (header.is_quantized()) {
+      ring.locate(split.parent, [this](Vertex v) { return glm::dvec3(grid.at(v)); });
+    } else {
+      ring.locate(split.parent, [&](Vertex v) { return glm::dvec3(pm.mesh().position(v)); });
+    }
+    split.cut = cut.code(coder, ring, split.cut);
+    if (Coder::kDecodes && !pm.can_append(split.parent, split.cut))
+      return "a split cuts where it cannot";
+    moved += ring.moved(split.cut);
+    parent.note(ring, split.parent, split.cut);
+    return moved <= most_moved ? std::string_view{} : "splits move too many corners";
+  }
+};
+
+template <class Coder>
+SplitCoder<Coder>::SplitCoder(const PmHeader& header, Array<glm::ivec3>&& grid)
+    : state_(std::make_unique<State>(header, std::move(grid))) {}
+
+template <class Coder>
+SplitCoder<Coder>::~SplitCoder() = default;
+
+template <class Coder>
+void SplitCoder<Coder>::begin_block(std::uint64_t splits_at_end) {
+  state_->most_moved = pm_most_moved(splits_at_end);
+  state_->most_walked = pm_most_walked(splits_at_end);
+}
+
+template <class Coder>
+std::string_view SplitCoder<Coder>::code(Coder& coder, const ProgressiveMesh& mesh,
+                                         NewSplit& split) {
+  State& s = *state_;
+  if (const auto why = s.code_parent(coder, mesh, split); !why.empty()) return why;
+  if (const auto why = s.code_cut(coder, mesh, split); !why.empty()) return why;
+  const bool is_placed = s.header.is_quantized() ? s.grid.code(coder, s.header, s.ring, split)
+                                                 : s.floats.code(coder, mesh.mesh(), s.ring, split);
+  if (!is_placed) return "a split has a position outside the range of coordinates";
+  if (s.header.has_sharp_edges()) {
+    const auto why = s.sharpness.code(coder, mesh.mesh(), s.ring, split);
+    if (!why.empty()) return why;
+  }
+  if (!s.header.has_sharp_vertices()) return {};
+  return s.corners.code(coder, mesh.mesh(), split);
+}
+
+template class SplitCoder<RangeEncoder>;
+template class SplitCoder<RangeDecoder>;
+
+}  // namespace mesher
