@@ -20,6 +20,19 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kBlock = std::size_t{1} << 18;
 
+/// Of what has no name to tell its kind by.
+void check_kind(const MappedFile& file) {
+  constexpr std::size_t kEnough = 8;
+  if (file.size() >= kEnough &&
+      PmReader::is_pm(std::as_bytes(std::span(file.begin(), file.size())))) {
+    return;
+  }
+  throw InputError(file.name(), 0,
+                   "is no progressive mesh; other kinds of files are known by their names, a named "
+                   "pipe's too: " +
+                       std::string(kFormatNames));
+}
+
 bool begins_like_pm(const fs::path& file) {
   std::array<std::byte, 8> begin{};
   std::ifstream in(file, std::ios::binary);
@@ -67,6 +80,7 @@ PmContents read_pm_file(const fs::path& file, Progress* progress) {
   try {
     const MappedFile bytes(file, progress);
     if (bytes.size() == 0) throw InputError(bytes.name(), 0, "is empty");
+    if (!has_pm_ending(file)) check_kind(bytes);
     PmReader reader(bytes.name());
     feed_all(reader, std::as_bytes(std::span(bytes.begin(), bytes.size())), progress);
     PmSummary rest;

@@ -125,11 +125,13 @@ std::vector<Level> make_levels(Source& source, const std::vector<double>& ratios
 /// All of them or none.
 void write_levels(const std::vector<fs::path>& files, const std::vector<Level>& levels) {
   std::vector<std::unique_ptr<AtomicFile>> open;
+  open.reserve(files.size());
   for (const fs::path& file : files)
     open.push_back(std::make_unique<AtomicFile>(file));
   const Format format = *format_of(files.front());
   if (holds_levels(format)) {
     std::vector<GltfLevel> chain;
+    chain.reserve(levels.size());
     for (const Level& level : levels)
       chain.push_back({&level.mesh, &level.attributes, level.coverage});
     write_gltf(*open.front(), chain, format == Format::glb);
@@ -240,8 +242,9 @@ void run_lods(const InputOptions& input, const std::string& output, const LodWor
   const std::vector<std::string> losses =
       losses_in_format(output, levels.front().mesh, levels.front().attributes);
   if (!common.quiet) {
+    const std::string cannot_hold = output + " cannot hold ";
     for (const std::string& loss : losses)
-      say(output + " cannot hold " + loss);
+      say(cannot_hold + loss);
     say_levels(source, levels, files);
   }
   if (common.json) print_levels(source, output, levels, files, losses);

@@ -214,7 +214,11 @@ TEST_F(ProgressiveCommand, GoesThroughPipes) {
   EXPECT_EQ(mesher_json({"info", "c.obj"})["statistics"]["faces"], 3674);
   EXPECT_EQ(shell("mkfifo f.pm; cat p.pm >f.pm & mesher info f.pm").exit_code, 0);
   EXPECT_EQ(shell("cat p.pm | mesher lods /dev/stdin -o l.glb").exit_code, 0);
-  EXPECT_EQ(shell("echo v 0 0 0 and more of it | mesher info /dev/stdin").exit_code, 2);
+  for (const char* what : {"echo v 0 0 0 and more of it", "echo v"}) {
+    const Finished other = shell(std::string(what) + " | mesher info /dev/stdin");
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_TRUE(holds(other.err, "other kinds of files are known by their names")) << other.err;
+  }
 }
 
 TEST_F(ProgressiveCommand, APipeThatEndsEarlyGivesWhatCame) {
