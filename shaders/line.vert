@@ -1,11 +1,15 @@
 // Edges as quads in the window: six vertices an edge, wide enough for anti-aliased borders and round
 // ends, which make joints look like one line. Variant ORDINARY: the ordinary edges of the mesh, out
-// of all its half-edges.
+// of all its half-edges. Variant MORPH: their ends move while splits grow.
 #version 460
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require
 #extension GL_GOOGLE_include_directive : require
 #include "view.glsl"
+#ifdef MORPH
+#include "normal.glsl"
+#include "geomorph.glsl"
+#endif
 
 layout(push_constant) uniform Constants { LineConstants constants; };
 
@@ -57,6 +61,15 @@ float weight(uint line) { return uintBitsToFloat(Uints(constants.lines).at[2 * l
 bool is_drawn(uint h, uint from, uint to) { return true; }
 #endif
 
+vec3 position_of(uint vertex) {
+#ifdef MORPH
+  const GeomorphConstants time = Geomorph(constants.positions).at;
+  return morphed_position(time, fetch_position(time.positions, vertex), vertex);
+#else
+  return fetch_position(constants.positions, vertex);
+#endif
+}
+
 // Six times the same place: nothing is drawn.
 void draw_nothing() {
   gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
@@ -70,8 +83,8 @@ void main() {
   const uint h = halfedge(gl_VertexIndex / 6);
   const uint first = Uints(constants.indices).at[h];
   const uint second = Uints(constants.indices).at[next_halfedge(h)];
-  vec3 a = to_view(constants.view, fetch_position(constants.positions, first));
-  vec3 b = to_view(constants.view, fetch_position(constants.positions, second));
+  vec3 a = to_view(constants.view, position_of(first));
+  vec3 b = to_view(constants.view, position_of(second));
   if (!is_drawn(h, first, second) || !clip_to_near(a, b)) {
     draw_nothing();
     return;

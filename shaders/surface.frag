@@ -1,5 +1,5 @@
 // A surface's pixels. Variants: GOURAUD (interpolated normals; otherwise the face's own), WIRE
-// (ordinary edges drawn on it), WIRE_ALONE (nothing but those).
+// (ordinary edges drawn on it), WIRE_ALONE (nothing but those), TINT (a color of its own a vertex).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "light.glsl"
@@ -14,6 +14,9 @@ layout(location = 0) in vec3 in_view;
 #endif
 #if defined(WIRE) || defined(WIRE_ALONE)
 layout(location = 2) in vec3 in_barycentric;
+#endif
+#ifdef TINT
+layout(location = 3) in vec3 in_tint;
 #endif
 
 layout(location = 0) out vec4 out_color;
@@ -40,6 +43,17 @@ float line_coverage(float least) {
 vec3 face_normal() { return normalize(cross(dFdy(in_view), dFdx(in_view))); }
 #endif
 
+#ifndef WIRE_ALONE
+vec3 surface_color() {
+  const vec3 plain = decode_color(gl_FrontFacing ? constants.front : constants.back);
+#ifdef TINT
+  return gl_FrontFacing && in_tint.x >= 0.0 ? in_tint : plain;
+#else
+  return plain;
+#endif
+}
+#endif
+
 void main() {
 #ifdef WIRE_ALONE
   // Where edges are too dense to be seen one by one, their tone still tells the shape: darker where
@@ -52,7 +66,7 @@ void main() {
 #else
   const vec3 n = face_normal();
 #endif
-  vec3 color = shade(n, decode_color(gl_FrontFacing ? constants.front : constants.back));
+  vec3 color = shade(n, surface_color());
 #ifdef WIRE
   color = mix(color, decode_color(constants.line),
               line_coverage(0.08) * unpackUnorm4x8(constants.line).a);

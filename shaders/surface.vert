@@ -1,11 +1,16 @@
 // A surface's vertices. Variants: GOURAUD passes normals on; PULLED takes no vertex input but the
 // number of a half-edge, so that corners of one vertex can differ: in their barycentric coordinate,
-// and (CORNER_NORMALS) in their normal.
+// and (CORNER_NORMALS) in their normal. MORPH moves vertices while splits grow, and colors them.
 #version 460
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require
 #extension GL_GOOGLE_include_directive : require
 #include "view.glsl"
+#include "normal.glsl"
+#ifdef MORPH
+#include "geomorph.glsl"
+#include "light.glsl"
+#endif
 
 layout(push_constant) uniform Constants { SurfaceConstants constants; };
 
@@ -24,21 +29,12 @@ layout(location = 0) out vec3 out_view;
 #ifdef PULLED
 layout(location = 2) out vec3 out_barycentric;
 #endif
+#ifdef MORPH
+layout(location = 3) out vec3 out_tint;
+#endif
 
 // The depth of one vertex must be the same bits in every pass.
 invariant gl_Position;
-
-#ifdef GOURAUD
-// Inverse of encode_normal in engine/render/gpu_mesh.cpp (Q. Meyer et al., "On floating-point normal
-// vectors", 2010).
-vec3 decode_normal(vec2 e) {
-  vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));
-  const float fold = max(-n.z, 0.0);
-  n.x += n.x >= 0.0 ? -fold : fold;
-  n.y += n.y >= 0.0 ? -fold : fold;
-  return normalize(n);
-}
-#endif
 
 #ifdef PULLED
 // 1 at the corner, 0 along the opposite edge; where that edge is not an ordinary one, 1 all over, so
@@ -58,28 +54,66 @@ vec3 barycentric(uint h) {
 }
 #endif
 
-void main() {
+#ifdef MORPH
+GeomorphConstants geomorph() { return Geomorph(constants.positions).at; }
+#endif
+
 #ifdef PULLED
-  const uint h = gl_VertexIndex;
-  const uint vertex = Uints(constants.indices).at[h];
-  const vec3 position = fetch_position(constants.positions, vertex);
-  out_barycentric = barycentric(h);
+uint vertex_number() { return Uints(constants.indices).at[gl_VertexIndex]; }
+vec3 mesh_position(uint vertex) {
+#ifdef MORPH
+  return fetch_position(geomorph().positions, vertex);
 #else
-  const vec3 position = in_position;
+  return fetch_position(constants.positions, vertex);
+#endif
+}
+#else
+uint vertex_number() { return gl_VertexIndex; }
+vec3 mesh_position(uint vertex) { return in_position; }
+#endif
+
+vec3 position_of(uint vertex) {
+#ifdef MORPH
+  return morphed_position(geomorph(), mesh_position(vertex), vertex);
+#else
+  return mesh_position(vertex);
+#endif
+}
+
+#ifdef GOURAUD
+// Normals of corners stay as they are.
+vec3 normal_of(uint vertex) {
+#if defined(CORNER_NORMALS)
+  return decode_normal(unpackSnorm2x16(Uints(constants.normals).at[gl_VertexIndex]));
+#else
+#ifdef PULLED
+  const vec3 n = decode_normal(unpackSnorm2x16(Uints(constants.normals).at[vertex]));
+#else
+  const vec3 n = decode_normal(in_normal);
+#endif
+#ifdef MORPH
+  return morphed_normal(geomorph(), n, vertex);
+#else
+  return n;
+#endif
+#endif
+}
+#endif
+
+void main() {
+  const uint vertex = vertex_number();
+#ifdef PULLED
+  out_barycentric = barycentric(gl_VertexIndex);
 #endif
 #ifdef GOURAUD
-#if defined(CORNER_NORMALS)
-  const vec2 encoded = unpackSnorm2x16(Uints(constants.normals).at[h]);
-#elif defined(PULLED)
-  const vec2 encoded = unpackSnorm2x16(Uints(constants.normals).at[vertex]);
-#else
-  const vec2 encoded = in_normal;
-#endif
-  const vec3 n = decode_normal(encoded);
+  const vec3 n = normal_of(vertex);
   out_normal = vec3(dot(constants.view.row_x.xyz, n), dot(constants.view.row_y.xyz, n),
                     dot(constants.view.row_z.xyz, n));
 #endif
-  const vec3 in_view = to_view(constants.view, position);
+#ifdef MORPH
+  out_tint = birth_color(geomorph(), vertex, decode_color(constants.front));
+#endif
+  const vec3 in_view = to_view(constants.view, position_of(vertex));
 #ifndef GOURAUD
   out_view = in_view;
 #endif

@@ -30,7 +30,7 @@ inline constexpr std::uint32_t kNoHead = 0xFFFFFFFFU;
 ///
 /// Of the same layout and meaning in shaders/shared/constants.h.
 struct GeomorphTime {
-  std::uint32_t first_growing = 0;
+  std::uint32_t first_growing = 0xFFFFFFFFU;
   std::int32_t whole = 0;
   float fraction = 0.0F;
   float rate = 0.0F;

@@ -1,7 +1,6 @@
 #include "engine/render/gpu_mesh.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
 #include <utility>
 
 #include "engine/core/parallel.h"
@@ -43,8 +42,7 @@ ChangeLog differences(const std::vector<Line>& before, const std::vector<Line>& 
 
 }  // namespace
 
-UploadStats GpuMesh::apply(Mesh& mesh, const Settings& settings,
-                           std::span<const glm::vec3> corner_normals) {
+UploadStats GpuMesh::apply(Mesh& mesh, const Settings& settings, const Sources& sources) {
   UploadStats stats;
   const bool is_new = !is_valid_;
   is_valid_ = false;  // until all of it worked
@@ -54,10 +52,15 @@ UploadStats GpuMesh::apply(Mesh& mesh, const Settings& settings,
   }
   if (!mesh.changes().is_empty() || mesh.vertex_count() != vertex_count_ ||
       mesh.face_count() != face_count_) {
+    box_.update(mesh, sources.morph, is_new);
     copy_arrays(mesh, stats);
   }
-  normals_.update(mesh, settings, {.corner = corner_normals, .can_split = !lines_.creases.empty()},
+  normals_.update(mesh, settings,
+                  {.corner = sources.corner_normals,
+                   .vertex = sources.vertex_normals,
+                   .can_split = !lines_.creases.empty()},
                   is_new, stats);
+  morph_.update(mesh, sources.morph, is_new, stats);
   is_valid_ = true;
   mesh.changes().clear();
   for (const Part& part : parts())
@@ -87,7 +90,6 @@ void GpuMesh::forget_buffers() {
 
 void GpuMesh::copy_arrays(const Mesh& mesh, UploadStats& stats) {
   const ChangeLog& changes = mesh.changes();
-  update_box(mesh);
   upload_changes(device_, positions_, bytes_of(mesh.positions()),
                  {changes, GpuArray::position, sizeof(glm::vec3)},
                  VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, stats);
@@ -101,20 +103,6 @@ void GpuMesh::copy_arrays(const Mesh& mesh, UploadStats& stats) {
   }
   vertex_count_ = mesh.vertex_count();
   face_count_ = mesh.face_count();
-}
-
-void GpuMesh::update_box(const Mesh& mesh) {
-  if (mesh.changes().is_whole(GpuArray::position)) {
-    box_ = bounding_box(mesh);
-    return;
-  }
-  const auto changed = mesh.changes().merged(GpuArray::position, 0, mesh.vertex_count());
-  for (const ChangedRange range : changed) {
-    for (std::uint32_t i = range.begin; i < range.end; ++i) {
-      box_.min = glm::min(box_.min, mesh.position(Vertex(i)));
-      box_.max = glm::max(box_.max, mesh.position(Vertex(i)));
-    }
-  }
 }
 
 void GpuMesh::copy_all_classes(const Mesh& mesh, UploadStats& stats) {
@@ -158,13 +146,15 @@ void GpuMesh::copy_changed_classes(const Mesh& mesh, UploadStats& stats) {
   copy_lines(before.boundaries, lines_.boundaries, boundary_buffer_);
 }
 
-std::array<GpuMesh::Part, 6> GpuMesh::parts() const {
+std::array<GpuMesh::Part, 8> GpuMesh::parts() const {
   return {{{&positions_, sizeof(glm::vec3) * vertex_count_},
            {&indices_, sizeof(Vertex) * halfedge_count()},
            {&class_buffer_, bytes_of(classes_).size()},
            {&crease_buffer_, bytes_of(lines_.creases).size()},
            {&boundary_buffer_, bytes_of(lines_.boundaries).size()},
-           {&normals_.buffer(), normals_.bytes()}}};
+           {&normals_.buffer(), normals_.bytes()},
+           {&morph_.heads(), morph_.head_bytes()},
+           {&morph_.splits(), morph_.split_bytes()}}};
 }
 
 std::vector<std::byte> GpuMesh::read_back() const {

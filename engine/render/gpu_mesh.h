@@ -3,16 +3,16 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <glm/vec3.hpp>
-#include <span>
 #include <vector>
 
 #include "engine/gpu/buffer.h"
 #include "engine/mesh/mesh.h"
-#include "engine/mesh/statistics.h"
+#include "engine/render/gpu_morph.h"
 #include "engine/render/gpu_normals.h"
 #include "engine/render/line_edges.h"
+#include "engine/render/mesh_box.h"
 #include "engine/render/settings.h"
+#include "engine/render/sources.h"
 #include "engine/render/upload.h"
 
 namespace mesher::render {
@@ -30,7 +30,7 @@ struct MarkedEdges {
 /// descriptor applies.
 class GpuMesh {
  public:
-  explicit GpuMesh(gpu::Device& device) : device_(device), normals_(device) {}
+  explicit GpuMesh(gpu::Device& device) : device_(device), normals_(device), morph_(device) {}
 
   /// Brings the mirror up to date with `mesh` and with the normals that `settings` want, and clears
   /// `mesh.changes()`. Only changed ranges are copied (and the normals of the one-rings they
@@ -38,11 +38,9 @@ class GpuMesh {
   /// that shrinks keeps its buffers, and one that grows again within them uploads what it has noted
   /// as changed, new elements included; past them an array is copied whole into a larger buffer.
   /// Waits for frames in flight where it copies at all. Throws DeviceError where the mesh is too
-  /// large for the device. O(changes + crease and boundary edges), O(V + F) when whole.
-  /// `corner_normals`, one a half-edge, are taken for Gouraud shading instead of the faces' where
-  /// there are any; they may change only with the mesh.
-  UploadStats apply(Mesh& mesh, const Settings& settings,
-                    std::span<const glm::vec3> corner_normals = {});
+  /// large for the device. O(changes + crease and boundary edges), O(V + F) when whole. `sources`
+  /// are read, not kept.
+  UploadStats apply(Mesh& mesh, const Settings& settings, const Sources& sources = {});
   /// Points edges out from now on. Pre: they are edges of the mesh as it is drawn next; so call it
   /// again where edges vanish; a new mesh has none. Returns whether that changes the picture.
   /// O(marked edges).
@@ -62,13 +60,14 @@ class GpuMesh {
     return static_cast<std::uint32_t>(marked_.selected.size());
   }
   bool has_hovered() const { return marked_.hovered.is_valid(); }
-  /// Contains every position; never shrinks while edits go on.
-  const Box& box() const { return box_; }
+  /// Contains all that is drawn: see MeshBox.
+  const Box& box() const { return box_.get(); }
 
   const gpu::Buffer& positions() const { return positions_; }   ///< vec3 a vertex
   const gpu::Buffer& indices() const { return indices_; }       ///< uint a half-edge
   const gpu::Buffer& classes() const { return class_buffer_; }  ///< 16 half-edges a uint
   const GpuNormals& normals() const { return normals_; }
+  const GpuMorph& morph() const { return morph_; }  ///< how vertices move while splits grow
   /// The edges that are lines of their own (Line: half-edge and weight, two words), ascending: so
   /// the picture does not depend on the edits that led to a mesh.
   const gpu::Buffer& creases() const { return crease_buffer_; }
@@ -77,8 +76,8 @@ class GpuMesh {
   const gpu::Buffer& marks() const { return mark_buffer_; }
 
   /// The live part of what the GPU holds, read back: positions, indices, classes, creases,
-  /// boundaries, normals, one after the other. For tests: equal to that of a fresh mirror after any
-  /// sequence of edits.
+  /// boundaries, normals, heads, splits, one after the other. For tests: equal to that of a fresh
+  /// mirror after any sequence of edits.
   std::vector<std::byte> read_back() const;
 
  private:
@@ -90,16 +89,15 @@ class GpuMesh {
 
   void forget_buffers();
   void copy_arrays(const Mesh& mesh, UploadStats& stats);
-  void update_box(const Mesh& mesh);
   void copy_all_classes(const Mesh& mesh, UploadStats& stats);
   void copy_changed_classes(const Mesh& mesh, UploadStats& stats);
-  std::array<Part, 6> parts() const;
+  std::array<Part, 8> parts() const;
 
   gpu::Device& device_;
   bool is_valid_ = false;
   std::uint32_t vertex_count_ = 0;
   std::uint32_t face_count_ = 0;
-  Box box_;
+  MeshBox box_;
   Array<std::uint32_t> classes_;  ///< what class_buffer_ holds
   LineEdges lines_;               ///< what the buffers of lines hold
   gpu::Buffer positions_;
@@ -110,6 +108,7 @@ class GpuMesh {
   MarkedEdges marked_;  ///< what mark_buffer_ holds
   gpu::Buffer mark_buffer_;
   GpuNormals normals_;
+  GpuMorph morph_;
 };
 
 }  // namespace mesher::render

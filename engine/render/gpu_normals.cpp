@@ -1,13 +1,14 @@
 #include "engine/render/gpu_normals.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/trigonometric.hpp>
 #include <optional>
 #include <vector>
 
+#include "engine/core/assert.h"
 #include "engine/core/parallel.h"
 #include "engine/mesh/circulators.h"
+#include "engine/mesh/packed_normal.h"
 
 namespace mesher::render {
 namespace {
@@ -20,6 +21,7 @@ CornerNormalOptions corner_options(float crease_angle_deg) {
 
 GpuNormals::Mode wanted_mode(const Settings& settings, const NormalSource& source) {
   if (settings.shading != Shading::gouraud) return GpuNormals::Mode::none;
+  if (!source.vertex.empty()) return GpuNormals::Mode::vertex;
   const bool can_split =
       !source.corner.empty() || source.can_split || settings.crease_angle_deg < 180.0F;
   return can_split ? GpuNormals::Mode::corner : GpuNormals::Mode::vertex;
@@ -59,37 +61,28 @@ std::optional<std::vector<Vertex>> touched_vertices(const Mesh& mesh) {
 
 }  // namespace
 
-std::uint32_t encode_normal(const glm::vec3& normal) {
-  const float sum = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
-  if (!(sum > 0.0F)) return 0;
-  float x = normal.x / sum;
-  float y = normal.y / sum;
-  if (normal.z < 0.0F) {
-    const float folded_x = std::copysign(1.0F - std::abs(y), normal.x);
-    y = std::copysign(1.0F - std::abs(x), normal.y);
-    x = folded_x;
-  }
-  const auto pack = [](float value) {
-    const auto rounded = static_cast<std::int32_t>(std::lround(value * 32767.0F));
-    return static_cast<std::uint32_t>(rounded) & 0xFFFFU;
-  };
-  return pack(x) | pack(y) << 16U;
+GpuNormals::Origin GpuNormals::origin(const NormalSource& source) {
+  if (!source.vertex.empty()) return Origin::vertices;
+  return source.corner.empty() ? Origin::faces : Origin::corners;
 }
 
 void GpuNormals::update(const Mesh& mesh, const Settings& settings, const NormalSource& source,
                         bool is_new_mesh, UploadStats& stats) {
   const Mode wanted = wanted_mode(settings, source);
-  const bool is_given = wanted != Mode::none && !source.corner.empty();
-  const bool is_same = !is_new_mesh && wanted == mode_ && is_given == is_given_ &&
+  const Origin from = wanted == Mode::none ? Origin::faces : origin(source);
+  const bool is_same = !is_new_mesh && wanted == mode_ && from == origin_ &&
                        (wanted != Mode::corner || settings.crease_angle_deg == crease_angle_deg_);
   mode_ = wanted;
-  is_given_ = is_given;
+  origin_ = from;
   crease_angle_deg_ = settings.crease_angle_deg;
   if (mode_ == Mode::none) {
     corner_ = {};
     packed_ = {};
     buffer_ = {};
-  } else if (is_given) {
+    count_ = 0;
+  } else if (origin_ == Origin::vertices) {
+    take(mesh, source.vertex, is_same, stats);
+  } else if (origin_ == Origin::corners) {
     if (is_same && mesh.changes().is_empty()) return;
     corner_ = {};
     buffer_ = {};
@@ -99,6 +92,22 @@ void GpuNormals::update(const Mesh& mesh, const Settings& settings, const Normal
     build(mesh, stats);
   } else {
     update_changed(mesh, stats);
+  }
+}
+
+void GpuNormals::take(const Mesh& mesh, std::span<const std::uint32_t> vertex, bool is_same,
+                      UploadStats& stats) {
+  MESHER_ASSERT(vertex.size() == mesh.vertex_count());
+  corner_ = {};
+  packed_ = {};
+  count_ = vertex.size();
+  if (is_same) {
+    upload_changes(device_, buffer_, std::as_bytes(vertex),
+                   {mesh.changes(), GpuArray::position, sizeof(std::uint32_t)},
+                   VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, stats);
+  } else {
+    buffer_ = {};
+    upload_whole(device_, buffer_, std::as_bytes(vertex), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, stats);
   }
 }
 
@@ -113,6 +122,7 @@ void GpuNormals::build(const Mesh& mesh, UploadStats& stats) {
 
 void GpuNormals::pack(std::span<const glm::vec3> normals, UploadStats& stats) {
   packed_.resize(normals.size());
+  count_ = packed_.size();
   parallel_for(normals.size(), kGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i)
       packed_[i] = encode_normal(normals[i]);
@@ -125,6 +135,7 @@ void GpuNormals::update_changed(const Mesh& mesh, UploadStats& stats) {
   const std::optional<std::vector<Vertex>> touched = touched_vertices(mesh);
   if (!touched) return build(mesh, stats);
   packed_.resize(mode_ == Mode::vertex ? mesh.vertex_count() : mesh.halfedge_count());
+  count_ = packed_.size();
   if (mode_ == Mode::corner) corner_.resize(mesh.halfedge_count());
   ChangeLog log;  // sorts and joins; what it counts here are normals
   const auto store = [&](std::uint32_t i, const glm::vec3& normal) {

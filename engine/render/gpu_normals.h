@@ -12,19 +12,16 @@
 
 namespace mesher::render {
 
-/// A unit vector as two signed 16-bit numbers, x in the low half: an octahedron unfolded to a
-/// square (Q. Meyer et al., "On floating-point normal vectors", 2010). Off by less than 0.002
-/// degrees. The zero vector becomes +z.
-std::uint32_t encode_normal(const glm::vec3& normal);
-
 /// Where normals come from.
 struct NormalSource {
-  std::span<const glm::vec3> corner;  ///< one a half-edge, as they are; empty: from the faces
-  bool can_split = false;             ///< the mesh has creases
+  std::span<const glm::vec3> corner;      ///< one a half-edge, as they are; empty: from the faces
+  std::span<const std::uint32_t> vertex;  ///< one a vertex, packed: before all others
+  bool can_split = false;                 ///< the mesh has creases
 };
 
 /// The normals of a GPU mesh: none unless shading interpolates them; one a vertex where nothing can
-/// split them (no tagged crease, threshold 180 degrees), otherwise one a half-edge.
+/// split them (given so; or no tagged crease and a threshold of 180 degrees), otherwise one a
+/// half-edge.
 class GpuNormals {
  public:
   enum class Mode { none, vertex, corner };
@@ -38,9 +35,15 @@ class GpuNormals {
   Mode mode() const { return mode_; }
   const gpu::Buffer& buffer() const { return buffer_; }
   /// How much of the buffer is live: four bytes a normal.
-  std::size_t bytes() const { return packed_.size() * sizeof(packed_[0]); }
+  std::size_t bytes() const { return count_ * sizeof(std::uint32_t); }
 
  private:
+  /// What they are made of.
+  enum class Origin { faces, corners, vertices };
+
+  static Origin origin(const NormalSource& source);
+  void take(const Mesh& mesh, std::span<const std::uint32_t> vertex, bool is_same,
+            UploadStats& stats);
   void build(const Mesh& mesh, UploadStats& stats);
   void pack(std::span<const glm::vec3> normals, UploadStats& stats);
   void update_changed(const Mesh& mesh, UploadStats& stats);
@@ -48,9 +51,10 @@ class GpuNormals {
   gpu::Device& device_;
   Mode mode_ = Mode::none;
   float crease_angle_deg_ = 0.0F;
-  bool is_given_ = false;        ///< the normals are not made of the faces
+  Origin origin_ = Origin::faces;
+  std::size_t count_ = 0;        ///< live normals
   Array<glm::vec3> corner_;      ///< in corner mode, what `packed_` was made of
-  Array<std::uint32_t> packed_;  ///< what `buffer_` holds
+  Array<std::uint32_t> packed_;  ///< what `buffer_` holds where it is not given
   gpu::Buffer buffer_;
 };
 

@@ -12,9 +12,9 @@ Image render_image(gpu::Device& device, Renderer& renderer, const GpuMesh& mesh,
 }
 
 Image render_image(gpu::Device& device, Mesh& mesh, const Camera& camera, const Settings& settings,
-                   std::uint32_t width, std::uint32_t height) {
+                   std::uint32_t width, std::uint32_t height, const Sources& sources) {
   GpuMesh gpu_mesh(device);
-  gpu_mesh.apply(mesh, settings);
+  gpu_mesh.apply(mesh, settings, sources);
   Renderer renderer(device);
   return render_image(device, renderer, gpu_mesh, camera, settings, width, height);
 }

@@ -15,6 +15,6 @@ Image render_image(gpu::Device& device, Renderer& renderer, const GpuMesh& mesh,
 
 /// Mirrors `mesh`, draws one picture and fetches it: all that a batch run needs.
 Image render_image(gpu::Device& device, Mesh& mesh, const Camera& camera, const Settings& settings,
-                   std::uint32_t width, std::uint32_t height);
+                   std::uint32_t width, std::uint32_t height, const Sources& sources = {});
 
 }  // namespace mesher::render

@@ -80,8 +80,14 @@ class Recording {
         target_(target),
         mesh_(mesh),
         view_(view_constants(camera.transform(
-            static_cast<double>(target.extent().width) / target.extent().height, mesh.box()))) {}
+            static_cast<double>(target.extent().width) / target.extent().height, mesh.box()))),
+        positions_(mesh.positions().address()) {}
 
+  /// From now on vertices are drawn where `block` says.
+  void morph(VkDeviceAddress block) {
+    positions_ = block;
+    vertices_ = Vertices::morphed;
+  }
   void begin(const Color& background);
   void end();
   void surface(Pass pass, const Settings& settings, float line_strength = kEdgeStrength);
@@ -97,7 +103,8 @@ class Recording {
   };
 
   void bind(Pass pass) {
-    vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.get(pass, target_));
+    vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                      pipelines_.get(pass, vertices_, target_));
   }
   template <class Constants>
   void push(const Constants& constants) {
@@ -112,6 +119,8 @@ class Recording {
   const SceneTarget& target_;
   const GpuMesh& mesh_;
   shared::ViewConstants view_;
+  VkDeviceAddress positions_;  ///< what shaders take for it: positions, or GeomorphConstants
+  Vertices vertices_ = Vertices::still;
 };
 
 void Recording::begin(const Color& background) {
@@ -161,7 +170,7 @@ void Recording::end() {
 void Recording::surface(Pass pass, const Settings& settings, float line_strength) {
   bind(pass);
   push(shared::SurfaceConstants{.view = view_,
-                                .positions = mesh_.positions().address(),
+                                .positions = positions_,
                                 .indices = mesh_.indices().address(),
                                 .classes = mesh_.classes().address(),
                                 .normals = mesh_.normals().buffer().address(),
@@ -208,7 +217,7 @@ void Recording::draw_lines(LineList list, const Color& color, float width, float
   constexpr std::uint32_t kVerticesALine = 6;
   push(shared::LineConstants{
       .view = view_,
-      .positions = mesh_.positions().address(),
+      .positions = positions_,
       .indices = mesh_.indices().address(),
       .lines = list.lines,
       .classes = mesh_.classes().address(),
@@ -253,6 +262,9 @@ Pass surface_pass(const GpuMesh& mesh, const Settings& settings) {
 void Renderer::draw(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
                     const Camera& camera, const Settings& settings) {
   Recording recording(commands, pipelines_, target, mesh, camera);
+  if (mesh.face_count() > 0 && needs_geomorph(mesh, settings)) {
+    recording.morph(geomorph_.write(commands, mesh, settings));
+  }
   recording.begin(background_color(settings.background));
   if (mesh.face_count() > 0 && settings.shading == Shading::none) {
     recording.wire_alone(settings);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/render/camera.h"
+#include "engine/render/geomorph_block.h"
 #include "engine/render/gpu_mesh.h"
 #include "engine/render/scene_pipelines.h"
 #include "engine/render/scene_target.h"
@@ -14,7 +15,7 @@ namespace mesher::render {
 /// })` submits and waits, so its wall time is the frame's.
 class Renderer {
  public:
-  explicit Renderer(gpu::Device& device) : pipelines_(device) {}
+  explicit Renderer(gpu::Device& device) : pipelines_(device), geomorph_(device) {}
 
   /// Records the whole scene into `target`. Pre: `mesh` has been applied with these settings.
   /// Throws DeviceError where a pipeline cannot be made.
@@ -27,6 +28,7 @@ class Renderer {
 
  private:
   ScenePipelines pipelines_;
+  GeomorphBlock geomorph_;
 };
 
 }  // namespace mesher::render

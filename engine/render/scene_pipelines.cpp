@@ -45,8 +45,40 @@ PassShaders shaders_of(Pass pass) {
   return {};
 }
 
-gpu::PipelineOptions options_of(Pass pass) {
-  const PassShaders code = shaders_of(pass);
+PassShaders morphed_shaders_of(Pass pass) {
+  switch (pass) {
+    case Pass::bare:
+      break;  // the yardstick stays what it is
+    case Pass::depth:
+      return {shaders::kFlatMorphVert, {}};
+    case Pass::flat:
+      return {shaders::kFlatMorphVert, shaders::kFlatTintFrag};
+    case Pass::gouraud:
+      return {shaders::kGouraudMorphVert, shaders::kGouraudTintFrag};
+    case Pass::gouraud_corner:
+      return {shaders::kGouraudCornerMorphVert, shaders::kGouraudTintFrag};
+    case Pass::flat_wire:
+      return {shaders::kFlatPulledMorphVert, shaders::kFlatWireTintFrag};
+    case Pass::gouraud_wire:
+      return {shaders::kGouraudPulledMorphVert, shaders::kGouraudWireTintFrag};
+    case Pass::gouraud_corner_wire:
+      return {shaders::kGouraudCornerMorphVert, shaders::kGouraudWireTintFrag};
+    case Pass::wire_hidden:
+    case Pass::wire_visible:
+      return {shaders::kFlatPulledMorphVert, shaders::kWireAloneFrag};
+    case Pass::edge_hidden:
+    case Pass::edge_visible:
+      return {shaders::kEdgeMorphVert, shaders::kLineFrag};
+    case Pass::line_hidden:
+    case Pass::line_visible:
+      return {shaders::kLineMorphVert, shaders::kLineFrag};
+  }
+  return shaders_of(pass);
+}
+
+gpu::PipelineOptions options_of(Pass pass, Vertices vertices) {
+  const PassShaders code =
+      vertices == Vertices::morphed ? morphed_shaders_of(pass) : shaders_of(pass);
   gpu::PipelineOptions options;
   options.vertex_shader = code.vertex;
   options.fragment_shader = code.fragment;
@@ -82,16 +114,17 @@ bool is_indexed(Pass pass) {
 ScenePipelines::ScenePipelines(gpu::Device& device)
     : device_(device), layout_(gpu::create_layout(device, sizeof(shared::SurfaceConstants))) {}
 
-VkPipeline ScenePipelines::get(Pass pass, const SceneTarget& target) {
+VkPipeline ScenePipelines::get(Pass pass, Vertices vertices, const SceneTarget& target) {
   if (target.format() != format_ || target.samples() != samples_) {
     for (gpu::UniquePipeline& pipeline : pipelines_)
       pipeline.reset();
     format_ = target.format();
     samples_ = target.samples();
   }
-  gpu::UniquePipeline& pipeline = pipelines_[static_cast<std::size_t>(pass)];
+  gpu::UniquePipeline& pipeline = pipelines_[kVerticesCount * static_cast<std::size_t>(pass) +
+                                             static_cast<std::size_t>(vertices)];
   if (!pipeline) {
-    gpu::PipelineOptions options = options_of(pass);
+    gpu::PipelineOptions options = options_of(pass, vertices);
     options.color_format = format_;
     options.depth_format = SceneTarget::kDepthFormat;
     options.samples = samples_;

@@ -28,6 +28,13 @@ enum class Pass : std::uint8_t {
 };
 inline constexpr std::size_t kPassCount = 14;
 
+/// Where its vertices are.
+enum class Vertices : std::uint8_t {
+  still,    ///< where the mesh has them
+  morphed,  ///< where splits that grow have brought them, with a color each where that is wanted
+};
+inline constexpr std::size_t kVerticesCount = 2;
+
 /// Whether a pass takes indexed vertices (positions, and normals where it is `gouraud`) or pulls
 /// them by half-edge number.
 bool is_indexed(Pass pass);
@@ -39,12 +46,12 @@ class ScenePipelines {
 
   VkPipelineLayout layout() const { return layout_.get(); }
   /// For `target`'s format and samples; asking for another kind of target drops those made before.
-  VkPipeline get(Pass pass, const SceneTarget& target);
+  VkPipeline get(Pass pass, Vertices vertices, const SceneTarget& target);
 
  private:
   gpu::Device& device_;
   gpu::UniquePipelineLayout layout_;
-  std::array<gpu::UniquePipeline, kPassCount> pipelines_;
+  std::array<gpu::UniquePipeline, kPassCount * kVerticesCount> pipelines_;
   VkFormat format_ = VK_FORMAT_UNDEFINED;
   VkSampleCountFlagBits samples_ = VK_SAMPLE_COUNT_1_BIT;
 };

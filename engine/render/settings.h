@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
+
+#include "engine/mesh/geomorph.h"
 
 namespace mesher::render {
 
@@ -34,6 +37,12 @@ struct Settings {
   Color hovered{0.55F, 0.85F, 1.00F};
   /// Samples a pixel, 1 or 4.
   unsigned samples = 4;
+  /// How far splits have grown that the mirror has a MorphSource for; without one it is ignored.
+  GeomorphTime geomorph = GeomorphTime::done();
+  /// The surface's front is colored by when a vertex came: `front` for those below `first_birth`,
+  /// from there on dark violet (early) over green to yellow (late).
+  bool colors_births = false;
+  std::uint32_t first_birth = 0;
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };

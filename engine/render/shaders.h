@@ -18,6 +18,18 @@ extern const Words kGouraudFrag;
 extern const Words kFlatWireFrag;
 extern const Words kGouraudWireFrag;
 extern const Words kWireAloneFrag;
+// The same with vertices that move while splits grow, and that may have a color each.
+extern const Words kFlatMorphVert;
+extern const Words kGouraudMorphVert;
+extern const Words kFlatPulledMorphVert;
+extern const Words kGouraudPulledMorphVert;
+extern const Words kGouraudCornerMorphVert;
+extern const Words kFlatTintFrag;
+extern const Words kGouraudTintFrag;
+extern const Words kFlatWireTintFrag;
+extern const Words kGouraudWireTintFrag;
+extern const Words kLineMorphVert;
+extern const Words kEdgeMorphVert;
 extern const Words kLineVert;  ///< listed edges as quads
 extern const Words kEdgeVert;  ///< every ordinary edge as a quad
 extern const Words kLineFrag;

@@ -31,6 +31,9 @@ struct ViewConstants {
 // Colors in 8 bits a component hold the square root of linear light: close to even steps for the
 // eye, and undone by one multiplication.
 
+// In MORPH variants `positions` is the address of GeomorphConstants instead, since push constants
+// have no room left.
+
 struct SurfaceConstants {
   ViewConstants view;
   Address positions;  // float[3] a vertex
@@ -54,8 +57,25 @@ struct LineConstants {
   vec2 viewport;     // pixels
 };
 
+/// What vertices are moved by while splits grow: see GeomorphTime and SplitMorph in
+/// engine/mesh/geomorph.h. No push constants but a block in a buffer, the same for a whole frame.
+struct GeomorphConstants {
+  Address positions;
+  Address heads;       // uint a vertex
+  Address splits;      // SplitMorph, kSplitWords words each
+  uint first_growing;  // GeomorphTime, member for member
+  int whole;
+  float fraction;
+  float rate;
+  float fixed_share;
+  uint first_birth;   // the first vertex that came with a split
+  float birth_scale;  // one over the number of those; negative: the surface has one color
+  uint unused;        // a multiple of 8 bytes
+};
+
 #ifdef __cplusplus
 static_assert(sizeof(ViewConstants) == 80);
+static_assert(sizeof(GeomorphConstants) == 56);
 static_assert(sizeof(SurfaceConstants) == 128 && sizeof(LineConstants) == 128);
 }  // namespace mesher::render::shared
 #endif

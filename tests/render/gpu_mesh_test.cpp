@@ -1,8 +1,6 @@
 #include "engine/render/gpu_mesh.h"
 
 #include <array>
-#include <glm/geometric.hpp>
-#include <glm/packing.hpp>
 #include <random>
 
 #include "engine/mesh/collapse.h"
@@ -290,24 +288,6 @@ TEST_F(GpuMeshTest, TakesAnEmptyMeshAndAnotherOne) {
   mirror.invalidate();
   mirror.apply(other, kGouraud);
   EXPECT_EQ(mirror.read_back(), fresh_content(device(), other, kGouraud));
-}
-
-TEST(EncodeNormal, ComesBackWithinFourThousandthsOfADegree) {
-  std::mt19937 random(3);
-  std::normal_distribution<float> gauss;
-  double worst = 0.0;
-  for (int i = 0; i < 20000; ++i) {
-    const glm::vec3 n = glm::normalize(glm::vec3(gauss(random), gauss(random), gauss(random)));
-    const glm::vec2 e = glm::unpackSnorm2x16(encode_normal(n));
-    // As decode_normal in shaders/surface.vert.
-    glm::dvec3 d(e, 1.0 - std::abs(e.x) - std::abs(e.y));
-    const double fold = std::max(-d.z, 0.0);
-    d.x += d.x >= 0.0 ? -fold : fold;
-    d.y += d.y >= 0.0 ? -fold : fold;
-    worst = std::max(worst, glm::length(glm::cross(glm::normalize(d), glm::dvec3(n))));
-  }
-  EXPECT_LT(worst, 0.004 * 3.14159265 / 180.0);
-  EXPECT_EQ(encode_normal(glm::vec3(0.0F)), 0U);
 }
 
 }  // namespace

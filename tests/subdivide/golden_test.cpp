@@ -83,7 +83,7 @@ class SubdivideGolden : public GpuTest {
     camera.set_angles(glm::radians(view.yaw_deg), glm::radians(view.pitch_deg));
     camera.frame(bounding_box(mesh), 1.0);
     render::GpuMesh mirror(device());
-    mirror.apply(result.mesh, settings, result.limit_normal);
+    mirror.apply(result.mesh, settings, {.corner_normals = result.limit_normal});
     render::Renderer renderer(device());
     return render::render_image(device(), renderer, mirror, camera, settings, kTile, kTile);
   }

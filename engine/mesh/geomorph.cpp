@@ -1,0 +1,73 @@
+#include "engine/mesh/geomorph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "engine/core/assert.h"
+#include "engine/mesh/packed_normal.h"
+
+namespace mesher {
+namespace {
+
+/// Tells `take` of each split that still grows below a head, newest first: whether the vertex was
+/// its child, and what share of it is still to come.
+template <class Take>
+void for_each_growing(std::uint32_t head, std::span<const SplitMorph> splits,
+                      const GeomorphTime& time, Take&& take) {
+  while (head != kNoHead && head >> 1U >= time.first_growing) {
+    const std::uint32_t i = head >> 1U;
+    MESHER_ASSERT(i < splits.size());
+    take(splits[i], (head & 1U) != 0, 1.0F - growth(time, i));
+    head = splits[i].previous;
+  }
+}
+
+}  // namespace
+
+GeomorphTime GeomorphTime::continuous(double time, double window) {
+  MESHER_ASSERT(time >= 0.0 && window > 0.0);
+  // Past it nothing grows; and every difference from a split's number is still exact.
+  constexpr double kMost = 2147483647.0;
+  const double whole = std::floor(std::min(time, kMost));
+  const double first = std::max(0.0, std::floor(std::min(time - window, kMost)));
+  return {.first_growing = static_cast<std::uint32_t>(first),
+          .whole = static_cast<std::int32_t>(whole),
+          .fraction = static_cast<float>(std::min(time, kMost) - whole),
+          .rate = static_cast<float>(1.0 / window),
+          .fixed = 0.0F};
+}
+
+GeomorphTime GeomorphTime::between(std::uint32_t coarse, float alpha) {
+  return {.first_growing = coarse, .whole = 0, .fraction = 0.0F, .rate = 0.0F, .fixed = alpha};
+}
+
+float growth(const GeomorphTime& time, std::uint32_t i) {
+  if (i < time.first_growing) return 1.0F;
+  const std::int32_t ahead = time.whole - static_cast<std::int32_t>(i);
+  const float grown = time.fixed + time.rate * (static_cast<float>(ahead) + time.fraction);
+  return std::clamp(grown, 0.0F, 1.0F);
+}
+
+glm::vec3 morphed_position(const glm::vec3& position, std::uint32_t head,
+                           std::span<const SplitMorph> splits, const GeomorphTime& time) {
+  glm::vec3 p = position;
+  for_each_growing(head, splits, time, [&](const SplitMorph& split, bool is_child, float rest) {
+    p -= rest * (is_child ? split.child_delta : split.parent_delta);
+  });
+  return p;
+}
+
+glm::vec3 morphed_normal(std::uint32_t normal, std::uint32_t head,
+                         std::span<const SplitMorph> splits, const GeomorphTime& time) {
+  const glm::vec3 full = decode_normal(normal);
+  glm::vec3 n = full;
+  for_each_growing(head, splits, time, [&](const SplitMorph& split, bool is_child, float rest) {
+    const glm::vec3 after = decode_normal(is_child ? split.child_normal : split.parent_normal);
+    n -= rest * (after - decode_normal(split.coarse_normal));
+  });
+  const float square = glm::dot(n, n);
+  return square > 0.0F ? n / std::sqrt(square) : full;
+}
+
+}  // namespace mesher

@@ -1,0 +1,78 @@
+// Where a vertex is while splits grow: engine/mesh/geomorph.h, the same formula in the same order.
+// Include after view.glsl and normal.glsl.
+layout(buffer_reference, std430, buffer_reference_align = 8) readonly buffer Geomorph {
+  GeomorphConstants at;
+};
+
+const uint kNoHead = 0xFFFFFFFFu;
+// The words of a SplitMorph.
+const uint kSplitWords = 10;
+const uint kParentDelta = 0;
+const uint kPrevious = 3;
+const uint kChildDelta = 4;
+const uint kCoarseNormal = 7;
+const uint kParentNormal = 8;
+const uint kChildNormal = 9;
+
+// What of a split is still to come, 1 to 0.
+float remaining(GeomorphConstants time, uint split) {
+  precise float grown =
+      time.fixed_share + time.rate * (float(time.whole - int(split)) + time.fraction);
+  return 1.0 - clamp(grown, 0.0, 1.0);
+}
+
+bool is_growing(GeomorphConstants time, uint head) {
+  return head != kNoHead && (head >> 1) >= time.first_growing;
+}
+
+// Of the newest split that moves a vertex, from where all that do are linked.
+uint head_of(GeomorphConstants time, uint vertex) {
+  // Without anything that grows there may be no heads.
+  return time.first_growing == kNoHead ? kNoHead : Uints(time.heads).at[vertex];
+}
+
+vec3 morphed_position(GeomorphConstants time, vec3 position, uint vertex) {
+  precise vec3 p = position;
+  for (uint head = head_of(time, vertex); is_growing(time, head);) {
+    const uint split = kSplitWords * (head >> 1);
+    const uint delta = split + ((head & 1) != 0 ? kChildDelta : kParentDelta);
+    Floats words = Floats(time.splits);
+    p -= remaining(time, head >> 1) * vec3(words.at[delta], words.at[delta + 1], words.at[delta + 2]);
+    head = Uints(time.splits).at[split + kPrevious];
+  }
+  return p;
+}
+
+vec3 fetch_normal(GeomorphConstants time, uint word) {
+  return decode_normal(unpackSnorm2x16(Uints(time.splits).at[word]));
+}
+
+vec3 morphed_normal(GeomorphConstants time, vec3 normal, uint vertex) {
+  precise vec3 n = normal;
+  for (uint head = head_of(time, vertex); is_growing(time, head);) {
+    const uint split = kSplitWords * (head >> 1);
+    const vec3 after = fetch_normal(time, split + ((head & 1) != 0 ? kChildNormal : kParentNormal));
+    n -= remaining(time, head >> 1) * (after - fetch_normal(time, split + kCoarseNormal));
+    head = Uints(time.splits).at[split + kPrevious];
+  }
+  const float square = dot(n, n);
+  return square > 0.0 ? n * inversesqrt(square) : normal;
+}
+
+// Linear color of the surface at a vertex, `base` where no split brought it; negative: the surface
+// has one color. Even steps to the eye: a polynomial near viridis (S. van der Walt, N. Smith, 2015),
+// whose lightness rises evenly.
+vec3 birth_color(GeomorphConstants time, uint vertex, vec3 base) {
+  if (time.birth_scale < 0.0) return vec3(-1.0);
+  if (vertex < time.first_birth) return base;
+  const float t = min(float(vertex - time.first_birth) * time.birth_scale, 1.0);
+  const vec3 c0 = vec3(0.2777273272, 0.0054073445, 0.3340998053);
+  const vec3 c1 = vec3(0.1050930431, 1.4046135299, 1.3845901627);
+  const vec3 c2 = vec3(-0.3308618287, 0.2148475595, 0.0950951630);
+  const vec3 c3 = vec3(-4.6342304989, -5.7991009733, -19.3324409563);
+  const vec3 c4 = vec3(6.2282699363, 14.1799333668, 56.6905526007);
+  const vec3 c5 = vec3(4.7763849977, -13.7451453777, -65.3530326334);
+  const vec3 c6 = vec3(-5.4354558559, 4.6458526122, 26.3124352496);
+  const vec3 root = c0 + t * (c1 + t * (c2 + t * (c3 + t * (c4 + t * (c5 + t * c6)))));
+  return root * root;
+}
