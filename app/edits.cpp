@@ -175,8 +175,7 @@ std::optional<EditTask> detail_task(Session& session, const EditRequest& request
     return progressive_task(session, request);
   }
   if (!view.is_on() || view.is_arriving()) return std::nullopt;
-  return request.kind == EditRequest::Kind::geomorph ? geomorph_task(session)
-                                                     : keep_task(session);
+  return request.kind == EditRequest::Kind::geomorph ? geomorph_task(session) : keep_task(session);
 }
 
 /// What a person cannot see in the picture.

@@ -20,8 +20,7 @@ namespace fs = std::filesystem;
 constexpr double kSecondsBetween = 0.25;
 
 double now_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-      .count();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 bool begins_as_pm(const fs::path& file) {

@@ -111,8 +111,7 @@ Shape shown_shape(const Session& session) {
   if (levels.vertex_source.empty() || model.attributes.is_empty()) {
     return {shown_mesh(session), {}};
   }
-  Simplified level =
-      as_simplified(session.progressive.mesh(), levels, model.mesh.vertex_count());
+  Simplified level = as_simplified(session.progressive.mesh(), levels, model.mesh.vertex_count());
   Attributes attributes =
       carry_attributes(model.attributes, model.mesh.origins(), level).attributes;
   return {std::move(level.mesh), std::move(attributes)};

@@ -67,10 +67,10 @@ void ProgressiveView::turn(bool on) {
 
 DetailRange ProgressiveView::range() const {
   const bool morphs = settings_.geomorphs && has_geomorph_;
-  return {.base_vertices = std::max(1.0, double(mesh().base_vertex_count())),
-          .splits = mesh().split_count(),
-          .window = morphs ? std::clamp(double(settings_.window), 0.0, DetailRange::kMostWindow)
-                           : 0.0};
+  return {
+      .base_vertices = std::max(1.0, double(mesh().base_vertex_count())),
+      .splits = mesh().split_count(),
+      .window = morphs ? std::clamp(double(settings_.window), 0.0, DetailRange::kMostWindow) : 0.0};
 }
 
 void ProgressiveView::set_time(double time) {
@@ -135,8 +135,7 @@ bool ProgressiveView::advance(double seconds, double pixels_a_unit) {
 bool ProgressiveView::swing(double seconds) {
   // A whole turn leads back to where it began.
   const double from = is_rising_ ? position() : 2.0 - position();
-  const double to =
-      std::fmod(from + seconds / std::max(double(settings_.seconds), 0.1), 2.0);
+  const double to = std::fmod(from + seconds / std::max(double(settings_.seconds), 0.1), 2.0);
   is_rising_ = to < 1.0;
   set_time(range().time_at(is_rising_ ? to : 2.0 - to));
   return true;
@@ -146,8 +145,8 @@ bool ProgressiveView::travel(double seconds, double pixels_a_unit) {
   const DetailRange range = this->range();
   const auto grown =
       static_cast<std::uint32_t>(std::clamp(range.grown(time_), 0.0, double(range.splits)));
-  goal_ = automatic_level(levels_.errors, goal_.value_or(grown), settings_.tolerance_px,
-                          pixels_a_unit);
+  goal_ =
+      automatic_level(levels_.errors, goal_.value_or(grown), settings_.tolerance_px, pixels_a_unit);
   const double goal = range.time_of_level(*goal_);
   if (time_ == goal) return false;
   const double position = range.position_of(time_);

@@ -60,8 +60,7 @@ void submit_save(Session& session) {
 
 std::optional<SaveTask> begin_save(Session& session) {
   if (!session.saving.waiting) return std::nullopt;
-  SaveTask task{*session.saving.waiting,
-                std::make_shared<const Shape>(shown_shape(session))};
+  SaveTask task{*session.saving.waiting, std::make_shared<const Shape>(shown_shape(session))};
   session.saving.waiting.reset();
   return task;
 }

@@ -408,8 +408,7 @@ class Viewer {
 
   void update_title() {
     const std::string title = session_.model.name + " - " +
-                              std::to_string(shown_mesh(session_).face_count()) +
-                              " faces - mesher";
+                              std::to_string(shown_mesh(session_).face_count()) + " faces - mesher";
     if (title != title_) window_.set_title(title);
     title_ = title;
   }

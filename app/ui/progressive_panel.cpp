@@ -123,8 +123,8 @@ void draw_base(Session& session, ProgressiveSettings& settings, bool is_busy) {
   ImGui::BeginDisabled(is_busy);
   if (ImGui::Button("make it anew", {-FLT_MIN, 0.0F})) {
     view.change(settings);
-    request_edit(session, {.kind = EditRequest::Kind::progressive,
-                           .target_faces = settings.base_faces});
+    request_edit(session,
+                 {.kind = EditRequest::Kind::progressive, .target_faces = settings.base_faces});
   }
   ImGui::EndDisabled();
 }

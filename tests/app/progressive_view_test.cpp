@@ -226,8 +226,8 @@ TEST_F(ProgressiveViewTest, NearerIsFiner) {
 TEST_F(ProgressiveViewTest, EditsAreRefusedAndTheNoticeSaysWhatToDo) {
   press(session_, "d d ctrl+z p");
   const std::uint32_t faces_before = session_.statistics.faces;
-  for (const char* key : {"d", "shift+d", "s", "shift+s", "ctrl+z", "ctrl+y", "c", "shift+c", "+",
-                          "ctrl+a", "m"}) {
+  for (const char* key :
+       {"d", "shift+d", "s", "shift+s", "ctrl+z", "ctrl+y", "c", "shift+c", "+", "ctrl+a", "m"}) {
     press(session_, key);
     EXPECT_NE(session_.notice.find("K keeps this level"), std::string::npos) << key;
     EXPECT_TRUE(view().is_on());
@@ -238,8 +238,8 @@ TEST_F(ProgressiveViewTest, EditsAreRefusedAndTheNoticeSaysWhatToDo) {
 }
 
 TEST_F(ProgressiveViewTest, WithoutAProgressiveMeshItsKeysSayHowToGetOne) {
-  for (const char* key : {"space", "[", "]", "home", "end", "pageup", "shift+g", "a", "shift+b",
-                          "k"}) {
+  for (const char* key :
+       {"space", "[", "]", "home", "end", "pageup", "shift+g", "a", "shift+b", "k"}) {
     press(session_, key);
     EXPECT_EQ(session_.notice.find("P shows the model"), 0U) << key << session_.notice;
   }
@@ -311,8 +311,7 @@ TEST_F(ProgressiveViewTest, AnotherBaseIsMadeOnRequest) {
   press(session_, "p home");
   const std::uint32_t coarse = view().mesh().base_face_count();
   change([](ProgressiveSettings& s) { s.base_faces = 1000; });
-  request_edit(session_,
-               {.kind = EditRequest::Kind::progressive, .target_faces = 1000});
+  request_edit(session_, {.kind = EditRequest::Kind::progressive, .target_faces = 1000});
   run_waiting_edits(session_);
   EXPECT_TRUE(view().is_on());
   EXPECT_GT(view().mesh().base_face_count(), coarse);
