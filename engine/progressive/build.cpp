@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "engine/core/parallel.h"
-#include "engine/mesh/outgoing.h"
 #include "engine/progressive/split_step.h"
 #include "engine/simplify/simplify.h"
 
@@ -14,26 +13,34 @@ namespace {
 constexpr std::size_t kGrain = 1U << 13;
 constexpr std::uint32_t kStepsBetweenReports = 1U << 16;
 
-/// Collapses by rank, the highest first: the order of the splits.
-Array<std::uint32_t> order_of_splits(std::span<const CollapseRecord> collapses) {
+/// By rank, the highest first, the last before the first of the same rank: the order of the splits.
+Array<CollapseRecord> sorted_by_rank(std::span<const CollapseRecord> collapses) {
   Array<std::uint32_t> start(std::size_t{CollapseRecord::kRanks} + 1);
   std::fill(start.begin(), start.end(), 0U);
   for (const CollapseRecord& c : collapses)
     ++start[c.rank + 1];
   for (std::size_t rank = 1; rank < start.size(); ++rank)
     start[rank] += start[rank - 1];
-  const auto last = static_cast<std::uint32_t>(collapses.size()) - 1;
-  Array<std::uint32_t> order(collapses.size());
-  for (std::uint32_t i = 0; i < collapses.size(); ++i)
-    order[last - start[collapses[i].rank]++] = i;
-  return order;
+  Array<CollapseRecord> sorted(collapses.size());
+  for (const CollapseRecord& c : collapses)
+    sorted[collapses.size() - 1 - start[c.rank]++] = c;
+  return sorted;
 }
 
-/// The corner of a face of the input that is its first in the progressive mesh, and that face.
-struct FacePlace {
-  std::uint32_t first = kNone;  ///< half-edge of the progressive mesh
-  std::uint32_t turned_by = 0;
-};
+/// Two pieces of work that have nothing to do with each other.
+template <class First, class Second>
+void at_once(const First& first, const Second& second) {
+  parallel_for(2, 1, [&](IndexRange range) {
+    if (range.begin == 0) first();
+    if (range.end == 2) second();
+  });
+}
+
+/// The half-edge of h's face that is `steps` corners after it. Pre: steps < 3.
+Halfedge turned(Halfedge h, std::uint32_t steps) {
+  const std::uint32_t corner = Mesh::corner(h) + steps;
+  return Halfedge(h.index() + steps - (corner >= 3 ? 3 : 0));
+}
 
 }  // namespace
 
@@ -42,15 +49,19 @@ class ProgressiveBuilder {
  public:
   ProgressiveBuilder(const Mesh& full, std::span<const CollapseRecord> collapses,
                      Progress* progress)
-      : full_(full), collapses_(collapses), progress_(progress) {}
+      : full_(full), collapses_(sorted_by_rank(collapses)), progress_(progress) {}
 
   Progressive run() {
     begin_stage(progress_, "recording");
-    if (!collapses_.empty()) order_ = order_of_splits(collapses_);
-    number_vertices();
-    number_faces();
-    fill_arrays();
-    find_sharpness();
+    result_.mesh.splits_.resize(split_count());
+    at_once([&] { number_faces(); },
+            [&] {
+              number_vertices();
+              fill_vertices();
+              note_positions();
+            });
+    fill_halfedges();
+    fill_sharpness();
     go_down();
     result_.mesh.mesh_ = std::move(arrays_).finish();
     return std::move(result_);
@@ -68,7 +79,7 @@ class ProgressiveBuilder {
     result_.vertex_source.resize(vertices);
     std::fill(place_.begin(), place_.end(), Vertex{});
     for (std::uint32_t i = 0; i < split_count(); ++i) {
-      const Vertex removed = collapses_[order_[i]].removed;
+      const Vertex removed = collapses_[i].removed;
       place_[removed.index()] = Vertex(base + i);
       result_.vertex_source[base + i] = removed;
     }
@@ -88,89 +99,124 @@ class ProgressiveBuilder {
     result_.mesh.base_faces_ = faces - removed;
     result_.mesh.full_faces_ = faces;
     result_.mesh.level_ = split_count();
-    face_place_.assign(faces, FacePlace{});
+    face_place_.assign(faces, Halfedge{});
     result_.face_source.resize(faces);
-    result_.mesh.splits_.resize(split_count());
     std::uint32_t next = faces - removed;
     const auto place = [&](Halfedge first, std::uint32_t f) {
-      face_place_[Mesh::face(first).index()] = {3 * f, Mesh::corner(first)};
+      const std::uint32_t corner = Mesh::corner(first);
+      face_place_[Mesh::face(first).index()] =
+          turned(Halfedge(3 * f), corner == 0 ? 0 : 3 - corner);
       result_.face_source[f] = first;
     };
     for (std::uint32_t i = 0; i < split_count(); ++i) {
-      const CollapseRecord& c = collapses_[order_[i]];
+      const CollapseRecord& c = collapses_[i];
       result_.mesh.splits_[i].first_face = next;
       place(c.halfedge, next++);
       if (c.twin.is_valid()) place(c.twin, next++);
     }
     next = 0;
     for (std::uint32_t f = 0; f < faces; ++f) {
-      if (face_place_[f].first == kNone) place(Halfedge(3 * f), next++);
+      if (!face_place_[f].is_valid()) place(Halfedge(3 * f), next++);
     }
   }
 
   Halfedge placed(Halfedge h) const {
-    if (!h.is_valid()) return h;
-    const FacePlace& place = face_place_[Mesh::face(h).index()];
-    const std::uint32_t corner = Mesh::corner(h) + 3 - place.turned_by;
-    return Halfedge(place.first + (corner >= 3 ? corner - 3 : corner));
+    return h.is_valid() ? turned(face_place_[Mesh::face(h).index()], Mesh::corner(h)) : h;
   }
 
-  void fill_arrays() {
+  void fill_vertices() {
     const std::uint32_t vertices = full_.vertex_count();
-    const std::uint32_t faces = full_.face_count();
     arrays_.position.resize(vertices);
     const bool has_own = !full_.vertex_sharpnesses().empty();
     if (has_own) arrays_.vertex_sharpness.resize(vertices);
-    parallel_for_each(vertices, kGrain, [&](std::uint32_t v) {
-      arrays_.position[v] = full_.position(result_.vertex_source[v]);
-      if (has_own) arrays_.vertex_sharpness[v] = full_.sharpness(result_.vertex_source[v]);
-    });
-    arrays_.origin.resize(3 * std::size_t{faces});
-    arrays_.twin.resize(3 * std::size_t{faces});
-    arrays_.sharpness.resize(3 * std::size_t{faces});
-    parallel_for_each(faces, kGrain, [&](std::uint32_t f) {
-      Halfedge from = result_.face_source[f];
-      for (std::uint32_t to = 3 * f; to < 3 * f + 3; ++to) {
-        arrays_.origin[to] = place_[full_.origin(from).index()];
-        arrays_.twin[to] = placed(full_.twin(from));
-        arrays_.sharpness[to] = full_.sharpness(from);
-        from = Mesh::next(from);
-      }
-    });
-    fill_outgoing(arrays_);
+    for (std::uint32_t v = 0; v < vertices; ++v) {
+      const std::uint32_t to = place_[v].index();
+      arrays_.position[to] = full_.position(Vertex(v));
+      if (has_own) arrays_.vertex_sharpness[to] = full_.sharpness(Vertex(v));
+    }
   }
 
-  void find_sharpness() {
-    const bool is_sharp = std::any_of(arrays_.sharpness.begin(), arrays_.sharpness.end(),
-                                      [](float sharpness) { return sharpness > 0.0F; });
-    if (is_sharp) result_.mesh.sharpness_.resize(split_count());
+  /// Twins in pieces, beside the outgoing half-edges in one.
+  void fill_halfedges() {
+    const std::uint32_t faces = full_.face_count();
+    arrays_.twin.resize(3 * std::size_t{faces});
+    parallel_for(1 + chunk_count(faces, kGrain), 1, [&](IndexRange range) {
+      for (std::size_t i = range.begin; i < range.end; ++i) {
+        if (i == 0) {
+          fill_outgoing();
+        } else {
+          fill_twins((i - 1) * kGrain, std::min<std::size_t>(i * kGrain, faces));
+        }
+      }
+    });
+  }
+
+  /// In the order of the input, whose neighbours lie near each other: what is read is at hand, and
+  /// no one waits for what is written far away.
+  void fill_twins(std::size_t first_face, std::size_t end) {
+    for (auto f = static_cast<std::uint32_t>(first_face); f < end; ++f) {
+      Halfedge to = face_place_[f];
+      for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
+        arrays_.twin[to.index()] = placed(full_.twin(Halfedge(h)));
+        to = Mesh::next(to);
+      }
+    }
+  }
+
+  /// P3 at full detail, and where fans start at a boundary.
+  void fill_outgoing() {
+    arrays_.outgoing.assign(full_.vertex_count(), Halfedge{});
+    std::vector<Halfedge> starts;
+    for (std::uint32_t h = 0; h < full_.halfedge_count(); ++h) {
+      Halfedge& outgoing = arrays_.outgoing[place_[full_.origin(Halfedge(h)).index()].index()];
+      outgoing = std::min(outgoing, placed(Halfedge(h)));  // none is the highest of all
+      if (full_.is_boundary(Halfedge(h))) starts.emplace_back(h);
+    }
+    for (const Halfedge h : starts)
+      arrays_.outgoing[place_[full_.origin(h).index()].index()] = placed(h);
+  }
+
+  /// What positions splits lead from and to; those of the base are left in the array.
+  void note_positions() {
+    for (std::uint32_t i = split_count(); i-- > 0;) {
+      VertexSplit& split = result_.mesh.splits_[i];
+      split.parent = place_[collapses_[i].kept.index()];
+      glm::vec3& at_parent = arrays_.position[split.parent.index()];
+      split.child_position = arrays_.position[result_.mesh.child(i).index()];
+      split.fine_position = at_parent;
+      split.coarse_position = at_parent = collapses_[i].position;
+    }
+  }
+
+  void fill_sharpness() {
+    const auto sharpness = full_.sharpnesses();
+    if (std::none_of(sharpness.begin(), sharpness.end(), [](float s) { return s > 0.0F; })) {
+      arrays_.sharpness.assign(3 * std::size_t{result_.mesh.base_faces_}, 0.0F);
+    } else {
+      arrays_.sharpness.resize(sharpness.size());
+      for (std::uint32_t h = 0; h < full_.halfedge_count(); ++h)
+        arrays_.sharpness[placed(Halfedge(h)).index()] = sharpness[h];
+      result_.mesh.sharpness_.resize(split_count());
+      result_.mesh.has_sharp_base_ = true;
+    }
     if (!arrays_.vertex_sharpness.empty()) result_.mesh.corner_sharpness_.resize(split_count());
   }
 
-  /// Collapses the last split first, and notes what it takes to undo that.
+  /// Collapses the last split first, and notes what it takes to undo that. Origins are left out:
+  /// they are needed at the base only.
   void go_down() {
     auto& moved = result_.mesh.moved_;
     moved.reserve(4 * std::size_t{split_count()});
-    const StepArrays arrays{
-        arrays_.position.data(),
-        arrays_.origin.data(),
-        arrays_.twin.data(),
-        arrays_.outgoing.data(),
-        arrays_.sharpness.data(),
-        arrays_.vertex_sharpness.empty() ? nullptr : arrays_.vertex_sharpness.data()};
+    merged_into_.resize(full_.vertex_count());
+    std::fill(merged_into_.begin(), merged_into_.end(), Vertex{});
     std::uint32_t end = result_.mesh.full_faces_;
     for (std::uint32_t i = split_count(); i-- > 0;) {
       VertexSplit& split = result_.mesh.splits_[i];
       const bool is_pair = std::exchange(end, split.first_face) - split.first_face == 2;
       const auto before = static_cast<std::ptrdiff_t>(moved.size());
       note_split(i, is_pair);
-      const SplitStep step{split,
-                           result_.mesh.child(i),
-                           is_pair,
-                           std::span(moved).subspan(static_cast<std::size_t>(before)),
-                           note_sharpness(i, is_pair),
-                           note_corner_sharpness(i)};
-      coarsen(arrays, step, NoNotes{});
+      note_sharpness(i, is_pair);
+      collapse(i, is_pair);
       std::reverse(moved.begin() + before, moved.end());
       split.first_moved = static_cast<std::uint32_t>(moved.size());
       if (i % kStepsBetweenReports == 0) {
@@ -179,6 +225,43 @@ class ProgressiveBuilder {
     }
     turn_moved_around();
     cut_to_base();
+    fill_base_origins();
+  }
+
+  void collapse(std::uint32_t i, bool is_pair) {
+    const VertexSplit& split = result_.mesh.splits_[i];
+    const auto& [into_parent, out_of_child, into_child, out_of_parent] = split.beyond;
+    const std::uint32_t e = 3 * split.first_face;
+    Halfedge* const twins = arrays_.twin.data();
+    arrays_.outgoing[split.parent.index()] = split.coarse_outgoing;
+    if (!out_of_child.is_valid()) arrays_.outgoing[present_origin(e + 2).index()] = into_parent;
+    close_side(twins, into_parent, out_of_child);
+    if (is_pair) {
+      if (!out_of_parent.is_valid()) arrays_.outgoing[present_origin(e + 5).index()] = into_child;
+      close_side(twins, into_child, out_of_parent);
+    }
+    merged_into_[result_.mesh.child(i).index()] = split.parent;
+  }
+
+  /// Into what a vertex of the full mesh has been merged so far. Halves the way for the next who
+  /// asks.
+  Vertex present(Vertex v) {
+    while (merged_into_[v.index()].is_valid()) {
+      Vertex& next = merged_into_[v.index()];
+      if (merged_into_[next.index()].is_valid()) next = merged_into_[next.index()];
+      v = next;
+    }
+    return v;
+  }
+  Vertex present_origin(std::uint32_t h) {
+    const Halfedge source = turned(result_.face_source[h / 3], h % 3);
+    return present(place_[full_.origin(source).index()]);
+  }
+
+  void fill_base_origins() {
+    arrays_.origin.resize(3 * std::size_t{result_.mesh.base_faces_});
+    for (std::uint32_t h = 0; h < arrays_.origin.size(); ++h)
+      arrays_.origin[h] = present_origin(h);
   }
 
   /// They were gathered from the last to the first.
@@ -196,7 +279,6 @@ class ProgressiveBuilder {
     arrays_.position.resize(vertices);
     arrays_.outgoing.resize(vertices);
     if (!arrays_.vertex_sharpness.empty()) arrays_.vertex_sharpness.resize(vertices);
-    arrays_.origin.resize(3 * faces);
     arrays_.twin.resize(3 * faces);
     arrays_.sharpness.resize(3 * faces);
   }
@@ -206,15 +288,9 @@ class ProgressiveBuilder {
   /// Everything of split i that its finer level shows. Corners that it moves are appended.
   void note_split(std::uint32_t i, bool is_pair) {
     VertexSplit& split = result_.mesh.splits_[i];
-    const CollapseRecord& collapse = collapses_[order_[i]];
-    const Vertex child = result_.mesh.child(i);
     const std::uint32_t e = 3 * split.first_face;
-    split.parent = arrays_.origin[e + 1];
-    split.coarse_position = collapse.position;
-    split.fine_position = arrays_.position[split.parent.index()];
-    split.child_position = arrays_.position[child.index()];
     split.fine_outgoing = arrays_.outgoing[split.parent.index()];
-    split.child_outgoing = arrays_.outgoing[child.index()];
+    split.child_outgoing = arrays_.outgoing[result_.mesh.child(i).index()];
     split.beyond = {arrays_.twin[e + 1], arrays_.twin[e + 2], Halfedge{}, Halfedge{}};
     if (is_pair) {
       split.beyond[2] = arrays_.twin[e + 4];
@@ -252,30 +328,28 @@ class ProgressiveBuilder {
     return start;
   }
 
-  const SplitSharpness* note_sharpness(std::uint32_t i, bool is_pair) {
-    auto& all = result_.mesh.sharpness_;
-    if (all.empty()) return nullptr;
-    const float* sides = &arrays_.sharpness[3 * std::size_t{result_.mesh.splits_[i].first_face}];
-    all[i] = {sides[0], {sides[1], sides[2], 0.0F, 0.0F}};
-    if (is_pair) all[i].sides = {sides[1], sides[2], sides[4], sides[5]};
-    return &all[i];
-  }
-
-  const SplitCornerSharpness* note_corner_sharpness(std::uint32_t i) {
-    auto& all = result_.mesh.corner_sharpness_;
-    if (all.empty()) return nullptr;
-    const float parent = arrays_.vertex_sharpness[result_.mesh.splits_[i].parent.index()];
-    const float child = arrays_.vertex_sharpness[result_.mesh.child(i).index()];
-    all[i] = {std::max(parent, child), parent, child};
-    return &all[i];
+  void note_sharpness(std::uint32_t i, bool is_pair) {
+    if (auto& all = result_.mesh.sharpness_; !all.empty()) {
+      const VertexSplit& split = result_.mesh.splits_[i];
+      const float* sides = &arrays_.sharpness[3 * std::size_t{split.first_face}];
+      all[i] = {sides[0], {sides[1], sides[2], 0.0F, 0.0F}};
+      if (is_pair) all[i].sides = {sides[1], sides[2], sides[4], sides[5]};
+      coarsen_sharpness(arrays_.sharpness.data(), split, all[i]);
+    }
+    if (auto& all = result_.mesh.corner_sharpness_; !all.empty()) {
+      float& parent = arrays_.vertex_sharpness[result_.mesh.splits_[i].parent.index()];
+      const float child = arrays_.vertex_sharpness[result_.mesh.child(i).index()];
+      all[i] = {std::max(parent, child), parent, child};
+      parent = all[i].coarse_parent;
+    }
   }
 
   const Mesh& full_;
-  std::span<const CollapseRecord> collapses_;
+  Array<CollapseRecord> collapses_;  ///< in the order of the splits
   Progress* progress_;
-  Array<std::uint32_t> order_;
-  Array<Vertex> place_;  ///< of the input's vertices
-  Array<FacePlace> face_place_;
+  Array<Vertex> place_;         ///< of the input's vertices
+  Array<Halfedge> face_place_;  ///< where the first corner of each of its faces is
+  Array<Vertex> merged_into_;   ///< of the progressive mesh's vertices; none: it lives
   MeshArrays arrays_;
   Progressive result_;
 };

@@ -21,22 +21,36 @@ namespace mesher {
 class Geomorph {
  public:
   Geomorph() = default;
-  /// O(F + splits); leaves `mesh` at its level. Throws Cancelled. 40 bytes a split, 8 a vertex.
+  /// Of all splits, with normals, at the mesh's level, which stays what it is. O(F + splits).
+  /// Throws Cancelled. 40 bytes a split, 12 a vertex.
   explicit Geomorph(ProgressiveMesh& mesh, Progress* progress = nullptr);
 
+  /// Takes the splits that have been appended since. Normals are forgotten: those of coarse levels
+  /// follow from full detail. O(new splits).
+  void extend(const ProgressiveMesh& mesh);
+  /// Makes normals as said above, for the splits that there are. Leaves `mesh` at its level. O(F +
+  /// splits). Throws Cancelled. Pre: nothing has been appended since `extend`.
+  void find_normals(ProgressiveMesh& mesh, Progress* progress = nullptr);
+
   /// Brings heads and normals to the level at which `mesh` is. What differs afterwards are those of
-  /// vertices whose positions the way there has noted as changed. O(steps).
+  /// vertices whose positions the way there has noted as changed. O(steps). Pre: nothing has been
+  /// appended since `extend`.
   void follow(const ProgressiveMesh& mesh);
 
   std::span<const SplitMorph> splits() const { return splits_; }
-  std::span<const std::uint32_t> heads() const { return heads_; }      ///< one a live vertex
-  std::span<const std::uint32_t> normals() const { return normals_; }  ///< one a live vertex
+  std::span<const std::uint32_t> heads() const { return heads_; }  ///< one a live vertex
+  /// One a live vertex, or empty where they are not known.
+  std::span<const std::uint32_t> normals() const { return normals_; }
 
  private:
+  void refine(const ProgressiveMesh& mesh, std::uint32_t split);
+  void coarsen(const ProgressiveMesh& mesh, std::uint32_t split);
+
   std::uint32_t level_ = 0;
   Array<SplitMorph> splits_;
   Array<std::uint32_t> heads_;
   Array<std::uint32_t> normals_;
+  Array<std::uint32_t> top_heads_;  ///< at full detail, one a vertex
 };
 
 }  // namespace mesher

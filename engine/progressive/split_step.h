@@ -69,9 +69,9 @@ inline void open_side(const StepArrays& a, std::uint32_t side, Halfedge outer, H
   if (inner.is_valid()) a.twin[inner.index()] = Halfedge(side + 1);
 }
 
-inline void close_side(const StepArrays& a, Halfedge outer, Halfedge inner) {
-  if (outer.is_valid()) a.twin[outer.index()] = inner;
-  if (inner.is_valid()) a.twin[inner.index()] = outer;
+inline void close_side(Halfedge* twin, Halfedge outer, Halfedge inner) {
+  if (outer.is_valid()) twin[outer.index()] = inner;
+  if (inner.is_valid()) twin[inner.index()] = outer;
 }
 
 /// The vertex across from the parent on one side, before or after a split.
@@ -80,8 +80,8 @@ inline Vertex apex(const StepArrays& a, Halfedge into_parent, Halfedge out_of_pa
                                 : a.origin[Mesh::next(out_of_parent).index()];
 }
 
-inline void set_sharpness(const StepArrays& a, Halfedge h, float sharpness) {
-  if (h.is_valid()) a.sharpness[h.index()] = sharpness;
+inline void set_sharpness(float* of, Halfedge h, float sharpness) {
+  if (h.is_valid()) of[h.index()] = sharpness;
 }
 
 inline void refine_sharpness(const StepArrays& a, const SplitStep& step) {
@@ -101,15 +101,13 @@ inline void refine_sharpness(const StepArrays& a, const SplitStep& step) {
     a.sharpness[e + 5] = s.sides[3];
   }
   for (std::size_t i = 0; i < 4; ++i)
-    set_sharpness(a, step.split.beyond[i], s.sides[i]);
+    set_sharpness(a.sharpness, step.split.beyond[i], s.sides[i]);
 }
 
-inline void coarsen_sharpness(const StepArrays& a, const SplitStep& step) {
-  if (step.sharpness == nullptr) return;
-  const auto& sides = step.sharpness->sides;
+inline void coarsen_sharpness(float* of, const VertexSplit& split, const SplitSharpness& s) {
   for (std::size_t i = 0; i < 4; i += 2) {
     for (std::size_t k = i; k < i + 2; ++k)
-      set_sharpness(a, step.split.beyond[k], std::max(sides[i], sides[i + 1]));
+      set_sharpness(of, split.beyond[k], std::max(s.sides[i], s.sides[i + 1]));
   }
 }
 
@@ -158,14 +156,14 @@ void coarsen(const StepArrays& a, const SplitStep& step, const Note& note) {
   a.position[s.parent.index()] = s.coarse_position;
   a.outgoing[s.parent.index()] = s.coarse_outgoing;
   if (!out_of_child.is_valid()) a.outgoing[a.origin[e + 2].index()] = into_parent;
-  close_side(a, into_parent, out_of_child);
+  close_side(a.twin, into_parent, out_of_child);
   if (step.is_pair) {
     if (!out_of_parent.is_valid()) a.outgoing[a.origin[e + 5].index()] = into_child;
-    close_side(a, into_child, out_of_parent);
+    close_side(a.twin, into_child, out_of_parent);
   }
   for (const Halfedge h : step.moved)
     a.origin[h.index()] = s.parent;
-  coarsen_sharpness(a, step);
+  if (step.sharpness != nullptr) coarsen_sharpness(a.sharpness, s, *step.sharpness);
   if (step.corner_sharpness != nullptr) {
     a.corner_sharpness[s.parent.index()] = step.corner_sharpness->coarse_parent;
   }

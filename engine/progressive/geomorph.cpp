@@ -1,0 +1,126 @@
+#include "engine/progressive/geomorph.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "engine/mesh/normals.h"
+#include "engine/mesh/packed_normal.h"
+
+namespace mesher {
+namespace {
+
+constexpr std::uint32_t kStepsBetweenReports = 1U << 16;
+
+/// Normals of vertices, each as long as the area that the vertex stands for.
+Array<glm::vec3> area_normals(const Mesh& mesh) {
+  Array<glm::vec3> normals = vertex_normals(mesh);
+  Array<float> area(mesh.vertex_count());
+  std::fill(area.begin(), area.end(), 0.0F);
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const auto corner = [&](std::uint32_t c) { return mesh.origin(Halfedge(3 * f + c)); };
+    const glm::vec3& a = mesh.position(corner(0));
+    const float twice =
+        glm::length(glm::cross(mesh.position(corner(1)) - a, mesh.position(corner(2)) - a));
+    for (std::uint32_t c = 0; c < 3; ++c)
+      area[corner(c).index()] += twice;
+  }
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
+    normals[v] *= area[v];
+  return normals;
+}
+
+}  // namespace
+
+Geomorph::Geomorph(ProgressiveMesh& mesh, Progress* progress) {
+  extend(mesh);
+  follow(mesh);
+  find_normals(mesh, progress);
+}
+
+void Geomorph::extend(const ProgressiveMesh& mesh) {
+  normals_.clear();
+  const auto first = static_cast<std::uint32_t>(splits_.size());
+  const std::uint32_t base = mesh.base_vertex_count();
+  if (first == 0) {
+    top_heads_.assign(base, kNoHead);
+    heads_.assign(base, kNoHead);
+    level_ = 0;
+  }
+  splits_.resize(mesh.split_count());
+  top_heads_.resize(base + std::size_t{mesh.split_count()});
+  for (std::uint32_t i = first; i < mesh.split_count(); ++i) {
+    const VertexSplit& split = mesh.splits()[i];
+    std::uint32_t& head = top_heads_[split.parent.index()];
+    splits_[i] = {.parent_delta = split.fine_position - split.coarse_position,
+                  .previous = head,
+                  .child_delta = split.child_position - split.coarse_position,
+                  .coarse_normal = 0,
+                  .parent_normal = 0,
+                  .child_normal = 0};
+    head = 2 * i;
+    top_heads_[base + std::size_t{i}] = 2 * i + 1;
+  }
+}
+
+void Geomorph::find_normals(ProgressiveMesh& mesh, Progress* progress) {
+  begin_stage(progress, "normals");
+  const std::uint32_t level = mesh.level();
+  mesh.go_to(mesh.split_count());
+  Array<glm::vec3> sums = area_normals(mesh.mesh());
+  Array<std::uint32_t> packed(sums.size());
+  std::transform(sums.begin(), sums.end(), packed.begin(), encode_normal);
+  mesh.go_to(level);
+  const auto all = static_cast<std::uint32_t>(splits_.size());
+  for (std::uint32_t i = all; i-- > 0;) {
+    const std::uint32_t parent = mesh.splits()[i].parent.index();
+    const std::uint32_t child = mesh.child(i).index();
+    splits_[i].parent_normal = packed[parent];
+    splits_[i].child_normal = packed[child];
+    sums[parent] += sums[child];
+    splits_[i].coarse_normal = packed[parent] = encode_normal(sums[parent]);
+    if (i % kStepsBetweenReports == 0) {
+      report(progress, 1.0F - static_cast<float>(i) / static_cast<float>(all));
+    }
+  }
+  // The base's; from there up.
+  packed.resize(mesh.base_vertex_count());
+  normals_ = std::move(packed);
+  normals_.resize(heads_.size());
+  for (std::uint32_t i = 0; i < level_; ++i) {
+    normals_[mesh.splits()[i].parent.index()] = splits_[i].parent_normal;
+    normals_[mesh.child(i).index()] = splits_[i].child_normal;
+  }
+}
+
+void Geomorph::refine(const ProgressiveMesh& mesh, std::uint32_t split) {
+  const std::uint32_t parent = mesh.splits()[split].parent.index();
+  const std::uint32_t child = mesh.child(split).index();
+  heads_[parent] = 2 * split;
+  heads_[child] = 2 * split + 1;
+  if (normals_.empty()) return;
+  normals_[parent] = splits_[split].parent_normal;
+  normals_[child] = splits_[split].child_normal;
+}
+
+void Geomorph::coarsen(const ProgressiveMesh& mesh, std::uint32_t split) {
+  const std::uint32_t parent = mesh.splits()[split].parent.index();
+  heads_[parent] = splits_[split].previous;
+  if (!normals_.empty()) normals_[parent] = splits_[split].coarse_normal;
+}
+
+void Geomorph::follow(const ProgressiveMesh& mesh) {
+  const std::uint32_t level = mesh.level();
+  const std::size_t vertices = mesh.base_vertex_count() + std::size_t{level};
+  if (level > level_) {
+    heads_.resize(vertices);
+    if (!normals_.empty()) normals_.resize(vertices);
+  }
+  for (; level_ < level; ++level_)
+    refine(mesh, level_);
+  for (; level_ > level; --level_)
+    coarsen(mesh, level_ - 1);
+  heads_.resize(vertices);
+  if (!normals_.empty()) normals_.resize(vertices);
+}
+
+}  // namespace mesher

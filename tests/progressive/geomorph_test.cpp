@@ -1,0 +1,220 @@
+#include "engine/progressive/geomorph.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "engine/core/error.h"
+#include "engine/io/read.h"
+#include "engine/mesh/normals.h"
+#include "engine/mesh/packed_normal.h"
+#include "engine/progressive/build.h"
+#include "tests/progressive/checks.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+Mesh bumpy() {
+  Soup soup = torus(48, 30);
+  std::mt19937 random(5);
+  for (glm::vec3& p : soup.positions)
+    p *= 1.0F + 0.0001F * static_cast<float>(random() % 1000);
+  return built(std::move(soup)).mesh;
+}
+
+ProgressiveMesh progressive(const Mesh& mesh, std::uint32_t base_faces = 60) {
+  return std::move(make_progressive(mesh, {.target_faces = base_faces}).mesh);
+}
+
+/// The vertex of level `level` from which `v` comes.
+Vertex ancestor(const ProgressiveMesh& mesh, Vertex v, std::uint32_t level) {
+  while (v.index() >= mesh.base_vertex_count() + level)
+    v = mesh.splits()[v.index() - mesh.base_vertex_count()].parent;
+  return v;
+}
+
+/// Where each vertex of a progressive mesh is drawn, with its normal, at one time.
+struct Drawn {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;
+  std::uint32_t level;
+};
+
+Drawn drawn(ProgressiveMesh& mesh, Geomorph& morph, double time, double window) {
+  Drawn result;
+  result.level = static_cast<std::uint32_t>(
+      std::min(std::ceil(time), static_cast<double>(mesh.split_count())));
+  mesh.go_to(result.level);
+  morph.follow(mesh);
+  const GeomorphTime at = GeomorphTime::continuous(time, window);
+  for (std::uint32_t v = 0; v < mesh.mesh().vertex_count(); ++v) {
+    const std::uint32_t head = morph.heads()[v];
+    result.positions.push_back(
+        morphed_position(mesh.mesh().position(Vertex(v)), head, morph.splits(), at));
+    result.normals.push_back(morphed_normal(morph.normals()[v], head, morph.splits(), at));
+  }
+  return result;
+}
+
+/// How far the splits that grow at some time from `first` on move a vertex in all.
+float way_to_go(const Geomorph& morph, std::uint32_t head, double first) {
+  float sum = 0.0F;
+  while (head != kNoHead && static_cast<double>(head / 2) >= first) {
+    const SplitMorph& split = morph.splits()[head / 2];
+    sum += glm::length(head % 2 == 1 ? split.child_delta : split.parent_delta);
+    head = split.previous;
+  }
+  return sum;
+}
+
+TEST(Geomorph, NoPointMovesFurtherThanTheSliderLets) {
+  const Mesh input = bumpy();
+  ProgressiveMesh mesh = progressive(input);
+  Geomorph morph(mesh);
+  const double splits = mesh.split_count();
+  const double rounding = 4e-6 * statistics(input).box.diagonal();
+  for (const double share : {0.005, 0.06, 0.5}) {
+    const double window = share * splits;
+    for (const double step : {1e-3 * (splits + window), 0.3}) {
+      Drawn before = drawn(mesh, morph, 0.0, window);
+      for (double time = step; time < splits + window; time += step) {
+        Drawn now = drawn(mesh, morph, time, window);
+        for (std::uint32_t v = 0; v < now.positions.size(); ++v) {
+          // A vertex that was not there yet was part of the one from which it comes.
+          const Vertex was = ancestor(mesh, Vertex(v), before.level);
+          const double moved = glm::length(now.positions[v] - before.positions[was.index()]);
+          const double way = way_to_go(morph, morph.heads()[v], time - step - window);
+          ASSERT_LE(moved, step / window * way + rounding) << "time " << time << " vertex " << v;
+        }
+        before = std::move(now);
+      }
+    }
+  }
+}
+
+TEST(Geomorph, NormalsChangeNoFasterThanTheSlider) {
+  ProgressiveMesh mesh = progressive(bumpy());
+  Geomorph morph(mesh);
+  const double window = 0.1 * mesh.split_count();
+  const double end = mesh.split_count() + window;
+  // Halving the step halves the largest change: nothing jumps.
+  std::vector<double> largest;
+  for (const double step : {4.0, 2.0, 1.0, 0.5}) {
+    largest.push_back(0.0);
+    for (double time = 3.3; time + step < end; time += 61.0) {
+      const Drawn before = drawn(mesh, morph, time, window);
+      const Drawn now = drawn(mesh, morph, time + step, window);
+      for (std::uint32_t v = 0; v < now.normals.size(); ++v) {
+        const Vertex was = ancestor(mesh, Vertex(v), before.level);
+        largest.back() = std::max(
+            largest.back(), double{glm::length(now.normals[v] - before.normals[was.index()])});
+      }
+    }
+  }
+  EXPECT_GT(largest[0], 0.0);
+  for (std::size_t i = 1; i < largest.size(); ++i)
+    EXPECT_LE(largest[i], 0.75 * largest[i - 1] + 1e-4);
+}
+
+TEST(Geomorph, BetweenTwoLevelsItLeadsFromOneToTheOther) {
+  ProgressiveMesh mesh = progressive(bumpy());
+  Geomorph morph(mesh);
+  const auto coarse_level = mesh.split_count() / 5;
+  mesh.go_to(coarse_level);
+  const Mesh coarse = mesh.mesh();
+  const std::vector<std::uint32_t> coarse_normals = [&] {
+    morph.follow(mesh);
+    return std::vector<std::uint32_t>(morph.normals().begin(), morph.normals().end());
+  }();
+  mesh.go_to(mesh.split_count() - 3);
+  morph.follow(mesh);
+  for (std::uint32_t v = 0; v < mesh.mesh().vertex_count(); ++v) {
+    const glm::vec3& fine = mesh.mesh().position(Vertex(v));
+    const std::uint32_t head = morph.heads()[v];
+    const auto at = [&](float alpha) {
+      return morphed_position(fine, head, morph.splits(),
+                              GeomorphTime::between(coarse_level, alpha));
+    };
+    const Vertex from = ancestor(mesh, Vertex(v), coarse_level);
+    EXPECT_LT(glm::length(at(0.0F) - coarse.position(from)), 2e-5F);
+    EXPECT_EQ(at(1.0F), fine);
+    EXPECT_LT(glm::length(at(0.5F) - 0.5F * (at(0.0F) + at(1.0F))), 2e-5F);
+    const glm::vec3 n = morphed_normal(morph.normals()[v], head, morph.splits(),
+                                       GeomorphTime::between(coarse_level, 0.0F));
+    EXPECT_LT(glm::length(n - decode_normal(coarse_normals[from.index()])), 1e-3F);
+  }
+}
+
+TEST(Geomorph, FullDetailIsShadedAsTheInput) {
+  const Mesh input = bumpy();
+  Progressive made = make_progressive(input, {.target_faces = 60});
+  Geomorph morph(made.mesh);
+  EXPECT_EQ(made.mesh.level(), 0U) << "leaves the level";
+  made.mesh.go_to(made.mesh.split_count());
+  morph.follow(made.mesh);
+  const Array<glm::vec3> normals = vertex_normals(input);
+  for (std::uint32_t v = 0; v < input.vertex_count(); ++v) {
+    const glm::vec3& expected = normals[made.vertex_source[v].index()];
+    EXPECT_LT(glm::length(decode_normal(morph.normals()[v]) - expected), 2e-4F);
+  }
+}
+
+void expect_equal(const Geomorph& a, const Geomorph& b) {
+  EXPECT_TRUE(is_equal(a.heads(), b.heads()));
+  EXPECT_TRUE(is_equal(a.normals(), b.normals()));
+  EXPECT_TRUE(is_equal(a.splits(), b.splits()));
+}
+
+TEST(Geomorph, DependsOnTheLevelAloneNotOnTheWay) {
+  ProgressiveMesh mesh = progressive(bumpy());
+  Geomorph morph(mesh);
+  std::mt19937 random(8);
+  for (int i = 0; i < 25; ++i) {
+    mesh.go_to(static_cast<std::uint32_t>(random() % (mesh.split_count() + 1)));
+    morph.follow(mesh);
+    expect_equal(morph, Geomorph(mesh));
+  }
+}
+
+TEST(Geomorph, GrowsWithTheSplitsThatArrive) {
+  ProgressiveMesh whole = progressive(bumpy());
+  whole.go_to(0);
+  ProgressiveMesh arriving{Mesh(whole.mesh())};
+  Geomorph morph;
+  morph.extend(arriving);
+  for (std::uint32_t i = 0; i < whole.split_count(); ++i) {
+    whole.go_to(i);
+    arriving.append(whole.next_split());
+    if (i % 97 != 0) continue;
+    morph.extend(arriving);
+    morph.follow(arriving);
+    EXPECT_TRUE(morph.normals().empty());
+  }
+  morph.extend(arriving);
+  morph.follow(arriving);
+  morph.find_normals(arriving);
+  expect_equal(morph, Geomorph(arriving));
+}
+
+TEST(Geomorph, ABaseAloneHasNothingToMorph) {
+  ProgressiveMesh mesh{built(cube()).mesh};
+  const Geomorph morph(mesh);
+  EXPECT_TRUE(morph.splits().empty());
+  ASSERT_EQ(morph.heads().size(), mesh.mesh().vertex_count());
+  for (const std::uint32_t head : morph.heads())
+    EXPECT_EQ(head, kNoHead);
+}
+
+TEST(Geomorph, CanBeCancelled) {
+  ProgressiveMesh mesh = progressive(bumpy());
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(Geomorph(mesh, &progress), Cancelled);
+}
+
+}  // namespace
+}  // namespace mesher::test
