@@ -2,45 +2,57 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <glm/geometric.hpp>
+#include <limits>
 
-#include "engine/mesh/packed_normal.h"
+#include "engine/analysis/triangle_tree.h"
+#include "engine/mesh/circulators.h"
 
 namespace mesher::app {
 namespace {
 
 constexpr double kCoarserBelow = 0.8;
-constexpr double kNearestRadii = 0.1;
+// Of the diagonal: no nearer than this counts.
+constexpr double kNearest = 0.05;
 
-float moved_off(const glm::vec3& delta, const SplitMorph& split) {
-  float most = 0.0F;
-  for (const std::uint32_t normal : {split.coarse_normal, split.parent_normal, split.child_normal})
-    most = std::max(most, std::abs(glm::dot(delta, decode_normal(normal))));
-  return most;
-}
-
-/// Whether one face opens instead of two.
-bool is_at_boundary(const ProgressiveMesh& mesh, std::uint32_t split) {
-  return mesh.face_count(split + 1) == mesh.face_count(split) + 1;
-}
-
-float error_of(const ProgressiveMesh& mesh, const SplitMorph& split, std::uint32_t i) {
-  if (is_at_boundary(mesh, i)) {
-    return std::max(glm::length(split.parent_delta), glm::length(split.child_delta));
+/// Squared, to the faces around a vertex.
+double squared_distance_to(const Mesh& mesh, Vertex v, const glm::vec3& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Face f : faces_around(mesh, v)) {
+    const auto corner = [&](std::uint32_t i) {
+      return glm::dvec3(mesh.position(mesh.origin(Mesh::halfedge(f, i))));
+    };
+    least = std::min(least, squared_distance(point, {corner(0), corner(1), corner(2)}));
   }
-  return std::max(moved_off(split.parent_delta, split), moved_off(split.child_delta, split));
+  return least;
+}
+
+/// How far the surface moves in the step down from level `i + 1`, to which the mesh is brought.
+double step_down(ProgressiveMesh& mesh, std::uint32_t i) {
+  const VertexSplit& split = mesh.splits()[i];
+  const double before =
+      std::min(squared_distance_to(mesh.mesh(), split.parent, split.coarse_position),
+               squared_distance_to(mesh.mesh(), mesh.child(i), split.coarse_position));
+  mesh.go_to(i);
+  return std::sqrt(
+      std::max({before, squared_distance_to(mesh.mesh(), split.parent, split.fine_position),
+                squared_distance_to(mesh.mesh(), split.parent, split.child_position)}));
 }
 
 }  // namespace
 
-LevelErrors::LevelErrors(const ProgressiveMesh& mesh, const Geomorph& geomorph) {
-  errors_.resize(mesh.split_count());
-  float most = 0.0F;
-  for (std::uint32_t i = mesh.split_count(); i-- > 0;) {
-    most = std::max(most, error_of(mesh, geomorph.splits()[i], i));
-    errors_[i] = most;
+LevelErrors::LevelErrors(ProgressiveMesh& mesh, Progress* progress) {
+  constexpr std::uint32_t kBetweenReports = 4096;
+  const std::uint32_t level = mesh.level();
+  const std::uint32_t splits = mesh.split_count();
+  errors_.resize(splits);
+  mesh.go_to(splits);
+  double most = 0.0;
+  for (std::uint32_t i = splits; i-- > 0;) {
+    if (i % kBetweenReports == 0) report(progress, 1.0F - float(i) / float(splits));
+    most = std::max(most, step_down(mesh, i));
+    errors_[i] = static_cast<float>(most);
   }
+  mesh.go_to(level);
 }
 
 double LevelErrors::error(std::uint32_t level) const {
@@ -64,10 +76,13 @@ std::uint32_t automatic_level(const LevelErrors& errors, std::uint32_t level, do
 double pixels_a_unit(const render::Camera& camera, const Box& box, const glm::dvec2& window) {
   const render::WindowPlaces places = camera.places(window);
   if (!places.perspective) return places.scale;
-  const double radius = std::max(0.5 * box.diagonal(), 1e-30);
-  const glm::dvec3 middle = 0.5 * (glm::dvec3(box.min) + glm::dvec3(box.max));
-  const double distance = glm::distance(camera.eye(), middle) - radius;
-  return places.scale / std::max(distance, kNearestRadii * radius);
+  double depth = std::numeric_limits<double>::infinity();
+  for (int corner = 0; corner < 8; ++corner) {
+    depth = std::min(depth, places.depth({(corner & 1) != 0 ? box.max.x : box.min.x,
+                                          (corner & 2) != 0 ? box.max.y : box.min.y,
+                                          (corner & 4) != 0 ? box.max.z : box.min.z}));
+  }
+  return places.scale / std::max({depth, kNearest * box.diagonal(), 1e-30});
 }
 
 }  // namespace mesher::app

@@ -4,22 +4,23 @@
 #include <glm/vec2.hpp>
 
 #include "engine/core/array.h"
+#include "engine/core/progress.h"
 #include "engine/mesh/statistics.h"
-#include "engine/progressive/geomorph.h"
 #include "engine/progressive/progressive_mesh.h"
 #include "engine/render/camera.h"
 
 namespace mesher::app {
 
 /// About how far the levels of a progressive mesh lie from its full detail: the farthest that any
-/// split above a level moves its parent or child off the surface, along one of the normals there
-/// (at a boundary: in any direction). Falls from the base to 0 at full detail. An estimate: what
-/// splits move one after the other is not added up.
+/// split above a level moves the surface, which is measured between the faces around its vertices
+/// before and after. Falls from the base to 0 at full detail. An estimate: what splits move one
+/// after the other is not added up.
 class LevelErrors {
  public:
   LevelErrors() = default;
-  /// O(splits). 4 bytes a split.
-  LevelErrors(const ProgressiveMesh& mesh, const Geomorph& geomorph);
+  /// Walks down from full detail, and leaves `mesh` at its level. O(splits); 4 bytes a split.
+  /// Throws Cancelled.
+  explicit LevelErrors(ProgressiveMesh& mesh, Progress* progress = nullptr);
 
   /// In model units. Pre: level <= splits.
   double error(std::uint32_t level) const;
@@ -36,8 +37,9 @@ class LevelErrors {
 std::uint32_t automatic_level(const LevelErrors& errors, std::uint32_t level, double tolerance,
                               double pixels_a_unit);
 
-/// How large a model unit is on the screen where the model is nearest to the eye: at the sphere
-/// around its box, or where the eye is inside or close to it, at a tenth of the sphere's radius.
+/// How large a model unit is on the screen where the model is nearest to the eye: at the nearest
+/// corner of its box, or where the eye is close to it or inside, at a twentieth of the box's
+/// diagonal.
 double pixels_a_unit(const render::Camera& camera, const Box& box, const glm::dvec2& window);
 
 }  // namespace mesher::app

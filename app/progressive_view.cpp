@@ -21,7 +21,8 @@ DetailLevels detail_levels(Progressive&& progressive, Progress* progress) {
   levels.face_source = std::move(progressive.face_source);
   begin_stage(progress, "geomorph");
   levels.geomorph = Geomorph(levels.mesh, progress);
-  levels.errors = LevelErrors(levels.mesh, levels.geomorph);
+  begin_stage(progress, "measuring levels");
+  levels.errors = LevelErrors(levels.mesh, progress);
   return levels;
 }
 

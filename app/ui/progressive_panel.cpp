@@ -101,7 +101,7 @@ void draw_automatic(const Session& session, ProgressiveSettings& settings) {
     label("off by");
     const double error = view.levels().errors.error(view.mesh().level());
     ImGui::Text("%.3g pixels", error * shown_pixels_a_unit(session));
-    tooltip("An estimate: the farthest that a split to come moves a vertex off the surface.");
+    tooltip("An estimate: the farthest that any split to come moves the surface.");
   }
   ImGui::EndDisabled();
 }
