@@ -1,0 +1,110 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <glm/vec3.hpp>
+#include <span>
+#include <string_view>
+
+namespace mesher {
+
+// What docs/pm-format.md says of bytes, checksums and limits, for writer and reader.
+
+inline constexpr std::array<unsigned char, 8> kPmMagic{0x89, 'M', 'P', 'M', '\r', '\n', 0x1A, '\n'};
+inline constexpr std::uint32_t kPmVersion = 1;
+inline constexpr std::uint32_t kPmSharpEdges = 1;
+inline constexpr std::uint32_t kPmSharpVertices = 2;
+inline constexpr unsigned kPmLeastCoordinateBits = 4;
+inline constexpr unsigned kPmMostCoordinateBits = 24;
+inline constexpr std::size_t kPmHeaderBytes = 76;
+inline constexpr std::size_t kPmBlockHeaderBytes = 12;
+
+// Limits: nothing that a file announces takes memory or time out of proportion to its bytes.
+
+inline constexpr std::uint32_t kPmMostBlockSplits = 65'536;
+inline constexpr std::uint32_t kPmMostFan = 65'535;  ///< faces at a parent
+/// The fewest bytes that announce so many splits, or so many vertices or faces of the base.
+constexpr std::uint64_t pm_least_bytes(std::uint64_t splits) {
+  return splits <= 8 ? 0 : (splits - 8 + 1) / 2;
+}
+constexpr std::uint64_t pm_least_base_bytes(std::uint64_t elements) {
+  return elements <= 64 ? 1 : (elements - 64 + 3) / 4;
+}
+constexpr std::uint64_t pm_most_bytes(std::uint64_t splits) {
+  return 128 * splits + 64;
+}
+/// For all splits up to the end of a block together.
+constexpr std::uint64_t pm_most_moved(std::uint64_t splits) {
+  return 64 * splits + 65'536;
+}
+constexpr std::uint64_t pm_most_walked(std::uint64_t splits) {
+  return 4096 * splits + (std::uint64_t{1} << 20U);
+}
+
+/// Coordinates are `origin + step * number`.
+struct PmGrid {
+  std::array<double, 3> origin{};
+  double step = 0.0;
+
+  glm::vec3 position(const glm::ivec3& p) const {
+    return {static_cast<float>(origin[0] + step * p.x), static_cast<float>(origin[1] + step * p.y),
+            static_cast<float>(origin[2] + step * p.z)};
+  }
+  /// The nearest numbers of `bits` bits.
+  glm::ivec3 numbers(const glm::vec3& position, unsigned bits) const;
+};
+
+struct PmHeader {
+  std::uint32_t flags = 0;
+  std::uint32_t coordinate_bits = 0;
+  std::uint32_t base_vertices = 0;
+  std::uint32_t base_faces = 0;
+  std::uint32_t splits = 0;
+  PmGrid grid;
+  std::uint32_t base_bytes = 0;  ///< of the base's payload
+  std::uint32_t check = 0;       ///< of the header
+  std::uint32_t base_check = 0;  ///< of header and base
+
+  bool has_sharp_edges() const { return (flags & kPmSharpEdges) != 0; }
+  bool has_sharp_vertices() const { return (flags & kPmSharpVertices) != 0; }
+  bool is_quantized() const { return coordinate_bits != 0; }
+};
+
+struct PmBlockHeader {
+  std::uint32_t bytes = 0;  ///< of the payload
+  std::uint32_t splits = 0;
+  std::uint32_t check = 0;
+};
+
+/// CRC-32 as in PNG and zlib; goes on from the checksum of what came before.
+std::uint32_t pm_check(std::uint32_t before, std::span<const std::byte> bytes);
+
+/// The bytes of a header; fills in its checksum and, for this payload of the base, the other.
+std::array<std::byte, kPmHeaderBytes> pm_bytes(PmHeader& header, std::span<const std::byte> base);
+/// What is wrong with it; empty: nothing. Pre: kPmHeaderBytes bytes.
+std::string_view pm_parse(std::span<const std::byte> bytes, PmHeader& header);
+
+/// The bytes of a block's header. `check`: over its first 8 bytes and the payload.
+std::array<std::byte, kPmBlockHeaderBytes> pm_bytes(const PmBlockHeader& header);
+PmBlockHeader pm_parse_block(std::span<const std::byte> bytes);
+/// Of a block whose payload is this, after one whose checksum is `before`.
+std::uint32_t pm_block_check(std::uint32_t before, std::uint32_t splits,
+                             std::span<const std::byte> payload);
+
+/// Floats as integers in the same order: neighbours differ by 1. -0 comes just below +0.
+inline std::int32_t pm_ordered(float value) {
+  const auto bits = std::bit_cast<std::int32_t>(value);
+  return bits < 0 ? bits ^ 0x7FFFFFFF : bits;
+}
+/// Whether it is one of a finite float.
+inline bool is_finite_ordered(std::int64_t ordered) {
+  return ordered >= -std::int64_t{0x7F800000} && ordered < std::int64_t{0x7F800000};
+}
+inline float pm_float(std::int32_t ordered) {
+  return std::bit_cast<float>(ordered < 0 ? ordered ^ 0x7FFFFFFF : ordered);
+}
+
+}  // namespace mesher

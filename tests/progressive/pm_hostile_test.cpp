@@ -1,0 +1,150 @@
+// Files of progressive meshes that are cut off, damaged or made to do harm.
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+#include "engine/core/error.h"
+#include "engine/progressive/build.h"
+#include "engine/progressive/pm_format.h"
+#include "engine/progressive/pm_read.h"
+#include "tests/progressive/checks.h"
+#include "tests/progressive/pm_files.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+/// A small one with sharpness of every kind, and at least three blocks.
+ProgressiveMesh sample() {
+  Mesh mesh = built(join(torus(20, 12), grid(5), {6, 0, 0})).mesh;
+  for (std::uint32_t i = 0; i < mesh.halfedge_count(); i += 11)
+    mesh.set_sharpness(mesh.edge(Halfedge(i)), i % 2 == 0 ? kInfinitelySharp : 1.25F);
+  mesh.set_sharpness(Vertex(3), 2.0F);
+  return make_progressive(mesh, {.target_faces = 30}).mesh;
+}
+
+/// Fails where the mesh that was read is not the sample at some level.
+void expect_prefix(ProgressiveMesh& whole, ProgressiveMesh& part) {
+  part.go_to(part.split_count());
+  whole.go_to(part.split_count());
+  EXPECT_TRUE(is_identical(whole.mesh(), part.mesh()));
+}
+
+TEST(PmHostile, CutAtEveryLength) {
+  ProgressiveMesh mesh = sample();
+  for (const unsigned bits : {0U, 14U}) {
+    const Bytes bytes = written(mesh, bits);
+    ProgressiveMesh whole = read_back(bytes).mesh;
+    for (std::size_t length = 0; length < bytes.size(); ++length) {
+      SCOPED_TRACE(length);
+      ReadBack read = read_back(std::span(bytes).first(length));
+      EXPECT_FALSE(read.is_complete);
+      EXPECT_NE(read.error.empty(), read.damage.empty());
+      if (read.error.empty()) expect_prefix(whole, read.mesh);
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+}
+
+TEST(PmHostile, EveryByteFlipped) {
+  ProgressiveMesh mesh = sample();
+  const Bytes bytes = written(mesh, 10);
+  ProgressiveMesh whole = read_back(bytes).mesh;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    for (const int change : {1, 0x80, 0xFF}) {
+      SCOPED_TRACE(std::to_string(i) + " ^ " + std::to_string(change));
+      Bytes damaged = bytes;
+      damaged[i] ^= static_cast<std::byte>(change);
+      ReadBack read = read_back(damaged);
+      EXPECT_NE(read.error.empty(), read.damage.empty());
+      if (read.error.empty()) expect_prefix(whole, read.mesh);
+      ReadBack slowly = read_back(damaged, 1);
+      EXPECT_EQ(read.error, slowly.error);
+      EXPECT_EQ(read.damage, slowly.damage);
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+}
+
+TEST(PmHostile, EveryByteFlippedUnderRightChecksums) {
+  ProgressiveMesh mesh = sample();
+  for (const unsigned bits : {0U, 10U}) {
+    const Bytes bytes = written(mesh, bits);
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      for (const int change : {1, 0x40, 0xFF}) {
+        SCOPED_TRACE(std::to_string(i) + " ^ " + std::to_string(change));
+        Bytes damaged = bytes;
+        damaged[i] ^= static_cast<std::byte>(change);
+        mend_checksums(damaged);
+        ReadBack read = read_back(damaged);
+        expect_sound(read);
+        if (testing::Test::HasFailure()) return;
+      }
+    }
+  }
+}
+
+TEST(PmHostile, NoiseUnderRightChecksums) {
+  ProgressiveMesh mesh = sample();
+  for (std::uint32_t seed = 0; seed < 2000; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    Bytes bytes = written(mesh, seed % 2 == 0 ? 0 : 12);
+    // From somewhere on, payloads are noise; in some files long runs of one byte.
+    const std::size_t from = kPmHeaderBytes + random() % (bytes.size() - kPmHeaderBytes);
+    const auto run = static_cast<std::byte>(random());
+    for (std::size_t i = from; i < bytes.size(); ++i) {
+      if (random() % 8 == 0) bytes[i] = seed % 3 == 0 ? run : static_cast<std::byte>(random());
+    }
+    mend_checksums(bytes);
+    ReadBack read = read_back(bytes);
+    expect_sound(read);
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(PmHostile, WhatFollowsTheEndIsSaid) {
+  ProgressiveMesh mesh = sample();
+  Bytes bytes = written(mesh);
+  bytes.push_back(std::byte{7});
+  ReadBack read = read_back(bytes);
+  EXPECT_TRUE(read.is_complete);
+  EXPECT_NE(read.damage.find("follow"), std::string::npos) << read.damage;
+  ReadBack slowly = read_back(bytes, 1);
+  EXPECT_EQ(read.damage, slowly.damage);
+  expect_same(read.mesh, slowly.mesh);
+}
+
+TEST(PmHostile, DamageSaysWhereAndHowMuch) {
+  ProgressiveMesh mesh = sample();
+  Bytes bytes = written(mesh);
+  bytes[bytes.size() - 1] ^= std::byte{1};
+  PmReader reader("x.pm");
+  reader.feed(bytes);
+  EXPECT_TRUE(reader.has_base());
+  const std::string damage(reader.damage());
+  const std::string end = std::to_string(reader.mesh().split_count()) + " of " +
+                          std::to_string(mesh.split_count()) + " splits were read";
+  EXPECT_EQ(damage.find("byte "), 0U);
+  EXPECT_TRUE(damage.ends_with(end)) << damage;
+  const std::uint32_t before = reader.mesh().split_count();
+  reader.feed(bytes);
+  reader.finish();
+  EXPECT_EQ(reader.mesh().split_count(), before);
+  EXPECT_EQ(reader.damage(), damage);
+}
+
+TEST(PmHostile, OtherFilesAreRefusedAtTheirFirstBytes) {
+  for (const std::string text : {"PM\n", "solid x", "\x89PNG\r\n\x1a\n", "\x89MPM\n\x1a\n      "}) {
+    PmReader reader("x.pm");
+    EXPECT_THROW(reader.feed(std::as_bytes(std::span(text))), InputError) << text;
+    EXPECT_FALSE(PmReader::is_pm(std::as_bytes(std::span(text))));
+  }
+  PmReader nothing("x.pm");
+  nothing.feed({});
+  EXPECT_THROW(nothing.finish(), InputError);
+}
+
+}  // namespace
+}  // namespace mesher::test

@@ -1,0 +1,218 @@
+// Files of progressive meshes: what was written is what is read.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#include "engine/core/error.h"
+#include "engine/io/read.h"
+#include "engine/progressive/build.h"
+#include "engine/progressive/pm_read.h"
+#include "engine/progressive/pm_write.h"
+#include "tests/progressive/checks.h"
+#include "tests/progressive/pm_files.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+void expect_lossless(ProgressiveMesh& mesh) {
+  const std::uint32_t level = mesh.split_count() / 3;
+  mesh.go_to(level);
+  const Bytes bytes = written(mesh);
+  EXPECT_EQ(mesh.level(), level);
+  EXPECT_EQ(bytes, written(mesh));
+  ReadBack read = read_back(bytes);
+  ASSERT_EQ(read.error, "");
+  EXPECT_EQ(read.damage, "");
+  ASSERT_TRUE(read.is_complete);
+  EXPECT_EQ(read.mesh.level(), mesh.split_count());
+  expect_same(mesh, read.mesh);
+  for (const std::uint32_t at : some_levels(mesh, 12)) {
+    mesh.go_to(at);
+    read.mesh.go_to(at);
+    EXPECT_TRUE(is_identical(mesh.mesh(), read.mesh.mesh())) << at;
+  }
+  EXPECT_EQ(written(read.mesh), bytes);
+}
+
+/// The step of the grid that a box over all levels leads to.
+float step_of(ProgressiveMesh& mesh, unsigned bits) {
+  mesh.go_to(0);
+  glm::dvec3 low(INFINITY);
+  glm::dvec3 high(-INFINITY);
+  const auto add = [&](const glm::dvec3& p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  };
+  for (const glm::vec3& p : mesh.mesh().positions())
+    add(p);
+  for (const VertexSplit& s : mesh.splits()) {
+    add(s.fine_position);
+    add(s.child_position);
+  }
+  const glm::dvec3 size = high - low;
+  return static_cast<float>(std::max({size.x, size.y, size.z}) / ((1U << bits) - 1));
+}
+
+void expect_near(const Mesh& a, const Mesh& b, float step) {
+  ASSERT_TRUE(is_equal(a.origins(), b.origins()));
+  ASSERT_TRUE(is_equal(a.twins(), b.twins()));
+  for (std::uint32_t v = 0; v < a.vertex_count(); ++v) {
+    for (int i = 0; i < 3; ++i) {
+      const float x = a.position(Vertex(v))[i];
+      ASSERT_NEAR(x, b.position(Vertex(v))[i], 0.501F * step + 1e-6F * std::abs(x));
+    }
+  }
+}
+
+void expect_quantized(ProgressiveMesh& mesh, unsigned bits) {
+  ReadBack read = read_back(written(mesh, bits));
+  ASSERT_EQ(read.error, "");
+  ASSERT_TRUE(read.is_complete);
+  ASSERT_EQ(read.mesh.split_count(), mesh.split_count());
+  EXPECT_TRUE(is_equal(mesh.sharpnesses(), read.mesh.sharpnesses()));
+  EXPECT_TRUE(is_equal(mesh.corner_sharpnesses(), read.mesh.corner_sharpnesses()));
+  const float step = step_of(mesh, bits);
+  for (const std::uint32_t at : some_levels(mesh, 12)) {
+    mesh.go_to(at);
+    read.mesh.go_to(at);
+    expect_near(mesh.mesh(), read.mesh.mesh(), step);
+    expect_valid_level(read.mesh);
+  }
+  const Bytes again = written(read.mesh, bits);
+  ASSERT_EQ(read_back(again).error, "");
+}
+
+TEST(PmRoundTrip, IsExactForEveryKindOfMesh) {
+  for (const auto& [name, mesh] : meshes_of_all_kinds()) {
+    for (const Placement placement : {Placement::optimal, Placement::endpoint}) {
+      SCOPED_TRACE(name);
+      Progressive p = make_progressive(mesh, {.target_faces = 1, .placement = placement});
+      expect_lossless(p.mesh);
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+TEST(PmRoundTrip, IsExactWithoutSplits) {
+  for (const auto& [name, mesh] : meshes_of_all_kinds()) {
+    SCOPED_TRACE(name);
+    ProgressiveMesh all_base{Mesh(mesh)};
+    expect_lossless(all_base);
+  }
+}
+
+TEST(PmRoundTrip, QuantizedIsOnTheNearestNumbers) {
+  for (const auto& [name, mesh] : meshes_of_all_kinds()) {
+    for (const unsigned bits : {4U, 14U, 24U}) {
+      SCOPED_TRACE(name + ", " + std::to_string(bits) + " bits");
+      Progressive p = make_progressive(mesh, {.target_faces = 1});
+      expect_quantized(p.mesh, bits);
+    }
+  }
+}
+
+TEST(PmRoundTrip, PiecesOfAnySizeGiveTheSame) {
+  Progressive p = make_progressive(built(torus(40, 30)).mesh, {.target_faces = 20});
+  for (const unsigned bits : {0U, 12U}) {
+    const Bytes bytes = written(p.mesh, bits);
+    ReadBack whole = read_back(bytes);
+    for (const std::size_t piece : {1U, 7U, 100U, 4096U}) {
+      ReadBack read = read_back(bytes, piece);
+      ASSERT_TRUE(read.is_complete) << read.error << read.damage;
+      expect_same(whole.mesh, read.mesh);
+    }
+  }
+}
+
+TEST(PmRoundTrip, TheFirstBytesAreAMesh) {
+  Progressive p = make_progressive(built(torus(100, 60)).mesh, {.target_faces = 60});
+  const Bytes bytes = written(p.mesh, 14);
+  PmReader reader("x.pm");
+  EXPECT_FALSE(reader.has_base());
+  reader.feed(std::span(bytes).first(2500));
+  ASSERT_TRUE(reader.has_base());
+  EXPECT_FALSE(reader.is_complete());
+  EXPECT_EQ(reader.announced_splits(), p.mesh.split_count());
+  EXPECT_EQ(reader.coordinate_bits(), 14U);
+  EXPECT_GE(reader.mesh().split_count(), 64U);
+  reader.mesh().go_to(3);
+  reader.feed(std::span(bytes).subspan(2500));
+  EXPECT_TRUE(reader.is_complete());
+  EXPECT_EQ(reader.mesh().level(), p.mesh.split_count());
+  EXPECT_EQ(reader.damage(), "");
+}
+
+TEST(PmRoundTrip, TheHighestFloatsKeepTheirPlaces) {
+  Soup soup = cube();
+  for (glm::vec3& p : soup.positions)
+    p *= 2.0F * std::numeric_limits<float>::max();
+  Progressive p = make_progressive(built(std::move(soup)).mesh, {.target_faces = 4});
+  expect_lossless(p.mesh);
+  for (const unsigned bits : {4U, 13U, 24U}) {
+    ReadBack read = read_back(written(p.mesh, bits));
+    EXPECT_EQ(read.error, "");
+    EXPECT_TRUE(read.is_complete);
+  }
+}
+
+TEST(PmRoundTrip, CancellingLeavesTheLevel) {
+  Progressive p = make_progressive(built(torus(20, 12)).mesh, {.target_faces = 20});
+  p.mesh.go_to(5);
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(write_pm(p.mesh, {.progress = &progress}, [](auto) {}), Cancelled);
+  EXPECT_EQ(p.mesh.level(), 5U);
+  EXPECT_THROW(write_pm(p.mesh, {}, [](auto) { throw std::runtime_error("full"); }),
+               std::runtime_error);
+  EXPECT_EQ(p.mesh.level(), 5U);
+}
+
+/// Size and exactness of a large model's file.
+void examine_scan(const Mesh& input) {
+  Progressive p = make_progressive(input, {.target_faces = 200});
+  const Bytes exact = written(p.mesh);
+  ReadBack read = read_back(exact);
+  ASSERT_TRUE(read.is_complete) << read.error << read.damage;
+  expect_same(p.mesh, read.mesh);
+  const std::size_t plain =
+      12 * std::size_t{input.vertex_count()} + 12 * std::size_t{input.face_count()};
+  EXPECT_LT(exact.size(), plain / 2);
+  const Bytes small = written(p.mesh, 14);
+  EXPECT_LT(8 * small.size(), 60 * std::size_t{input.vertex_count()});
+  expect_quantized(p.mesh, 14);
+}
+
+TEST(PmRoundTrip, Assets) {
+  for (const char* name : {"bunny", "knot", "cactus", "hypersheet", "creased_cube"}) {
+    SCOPED_TRACE(name);
+    const auto file =
+        std::filesystem::path(MESHER_SOURCE_DIR) / "assets" / (std::string(name) + ".obj");
+    const Mesh mesh = read_model(file, {}).mesh;
+    Progressive p = make_progressive(mesh, {.target_faces = 1});
+    expect_lossless(p.mesh);
+    expect_quantized(p.mesh, 14);
+  }
+}
+
+class PmScan : public testing::TestWithParam<const char*> {};
+
+TEST_P(PmScan, IsSmallAndExact) {
+  const auto file =
+      std::filesystem::path(MESHER_SHARED_MODELS) / (std::string(GetParam()) + ".obj");
+  if (!std::filesystem::exists(file)) {
+    std::cerr << "*** NOT TESTED: " << file << " is missing ***\n";
+    return;
+  }
+  examine_scan(read_model(file, {}).mesh);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, PmScan, testing::Values("armadillo", "bunny"));
+
+}  // namespace
+}  // namespace mesher::test
