@@ -53,14 +53,12 @@ class ProgressiveBuilder {
 
   Progressive run() {
     begin_stage(progress_, "recording");
-    result_.mesh.splits_.resize(split_count());
     at_once([&] { number_faces(); },
             [&] {
               number_vertices();
               fill_vertices();
-              note_positions();
             });
-    fill_halfedges();
+    fill_arrays();
     fill_sharpness();
     go_down();
     result_.mesh.mesh_ = std::move(arrays_).finish();
@@ -101,6 +99,7 @@ class ProgressiveBuilder {
     result_.mesh.level_ = split_count();
     face_place_.assign(faces, Halfedge{});
     result_.face_source.resize(faces);
+    result_.mesh.splits_.resize(split_count());
     std::uint32_t next = faces - removed;
     const auto place = [&](Halfedge first, std::uint32_t f) {
       const std::uint32_t corner = Mesh::corner(first);
@@ -136,16 +135,18 @@ class ProgressiveBuilder {
     }
   }
 
-  /// Twins in pieces, beside the outgoing half-edges in one.
-  void fill_halfedges() {
+  /// Twins in pieces, beside outgoing half-edges and positions.
+  void fill_arrays() {
     const std::uint32_t faces = full_.face_count();
     arrays_.twin.resize(3 * std::size_t{faces});
-    parallel_for(1 + chunk_count(faces, kGrain), 1, [&](IndexRange range) {
+    parallel_for(2 + chunk_count(faces, kGrain), 1, [&](IndexRange range) {
       for (std::size_t i = range.begin; i < range.end; ++i) {
         if (i == 0) {
           fill_outgoing();
+        } else if (i == 1) {
+          note_positions();
         } else {
-          fill_twins((i - 1) * kGrain, std::min<std::size_t>(i * kGrain, faces));
+          fill_twins((i - 2) * kGrain, std::min<std::size_t>((i - 1) * kGrain, faces));
         }
       }
     });

@@ -57,9 +57,9 @@ double total_area(const Surface& surface) {
 
 }  // namespace
 
-Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, CollapseObserver& observer)
+Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, TranslateRecords translate)
     : options_(options),
-      observer_(observer),
+      translate_(std::move(translate)),
       scale_(scale),
       bound_(make_bound(mesh, scale, options)),
       surface_(std::move(mesh), options),
@@ -86,7 +86,7 @@ void Rounds::run(SimplifyReport& report) {
     return;
   }
   context_.faces_to_remove = faces_to_remove();
-  observer_.expect(faces_to_remove() / 2 + 1);
+  if (options_.observer != nullptr) options_.observer->expect(faces_to_remove() / 2 + 1);
   for (std::uint32_t round = 0; !is_last_round(); ++round) {
     const std::size_t vertices = live_.size();
     run_regions(round);
@@ -156,7 +156,7 @@ void Rounds::run_regions(std::uint32_t round) {
                            .tolerance = is_far() ? kToleranceFarFromTarget : kToleranceNearTarget,
                            .faces = 2 * static_cast<std::uint32_t>(share.part * cheap),
                            .valence = kUsualValence});
-      outcomes[i] = collapser.run(region(i));
+      outcomes[i] = translated(collapser.run(region(i)));
     }
   });
   for (const CollapseOutcome& outcome : outcomes)
@@ -169,7 +169,7 @@ void Rounds::run_to_the_end() {
   for (const Vertex v : live_)
     schedule_.vertices[v.index()].region = 0;
   Collapser collapser(context_, {.faces = faces_to_remove(), .valence = kUsualValence});
-  note(collapser.run(live_));
+  note(translated(collapser.run(live_)));
   while (faces_to_remove() > 0 && try_refused_again(kLargestValence)) {
   }
   if (faces_to_remove() > 0) count_constrained();
@@ -194,13 +194,18 @@ void Rounds::count_constrained() {
 bool Rounds::try_refused_again(std::size_t valence) {
   drop_removed();
   Collapser collapser(context_, {.faces = faces_to_remove(), .valence = valence});
-  const CollapseOutcome outcome = collapser.run_refused(live_);
+  const CollapseOutcome outcome = translated(collapser.run_refused(live_));
   note(outcome);
   return outcome.removed_faces > 0;
 }
 
+CollapseOutcome Rounds::translated(CollapseOutcome&& outcome) const {
+  if (options_.observer != nullptr) translate_(outcome.records);
+  return std::move(outcome);
+}
+
 void Rounds::note(const CollapseOutcome& outcome) {
-  observer_.collapsed(outcome.records);
+  if (options_.observer != nullptr) options_.observer->collapsed(outcome.records);
   collapses_ += outcome.records.size();
   faces_ -= outcome.removed_faces;
   paid_ += outcome.paid;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <span>
 
 #include "engine/core/array.h"
 #include "engine/simplify/collapser.h"
@@ -11,6 +13,9 @@
 
 namespace mesher {
 
+/// Turns records of the mesh's ids into those that the observer is told, in place.
+using TranslateRecords = std::function<void(std::span<CollapseRecord>)>;
+
 /// Simplifies in rounds. In each the vertices are cut into regions of about kRegionVertices along a
 /// Morton curve, a threshold is set under which the cheapest part of all vertices lies, and every
 /// region collapses what is cheaper, each on its own: in parallel, and with all that it touches in
@@ -20,8 +25,9 @@ namespace mesher {
 /// result is the same for any number of threads.
 class Rounds {
  public:
-  /// `scale`: what the mesh's units have been multiplied by.
-  Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, CollapseObserver& observer);
+  /// `scale`: what the mesh's units have been multiplied by. `translate`: records go through it on
+  /// their way to the observer, some on each thread.
+  Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, TranslateRecords translate);
 
   /// Collapses down to the target and fills in what the report says of it. Throws Cancelled.
   void run(SimplifyReport& report);
@@ -48,13 +54,14 @@ class Rounds {
   void count_constrained();
   bool try_refused_again(std::size_t valence);
   Share share() const;
+  CollapseOutcome translated(CollapseOutcome&& outcome) const;
   void note(const CollapseOutcome& outcome);
   void drop_removed();
   StopReason reason() const;
   double estimated_error() const;
 
   const SimplifyOptions& options_;
-  CollapseObserver& observer_;
+  TranslateRecords translate_;
   float scale_;
   std::unique_ptr<ErrorBound> bound_;
   Surface surface_;

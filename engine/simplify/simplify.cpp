@@ -67,24 +67,18 @@ class Units {
 };
 
 /// Turns records from the ids of the reordered mesh into the caller's.
-class Translator : public CollapseObserver {
+class Translator {
  public:
-  Translator(const Reordered& order, const Units& units, CollapseObserver* observer)
-      : order_(order), units_(units), observer_(observer) {}
+  Translator(const Reordered& order, const Units& units) : order_(order), units_(units) {}
 
-  void expect(std::size_t collapses) override {
-    if (observer_ != nullptr) observer_->expect(collapses);
-  }
-  void collapsed(std::span<const CollapseRecord> records) override {
-    if (observer_ == nullptr) return;
-    translated_.clear();
-    translated_.reserve(records.size());
-    for (const CollapseRecord& r : records) {
-      translated_.push_back(
-          {translated(r.halfedge), translated(r.twin), order_.vertex_source[r.removed.index()],
-           order_.vertex_source[r.kept.index()], units_.original(r.kept, r.position), r.rank});
+  void operator()(std::span<CollapseRecord> records) const {
+    for (CollapseRecord& r : records) {
+      r.position = units_.original(r.kept, r.position);
+      r.halfedge = translated(r.halfedge);
+      r.twin = translated(r.twin);
+      r.removed = order_.vertex_source[r.removed.index()];
+      r.kept = order_.vertex_source[r.kept.index()];
     }
-    observer_->collapsed(translated_);
   }
 
  private:
@@ -95,8 +89,6 @@ class Translator : public CollapseObserver {
 
   const Reordered& order_;
   const Units& units_;
-  CollapseObserver* observer_;
-  Array<CollapseRecord> translated_;
 };
 
 /// Old ids of what is left, in the order that the caller asked for. `source[i]` is the input's id
@@ -165,8 +157,7 @@ Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options) {
   Reordered order = reorder_by_place(mesh);
   mesh = Mesh{};
   const Units units(order.mesh);
-  Translator translator(order, units, options.observer);
-  Rounds rounds(std::move(order.mesh), units.scale(), options, translator);
+  Rounds rounds(std::move(order.mesh), units.scale(), options, Translator(order, units));
   seconds.prepare = watch.lap();
   begin_stage(options.progress, "simplifying");
   rounds.run(report);

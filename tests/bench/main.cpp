@@ -25,7 +25,7 @@ constexpr std::array kGroups{
     Group{"obj_", register_obj},           Group{"build", register_build},
     Group{"normals_", register_normals},   Group{"frame_", register_frame},
     Group{"simplify_", register_simplify}, Group{"queue_", register_queue},
-    Group{"steps_", register_steps},
+    Group{"steps_", register_steps},       Group{"progressive_", register_progressive},
 };
 
 Settings read_settings(char** argv) {

@@ -22,6 +22,7 @@ void register_build(const Settings& settings);
 void register_normals(const Settings& settings);
 void register_frame(const Settings& settings);
 void register_simplify(const Settings& settings);
+void register_progressive(const Settings& settings);
 void register_queue(const Settings& settings);
 void register_steps(const Settings& settings);
 

@@ -1,0 +1,91 @@
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "engine/core/parallel.h"
+#include "engine/io/read.h"
+#include "engine/progressive/build.h"
+#include "engine/simplify/simplify.h"
+#include "tests/bench/settings.h"
+
+namespace mesher::bench {
+namespace {
+
+using State = benchmark::State;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kRatio = 0.01;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+template <class Run>
+void add(const std::string& name, Run run) {
+  benchmark::RegisterBenchmark(name.c_str(), std::move(run))
+      ->Iterations(1)
+      ->UseManualTime()
+      ->Unit(benchmark::kMillisecond);
+}
+
+SimplifyOptions options_for(const Mesh& mesh) {
+  return {.target_faces = static_cast<std::uint32_t>(kRatio * mesh.face_count())};
+}
+
+/// From a mesh to a coarse one; `records`: and to the progressive mesh that leads back.
+void simplify_once(State& state, const Mesh& input, bool records, unsigned threads) {
+  const ThreadLimit limit(threads);
+  for (auto _ : state) {
+    Mesh copy = input;
+    CollapseRecorder recorder;
+    SimplifyOptions options = options_for(input);
+    if (records) options.observer = &recorder;
+    const auto start = Clock::now();
+    const Simplified simplified = simplify(std::move(copy), options);
+    Progressive progressive;
+    if (records) progressive = build_progressive(input, recorder.records());
+    state.SetIterationTime(seconds_since(start));
+    benchmark::DoNotOptimize(simplified.mesh.face_count() + progressive.mesh.split_count());
+  }
+}
+
+/// All splits, one way.
+void play(State& state, const Mesh& input, bool up) {
+  const ThreadLimit one(1);
+  ProgressiveMesh mesh = std::move(make_progressive(input, options_for(input)).mesh);
+  mesh.go_to(mesh.split_count());  // has its memory now
+  mesh.go_to(up ? 0 : mesh.split_count());
+  for (auto _ : state) {
+    const auto start = Clock::now();
+    mesh.go_to(up ? mesh.split_count() : 0);
+    const double seconds = seconds_since(start);
+    state.SetIterationTime(seconds);
+    state.counters["million_splits_per_s"] = 1e-6 * mesh.split_count() / seconds;
+  }
+}
+
+}  // namespace
+
+void register_progressive(const Settings& settings) {
+  const std::filesystem::path file = settings.scans / "armadillo.obj";
+  if (!std::filesystem::exists(file)) {
+    std::fprintf(stderr, "bench_engine: SKIPPED progressive_*: no %s\n", file.string().c_str());
+    return;
+  }
+  const auto mesh = std::make_shared<const Mesh>(read_model(file, {}).mesh);
+  const auto add_simplify = [&](const std::string& who, bool records, unsigned threads) {
+    add("progressive_record/" + who,
+        [=](State& state) { simplify_once(state, *mesh, records, threads); });
+  };
+  add_simplify("mesher", true, 0);
+  add_simplify("mesher, one thread", true, 1);
+  add_simplify("simplification alone", false, 0);
+  add_simplify("simplification alone, one thread", false, 1);
+  add("progressive_up/mesher", [=](State& state) { play(state, *mesh, true); });
+  add("progressive_down/mesher", [=](State& state) { play(state, *mesh, false); });
+}
+
+}  // namespace mesher::bench
