@@ -11,6 +11,7 @@
 #include "app/scripted_session.h"
 #include "app/words.h"
 #include "engine/core/error.h"
+#include "engine/io/atomic_file.h"
 #include "engine/io/format.h"
 #include "engine/io/losses.h"
 #include "engine/io/png.h"
@@ -71,9 +72,11 @@ void say(const std::string& words) {
 }
 
 void check_output(const std::string& output) {
-  if (format_of(output)) return;
-  throw UsageError("-o: '" + output + "': unknown kind of file; known are " +
-                   std::string(kFormatNames));
+  if (!format_of(output)) {
+    throw UsageError("-o: '" + output + "': unknown kind of file; known are " +
+                     std::string(kFormatNames));
+  }
+  AtomicFile::check(output);
 }
 
 std::vector<std::string> write_result(const std::string& output, const Model& model,
@@ -116,6 +119,7 @@ void run_info(const InputOptions& input, const CommonOptions& common) {
 
 void run_convert(const InputOptions& input, const std::string& output, bool ascii,
                  const CommonOptions& common) {
+  check_output(output);
   const LoadedModel loaded = load(input, common);
   const Mesh& mesh = loaded.model.mesh;
   // Most formats cannot say "nothing", and their readers would refuse it.
@@ -174,6 +178,7 @@ void run_render(const InputOptions& input, const std::string& output, const Look
   const Size size = parse_size(look.size.empty() ? "800x600" : look.size);
   if (!look.camera.empty()) parse_camera(look.camera);  // refuse before the work, not after it
   if (!is_png_name(output)) throw UsageError("-o: '" + output + "' does not end in .png");
+  AtomicFile::check(output);
   LoadedModel loaded = load(input, common);
   if (faces) simplify_model(loaded, {.target_faces = *faces}, common);
   Session session;

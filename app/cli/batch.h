@@ -27,7 +27,8 @@ void run_render(const InputOptions& input, const std::string& output, const Look
 /// One line on stderr.
 void say(const std::string& words);
 
-/// Throws UsageError where no format has that ending: before the work, not after it.
+/// Before the work, not after it: throws UsageError where no format has that ending, OutputError
+/// where the file plainly cannot be written.
 void check_output(const std::string& output);
 
 /// Writes a model and says on stderr how large it is and what the format cannot hold, unless

@@ -37,6 +37,21 @@ AtomicFile::AtomicFile(const std::filesystem::path& target)
   if (exists) static_cast<void>(::fchmod(descriptor_, status.st_mode & 07777));
 }
 
+void AtomicFile::check(const std::filesystem::path& target) {
+  const auto refuse = [&](const std::string& reason) {
+    throw OutputError(target.string(), reason);
+  };
+  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
+  struct stat status = {};
+  const bool exists = ::stat(target.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) refuse("is a directory");
+  const bool is_denied = ::access(exists ? target.c_str() : folder.c_str(), W_OK) != 0;
+  if (is_denied) refuse("cannot write: " + std::generic_category().message(errno));
+  if (!exists && !std::filesystem::is_directory(folder)) {
+    refuse("cannot write: " + std::generic_category().message(ENOTDIR));
+  }
+}
+
 AtomicFile::~AtomicFile() {
   discard();
 }

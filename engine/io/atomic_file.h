@@ -16,6 +16,9 @@ class AtomicFile {
  public:
   /// Throws OutputError where the target is a directory or its folder cannot be written.
   explicit AtomicFile(const std::filesystem::path& target);
+  /// Throws OutputError where it is plain, without opening anything, that the target cannot be
+  /// written: for a word before long work rather than after it.
+  static void check(const std::filesystem::path& target);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/core/error.h"
 #include "engine/io/base64.h"
@@ -23,6 +25,16 @@ struct SplitVertices {
   Array<std::uint32_t> index;   ///< one a corner
   Array<std::uint32_t> vertex;  ///< the mesh's vertex of each
   Array<std::uint32_t> corner;  ///< a corner with its attributes; kNone for an isolated vertex
+};
+
+/// An array of the file, with a view of its own.
+struct Accessor {
+  const char* type;
+  int component_type;
+  std::size_t count;
+  std::size_t element_bytes;
+  int target;
+  Json more;  ///< what else its JSON says
 };
 
 /// Which attributes are written.
@@ -87,18 +99,99 @@ SplitVertices split_vertices(const Mesh& mesh, const Attributes& attributes,
   return split;
 }
 
-class GltfWriter {
+/// One level of detail on its way into a file.
+class LevelWriter {
  public:
-  GltfWriter(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool binary)
-      : file_(file), mesh_(mesh), attributes_(attributes), binary_(binary) {
-    carried_.normal = !attributes.normal.empty();
-    for (const glm::vec3& n : attributes.normal) {
+  explicit LevelWriter(const GltfLevel& level)
+      : mesh_(*level.mesh), attributes_(*level.attributes) {
+    carried_.normal = !attributes_.normal.empty();
+    for (const glm::vec3& n : attributes_.normal) {
       if (!std::isfinite(n.x + n.y + n.z)) carried_.normal = false;
     }
-    carried_.texcoord = !attributes.texcoord.empty();
-    carried_.color = !attributes.color.empty();
-    split_ = split_vertices(mesh, attributes, carried_);
+    carried_.texcoord = !attributes_.texcoord.empty();
+    carried_.color = !attributes_.color.empty();
+    split_ = split_vertices(mesh_, attributes_, carried_);
+  }
+
+  /// Tells `add_accessor` of each accessor, in the order in which `write_data` writes them: type,
+  /// component type, count, bytes an element, target; it returns the accessor's index and its JSON.
+  /// Returns the primitive.
+  template <class AddAccessor>
+  Json describe(AddAccessor&& add_accessor) const {
+    constexpr int kFloat = 5126;
+    constexpr int kUint = 5125;
+    constexpr int kByte = 5121;
+    constexpr int kVertexData = 34962;
+    constexpr int kIndexData = 34963;
+    const std::size_t vertices = split_.vertex.size();
+    const auto add = [&](const char* type, int component, std::size_t bytes) {
+      return add_accessor(Accessor{type, component, vertices, bytes, kVertexData, Json::object()});
+    };
+    const Box box = bounding_box(mesh_);
+    Json attributes;
+    attributes["POSITION"] = add_accessor(Accessor{
+        "VEC3",
+        kFloat,
+        vertices,
+        12,
+        kVertexData,
+        {{"min", {box.min.x, box.min.y, box.min.z}}, {"max", {box.max.x, box.max.y, box.max.z}}}});
+    if (carried_.normal) attributes["NORMAL"] = add("VEC3", kFloat, 12);
+    if (carried_.texcoord) attributes["TEXCOORD_0"] = add("VEC2", kFloat, 8);
+    if (carried_.color) {
+      attributes["COLOR_0"] =
+          add_accessor(Accessor{"VEC4", kByte, vertices, 4, kVertexData, {{"normalized", true}}});
+    }
+    const std::size_t indices = add_accessor(
+        Accessor{"SCALAR", kUint, mesh_.halfedge_count(), 4, kIndexData, Json::object()});
+    return {{"attributes", std::move(attributes)}, {"indices", indices}};
+  }
+
+  template <class Sink>
+  void write_data(Sink& sink) const {
+    const std::size_t vertices = split_.vertex.size();
+    write_elements(sink, vertices, 12, [&](Appender& out, std::size_t i) {
+      out.raw(mesh_.positions()[split_.vertex[i]]);
+    });
+    if (carried_.normal) {
+      write_values(sink, attributes_.normal, glm::vec3(0.0F, 0.0F, 1.0F),
+                   [](const glm::vec3& n) { return n; });
+    }
+    if (carried_.texcoord) {
+      write_values(sink, attributes_.texcoord, glm::vec2(0.0F), [](const glm::vec2& t) {
+        return std::isfinite(t.x + t.y) ? glm::vec2(t.x, 1.0F - t.y) : glm::vec2(0.0F);
+      });
+    }
+    if (carried_.color) {
+      write_values(sink, attributes_.color, glm::u8vec4(255),
+                   [](const glm::u8vec4& c) { return c; });
+    }
+    write_elements(sink, split_.index.size(), 4,
+                   [&](Appender& out, std::size_t c) { out.raw(split_.index[c]); });
+  }
+
+ private:
+  template <class Sink, class T, class Convert>
+  void write_values(Sink& sink, const Array<T>& values, const T& unused, Convert&& convert) const {
+    write_elements(sink, split_.corner.size(), sizeof(T), [&](Appender& out, std::size_t i) {
+      const std::uint32_t corner = split_.corner[i];
+      out.raw(corner == kNone ? unused : convert(values[corner]));
+    });
+  }
+
+  const Mesh& mesh_;
+  const Attributes& attributes_;
+  Carried carried_ = {};
+  SplitVertices split_;
+};
+
+class GltfWriter {
+ public:
+  GltfWriter(AtomicFile& file, std::span<const GltfLevel> levels, bool binary)
+      : file_(file), binary_(binary), levels_(levels.begin(), levels.end()) {
     describe();
+    if (levels.size() > 1) describe_chain(levels);
+    if (binary_) document_["buffers"] = Json::array({{{"byteLength", bytes_}}});
   }
 
   void run() {
@@ -131,101 +224,78 @@ class GltfWriter {
 
  private:
   /// Adds an accessor with a buffer view of its own and returns its index.
-  std::size_t add_accessor(const char* type, int component_type, std::size_t count,
-                           std::size_t element_bytes, int target) {
+  std::size_t add_accessor(Accessor&& accessor) {
+    const std::uint64_t bytes = accessor.count * accessor.element_bytes;
     document_["bufferViews"].push_back({{"buffer", 0},
                                         {"byteOffset", bytes_},
-                                        {"byteLength", count * element_bytes},
-                                        {"target", target}});
-    document_["accessors"].push_back({{"bufferView", document_["bufferViews"].size() - 1},
-                                      {"componentType", component_type},
-                                      {"count", count},
-                                      {"type", type}});
-    bytes_ += count * element_bytes;
+                                        {"byteLength", bytes},
+                                        {"target", accessor.target}});
+    Json json{{"bufferView", document_["bufferViews"].size() - 1},
+              {"componentType", accessor.component_type},
+              {"count", accessor.count},
+              {"type", accessor.type}};
+    json.update(accessor.more);
+    document_["accessors"].push_back(std::move(json));
+    bytes_ += bytes;
     return document_["accessors"].size() - 1;
   }
 
   void describe() {
-    constexpr int kFloat = 5126;
-    constexpr int kUint = 5125;
-    constexpr int kByte = 5121;
-    constexpr int kVertexData = 34962;
-    constexpr int kIndexData = 34963;
     document_ = {{"asset", {{"version", "2.0"}, {"generator", "mesher"}}}};
-    document_["bufferViews"] = Json::array();
-    document_["accessors"] = Json::array();
-    const std::size_t vertices = split_.vertex.size();
-    Json attributes;
-    attributes["POSITION"] = add_accessor("VEC3", kFloat, vertices, 12, kVertexData);
-    const Box box = bounding_box(mesh_);
-    document_["accessors"][0]["min"] = {box.min.x, box.min.y, box.min.z};
-    document_["accessors"][0]["max"] = {box.max.x, box.max.y, box.max.z};
-    if (carried_.normal) {
-      attributes["NORMAL"] = add_accessor("VEC3", kFloat, vertices, 12, kVertexData);
+    for (const char* array : {"bufferViews", "accessors", "meshes", "nodes"})
+      document_[array] = Json::array();
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
+      Json primitive = levels_[i].describe(
+          [&](Accessor&& accessor) { return add_accessor(std::move(accessor)); });
+      document_["meshes"].push_back({{"primitives", Json::array({std::move(primitive)})}});
+      document_["nodes"].push_back({{"mesh", i}});
     }
-    if (carried_.texcoord) {
-      attributes["TEXCOORD_0"] = add_accessor("VEC2", kFloat, vertices, 8, kVertexData);
-    }
-    if (carried_.color) {
-      attributes["COLOR_0"] = add_accessor("VEC4", kByte, vertices, 4, kVertexData);
-      document_["accessors"].back()["normalized"] = true;
-    }
-    const std::size_t indices =
-        add_accessor("SCALAR", kUint, mesh_.halfedge_count(), 4, kIndexData);
-    document_["meshes"] = Json::array(
-        {{{"primitives", Json::array({{{"attributes", attributes}, {"indices", indices}}})}}});
-    document_["nodes"] = Json::array({{{"mesh", 0}}});
     document_["scenes"] = Json::array({{{"nodes", Json::array({0})}}});
     document_["scene"] = 0;
-    if (binary_) document_["buffers"] = Json::array({{{"byteLength", bytes_}}});
+  }
+
+  /// The first node names the others, which are in no scene: whoever does not know of levels shows
+  /// the first.
+  void describe_chain(std::span<const GltfLevel> levels) {
+    Json ids = Json::array();
+    Json coverage = Json::array();
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      document_["nodes"][i]["name"] = "lod" + std::to_string(i);
+      coverage.push_back(levels[i].least_coverage);
+      if (i > 0) ids.push_back(i);
+    }
+    document_["extensionsUsed"] = Json::array({"MSFT_lod"});
+    document_["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = std::move(ids);
+    document_["nodes"][0]["extras"]["MSFT_screencoverage"] = std::move(coverage);
   }
 
   template <class Sink>
-  void write_data(Sink& sink) {
-    const std::size_t vertices = split_.vertex.size();
-    write_elements(sink, vertices, 12, [&](Appender& out, std::size_t i) {
-      out.raw(mesh_.positions()[split_.vertex[i]]);
-    });
-    if (carried_.normal) {
-      write_values(sink, attributes_.normal, glm::vec3(0.0F, 0.0F, 1.0F),
-                   [](const glm::vec3& n) { return n; });
-    }
-    if (carried_.texcoord) {
-      write_values(sink, attributes_.texcoord, glm::vec2(0.0F), [](const glm::vec2& t) {
-        return std::isfinite(t.x + t.y) ? glm::vec2(t.x, 1.0F - t.y) : glm::vec2(0.0F);
-      });
-    }
-    if (carried_.color) {
-      write_values(sink, attributes_.color, glm::u8vec4(255),
-                   [](const glm::u8vec4& c) { return c; });
-    }
-    write_elements(sink, split_.index.size(), 4,
-                   [&](Appender& out, std::size_t c) { out.raw(split_.index[c]); });
-  }
-
-  template <class Sink, class T, class Convert>
-  void write_values(Sink& sink, const Array<T>& values, const T& unused, Convert&& convert) {
-    write_elements(sink, split_.corner.size(), sizeof(T), [&](Appender& out, std::size_t i) {
-      const std::uint32_t corner = split_.corner[i];
-      out.raw(corner == kNone ? unused : convert(values[corner]));
-    });
+  void write_data(Sink& sink) const {
+    for (const LevelWriter& level : levels_)
+      level.write_data(sink);
   }
 
   AtomicFile& file_;
-  const Mesh& mesh_;
-  const Attributes& attributes_;
   bool binary_;
-  Carried carried_ = {};
-  SplitVertices split_;
+  std::vector<LevelWriter> levels_;
   Json document_;
   std::uint64_t bytes_ = 0;
 };
 
 }  // namespace
 
+void write_gltf(AtomicFile& file, std::span<const GltfLevel> levels, bool binary) {
+  for (const GltfLevel& level : levels) {
+    if (level.mesh->vertex_count() == 0) {
+      throw OutputError(file.name(), "glTF cannot hold an empty mesh");
+    }
+  }
+  GltfWriter(file, levels, binary).run();
+}
+
 void write_gltf(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool binary) {
-  if (mesh.vertex_count() == 0) throw OutputError(file.name(), "glTF cannot hold an empty mesh");
-  GltfWriter(file, mesh, attributes, binary).run();
+  const GltfLevel level{&mesh, &attributes};
+  write_gltf(file, {&level, 1}, binary);
 }
 
 }  // namespace mesher

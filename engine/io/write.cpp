@@ -4,8 +4,6 @@
 #include <string>
 
 #include "engine/core/error.h"
-#include "engine/io/atomic_file.h"
-#include "engine/io/format.h"
 #include "engine/io/gltf_write.h"
 #include "engine/io/obj_write.h"
 #include "engine/io/polygon_write.h"
@@ -20,23 +18,24 @@ void write_model(const std::filesystem::path& file, const Mesh& mesh, const Attr
                      std::string(kFormatNames));
   }
   AtomicFile out(file);
-  switch (*format) {
-    case Format::obj:
-      write_obj(out, mesh, attributes);
-      break;
-    case Format::ply:
-      write_ply(out, mesh, attributes, options.ascii);
-      break;
-    case Format::stl:
-      write_stl(out, mesh, options.ascii);
-      break;
-    case Format::off:
-      write_off(out, mesh, attributes);
-      break;
-    default:
-      write_gltf(out, mesh, attributes, *format == Format::glb);
-  }
+  write_model(out, *format, mesh, attributes, options);
   out.commit();
+}
+
+void write_model(AtomicFile& out, Format format, const Mesh& mesh, const Attributes& attributes,
+                 const WriteOptions& options) {
+  switch (format) {
+    case Format::obj:
+      return write_obj(out, mesh, attributes);
+    case Format::ply:
+      return write_ply(out, mesh, attributes, options.ascii);
+    case Format::stl:
+      return write_stl(out, mesh, options.ascii);
+    case Format::off:
+      return write_off(out, mesh, attributes);
+    default:
+      return write_gltf(out, mesh, attributes, format == Format::glb);
+  }
 }
 
 }  // namespace mesher

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "engine/io/atomic_file.h"
+#include "engine/io/format.h"
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/mesh.h"
 
@@ -16,6 +18,10 @@ struct WriteOptions {
 /// beside its target and renamed. Positions keep every bit in formats that hold single precision.
 /// Throws OutputError; UsageError for an extension that is not known.
 void write_model(const std::filesystem::path& file, const Mesh& mesh, const Attributes& attributes,
+                 const WriteOptions& options = {});
+
+/// The same into a file that the caller has opened, and commits.
+void write_model(AtomicFile& out, Format format, const Mesh& mesh, const Attributes& attributes,
                  const WriteOptions& options = {});
 
 }  // namespace mesher

@@ -37,10 +37,10 @@ Spokesmen find_spokesmen(const Array<T>& values, std::span<const Vertex> origins
 
 /// Empty, with a word in `dropped`, where a survivor has a seam.
 template <class T>
-Array<T> carry(const Array<T>& values, std::span<const Vertex> origins, const Simplified& result,
+Array<T> carry(const Array<T>& values, std::span<const Vertex> origins, const Survivors& result,
                std::string_view name, std::vector<std::string>& dropped) {
   if (values.empty()) return {};
-  const Spokesmen input = find_spokesmen(values, origins, result.report.vertices_before);
+  const Spokesmen input = find_spokesmen(values, origins, result.vertices_before);
   std::size_t seams = 0;
   for (const Vertex source : result.vertex_source)
     seams += input.has_seam[source.index()] ? 1 : 0;
@@ -62,6 +62,13 @@ Array<T> carry(const Array<T>& values, std::span<const Vertex> origins, const Si
 CarriedAttributes carry_attributes(const Attributes& before, std::span<const Vertex> origins,
                                    const Simplified& result) {
   if (result.report.collapses == 0) return {before, {}};
+  return carry_attributes(before, origins,
+                          Survivors{result.mesh, result.vertex_source, result.face_source,
+                                    result.report.vertices_before});
+}
+
+CarriedAttributes carry_attributes(const Attributes& before, std::span<const Vertex> origins,
+                                   const Survivors& result) {
   CarriedAttributes carried;
   Attributes& after = carried.attributes;
   after.texcoord = carry(before.texcoord, origins, result, "texture coordinates", carried.dropped);

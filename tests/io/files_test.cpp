@@ -133,6 +133,19 @@ TEST(AtomicFile, RefusesFoldersAndMissingOnes) {
   EXPECT_EQ(folder.count_files(), 0U);
 }
 
+TEST(AtomicFile, ChecksWithoutLeavingATrace) {
+  const TempFolder folder;
+  EXPECT_NO_THROW(AtomicFile::check(folder / "new.txt"));
+  EXPECT_NO_THROW(AtomicFile::check("new.txt"));
+  EXPECT_NO_THROW(AtomicFile::check("/dev/null"));
+  EXPECT_NO_THROW(AtomicFile::check(folder.write("old.txt", "old")));
+  EXPECT_THROW(AtomicFile::check(folder.path()), OutputError);
+  EXPECT_THROW(AtomicFile::check(folder / "no/such/folder/x"), OutputError);
+  EXPECT_THROW(AtomicFile::check(folder / "old.txt/x"), OutputError);
+  EXPECT_EQ(folder.count_files(), 1U);
+  EXPECT_EQ(read_bytes(folder / "old.txt"), "old");
+}
+
 TEST(AtomicFile, ReportsAFullDevice) {
   AtomicFile file("/dev/full");
   EXPECT_THROW(file.write("x"), OutputError);

@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <assimp/Importer.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
+#include "engine/io/gltf_write.h"
 #include "engine/io/read.h"
 #include "engine/io/write.h"
 #include "tests/support/temp_folder.h"
@@ -59,6 +62,78 @@ INSTANTIATE_TEST_SUITE_P(Formats, Interchange,
                            std::string name(parameter.param.file + 2);
                            return name + (parameter.param.ascii ? "_ascii" : "");
                          });
+
+/// A strip of so many triangles.
+Mesh strip(std::uint32_t triangles) {
+  Soup soup;
+  for (std::uint32_t i = 0; i < triangles + 2; ++i)
+    soup.positions.push_back({0.5F * float(i), float(i % 2), 0.0F});
+  for (std::uint32_t i = 0; i < triangles; ++i) {
+    const bool is_odd = i % 2 != 0;
+    for (const std::uint32_t v : {i, i + (is_odd ? 2U : 1U), i + (is_odd ? 1U : 2U)})
+      soup.corners.push_back(v);
+  }
+  return build_mesh(std::move(soup)).mesh;
+}
+
+TEST(Levels, OthersReadThemAndShowTheFinest) {
+  const TempFolder folder;
+  const std::vector<Mesh> meshes{strip(8), strip(5), strip(2)};
+  std::vector<Attributes> attributes(3);
+  for (const glm::vec2 at : {glm::vec2(0, 0), glm::vec2(1, 0)})
+    attributes[0].texcoord.insert(attributes[0].texcoord.end(), 12, at);
+  const std::vector<GltfLevel> levels{{&meshes[0], &attributes[0], 0.5},
+                                      {&meshes[1], &attributes[1], 0.125},
+                                      {&meshes[2], &attributes[2], 0.0}};
+  for (const char* name : {"l.glb", "l.gltf"}) {
+    AtomicFile file(folder / name);
+    write_gltf(file, levels, std::string_view(name) == "l.glb");
+    file.commit();
+    EXPECT_EQ(read_model(folder / name).mesh.face_count(), 8U);
+    Assimp::Importer importer;
+    const aiScene* const scene = importer.ReadFile((folder / name).string(), 0);
+    ASSERT_NE(scene, nullptr) << importer.GetErrorString();
+    ASSERT_EQ(scene->mNumMeshes, 1U);
+    EXPECT_EQ(scene->mMeshes[0]->mNumFaces, 8U);
+  }
+  // With all of them in the scene, they see all of them.
+  auto json = nlohmann::json::parse(test::read_bytes(folder / "l.gltf"));
+  json["scenes"][0]["nodes"] = {0, 1, 2};
+  Assimp::Importer importer;
+  const aiScene* const scene = importer.ReadFile(folder.write("all.gltf", json.dump()).string(), 0);
+  ASSERT_NE(scene, nullptr) << importer.GetErrorString();
+  ASSERT_EQ(scene->mNumMeshes, 3U);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    ASSERT_EQ(scene->mMeshes[i]->mNumFaces, meshes[i].face_count());
+    const aiFace& last = scene->mMeshes[i]->mFaces[meshes[i].face_count() - 1];
+    const aiVector3D& theirs = scene->mMeshes[i]->mVertices[last.mIndices[2]];
+    const glm::vec3 ours = meshes[i].position(meshes[i].origins().back());
+    EXPECT_EQ(glm::vec3(theirs.x, theirs.y, theirs.z), ours);
+  }
+}
+
+TEST(Levels, AreNamedByTheFirstNode) {
+  const TempFolder folder;
+  const Mesh mesh = strip(3);
+  const Attributes none;
+  const std::vector<GltfLevel> levels{{&mesh, &none, 0.5}, {&mesh, &none, 0.125}};
+  AtomicFile file(folder / "l.gltf");
+  write_gltf(file, levels, false);
+  file.commit();
+  const auto json = nlohmann::json::parse(test::read_bytes(folder / "l.gltf"));
+  EXPECT_EQ(json["extensionsUsed"], nlohmann::json({"MSFT_lod"}));
+  EXPECT_EQ(json["scenes"][0]["nodes"], nlohmann::json({0}));
+  ASSERT_EQ(json["nodes"].size(), 2U);
+  EXPECT_EQ(json["nodes"][0]["extensions"]["MSFT_lod"]["ids"], nlohmann::json({1}));
+  EXPECT_EQ(json["nodes"][0]["extras"]["MSFT_screencoverage"], nlohmann::json({0.5, 0.125}));
+  EXPECT_EQ(json["nodes"][1]["mesh"], 1);
+  EXPECT_FALSE(json["nodes"][1].contains("extensions"));
+  // A model of one level is what it always was.
+  AtomicFile single(folder / "s.gltf");
+  write_gltf(single, std::span(levels).first(1), false);
+  single.commit();
+  EXPECT_EQ(test::read_bytes(folder / "s.gltf").find("MSFT"), std::string::npos);
+}
 
 }  // namespace
 }  // namespace mesher

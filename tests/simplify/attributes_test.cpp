@@ -116,5 +116,16 @@ TEST(CarryAttributes, WithoutACollapseAllStays) {
   EXPECT_TRUE(a.group == c.attributes.group);
 }
 
+TEST(CarryAttributes, SurvivorsNeedNotComeFromSimplify) {
+  const Case c;
+  const CarriedAttributes carried =
+      carry_attributes(c.attributes, c.mesh.origins(),
+                       Survivors{c.result.mesh, c.result.vertex_source, c.result.face_source,
+                                 c.mesh.vertex_count()});
+  EXPECT_TRUE(carried.dropped.empty());
+  EXPECT_TRUE(carried.attributes.texcoord == c.carried().attributes.texcoord);
+  EXPECT_TRUE(carried.attributes.group == c.carried().attributes.group);
+}
+
 }  // namespace
 }  // namespace mesher
