@@ -21,42 +21,78 @@ float remaining(GeomorphConstants time, uint split) {
   return 1.0 - clamp(grown, 0.0, 1.0);
 }
 
-bool is_growing(GeomorphConstants time, uint head) {
-  return head != kNoHead && (head >> 1) >= time.first_growing;
-}
+// kNoHead + 1 is 0: so it never is.
+bool is_growing(GeomorphConstants time, uint head) { return head + 1 > time.first_head; }
 
 // Of the newest split that moves a vertex, from where all that do are linked.
 uint head_of(GeomorphConstants time, uint vertex) {
   // Without anything that grows there may be no heads.
-  return time.first_growing == kNoHead ? kNoHead : Uints(time.heads).at[vertex];
+  return time.first_head == kNoHead ? kNoHead : Uints(time.heads).at[vertex];
 }
 
-vec3 morphed_position(GeomorphConstants time, vec3 position, uint vertex) {
-  precise vec3 p = position;
-  for (uint head = head_of(time, vertex); is_growing(time, head);) {
-    const uint split = kSplitWords * (head >> 1);
-    const uint delta = split + ((head & 1) != 0 ? kChildDelta : kParentDelta);
-    Floats words = Floats(time.splits);
-    p -= remaining(time, head >> 1) * vec3(words.at[delta], words.at[delta + 1], words.at[delta + 2]);
-    head = Uints(time.splits).at[split + kPrevious];
-  }
-  return p;
+vec3 fetch_delta(GeomorphConstants time, uint word) {
+  Floats words = Floats(time.splits);
+  return vec3(words.at[word], words.at[word + 1], words.at[word + 2]);
 }
 
 vec3 fetch_normal(GeomorphConstants time, uint word) {
   return decode_normal(unpackSnorm2x16(Uints(time.splits).at[word]));
 }
 
-vec3 morphed_normal(GeomorphConstants time, vec3 normal, uint vertex) {
+vec3 share_to_come(GeomorphConstants time, uint head) {
+  const uint delta = (head & 1) != 0 ? kChildDelta : kParentDelta;
+  return remaining(time, head >> 1) * fetch_delta(time, kSplitWords * (head >> 1) + delta);
+}
+
+uint previous(GeomorphConstants time, uint head) {
+  return Uints(time.splits).at[kSplitWords * (head >> 1) + kPrevious];
+}
+
+// A shader may have one loop only of those below: llvmpipe of Mesa 22.3 takes 0 for the head of a
+// vertex where a second one begins that nothing moves.
+void morph(GeomorphConstants time, uint vertex, inout vec3 position) {
+  precise vec3 p = position;
+  for (uint head = head_of(time, vertex); is_growing(time, head);) {
+    p -= share_to_come(time, head);
+    head = previous(time, head);
+  }
+  position = p;
+}
+
+// Position and normal.
+void morph(GeomorphConstants time, uint vertex, inout vec3 position, inout vec3 normal) {
+  precise vec3 p = position;
   precise vec3 n = normal;
   for (uint head = head_of(time, vertex); is_growing(time, head);) {
+    p -= share_to_come(time, head);
     const uint split = kSplitWords * (head >> 1);
     const vec3 after = fetch_normal(time, split + ((head & 1) != 0 ? kChildNormal : kParentNormal));
     n -= remaining(time, head >> 1) * (after - fetch_normal(time, split + kCoarseNormal));
-    head = Uints(time.splits).at[split + kPrevious];
+    head = previous(time, head);
   }
+  position = p;
   const float square = dot(n, n);
-  return square > 0.0 ? n * inversesqrt(square) : normal;
+  if (square > 0.0 && n != normal) normal = n * inversesqrt(square);
+}
+
+// Two positions.
+void morph(GeomorphConstants time, uvec2 vertices, inout vec3 a, inout vec3 b) {
+  precise vec3 p = a;
+  precise vec3 q = b;
+  uint p_head = head_of(time, vertices.x);
+  uint q_head = head_of(time, vertices.y);
+  while (is_growing(time, p_head) || is_growing(time, q_head)) {
+    if (is_growing(time, p_head)) {
+      p -= share_to_come(time, p_head);
+      p_head = previous(time, p_head);
+    }
+    if (is_growing(time, q_head)) {
+      q -= share_to_come(time, q_head);
+      q_head = previous(time, q_head);
+    }
+  }
+  a = p;
+  b = q;
 }
 
 // Linear color of the surface at a vertex, `base` where no split brought it; negative: the surface

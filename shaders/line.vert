@@ -61,12 +61,15 @@ float weight(uint line) { return uintBitsToFloat(Uints(constants.lines).at[2 * l
 bool is_drawn(uint h, uint from, uint to) { return true; }
 #endif
 
-vec3 position_of(uint vertex) {
+void fetch_ends(uint first, uint second, out vec3 a, out vec3 b) {
 #ifdef MORPH
   const GeomorphConstants time = Geomorph(constants.positions).at;
-  return morphed_position(time, fetch_position(time.positions, vertex), vertex);
+  a = fetch_position(time.positions, first);
+  b = fetch_position(time.positions, second);
+  morph(time, uvec2(first, second), a, b);
 #else
-  return fetch_position(constants.positions, vertex);
+  a = fetch_position(constants.positions, first);
+  b = fetch_position(constants.positions, second);
 #endif
 }
 
@@ -83,8 +86,11 @@ void main() {
   const uint h = halfedge(gl_VertexIndex / 6);
   const uint first = Uints(constants.indices).at[h];
   const uint second = Uints(constants.indices).at[next_halfedge(h)];
-  vec3 a = to_view(constants.view, position_of(first));
-  vec3 b = to_view(constants.view, position_of(second));
+  vec3 a;
+  vec3 b;
+  fetch_ends(first, second, a, b);
+  a = to_view(constants.view, a);
+  b = to_view(constants.view, b);
   if (!is_drawn(h, first, second) || !clip_to_near(a, b)) {
     draw_nothing();
     return;

@@ -72,49 +72,40 @@ uint vertex_number() { return gl_VertexIndex; }
 vec3 mesh_position(uint vertex) { return in_position; }
 #endif
 
-vec3 position_of(uint vertex) {
-#ifdef MORPH
-  return morphed_position(geomorph(), mesh_position(vertex), vertex);
-#else
-  return mesh_position(vertex);
-#endif
-}
-
 #ifdef GOURAUD
-// Normals of corners stay as they are.
-vec3 normal_of(uint vertex) {
+vec3 mesh_normal(uint vertex) {
 #if defined(CORNER_NORMALS)
   return decode_normal(unpackSnorm2x16(Uints(constants.normals).at[gl_VertexIndex]));
+#elif defined(PULLED)
+  return decode_normal(unpackSnorm2x16(Uints(constants.normals).at[vertex]));
 #else
-#ifdef PULLED
-  const vec3 n = decode_normal(unpackSnorm2x16(Uints(constants.normals).at[vertex]));
-#else
-  const vec3 n = decode_normal(in_normal);
-#endif
-#ifdef MORPH
-  return morphed_normal(geomorph(), n, vertex);
-#else
-  return n;
-#endif
+  return decode_normal(in_normal);
 #endif
 }
 #endif
 
 void main() {
   const uint vertex = vertex_number();
+  vec3 position = mesh_position(vertex);
+#ifdef GOURAUD
+  vec3 n = mesh_normal(vertex);
+#endif
+#ifdef MORPH
+#if defined(GOURAUD) && !defined(CORNER_NORMALS)
+  morph(geomorph(), vertex, position, n);
+#else
+  morph(geomorph(), vertex, position);  // normals of corners stay
+#endif
+  out_tint = birth_color(geomorph(), vertex, decode_color(constants.front));
+#endif
 #ifdef PULLED
   out_barycentric = barycentric(gl_VertexIndex);
 #endif
+  const vec3 in_view = to_view(constants.view, position);
 #ifdef GOURAUD
-  const vec3 n = normal_of(vertex);
   out_normal = vec3(dot(constants.view.row_x.xyz, n), dot(constants.view.row_y.xyz, n),
                     dot(constants.view.row_z.xyz, n));
-#endif
-#ifdef MORPH
-  out_tint = birth_color(geomorph(), vertex, decode_color(constants.front));
-#endif
-  const vec3 in_view = to_view(constants.view, position_of(vertex));
-#ifndef GOURAUD
+#else
   out_view = in_view;
 #endif
   gl_Position = to_clip(constants.view, in_view);

@@ -67,7 +67,7 @@ glm::vec3 morphed_normal(std::uint32_t normal, std::uint32_t head,
     n -= rest * (after - decode_normal(split.coarse_normal));
   });
   const float square = glm::dot(n, n);
-  return square > 0.0F ? n / std::sqrt(square) : full;
+  return square > 0.0F && n != full ? n / std::sqrt(square) : full;
 }
 
 }  // namespace mesher

@@ -1,165 +1,130 @@
 #include "engine/progressive/split_coder.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <utility>
 
-#include "engine/progressive/sharpness_model.h"
+#include "engine/progressive/cut_model.h"
+#include "engine/progressive/parent_model.h"
+#include "engine/progressive/place_model.h"
+#include "engine/progressive/sharp_split_model.h"
 #include "engine/progressive/split_ring.h"
 
 namespace mesher {
 namespace {
 
-/// Highest number of slots whose choice is learned.
-constexpr std::uint32_t kFewSlots = 16;
+/// From the middle of what will be around the parent to that around the child, as a guess of how
+/// one will lie to the other: so much of it (the best on scans, and much the same on all).
+constexpr double kApart = 0.609375;
 
-/// Which edges at the parent open.
-class CutModel {
- public:
-  template <class Coder>
-  SplitCut code(Coder& coder, const SplitRing& ring, SplitCut cut) {
-    const std::uint32_t slots = ring.slots();
-    const bool is_pair = ring.is_closed() || coder.bit(is_pair_, cut.right != kNone);
-    cut.left = code_slot(coder, left_[2 * few(slots) + (is_pair ? 1U : 0U)], cut.left, slots);
-    if (!is_pair) return {cut.left, kNone};
-    const std::uint32_t distance = cut.right + (cut.right < cut.left ? slots : 0U) - cut.left;
-    const std::uint32_t told = code_slot(coder, distance_[few(slots)], distance - 1, slots - 1) + 1;
-    return {cut.left, (cut.left + told) % slots};
-  }
-
- private:
-  static std::uint32_t few(std::uint32_t slots) { return std::min(slots, kFewSlots); }
-
-  /// A number below `count`; a higher one is no lie that an encoder tells.
-  template <class Coder>
-  std::uint32_t code_slot(Coder& coder, BitTree<4>& model, std::uint32_t slot,
-                          std::uint32_t count) {
-    if (count > kFewSlots) return coder.uniform(slot, count);
-    return std::min(model.code(coder, slot), count - 1);
-  }
-
-  BitModel is_pair_;
-  BitTree<4> left_[2 * (kFewSlots + 1)];
-  BitTree<4> distance_[kFewSlots + 1];
-};
-
-/// The middles of what will be around parent and child, with the vertices of the edges that open.
-struct Sides {
-  glm::dvec3 parent{0.0};
-  glm::dvec3 child{0.0};
-
-  template <class Position>
-  Sides(const SplitRing& ring, const SplitCut& cut, const Position& position) {
-    const std::uint32_t last = ring.slots() - 1;
-    if (cut.right == kNone) {
-      child = mean(ring, cut.left, last, position);
-      parent = mean(ring, 0, cut.left, position);
-    } else {
-      child = mean(ring, cut.left, cut.right, position);
-      parent = mean(ring, cut.right, cut.left, position);
-    }
-  }
-
- private:
-  template <class Position>
-  static glm::dvec3 mean(const SplitRing& ring, std::uint32_t begin, std::uint32_t end,
-                         const Position& position) {
-    glm::dvec3 sum = position(ring.vertex(begin));
-    double count = 1.0;
-    for (std::uint32_t slot = begin; slot != end; count += 1.0) {
-      slot = slot + 1 == ring.slots() ? 0 : slot + 1;
-      sum += position(ring.vertex(slot));
-    }
-    return sum / count;
-  }
-};
-
-int exponent(double value) {
-  return static_cast<int>(std::bit_cast<std::uint64_t>(value) >> 52U & 0x7FFU);
-}
-
-double largest(const glm::dvec3& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-constexpr std::size_t kContexts = 40;
-
-std::size_t context(int value) {
-  return static_cast<std::size_t>(std::clamp(value, 0, static_cast<int>(kContexts) - 1));
-}
-
-/// Positions as floats, exactly.
+/// Positions as floats, exactly: first the parent, then the child.
 class FloatPlaces {
  public:
   template <class Coder>
   bool code(Coder& coder, const Mesh& mesh, const SplitRing& ring, NewSplit& split) {
-    const auto position = [&](Vertex v) { return glm::dvec3(mesh.position(v)); };
-    const glm::dvec3 at = position(split.parent);
-    const Sides sides(ring, split.cut, position);
-    const glm::dvec3 p = sides.parent - at;
-    const glm::dvec3 c = sides.child - at;
-    const int scale = exponent(largest(p) + largest(c));
-    bool is_good =
-        code_one(coder, parent_, at + 0.53125 * p - 0.09375 * c, scale, split.parent_position);
-    const glm::dvec3 moved = glm::dvec3(split.parent_position) - at;
-    const glm::dvec3 guess = at + 0.125 * moved - 0.1875 * p + 0.484375 * c;
-    is_good = is_good && code_one(coder, child_, guess, scale, split.child_position);
-    return is_good;
+    const SplitSides s(ring, split.cut);
+    const glm::dvec3 apart = s.child - s.parent;
+    const glm::vec3 before = mesh.position(split.parent);
+    Stays stays = Stays::neither;
+    if constexpr (!Coder::kDecodes) {
+      if (has_same_bits(split.parent_position, before)) {
+        stays = Stays::parent;
+      } else if (has_same_bits(split.child_position, before)) {
+        stays = Stays::child;
+      }
+    }
+    stays = stays_.code(coder, stays);
+    if (stays == Stays::parent) split.parent_position = before;
+    if (stays == Stays::child) split.child_position = before;
+    PlaceGuess guess{.mean = 0.53125 * s.parent - 0.09375 * s.child,
+                     .normal = normal_of(s),
+                     .variance = dot(apart, apart)};
+    if (stays == Stays::child) guess.mean = -kApart * apart;
+    if (stays != Stays::parent &&
+        !code_point(coder, parent_, ring.at(), guess, split.parent_position)) {
+      return false;
+    }
+    if (stays == Stays::child) return true;
+    const glm::dvec3 parent = glm::dvec3(split.parent_position) - ring.at();
+    guess.mean = 0.125 * parent - 0.1875 * s.parent + 0.484375 * s.child;
+    if (stays == Stays::parent) {
+      guess.mean = kApart * apart;
+    } else {
+      use_plane(guess, s.child_normal + cross(s.opening, parent), -dot(parent, s.parent_normal));
+    }
+    return code_point(coder, child_, ring.at(), guess, split.child_position);
   }
 
  private:
-  using Model = SignedModel<6>;
+  using Model = DifferenceModel<6>;
+
+  static bool has_same_bits(const glm::vec3& a, const glm::vec3& b) {
+    return pm_ordered(a.x) == pm_ordered(b.x) && pm_ordered(a.y) == pm_ordered(b.y) &&
+           pm_ordered(a.z) == pm_ordered(b.z);
+  }
+
+  /// Of the last place of a float near a number: the exponent of a double for it, and 23.
+  static int fineness(double value) {
+    constexpr int least = 1023 - 126;
+    return std::max(exponent_of(value), least);
+  }
 
   template <class Coder>
-  static bool code_one(Coder& coder, Model* models, const glm::dvec3& guess, int scale,
-                       glm::vec3& position) {
-    for (int i = 0; i < 3; ++i) {
-      constexpr double most = std::numeric_limits<float>::max();
-      const double near = std::clamp(guess[i], -most, most);
+  static bool code_point(Coder& coder, Model& model, const glm::dvec3& at, const PlaceGuess& guess,
+                         glm::vec3& position) {
+    const PlaceOrder order(guess);
+    const double largest = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
+    glm::dvec3 point(0.0);
+    for (int step = 0; step < 3; ++step) {
+      const int i = order.axis(step);
+      const double near = clamped(at[i] + order.mean(step, point));
+      const int fine = fineness(near);
+      const int width = (exponent_of(order.variance(step)) + 1023 + 46 - 2 * fine) / 2;
+      const int shift = std::clamp(fineness(largest) - fine, 0, 15);
       const std::int64_t before = pm_ordered(static_cast<float>(near));
-      // How many units of the last place the surroundings measure.
-      const std::size_t size = context(scale - exponent(near) + 24);
       const std::int64_t difference = Coder::kDecodes ? 0 : pm_ordered(position[i]) - before;
-      const std::int64_t number = before + models[size].code(coder, difference);
+      const std::int64_t number = before + model.code(coder, guess, step, width, shift, difference);
       if (!is_finite_ordered(number)) return false;
       position[i] = pm_float(static_cast<std::int32_t>(number));
+      point[i] = double{position[i]} - at[i];
     }
     return true;
   }
 
-  Model parent_[kContexts];
-  Model child_[kContexts];
+  static double clamped(double value) {
+    constexpr double most = std::numeric_limits<float>::max();
+    return value >= -most ? std::min(value, most) : value < -most ? -most : 0.0;
+  }
+
+  StaysModel stays_;
+  Model parent_;
+  Model child_;
 };
 
-/// Positions on a grid.
+/// Positions on a grid: first how the child lies to the parent, then the parent.
 class GridPlaces {
  public:
   explicit GridPlaces(Array<glm::ivec3>&& numbers) : numbers_(std::move(numbers)) {}
 
+  const glm::ivec3& at(Vertex v) const { return numbers_[v.index()]; }
+
   template <class Coder>
   bool code(Coder& coder, const PmHeader& header, const SplitRing& ring, NewSplit& split) {
-    const auto position = [&](Vertex v) { return glm::dvec3(numbers_[v.index()]); };
-    const glm::dvec3 at = position(split.parent);
-    const Sides sides(ring, split.cut, position);
-    const glm::dvec3 p = sides.parent - at;
-    const glm::dvec3 c = sides.child - at;
-    const glm::dvec3 across = c - p;
-    const std::size_t size = context(exponent(dot(across, across)) - 1023);
     glm::ivec3 parent(0);
     glm::ivec3 child(0);
     if constexpr (!Coder::kDecodes) {
       parent = header.grid.numbers(split.parent_position, header.coordinate_bits);
       child = header.grid.numbers(split.child_position, header.coordinate_bits);
     }
+    code_numbers(coder, ring, split, parent, child);
     const int highest = (1 << header.coordinate_bits) - 1;
-    if (!code_one(coder, parent_[size], at + 0.53125 * p - 0.09375 * c, highest, parent))
-      return false;
-    const glm::dvec3 moved = glm::dvec3(parent) - at;
-    const glm::dvec3 guess = at + 0.125 * moved - 0.1875 * p + 0.484375 * c;
-    if (!code_one(coder, child_[size], guess, highest, child)) return false;
+    for (int i = 0; i < 3; ++i) {
+      if (std::min(parent[i], child[i]) < 0 || std::max(parent[i], child[i]) > highest)
+        return false;
+    }
     numbers_[split.parent.index()] = parent;
     numbers_.push_back(child);
     split.parent_position = header.grid.position(parent);
@@ -168,90 +133,61 @@ class GridPlaces {
   }
 
  private:
-  using Model = SignedModel<5>;
+  using Model = DifferenceModel<5>;
 
-  static double dot(const glm::dvec3& a, const glm::dvec3& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
+  template <class Coder>
+  void code_numbers(Coder& coder, const SplitRing& ring, const NewSplit& split, glm::ivec3& parent,
+                    glm::ivec3& child) {
+    const SplitSides s(ring, split.cut);
+    const glm::ivec3 before = numbers_[split.parent.index()];
+    Stays stays = parent == before  ? Stays::parent
+                  : child == before ? Stays::child
+                                    : Stays::neither;
+    stays = stays_.code(coder, stays);
+    const glm::dvec3 apart = s.child - s.parent;
+    PlaceGuess guess{.mean = kApart * apart, .normal = normal_of(s), .variance = dot(apart, apart)};
+    glm::ivec3 offset = child - parent;
+    code_point(coder, difference_, glm::ivec3(0), guess, offset);
+    if (stays == Stays::parent) {
+      parent = before;
+    } else if (stays == Stays::child) {
+      parent = before - offset;
+    } else {
+      const glm::dvec3 d(offset);
+      guess.mean = -0.4921875 * d + 0.1875 * (s.parent + s.child);
+      guess.variance = dot(d, d);
+      guess.stretch = d;
+      use_plane(guess, guess.normal + cross(d, s.opening), -dot(d, s.child_normal));
+      code_point(coder, parent_, before, guess, parent);
+    }
+    child = parent + offset;
   }
 
   template <class Coder>
-  static bool code_one(Coder& coder, Model& model, const glm::dvec3& guess, int highest,
-                       glm::ivec3& numbers) {
-    for (int i = 0; i < 3; ++i) {
-      const auto before = static_cast<std::int64_t>(std::floor(guess[i] + 0.5));
-      const std::int64_t number = before + model.code(coder, numbers[i] - before);
-      if (number < 0 || number > highest) return false;
-      numbers[i] = static_cast<int>(number);
+  static void code_point(Coder& coder, Model& model, const glm::ivec3& at, const PlaceGuess& guess,
+                         glm::ivec3& numbers) {
+    // Outside the grid by far; what is hostile ends there.
+    constexpr std::int64_t most = std::int64_t{1} << 26U;
+    const PlaceOrder order(guess);
+    glm::dvec3 point(0.0);
+    for (int step = 0; step < 3; ++step) {
+      const int i = order.axis(step);
+      const double near = std::floor(at[i] + order.mean(step, point) + 0.5);
+      const auto before = static_cast<std::int64_t>(near >= -most  ? std::min<double>(near, most)
+                                                    : near < -most ? -most
+                                                                   : 0);
+      const int width = (exponent_of(order.variance(step)) - 1023) / 2;
+      const std::int64_t number =
+          before + model.code(coder, guess, step, width, 0, numbers[i] - before);
+      numbers[i] = static_cast<int>(std::clamp(number, -most, most));
+      point[i] = numbers[i] - at[i];
     }
-    return true;
   }
 
   Array<glm::ivec3> numbers_;
-  Model parent_[kContexts];
-  Model child_[kContexts];
-};
-
-/// How sharp the edges are that a split makes and those that it opens.
-class SharpSplitModel {
- public:
-  template <class Coder>
-  std::string_view code(Coder& coder, const Mesh& mesh, const SplitRing& ring, NewSplit& split) {
-    SplitSharpness& s = split.sharpness;
-    s.edge = edge_.code(coder, s.edge);
-    bool is_good = is_sharpness(s.edge);
-    is_good &=
-        code_side(coder, mesh.sharpness(ring.halfedge(split.cut.left)), s.sides[0], s.sides[1]);
-    if (split.cut.right == kNone) {
-      s.sides[2] = s.sides[3] = 0.0F;
-    } else {
-      is_good &=
-          code_side(coder, mesh.sharpness(ring.halfedge(split.cut.right)), s.sides[2], s.sides[3]);
-    }
-    return is_good ? std::string_view{}
-                   : "the sharpness of a split is not that of the level before";
-  }
-
- private:
-  /// The larger of the two is what the edge had before.
-  template <class Coder>
-  bool code_side(Coder& coder, float before, float& first, float& second) {
-    const bool is_first = coder.bit(has_first_[before > 0.0F], has_same_bits(first, before));
-    const bool is_second =
-        !is_first || coder.bit(has_second_[before > 0.0F], has_same_bits(second, before));
-    first = is_first ? before : other_.code(coder, first);
-    second = is_second ? before : other_.code(coder, second);
-    return has_same_bits(std::max(first, second), before) && is_sharpness(first) &&
-           is_sharpness(second);
-  }
-
-  SharpnessModel edge_;
-  SharpnessModel other_;
-  BitModel has_first_[2];
-  BitModel has_second_[2];
-};
-
-/// The sharpness of parent and child themselves.
-class SharpCornerModel {
- public:
-  template <class Coder>
-  std::string_view code(Coder& coder, const Mesh& mesh, NewSplit& split) {
-    const float before = mesh.sharpness(split.parent);
-    const bool is_good = code_one(coder, before, split.parent_corner_sharpness, 0) &&
-                         code_one(coder, before, split.child_corner_sharpness, 1);
-    return is_good ? std::string_view{} : "the sharpness of a vertex is not a number from 0 on";
-  }
-
- private:
-  template <class Coder>
-  bool code_one(Coder& coder, float before, float& value, std::size_t which) {
-    const bool stays =
-        coder.bit(stays_[2 * which + std::size_t{before > 0.0F}], has_same_bits(value, before));
-    value = stays ? before : value_.code(coder, value);
-    return is_sharpness(value);
-  }
-
-  BitModel stays_[4];
-  SharpnessModel value_;
+  StaysModel stays_;
+  Model difference_;
+  Model parent_;
 };
 
 }  // namespace
@@ -260,6 +196,7 @@ template <class Coder>
 struct SplitCoder<Coder>::State {
   PmHeader header;
   SplitRing ring;
+  ParentModel parent;
   CutModel cut;
   FloatPlaces floats;
   GridPlaces grid;
@@ -274,9 +211,9 @@ struct SplitCoder<Coder>::State {
 
   std::string_view code_parent(Coder& coder, const ProgressiveMesh& pm, NewSplit& split) {
     const Mesh& mesh = pm.mesh();
-    if (mesh.vertex_count() == 0) return "a split has no vertex to split";
-    split.parent = Vertex(coder.uniform(split.parent.index(), mesh.vertex_count()));
-    if (mesh.is_isolated(split.parent)) return "a split has a parent without faces";
+    if (pm.level() == 0) parent.begin(mesh);
+    split.parent = parent.code(coder, split.parent);
+    if (!split.parent.is_valid()) return "a split has a parent that is not there";
     if (!ring.gather(mesh, split.parent)) return "a split has a parent of too many faces";
     walked += ring.faces();
     return walked <= most_walked ? std::string_view{}
@@ -284,10 +221,16 @@ struct SplitCoder<Coder>::State {
   }
 
   std::string_view code_cut(Coder& coder, const ProgressiveMesh& pm, NewSplit& split) {
+    if (header.is_quantized()) {
+      ring.locate(split.parent, [this](Vertex v) { return glm::dvec3(grid.at(v)); });
+    } else {
+      ring.locate(split.parent, [&](Vertex v) { return glm::dvec3(pm.mesh().position(v)); });
+    }
     split.cut = cut.code(coder, ring, split.cut);
     if (Coder::kDecodes && !pm.can_append(split.parent, split.cut))
       return "a split cuts where it cannot";
     moved += ring.moved(split.cut);
+    parent.note(ring, split.parent, split.cut);
     return moved <= most_moved ? std::string_view{} : "splits move too many corners";
   }
 };

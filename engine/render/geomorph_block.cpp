@@ -22,7 +22,7 @@ shared::GeomorphConstants constants_of(const GpuMesh& mesh, const Settings& sett
   return {.positions = mesh.positions().address(),
           .heads = mesh.morph().heads().address(),
           .splits = mesh.morph().splits().address(),
-          .first_growing = time.first_growing,
+          .first_head = time.first_growing < kNoHead / 2 ? 2 * time.first_growing : kNoHead,
           .whole = time.whole,
           .fraction = time.fraction,
           .rate = time.rate,

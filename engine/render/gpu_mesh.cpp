@@ -9,6 +9,8 @@ namespace mesher::render {
 namespace {
 
 constexpr std::uint32_t kClassesPerWord = 16;
+constexpr VkBufferUsageFlags kPositionUsage = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT;
+constexpr VkBufferUsageFlags kIndexUsage = VK_BUFFER_USAGE_INDEX_BUFFER_BIT;
 constexpr std::size_t kWordGrain = 1U << 12;
 
 std::uint32_t class_word(const Mesh& mesh, std::uint32_t word) {
@@ -49,6 +51,7 @@ UploadStats GpuMesh::apply(Mesh& mesh, const Settings& settings, const Sources& 
   if (is_new) {
     forget_buffers();
     mesh.changes().note_all();
+    make_room_for(mesh, sources.morph.splits_to_come());
   }
   if (!mesh.changes().is_empty() || mesh.vertex_count() != vertex_count_ ||
       mesh.face_count() != face_count_) {
@@ -58,9 +61,10 @@ UploadStats GpuMesh::apply(Mesh& mesh, const Settings& settings, const Sources& 
   normals_.update(mesh, settings,
                   {.corner = sources.corner_normals,
                    .vertex = sources.vertex_normals,
+                   .most_vertices = mesh.vertex_count() + sources.morph.splits_to_come(),
                    .can_split = !lines_.creases.empty()},
                   is_new, stats);
-  morph_.update(mesh, sources.morph, is_new, stats);
+  morph_.update(mesh, sources, is_new, stats);
   is_valid_ = true;
   mesh.changes().clear();
   for (const Part& part : parts())
@@ -88,14 +92,22 @@ void GpuMesh::forget_buffers() {
   marked_ = {};
 }
 
+void GpuMesh::make_room_for(const Mesh& mesh, std::size_t splits) {
+  if (splits == 0) return;
+  const std::size_t vertices = mesh.vertex_count() + splits;
+  const std::size_t halfedges = mesh.halfedge_count() + 6 * splits;
+  const std::size_t words = halfedges / kClassesPerWord + 1;
+  make_room(device_, positions_, vertices * sizeof(glm::vec3), kPositionUsage);
+  make_room(device_, indices_, halfedges * sizeof(Vertex), kIndexUsage);
+  make_room(device_, class_buffer_, words * sizeof(std::uint32_t), 0);
+}
+
 void GpuMesh::copy_arrays(const Mesh& mesh, UploadStats& stats) {
   const ChangeLog& changes = mesh.changes();
   upload_changes(device_, positions_, bytes_of(mesh.positions()),
-                 {changes, GpuArray::position, sizeof(glm::vec3)},
-                 VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, stats);
+                 {changes, GpuArray::position, sizeof(glm::vec3)}, kPositionUsage, stats);
   upload_changes(device_, indices_, bytes_of(mesh.origins()),
-                 {changes, GpuArray::origin, sizeof(Vertex)}, VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
-                 stats);
+                 {changes, GpuArray::origin, sizeof(Vertex)}, kIndexUsage, stats);
   if (changes.is_whole(GpuArray::edge_class)) {
     copy_all_classes(mesh, stats);
   } else {

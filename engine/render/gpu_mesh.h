@@ -36,7 +36,8 @@ class GpuMesh {
   /// `mesh.changes()`. Only changed ranges are copied (and the normals of the one-rings they
   /// touch); everything where the mesh is new. Live elements are a prefix of the buffers: a mesh
   /// that shrinks keeps its buffers, and one that grows again within them uploads what it has noted
-  /// as changed, new elements included; past them an array is copied whole into a larger buffer.
+  /// as changed, new elements included; past them an array is copied whole into a larger buffer (a
+  /// progressive mesh has room for all its splits from the start).
   /// Waits for frames in flight where it copies at all. Throws DeviceError where the mesh is too
   /// large for the device. O(changes + crease and boundary edges), O(V + F) when whole. `sources`
   /// are read, not kept.
@@ -88,6 +89,8 @@ class GpuMesh {
   };
 
   void forget_buffers();
+  /// For a mesh whose splits may come at any time: none of them moves a buffer.
+  void make_room_for(const Mesh& mesh, std::size_t splits);
   void copy_arrays(const Mesh& mesh, UploadStats& stats);
   void copy_all_classes(const Mesh& mesh, UploadStats& stats);
   void copy_changed_classes(const Mesh& mesh, UploadStats& stats);

@@ -1,15 +1,18 @@
 #include "engine/render/gpu_morph.h"
 
-#include <algorithm>
 #include <array>
 
 #include "engine/core/assert.h"
 
 namespace mesher::render {
 
-void GpuMorph::update(const Mesh& mesh, const MorphSource& source, bool is_new_mesh,
+void GpuMorph::update(const Mesh& mesh, const Sources& sources, bool is_new_mesh,
                       UploadStats& stats) {
-  const bool is_new = is_new_mesh || is_empty() || source.splits.size() < split_count_;
+  const MorphSource& source = sources.morph;
+  const bool has_normals = !sources.vertex_normals.empty();
+  const bool is_new = is_new_mesh || is_empty() || source.splits.size() < split_count_ ||
+                      (has_normals && !has_normals_);
+  has_normals_ = has_normals;
   if (source.is_empty() || is_new) {
     heads_ = {};
     splits_ = {};
@@ -20,6 +23,8 @@ void GpuMorph::update(const Mesh& mesh, const MorphSource& source, bool is_new_m
   MESHER_ASSERT(source.heads.size() == mesh.vertex_count());
   const auto heads = std::as_bytes(source.heads);
   if (is_new) {
+    const std::size_t most = source.heads.size() + source.splits_to_come();
+    make_room(device_, heads_, most * sizeof(std::uint32_t), 0);
     upload_whole(device_, heads_, heads, 0, stats);
   } else {
     upload_changes(device_, heads_, heads,
@@ -33,9 +38,7 @@ void GpuMorph::append_splits(std::span<const SplitMorph> splits, UploadStats& st
   if (splits.size() == split_count_) return;
   std::size_t first = split_count_;
   if (splits_.size() < splits.size_bytes()) {
-    // The first time just what is needed: most meshes come whole.
-    const std::size_t room = first == 0 ? splits.size() : std::max(2 * first, splits.size());
-    splits_ = gpu::Buffer(device_, room * sizeof(SplitMorph), 0, gpu::MemoryIntent::fixed);
+    make_room(device_, splits_, splits.size_bytes(), 0);
     first = 0;
   }
   const std::array range{gpu::ByteRange{first * sizeof(SplitMorph), splits.size_bytes()}};

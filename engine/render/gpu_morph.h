@@ -19,7 +19,7 @@ class GpuMorph {
   /// Copies the heads that `mesh.changes()` names and the splits that are new; all where the mesh
   /// is, nothing and no buffers where the source is empty. Splits that come bit by bit are copied
   /// O(1) times each on average.
-  void update(const Mesh& mesh, const MorphSource& source, bool is_new_mesh, UploadStats& stats);
+  void update(const Mesh& mesh, const Sources& sources, bool is_new_mesh, UploadStats& stats);
 
   bool is_empty() const { return split_count_ == 0; }
   std::uint32_t split_count() const { return split_count_; }
@@ -33,6 +33,7 @@ class GpuMorph {
   void append_splits(std::span<const SplitMorph> splits, UploadStats& stats);
 
   gpu::Device& device_;
+  bool has_normals_ = false;  ///< those of the splits are known
   std::uint32_t head_count_ = 0;
   std::uint32_t split_count_ = 0;
   gpu::Buffer heads_;

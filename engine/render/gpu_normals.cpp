@@ -81,7 +81,7 @@ void GpuNormals::update(const Mesh& mesh, const Settings& settings, const Normal
     buffer_ = {};
     count_ = 0;
   } else if (origin_ == Origin::vertices) {
-    take(mesh, source.vertex, is_same, stats);
+    take(mesh, source, is_same, stats);
   } else if (origin_ == Origin::corners) {
     if (is_same && mesh.changes().is_empty()) return;
     corner_ = {};
@@ -95,20 +95,23 @@ void GpuNormals::update(const Mesh& mesh, const Settings& settings, const Normal
   }
 }
 
-void GpuNormals::take(const Mesh& mesh, std::span<const std::uint32_t> vertex, bool is_same,
+void GpuNormals::take(const Mesh& mesh, const NormalSource& source, bool is_same,
                       UploadStats& stats) {
-  MESHER_ASSERT(vertex.size() == mesh.vertex_count());
+  constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT;
+  const auto normals = std::as_bytes(source.vertex);
+  MESHER_ASSERT(source.vertex.size() == mesh.vertex_count());
   corner_ = {};
   packed_ = {};
-  count_ = vertex.size();
+  count_ = source.vertex.size();
   if (is_same) {
-    upload_changes(device_, buffer_, std::as_bytes(vertex),
-                   {mesh.changes(), GpuArray::position, sizeof(std::uint32_t)},
-                   VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, stats);
-  } else {
-    buffer_ = {};
-    upload_whole(device_, buffer_, std::as_bytes(vertex), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, stats);
+    upload_changes(device_, buffer_, normals,
+                   {mesh.changes(), GpuArray::position, sizeof(std::uint32_t)}, kUsage, stats);
+    return;
   }
+  buffer_ = {};
+  make_room(device_, buffer_, std::max(count_, source.most_vertices) * sizeof(std::uint32_t),
+            kUsage);
+  upload_whole(device_, buffer_, normals, kUsage, stats);
 }
 
 void GpuNormals::build(const Mesh& mesh, UploadStats& stats) {

@@ -16,6 +16,7 @@ namespace mesher::render {
 struct NormalSource {
   std::span<const glm::vec3> corner;      ///< one a half-edge, as they are; empty: from the faces
   std::span<const std::uint32_t> vertex;  ///< one a vertex, packed: before all others
+  std::size_t most_vertices = 0;          ///< how many there may be of `vertex`, as far as is known
   bool can_split = false;                 ///< the mesh has creases
 };
 
@@ -42,8 +43,7 @@ class GpuNormals {
   enum class Origin { faces, corners, vertices };
 
   static Origin origin(const NormalSource& source);
-  void take(const Mesh& mesh, std::span<const std::uint32_t> vertex, bool is_same,
-            UploadStats& stats);
+  void take(const Mesh& mesh, const NormalSource& source, bool is_same, UploadStats& stats);
   void build(const Mesh& mesh, UploadStats& stats);
   void pack(std::span<const glm::vec3> normals, UploadStats& stats);
   void update_changed(const Mesh& mesh, UploadStats& stats);

@@ -14,10 +14,17 @@ struct MorphSource {
   /// the vertex's position has changed.
   std::span<const std::uint32_t> heads;
   /// Those from the last time stay as they are; more may have come after them. Otherwise it is
-  /// another mesh (GpuMesh::invalidate).
+  /// another mesh (GpuMesh::invalidate). Their normals count only beside Sources::vertex_normals,
+  /// and may be others after a time without those: while splits still arrive nobody knows them.
   std::span<const SplitMorph> splits;
 
   bool is_empty() const { return heads.empty() || splits.empty(); }
+  /// How many splits come after the level that the heads are of: the last vertex's head is its
+  /// birth.
+  std::size_t splits_to_come() const {
+    if (is_empty()) return 0;
+    return splits.size() - (heads.back() == kNoHead ? 0 : heads.back() / 2 + std::size_t{1});
+  }
 };
 
 /// What a mirror takes beside the mesh. Each may be empty.

@@ -1,5 +1,6 @@
 #include "engine/render/upload.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace mesher::render {
@@ -16,11 +17,19 @@ std::uint32_t worthwhile_gap(std::size_t element_bytes) {
 
 }  // namespace
 
+bool make_room(gpu::Device& device, gpu::Buffer& buffer, std::size_t bytes,
+               VkBufferUsageFlags usage) {
+  if (buffer.size() >= bytes) return false;
+  const VkDeviceSize grown = std::min(buffer.size() + buffer.size() / 2, device.max_buffer_bytes());
+  buffer = {};  // before the new one: not both at once
+  buffer =
+      gpu::Buffer(device, std::max<VkDeviceSize>(bytes, grown), usage, gpu::MemoryIntent::fixed);
+  return true;
+}
+
 void upload_whole(gpu::Device& device, gpu::Buffer& buffer, std::span<const std::byte> source,
                   VkBufferUsageFlags usage, UploadStats& stats) {
-  if (buffer.size() < source.size()) {
-    buffer = gpu::Buffer(device, source.size(), usage, gpu::MemoryIntent::fixed);
-  }
+  make_room(device, buffer, source.size(), usage);
   if (source.empty()) return;
   gpu::upload(device, buffer, source);
   stats.uploaded_bytes += source.size();

@@ -16,8 +16,13 @@ struct UploadStats {
   std::uint32_t ranges = 0;       ///< pieces copied
 };
 
-/// Makes `buffer` hold all of `source` from its start; in a new buffer of just that size where it
-/// is too small.
+/// Puts an empty buffer of at least `bytes` bytes in place of one that is smaller; one that was
+/// filled before gets half as much again, so that what grows bit by bit is seldom copied whole.
+/// Returns whether it did.
+bool make_room(gpu::Device& device, gpu::Buffer& buffer, std::size_t bytes,
+               VkBufferUsageFlags usage);
+
+/// Makes `buffer` hold all of `source` from its start, with room made where it is too small.
 void upload_whole(gpu::Device& device, gpu::Buffer& buffer, std::span<const std::byte> source,
                   VkBufferUsageFlags usage, UploadStats& stats);
 

@@ -63,8 +63,8 @@ struct GeomorphConstants {
   Address positions;
   Address heads;       // uint a vertex
   Address splits;      // SplitMorph, kSplitWords words each
-  uint first_growing;  // GeomorphTime, member for member
-  int whole;
+  uint first_head;     // heads from here on grow: twice GeomorphTime::first_growing
+  int whole;           // this and the next as in GeomorphTime
   float fraction;
   float rate;
   float fixed_share;

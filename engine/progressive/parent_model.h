@@ -1,0 +1,97 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "engine/core/array.h"
+#include "engine/mesh/mesh.h"
+#include "engine/progressive/range_coder.h"
+#include "engine/progressive/split_ring.h"
+
+namespace mesher {
+
+/// Which vertex is split. Vertices of many edges are split more often than those of few, so that
+/// the number of edges is told first, then which of the vertices that have as many.
+class ParentModel {
+ public:
+  /// Those of the base. O(V + F).
+  void begin(const Mesh& base) {
+    edges_.assign(base.vertex_count(), 0);
+    place_.resize(base.vertex_count());
+    for (std::uint32_t i = 0; i < base.halfedge_count(); ++i) {
+      const Halfedge h(i);
+      ++edges_[base.origin(h).index()];
+      if (base.is_boundary(h)) ++edges_[base.target(h).index()];
+    }
+    for (std::uint32_t v = 0; v < edges_.size(); ++v) {
+      if (edges_[v] != 0) insert(v);
+    }
+  }
+
+  /// None where there is no such vertex.
+  template <class Coder>
+  Vertex code(Coder& coder, Vertex parent) {
+    std::uint32_t which = 0;
+    std::uint32_t place = 0;
+    if constexpr (!Coder::kDecodes) {
+      which = class_of(parent.index());
+      place = place_[parent.index()];
+    }
+    const Array<std::uint32_t>& members = classes_[class_.code(coder, which)];
+    if (members.empty()) return {};
+    place = coder.uniform(place, static_cast<std::uint32_t>(members.size()));
+    return Vertex(members[place]);
+  }
+
+  /// After a split of the vertex with this ring.
+  void note(const SplitRing& ring, Vertex parent, const SplitCut& cut) {
+    const bool is_pair = cut.right != kNone;
+    const std::uint32_t opened = is_pair ? 2 : 1;
+    const std::uint32_t moved = ring.moved(cut);
+    const bool is_child_open = !ring.is_closed() && (!is_pair || cut.left > cut.right);
+    const bool is_parent_open = !ring.is_closed() && (!is_pair || cut.left < cut.right);
+    change(parent.index(), ring.faces() - moved + opened + (is_parent_open ? 1 : 0));
+    edges_.push_back(moved + opened + (is_child_open ? 1 : 0));
+    place_.push_back(0);
+    insert(static_cast<std::uint32_t>(edges_.size()) - 1);
+    grow(ring.vertex(cut.left).index());
+    if (is_pair) grow(ring.vertex(cut.right).index());
+  }
+
+ private:
+  static constexpr std::uint32_t kClassBits = 4;
+  static constexpr std::uint32_t kMost = (1U << kClassBits) - 1;
+
+  std::uint32_t class_of(std::uint32_t v) const { return std::min(edges_[v], kMost); }
+  void insert(std::uint32_t v) {
+    Array<std::uint32_t>& members = classes_[class_of(v)];
+    place_[v] = static_cast<std::uint32_t>(members.size());
+    members.push_back(v);
+  }
+  /// The last member takes its place.
+  void remove(std::uint32_t v) {
+    Array<std::uint32_t>& members = classes_[class_of(v)];
+    const std::uint32_t last = members.back();
+    members[place_[v]] = last;
+    place_[last] = place_[v];
+    members.pop_back();
+  }
+  void change(std::uint32_t v, std::uint32_t edges) {
+    if (std::min(edges, kMost) == class_of(v)) {
+      edges_[v] = edges;
+      return;
+    }
+    remove(v);
+    edges_[v] = edges;
+    insert(v);
+  }
+  void grow(std::uint32_t v) { change(v, edges_[v] + 1); }
+
+  Array<std::uint32_t> edges_;  ///< of each vertex
+  Array<std::uint32_t> place_;  ///< in its class
+  std::array<Array<std::uint32_t>, kMost + 1> classes_;
+  BitTree<kClassBits> class_;
+};
+
+}  // namespace mesher

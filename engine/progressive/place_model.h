@@ -1,0 +1,178 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <utility>
+
+#include "engine/core/array.h"
+#include "engine/progressive/pm_format.h"
+#include "engine/progressive/range_coder.h"
+#include "engine/progressive/split_ring.h"
+
+namespace mesher {
+
+/// What is known of where parent and child go: all seen from the parent.
+struct SplitSides {
+  glm::dvec3 parent{0.0};  ///< middle of what will be around the parent, edges that open included
+  glm::dvec3 child{0.0};
+  glm::dvec3 parent_normal{0.0};  ///< of its faces, twice as long as their area
+  glm::dvec3 child_normal{0.0};
+  glm::dvec3 opening{0.0};  ///< from left to right
+
+  SplitSides(const SplitRing& ring, const SplitCut& cut) {
+    const std::uint32_t last = ring.slots() - 1;
+    if (cut.right == kNone) {
+      sum(ring, cut.left, last, child, child_normal);
+      sum(ring, 0, cut.left, parent, parent_normal);
+    } else {
+      sum(ring, cut.left, cut.right, child, child_normal);
+      sum(ring, cut.right, cut.left, parent, parent_normal);
+      opening = ring.place(cut.right) - ring.place(cut.left);
+    }
+  }
+
+ private:
+  static void sum(const SplitRing& ring, std::uint32_t begin, std::uint32_t end, glm::dvec3& middle,
+                  glm::dvec3& normal) {
+    middle = ring.place(begin);
+    double count = 1.0;
+    for (std::uint32_t slot = begin; slot != end; count += 1.0) {
+      const std::uint32_t next = ring.after(slot);
+      middle += ring.place(next);
+      // Past the end of an open fan there is no face.
+      if (ring.is_closed() || next != 0) normal += cross(ring.place(slot), ring.place(next));
+      slot = next;
+    }
+    middle /= count;
+  }
+};
+
+/// Where a point is thought to be, and how far off that may be in which direction.
+struct PlaceGuess {
+  glm::dvec3 mean;
+  glm::dvec3 normal;       ///< not zero
+  bool has_plane = false;  ///< dot(normal, point) is `plane`, but for rounding
+  double plane = 0.0;
+  double variance = 1.0;    ///< across the normal
+  glm::dvec3 stretch{0.0};  ///< the variance is three times as much in this direction
+};
+
+/// Coordinates are told in order, the one along which the normal is longest at last. What is known
+/// of the first two says something of the next.
+class PlaceOrder {
+ public:
+  explicit PlaceOrder(const PlaceGuess& guess) : guess_(guess) {
+    const glm::dvec3 n = guess.normal;
+    const glm::dvec3 size(std::abs(n.x), std::abs(n.y), std::abs(n.z));
+    axis_[2] = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+    axis_[0] = axis_[2] == 0 ? 1 : 0;
+    axis_[1] = axis_[2] == 2 ? 1 : 2;
+    const double nn = dot(n, n);
+    const double ss = dot(guess.stretch, guess.stretch);
+    const double weight = ss > 0.0 ? 2.0 / ss : 0.0;
+    const auto covariance = [&](int a, int b) {
+      const double flat = (a == b ? 1.0 : 0.0) - n[a] * n[b] / nn;
+      return flat + weight * (guess.stretch[a] * guess.stretch[b]);
+    };
+    const double first = covariance(axis_[0], axis_[0]);
+    follow_ = covariance(axis_[0], axis_[1]) / first;
+    variance_[0] = guess.variance * first;
+    variance_[1] = guess.variance *
+                   (covariance(axis_[1], axis_[1]) - follow_ * covariance(axis_[0], axis_[1]));
+    variance_[2] = guess.variance * nn / (n[axis_[2]] * n[axis_[2]]);
+  }
+
+  int axis(int step) const { return axis_[step]; }
+  double variance(int step) const { return variance_[step]; }
+  /// Of the coordinate of a step where those of the steps before it are known.
+  double mean(int step, const glm::dvec3& point) const {
+    const int a = axis_[0];
+    const int b = axis_[1];
+    const int c = axis_[2];
+    const glm::dvec3& m = guess_.mean;
+    const glm::dvec3& n = guess_.normal;
+    if (step == 0) return m[a];
+    if (step == 1) return m[b] + follow_ * (point[a] - m[a]);
+    if (guess_.has_plane) return (guess_.plane - n[a] * point[a] - n[b] * point[b]) / n[c];
+    return m[c] - (n[a] * (point[a] - m[a]) + n[b] * (point[b] - m[b])) / n[c];
+  }
+
+ private:
+  const PlaceGuess& guess_;
+  int axis_[3];
+  double follow_;
+  double variance_[3];
+};
+
+/// Differences between what coordinates are and were thought to be.
+template <unsigned kTreeBits>
+class DifferenceModel {
+ public:
+  /// `width`: of what is expected, about, in bits. `shift`: how many bits finer than elsewhere the
+  /// numbers are here.
+  template <class Coder>
+  std::int64_t code(Coder& coder, const PlaceGuess& guess, int step, int width, int shift,
+                    std::int64_t difference) {
+    if (step < 2 || !guess.has_plane) return side_[step][context(width)].code(coder, difference);
+    // Off a plane by what rounding leaves, or by what else places vertices: the last ones tell.
+    const auto recent_width = static_cast<int>(std::bit_width(recent_));
+    difference = plane_[context(recent_width + shift)].code(coder, difference);
+    const auto off = static_cast<std::uint64_t>(difference < 0 ? -difference : difference);
+    recent_ = recent_ - recent_ / 16 + (off >> static_cast<unsigned>(shift));
+    return difference;
+  }
+
+ private:
+  static constexpr int kContexts = 40;
+
+  static std::size_t context(int value) {
+    return static_cast<std::size_t>(std::clamp(value, 0, kContexts - 1));
+  }
+
+  SignedModel<kTreeBits> side_[3][kContexts];
+  SignedModel<kTreeBits> plane_[kContexts];
+  std::uint64_t recent_ = 0;
+};
+
+/// The exponent of a double: 1023 for 1.
+inline int exponent_of(double value) {
+  return static_cast<int>(std::bit_cast<std::uint64_t>(value) >> 52U & 0x7FFU);
+}
+
+/// A collapse that keeps the volume puts its vertex in a plane that follows from where the two
+/// were (P. Lindstrom, G. Turk, "Fast and memory efficient polygonal simplification", 1998); so one
+/// coordinate of the six is known. `plane`: of dot(normal, point), far off where it says nothing.
+inline void use_plane(PlaceGuess& guess, const glm::dvec3& normal, double plane) {
+  const double nn = dot(normal, normal);
+  if (!(nn > 0.0) || plane * plane > 16.0 * guess.variance * nn) return;
+  guess.normal = normal;
+  guess.plane = plane;
+  guess.has_plane = true;
+}
+
+inline glm::dvec3 normal_of(const SplitSides& s) {
+  const glm::dvec3 n = s.parent_normal + s.child_normal;
+  return dot(n, n) > 0.0 ? n : glm::dvec3(0.0, 0.0, 1.0);
+}
+
+/// Which of the two is where the vertex was before the split.
+enum class Stays : std::uint8_t { neither = 0, parent = 1, child = 2 };
+
+class StaysModel {
+ public:
+  template <class Coder>
+  Stays code(Coder& coder, Stays stays) {
+    if (!coder.bit(any_, stays != Stays::neither)) return Stays::neither;
+    return coder.bit(which_, stays == Stays::child) ? Stays::child : Stays::parent;
+  }
+
+ private:
+  BitModel any_;
+  BitModel which_;
+};
+
+}  // namespace mesher
