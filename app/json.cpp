@@ -129,6 +129,21 @@ Json to_json(const Model& model, const Statistics& statistics, const std::filesy
           {"repairs", to_json(model.report)}};
 }
 
+Json to_json(const PmSummary& s) {
+  const bool is_complete = s.damage.empty();
+  return {{"mode", s.coordinate_bits == 0 ? "lossless" : "quantized"},
+          {"coordinate_bits", s.coordinate_bits > 0 ? Json(s.coordinate_bits) : Json()},
+          {"base_vertices", s.base_vertices},
+          {"base_faces", s.base_faces},
+          {"splits", s.splits},
+          {"announced_splits", s.announced_splits},
+          {"bytes", s.bytes},
+          {"bytes_a_vertex", s.bytes_a_vertex()},
+          {"indexed_bytes", s.indexed_bytes()},
+          {"complete", is_complete},
+          {"damage", is_complete ? Json() : Json(s.damage)}};
+}
+
 Json to_json(const SurfaceDistance& distance) {
   const auto figures = [&](const OneSidedDistance& side) {
     return Json{{"rms", side.rms},

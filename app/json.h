@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/pm_file.h"
 #include "app/session.h"
 #include "engine/analysis/distance.h"
 
@@ -15,6 +16,8 @@ Json to_json(const Statistics& statistics);
 Json to_json(const BuildReport& report);
 /// `{"file", "name", "statistics", "repairs"}`.
 Json to_json(const Model& model, const Statistics& statistics, const std::filesystem::path& file);
+/// What `mesher info` says of a file with a progressive mesh.
+Json to_json(const PmSummary& summary);
 /// Both directions and the larger of them, each in units and percent.
 Json to_json(const SurfaceDistance& distance);
 /// The ledger of a simplification: asked, reached, why it ended, refusals, errors, seconds.

@@ -1,16 +1,11 @@
 #include "app/pm_arrival.h"
 
-#include <algorithm>
-#include <array>
-#include <cctype>
 #include <chrono>
-#include <fstream>
 #include <utility>
 
 #include "app/progressive_edits.h"
 #include "app/session.h"
 #include "engine/core/error.h"
-#include "engine/io/format.h"
 
 namespace mesher::app {
 namespace {
@@ -23,25 +18,7 @@ double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-bool begins_as_pm(const fs::path& file) {
-  std::array<std::byte, 8> begin{};
-  std::ifstream in(file, std::ios::binary);
-  in.read(reinterpret_cast<char*>(begin.data()), begin.size());
-  return in.gcount() == std::streamsize(begin.size()) && PmReader::is_pm(begin);
-}
-
 }  // namespace
-
-bool is_progressive_file(const fs::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (ending == ".pm") return true;
-  if (format_of(file)) return false;
-  std::error_code ignored;
-  if (fs::is_regular_file(file, ignored)) return begins_as_pm(file);
-  return fs::is_fifo(file, ignored) || fs::is_character_file(file, ignored) ||
-         fs::is_socket(file, ignored);
-}
 
 PmArrival::PmArrival(const fs::path& file)
     : file_(file), reader_(std::make_unique<PmReader>(file.string())), stream_(file) {}

@@ -10,10 +10,6 @@ namespace mesher::app {
 
 struct Session;
 
-/// Whether a model is to be opened as a progressive mesh that refines while it arrives: a .pm file,
-/// one that begins like one, or a pipe without the ending of another format.
-bool is_progressive_file(const std::filesystem::path& file);
-
 /// A progressive mesh on its way from a file or a pipe into a session, which shows what is there.
 /// The bytes are read on another thread; the mesh is the session's alone.
 class PmArrival {

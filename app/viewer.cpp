@@ -11,6 +11,7 @@
 #include "app/load_job.h"
 #include "app/paths.h"
 #include "app/pm_arrival.h"
+#include "app/pm_file.h"
 #include "app/progressive_edits.h"
 #include "app/state_log.h"
 #include "app/ui/overlay.h"
@@ -168,7 +169,7 @@ class Viewer {
     session_.saving.shows_dialog = false;
     session_.error.clear();
     want_frames();
-    if (is_progressive_file(file)) return open_progressive(file);
+    if (is_pm_file(file)) return open_progressive(file);
     load_ = std::make_unique<LoadJob>(file, options_.read, Window::wake);
   }
 

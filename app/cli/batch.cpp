@@ -5,16 +5,12 @@
 #include <iostream>
 
 #include "app/cli/progress_line.h"
-#include "app/cli/simplify_command.h"
-#include "app/json.h"
 #include "app/paths.h"
-#include "app/scripted_session.h"
 #include "app/words.h"
 #include "engine/core/error.h"
 #include "engine/io/atomic_file.h"
 #include "engine/io/format.h"
 #include "engine/io/losses.h"
-#include "engine/io/png.h"
 #include "engine/io/read.h"
 #include "engine/io/write.h"
 #include "engine/mesh/creases.h"
@@ -61,21 +57,55 @@ void say_repairs(const BuildReport& report) {
   }
 }
 
+/// Whatever the options: what follows is not what the file was made of.
+void say_damage(const LoadedModel& loaded) {
+  if (loaded.pm->damage.empty()) return;
+  say(loaded.file.string() + ": DAMAGED: " + loaded.pm->damage +
+      "; going on with what lies before: " + with_commas(loaded.pm->faces) + " faces");
+}
+
+void print_pm(const PmSummary& pm) {
+  print("progressive mesh", pm.coordinate_bits == 0
+                                ? std::string("lossless")
+                                : "positions of " + std::to_string(pm.coordinate_bits) + " bits");
+  print("base vertices", pm.base_vertices);
+  print("base faces", pm.base_faces);
+  print("splits", pm.splits);
+  print("bytes", with_commas(pm.bytes) + ", " + short_number(pm.bytes_a_vertex()) + " a vertex");
+  print("complete", pm.damage.empty() ? "yes" : "no: " + pm.damage);
+}
+
+Json model_json(const LoadedModel& loaded) {
+  Json json = to_json(loaded.model, loaded.statistics, loaded.file);
+  add_pm(json, loaded.pm);
+  return json;
+}
+
+}  // namespace
+
 void print_json(const Json& json) {
   std::cout << to_text(json) << '\n';
 }
 
-}  // namespace
+void add_pm(Json& json, const std::optional<PmSummary>& pm, const char* key) {
+  if (pm) json[key] = to_json(*pm);
+}
 
 void say(const std::string& words) {
   std::cerr << "mesher: " << words << '\n';
 }
 
-void check_output(const std::string& output) {
-  if (!format_of(output)) {
-    throw UsageError("-o: '" + output + "': unknown kind of file; known are " +
-                     std::string(kFormatNames));
+void check_format(const std::string& output) {
+  if (format_of(output)) return;
+  if (has_pm_ending(output)) {
+    throw UsageError("-o: '" + output + "': `mesher progressive` writes progressive meshes");
   }
+  throw UsageError("-o: '" + output + "': unknown kind of file; known are " +
+                   std::string(kFormatNames));
+}
+
+void check_output(const std::string& output) {
+  check_format(output);
   AtomicFile::check(output);
 }
 
@@ -94,25 +124,43 @@ std::vector<std::string> write_result(const std::string& output, const Model& mo
 }
 
 LoadedModel load(const InputOptions& input, const CommonOptions& common) {
-  LoadedModel loaded{{}, {}, find_model(input.model)};
+  LoadedModel loaded;
   {
     ProgressLine line(!common.quiet);
-    loaded.model = read_model(loaded.file, {.crease_index_base = input.crease_index_base,
-                                            .keep_isolated_vertices = input.keep_isolated,
-                                            .progress = line.progress()});
+    loaded = open_model(find_model(input.model), {.crease_index_base = input.crease_index_base,
+                                                  .keep_isolated_vertices = input.keep_isolated,
+                                                  .progress = line.progress()});
     if (input.tag_creases_deg) {
       tag_creases_by_angle(loaded.model.mesh, glm::radians(*input.tag_creases_deg));
     }
     loaded.statistics = statistics(loaded.model.mesh);
   }
   if (!common.quiet) say_repairs(loaded.model.report);
+  if (loaded.pm) say_damage(loaded);
   return loaded;
+}
+
+LoadedLevels load_levels(const InputOptions& input, const CommonOptions& common) {
+  const std::filesystem::path file = find_model(input.model);
+  if (!is_pm_file(file)) return {load(input, common), {}};
+  if (input.tag_creases_deg) {
+    throw UsageError("--tag-creases: a progressive mesh has the creases that it was made with");
+  }
+  ProgressLine line(!common.quiet);
+  PmContents contents = read_pm_file(file, line.progress());
+  LoadedModel loaded{{}, {}, file, std::move(contents.summary)};
+  loaded.model.name = file.filename().string();
+  loaded.model.mesh = contents.mesh.mesh();
+  loaded.statistics = statistics(loaded.model.mesh);
+  say_damage(loaded);
+  return {std::move(loaded), std::move(contents.mesh)};
 }
 
 void run_info(const InputOptions& input, const CommonOptions& common) {
   const LoadedModel loaded = load(input, common);
-  if (common.json) return print_json(to_json(loaded.model, loaded.statistics, loaded.file));
+  if (common.json) return print_json(model_json(loaded));
   print("file", loaded.file.string());
+  if (loaded.pm) print_pm(*loaded.pm);
   print_statistics(loaded.statistics);
   if (loaded.model.report.is_clean()) print("repairs", "none needed");
 }
@@ -134,7 +182,7 @@ void run_convert(const InputOptions& input, const std::string& output, bool asci
               << mesh.face_count() << " faces\n";
   }
   if (common.json) {
-    Json json = to_json(loaded.model, loaded.statistics, loaded.file);
+    Json json = model_json(loaded);
     json["output"] = output;
     json["lost"] = losses;
     print_json(json);
@@ -161,6 +209,8 @@ void run_compare(const InputOptions& first, const InputOptions& second, std::uin
     json["first"] = a.file.string();
     json["second"] = b.file.string();
     json["samples"] = samples;
+    add_pm(json, a.pm, "first_pm");
+    add_pm(json, b.pm, "second_pm");
     return print_json(json);
   }
   const auto row = [&](const char* label, const OneSidedDistance& side) {
@@ -171,28 +221,6 @@ void run_compare(const InputOptions& first, const InputOptions& second, std::uin
   row("first to second", distance.forward);
   row("second to first", distance.backward);
   row("two-sided", distance.two_sided());
-}
-
-void run_render(const InputOptions& input, const std::string& output, const LookOptions& look,
-                std::optional<std::uint32_t> faces, const CommonOptions& common) {
-  const Size size = parse_size(look.size.empty() ? "800x600" : look.size);
-  if (!look.camera.empty()) parse_camera(look.camera);  // refuse before the work, not after it
-  if (!is_png_name(output)) throw UsageError("-o: '" + output + "' does not end in .png");
-  AtomicFile::check(output);
-  LoadedModel loaded = load(input, common);
-  if (faces) simplify_model(loaded, {.target_faces = *faces}, common);
-  Session session;
-  session.window = {size.width, size.height};
-  show_model(session, std::move(loaded.model), loaded.statistics, loaded.file);
-  apply_look(session, look);
-  ScriptedSession script(session, {.device = look.device, .validation = look.validation});
-  write_png(output, script.picture());
-  script.expect_no_messages();
-  if (common.json) {
-    Json json = to_json(session);
-    json["output"] = output;
-    print_json(json);
-  }
 }
 
 }  // namespace mesher::app

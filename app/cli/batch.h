@@ -1,9 +1,12 @@
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/cli/options.h"
+#include "app/json.h"
 #include "app/load_job.h"
 
 namespace mesher::app {
@@ -20,15 +23,16 @@ void run_convert(const InputOptions& input, const std::string& output, bool asci
 void run_compare(const InputOptions& first, const InputOptions& second, std::uint64_t samples,
                  const CommonOptions& common);
 
-/// Draws one picture of a model without a window, simplified to `faces` where that is given.
-void run_render(const InputOptions& input, const std::string& output, const LookOptions& look,
-                std::optional<std::uint32_t> faces, const CommonOptions& common);
-
 /// One line on stderr.
 void say(const std::string& words);
 
-/// Before the work, not after it: throws UsageError where no format has that ending, OutputError
-/// where the file plainly cannot be written.
+/// `json` on stdout.
+void print_json(const Json& json);
+/// Adds what there is to say of a progressive mesh that was read, under `key`.
+void add_pm(Json& json, const std::optional<PmSummary>& pm, const char* key = "pm");
+/// Throws UsageError where no format that holds a mesh has that ending.
+void check_format(const std::string& output);
+/// The same, and OutputError where the file plainly cannot be written: before the work, not after.
 void check_output(const std::string& output);
 
 /// Writes a model and says on stderr how large it is and what the format cannot hold, unless
@@ -37,7 +41,17 @@ std::vector<std::string> write_result(const std::string& output, const Model& mo
                                       const CommonOptions& common);
 
 /// Reads a model as the options say, creases tagged, with progress on a terminal, and says on
-/// stderr what was repaired unless `common.quiet`. Throws InputError.
+/// stderr what was repaired unless `common.quiet`, and in any case what is damaged. Throws
+/// InputError.
 LoadedModel load(const InputOptions& input, const CommonOptions& common);
+
+/// A model, and all its levels where its file holds them.
+struct LoadedLevels {
+  LoadedModel loaded;  ///< in full detail
+  std::optional<ProgressiveMesh> levels;
+};
+/// The same for commands that make use of levels. Throws UsageError too, where a progressive mesh
+/// is to get creases.
+LoadedLevels load_levels(const InputOptions& input, const CommonOptions& common);
 
 }  // namespace mesher::app

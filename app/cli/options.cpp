@@ -55,6 +55,16 @@ void apply_shading(render::Settings& settings, const LookOptions& look) {
 
 }  // namespace
 
+std::optional<std::vector<double>> parse_numbers(const std::string& text) {
+  std::vector<double> values;
+  for (const std::string& part : split(text, ',')) {
+    const auto value = number(part);
+    if (!value) return std::nullopt;
+    values.push_back(*value);
+  }
+  return values;
+}
+
 Size parse_size(const std::string& text) {
   const std::vector<std::string> parts = split(text, 'x');
   if (parts.size() > 2) parse_side("", text);
@@ -64,12 +74,8 @@ Size parse_size(const std::string& text) {
 
 CameraAngles parse_camera(const std::string& text) {
   constexpr double kDegree = 3.14159265358979323846 / 180.0;
-  const std::vector<std::string> parts = split(text, ',');
-  std::vector<double> values;
-  for (const std::string& part : parts) {
-    if (const auto value = number(part)) values.push_back(*value);
-  }
-  if (values.size() != parts.size() || values.size() < 2 || values.size() > 3 ||
+  const std::vector<double> values = parse_numbers(text).value_or(std::vector<double>{});
+  if (values.size() < 2 || values.size() > 3 ||
       (values.size() == 3 && !(values[2] >= 1e-3 && values[2] <= 1e3))) {
     throw UsageError("--camera: '" + text + "' is not YAW,PITCH or YAW,PITCH,ZOOM (0.001 to 1000)");
   }

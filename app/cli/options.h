@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/session.h"
 
@@ -44,6 +45,9 @@ struct LookOptions {
   std::string device;
   bool validation = false;
 };
+
+/// "1,0.5,0.25": nothing where a part is no finite number.
+std::optional<std::vector<double>> parse_numbers(const std::string& text);
 
 /// "500" or "640x480". Throws UsageError; sides are 1 to 16384.
 Size parse_size(const std::string& text);

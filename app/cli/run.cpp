@@ -9,6 +9,9 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/batch.h"
+#include "app/cli/lods_command.h"
+#include "app/cli/progressive_command.h"
+#include "app/cli/render_command.h"
 #include "app/cli/simplify_command.h"
 #include "app/cli/subdivide_command.h"
 #include "app/cli/view.h"
@@ -25,6 +28,14 @@ constexpr const char* kDefaultModel = "bunny.obj";
 std::string check_angle(const std::string& text) {
   const double value = std::strtod(text.c_str(), nullptr);
   return value >= 0.0 && value <= 180.0 ? "" : "'" + text + "' is not an angle from 0 to 180";
+}
+
+std::string check_share(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0' && value >= 0.0 && value <= 1.0
+             ? ""
+             : "'" + text + "' is not in 0 to 1";
 }
 
 /// The command line's grammar, and what it was filled with.
@@ -45,6 +56,9 @@ class CommandLine {
     add_convert();
     add_simplify();
     add_subdivide();
+    add_progressive();
+    add_extract();
+    add_lods();
     add_compare();
   }
 
@@ -96,7 +110,8 @@ class CommandLine {
         ->add_option("--tag-creases", input_.tag_creases_deg,
                      "degrees: edges whose faces meet at more become creases")
         ->check(CLI::Validator(check_angle, "0 TO 180"));
-    return command->add_option("MODEL,--input", input_.model, "obj, ply, stl, off, gltf or glb");
+    return command->add_option("MODEL,--input", input_.model,
+                               "obj, ply, stl, off, gltf, glb or pm");
   }
 
   void add_look(CLI::App* command) {
@@ -139,11 +154,12 @@ class CommandLine {
 
   void add_render() {
     CLI::App* command = add_command("render", "draw a picture without a window", [this] {
-      run_render(input_, output_, look_, simplify_.faces, common_);
+      run_render(input_, output_, look_, detail_, common_);
     });
     add_input(command)->required();
     command->add_option("-o,--output", output_, "PNG to write")->required();
-    add_faces(command, "simplify to so many faces first");
+    add_detail(command, "simplify to so many faces first",
+               "how much detail, 0 (200 faces) to 1 (all): vertices in between are on their way");
     add_look(command);
   }
 
@@ -161,8 +177,15 @@ class CommandLine {
     command->add_flag("--ascii", ascii_, "PLY and STL as text");
   }
 
-  CLI::Option* add_faces(CLI::App* command, const char* what) {
-    return command->add_option("--faces", simplify_.faces, what)
+  void add_detail(CLI::App* command, const char* faces, const char* lod) {
+    CLI::Option* option = add_faces(command, detail_.faces, faces);
+    command->add_option("--lod", detail_.lod, lod)
+        ->check(CLI::Validator(check_share, "0 TO 1"))
+        ->excludes(option);
+  }
+
+  CLI::Option* add_faces(CLI::App* command, std::optional<std::uint32_t>& faces, const char* what) {
+    return command->add_option("--faces", faces, what)
         ->check(CLI::Range(1U, std::numeric_limits<std::uint32_t>::max()));
   }
 
@@ -171,7 +194,7 @@ class CommandLine {
                                     [this] { run_simplify(input_, output_, simplify_, common_); });
     add_input(command)->required();
     command->add_option("OUT,-o,--output", output_, "file to write")->required();
-    CLI::Option* faces = add_faces(command, "how many faces to leave");
+    CLI::Option* faces = add_faces(command, simplify_.faces, "how many faces to leave");
     command
         ->add_option("--ratio", simplify_.ratio,
                      "the share of the faces to leave: above 0, at most 1")
@@ -179,21 +202,66 @@ class CommandLine {
     command->add_option("--max-error", simplify_.max_error,
                         "how far the result may be from the input: model units, or 0.5% of the "
                         "diagonal; with --faces or --ratio, what comes first ends it");
-    command->add_option("--cost", simplify_.cost, "which edge goes first (default: quadric)")
-        ->check(CLI::IsMember(cost_words()));
-    command
-        ->add_option("--placement", simplify_.placement,
-                     "where the vertex goes that two become (default: optimal)")
-        ->check(CLI::IsMember(placement_words()));
-    command->add_option("--boundary", simplify_.boundary, "preserve (default) or lock")
-        ->check(CLI::IsMember({"preserve", "lock"}));
-    command
-        ->add_option("--crease-angle", simplify_.crease_angle_deg,
-                     "degrees: edges whose faces turn by more are creases, too (default: 180)")
-        ->check(CLI::Validator(check_angle, "0 TO 180"));
-    command->add_option("--seed", simplify_.seed, "of the random policy (default: 1)");
+    add_policies(command, simplify_);
     command->add_flag("--measure", simplify_.measure,
                       "measure the distance between input and result, too");
+  }
+
+  void add_policies(CLI::App* command, SimplifyWords& words) {
+    command->add_option("--cost", words.cost, "which edge goes first (default: quadric)")
+        ->check(CLI::IsMember(cost_words()));
+    command
+        ->add_option("--placement", words.placement,
+                     "where the vertex goes that two become (default: optimal)")
+        ->check(CLI::IsMember(placement_words()));
+    command->add_option("--boundary", words.boundary, "preserve (default) or lock")
+        ->check(CLI::IsMember({"preserve", "lock"}));
+    command
+        ->add_option("--crease-angle", words.crease_angle_deg,
+                     "degrees: edges whose faces turn by more are creases, too (default: 180)")
+        ->check(CLI::Validator(check_angle, "0 TO 180"));
+    command->add_option("--seed", words.seed, "of the random policy (default: 1)");
+  }
+
+  void add_progressive() {
+    CLI::App* command =
+        add_command("progressive", "a progressive mesh: every level of detail in one file",
+                    [this] { run_progressive(input_, output_, progressive_, common_); });
+    add_input(command)->required();
+    command->add_option("OUT,-o,--output", output_, "file to write: .pm, or a pipe")->required();
+    command
+        ->add_option("--base-faces", progressive_.base_faces,
+                     "how many faces the coarsest level has (default: 200)")
+        ->check(CLI::Range(1U, std::numeric_limits<std::uint32_t>::max()));
+    command
+        ->add_option("--bits", progressive_.coordinate_bits,
+                     "round positions to a grid of so many bits a side, 4 to 24 (14 is typical; "
+                     "default: lossless)")
+        ->check(CLI::Range(4U, 24U));
+    add_policies(command, progressive_.simplify);
+  }
+
+  void add_extract() {
+    CLI::App* command = add_command("extract", "one level of a progressive mesh",
+                                    [this] { run_extract(input_, output_, detail_, common_); });
+    add_input(command)->required();
+    command->add_option("OUT,-o,--output", output_, "file to write")->required();
+    add_detail(command, "the finest level of at most so many faces",
+               "how much detail, 0 (the base) to 1 (all)");
+  }
+
+  void add_lods() {
+    CLI::App* command = add_command(
+        "lods", "levels of detail: one glTF with MSFT_lod, or a file each (OUT_lod0.obj, ...)",
+        [this] { run_lods(input_, output_, lods_, common_); });
+    add_input(command)->required();
+    command->add_option("OUT,-o,--output", output_, "file to write")->required();
+    command->add_option("--ratios", lods_.ratios,
+                        "share of the faces of each level, falling (default: 1,0.5,0.25)");
+    command->add_option("--coverage", lods_.coverage,
+                        "share of the screen down to which each level is for, falling (default: "
+                        "the next level's ratio; the last: 0)");
+    add_policies(command, lods_.simplify);
   }
 
   void add_subdivide() {
@@ -239,6 +307,9 @@ class CommandLine {
   ViewOptions view_;
   SimplifyWords simplify_;
   SubdivideWords subdivide_;
+  ProgressiveWords progressive_;
+  LodWords lods_;
+  DetailWords detail_;
   InputOptions second_;
   std::uint64_t samples_ = DistanceOptions{}.samples;
   std::string output_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <iostream>
 
 #include "app/cli/batch.h"
 #include "app/cli/enum_words.h"
@@ -156,7 +155,8 @@ void run_simplify(const InputOptions& input, const std::string& output, const Si
   json["distance"] = distance ? to_json(*distance) : Json();
   json["lost"] = losses;
   json["repairs"] = to_json(loaded.model.report);
-  std::cout << to_text(json) << '\n';
+  add_pm(json, loaded.pm);
+  print_json(json);
 }
 
 }  // namespace mesher::app

@@ -1,7 +1,6 @@
 #include "app/cli/subdivide_command.h"
 
 #include <chrono>
-#include <iostream>
 
 #include "app/cli/batch.h"
 #include "app/cli/enum_words.h"
@@ -106,7 +105,8 @@ void run_subdivide(const InputOptions& input, const std::string& output,
             {"dropped", drops_normals ? Json{"normals"} : Json::array()},
             {"lost", losses},
             {"repairs", to_json(loaded.model.report)}};
-  std::cout << to_text(json) << '\n';
+  add_pm(json, loaded.pm);
+  print_json(json);
 }
 
 }  // namespace mesher::app

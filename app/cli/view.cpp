@@ -8,6 +8,7 @@
 #include "app/keys.h"
 #include "app/paths.h"
 #include "app/pm_arrival.h"
+#include "app/pm_file.h"
 #include "app/scripted_session.h"
 #include "app/state_log.h"
 #include "app/viewer.h"
@@ -71,7 +72,7 @@ void finish(Session& session, PmArrival& arrival) {
 std::unique_ptr<PmArrival> open_model(Session& session, const InputOptions& input,
                                       const ViewOptions& view, const CommonOptions& common) {
   const std::filesystem::path file = find_model(input.model);
-  if (!is_progressive_file(file)) {
+  if (!is_pm_file(file)) {
     LoadedModel loaded = load(input, common);
     show_model(session, std::move(loaded.model), loaded.statistics, loaded.file);
     return nullptr;

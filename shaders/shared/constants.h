@@ -61,10 +61,10 @@ struct LineConstants {
 /// engine/mesh/geomorph.h. No push constants but a block in a buffer, the same for a whole frame.
 struct GeomorphConstants {
   Address positions;
-  Address heads;       // uint a vertex
-  Address splits;      // SplitMorph, kSplitWords words each
-  uint first_head;     // heads from here on grow: twice GeomorphTime::first_growing
-  int whole;           // this and the next as in GeomorphTime
+  Address heads;    // uint a vertex
+  Address splits;   // SplitMorph, kSplitWords words each
+  uint first_head;  // heads from here on grow: twice GeomorphTime::first_growing
+  int whole;        // this and the next as in GeomorphTime
   float fraction;
   float rate;
   float fixed_share;

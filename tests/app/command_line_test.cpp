@@ -2,29 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <nlohmann/json.hpp>
 
 #include "engine/io/png.h"
-#include "tests/support/process.h"
-#include "tests/support/temp_folder.h"
+#include "tests/app/program_test.h"
 
 namespace mesher::test {
 namespace {
 
 constexpr const char* kAssets = MESHER_SOURCE_DIR "/assets/";
 
-class CommandLine : public testing::Test {
- protected:
-  // No display unless a test makes one; files go into the test's own folder.
-  Finished mesher(std::vector<std::string> arguments, std::vector<std::string> environment = {}) {
-    arguments.insert(arguments.begin(), MESHER_PROGRAM);
-    arguments.insert(arguments.begin(), {"env", "-C", folder_.path().string()});
-    environment.insert(environment.end(), {"DISPLAY", "WAYLAND_DISPLAY"});
-    return run_program(arguments, environment);
-  }
-
-  TempFolder folder_;
-};
+class CommandLine : public ProgramTest {};
 
 TEST_F(CommandLine, InfoCountsABunny) {
   const Finished run = mesher({"info", "bunny", "--json"});
@@ -354,7 +341,8 @@ TEST_F(CommandLine, AnUnknownDeviceIsNamedWithThoseThereAre) {
 TEST_F(CommandLine, HelpAndVersionGoToStdout) {
   const Finished help = mesher({"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* word : {"view", "render", "info", "convert", "simplify"}) {
+  for (const char* word :
+       {"view", "render", "info", "convert", "simplify", "progressive", "extract", "lods"}) {
     EXPECT_NE(help.out.find(word), std::string::npos);
   }
   EXPECT_EQ(mesher({"render", "--help"}).exit_code, 0);

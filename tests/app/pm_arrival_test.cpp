@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "app/commands.h"
+#include "app/pm_file.h"
 #include "app/progressive_edits.h"
 #include "engine/core/error.h"
 #include "engine/progressive/build.h"
@@ -72,13 +73,13 @@ class PmArrivalTest : public testing::Test {
 };
 
 TEST_F(PmArrivalTest, KnowsWhatArrives) {
-  EXPECT_TRUE(is_progressive_file("model.pm"));
-  EXPECT_TRUE(is_progressive_file("MODEL.PM"));
-  EXPECT_FALSE(is_progressive_file("model.obj"));
-  EXPECT_FALSE(is_progressive_file("no such file"));
-  EXPECT_TRUE(is_progressive_file(file_of(bytes_, "without ending")));
-  EXPECT_FALSE(is_progressive_file(file_of(std::span(bytes_).first(4), "short")));
-  EXPECT_TRUE(is_progressive_file(pipe()));
+  EXPECT_TRUE(is_pm_file("model.pm"));
+  EXPECT_TRUE(is_pm_file("MODEL.PM"));
+  EXPECT_FALSE(is_pm_file("model.obj"));
+  EXPECT_FALSE(is_pm_file("no such file"));
+  EXPECT_TRUE(is_pm_file(file_of(bytes_, "without ending")));
+  EXPECT_FALSE(is_pm_file(file_of(std::span(bytes_).first(4), "short")));
+  EXPECT_TRUE(is_pm_file(pipe()));
   close();
   EXPECT_THROW(PmArrival("no such file.pm"), InputError);
 }

@@ -1,0 +1,250 @@
+#include "app/cli/lods_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "app/cli/batch.h"
+#include "app/cli/progress_line.h"
+#include "app/json.h"
+#include "app/words.h"
+#include "engine/core/error.h"
+#include "engine/io/gltf_write.h"
+#include "engine/io/losses.h"
+#include "engine/io/write.h"
+#include "engine/mesh/normals.h"
+#include "engine/progressive/build.h"
+#include "engine/simplify/attributes.h"
+
+namespace mesher::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The input in all its levels.
+struct Source {
+  LoadedModel loaded;       ///< in full detail
+  Progressive progressive;  ///< sources are empty where it was read
+};
+
+struct Level {
+  double ratio = 1.0;
+  double coverage = 0.0;
+  std::uint32_t asked_faces = 0;
+  std::uint32_t level = 0;  ///< of the progressive mesh
+  Mesh mesh;
+  Attributes attributes;
+  std::vector<std::string> dropped;
+};
+
+bool is_falling(const std::vector<double>& values) {
+  return std::ranges::adjacent_find(values, std::less_equal<>()) == values.end();
+}
+
+std::uint32_t faces_for(double ratio, std::uint32_t faces) {
+  return std::max(1U, static_cast<std::uint32_t>(std::llround(ratio * faces)));
+}
+
+bool holds_levels(Format format) {
+  return format == Format::gltf || format == Format::glb;
+}
+
+std::vector<fs::path> files_for(const fs::path& output, std::size_t levels) {
+  if (holds_levels(*format_of(output))) return {output};
+  std::vector<fs::path> files;
+  for (std::size_t i = 0; i < levels; ++i)
+    files.push_back(level_file(output, i));
+  return files;
+}
+
+Source read_source(const InputOptions& input, double least_ratio, const SimplifyWords& words,
+                   const CommonOptions& common) {
+  LoadedLevels opened = load_levels(input, common);
+  Source source{std::move(opened.loaded), {}};
+  const Mesh& mesh = source.loaded.model.mesh;
+  if (mesh.face_count() == 0) throw InputError(source.loaded.file.string(), 0, "has no faces");
+  if (opened.levels) {
+    source.progressive.mesh = std::move(*opened.levels);
+    return source;
+  }
+  SimplifyWords simplify = words;
+  simplify.faces = faces_for(least_ratio, mesh.face_count());
+  SimplifyOptions options = simplify_options(simplify, mesh.face_count(), 1.0);
+  ProgressLine line(!common.quiet);
+  begin_stage(line.progress(), "simplifying");
+  options.progress = line.progress();
+  source.progressive = make_progressive(mesh, options);
+  return source;
+}
+
+/// What can be carried to a level that `mesh` shows; normals that cannot are computed.
+CarriedAttributes attributes_of(const Source& source, const Mesh& mesh) {
+  const Model& full = source.loaded.model;
+  if (full.attributes.is_empty()) return {};
+  Array<Face> face_source(mesh.face_count());
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
+    face_source[f] = Mesh::face(source.progressive.face_source[f]);
+  const std::span<const Vertex> vertex_source = source.progressive.vertex_source;
+  CarriedAttributes carried =
+      carry_attributes(full.attributes, full.mesh.origins(),
+                       Survivors{mesh, vertex_source.first(mesh.vertex_count()), face_source,
+                                 full.mesh.vertex_count()});
+  if (!full.attributes.normal.empty() && carried.attributes.normal.empty()) {
+    carried.attributes.normal = corner_normals(mesh, {});
+    for (std::string& dropped : carried.dropped) {
+      if (dropped.starts_with("normals")) dropped += ": computed anew";
+    }
+  }
+  return carried;
+}
+
+/// Leaves the progressive mesh at the coarsest.
+std::vector<Level> make_levels(Source& source, const std::vector<double>& ratios,
+                               const std::vector<double>& coverage) {
+  ProgressiveMesh& progressive = source.progressive.mesh;
+  std::vector<Level> levels;
+  for (std::size_t i = 0; i < ratios.size(); ++i) {
+    Level level{.ratio = ratios[i], .coverage = coverage[i]};
+    level.asked_faces = faces_for(ratios[i], progressive.full_face_count());
+    level.level = progressive.level_for_faces(level.asked_faces);
+    if (level.level == progressive.split_count()) {
+      level.mesh = source.loaded.model.mesh;
+      level.attributes = source.loaded.model.attributes;
+    } else {
+      progressive.go_to(level.level);
+      level.mesh = progressive.mesh();
+      CarriedAttributes carried = attributes_of(source, level.mesh);
+      level.attributes = std::move(carried.attributes);
+      level.dropped = std::move(carried.dropped);
+    }
+    levels.push_back(std::move(level));
+  }
+  return levels;
+}
+
+/// All of them or none.
+void write_levels(const std::vector<fs::path>& files, const std::vector<Level>& levels) {
+  std::vector<std::unique_ptr<AtomicFile>> open;
+  for (const fs::path& file : files)
+    open.push_back(std::make_unique<AtomicFile>(file));
+  const Format format = *format_of(files.front());
+  if (holds_levels(format)) {
+    std::vector<GltfLevel> chain;
+    for (const Level& level : levels)
+      chain.push_back({&level.mesh, &level.attributes, level.coverage});
+    write_gltf(*open.front(), chain, format == Format::glb);
+  } else {
+    for (std::size_t i = 0; i < levels.size(); ++i)
+      write_model(*open[i], format, levels[i].mesh, levels[i].attributes);
+  }
+  for (const auto& file : open)
+    file->commit();
+}
+
+void say_levels(const Source& source, const std::vector<Level>& levels,
+                const std::vector<fs::path>& files) {
+  const SimplifyReport& report = source.progressive.report;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const Level& level = levels[i];
+    const std::uint32_t faces = level.mesh.face_count();
+    const std::string why = source.loaded.pm ? "it is the base of the progressive mesh"
+                                             : std::string(describe(report.reason));
+    say("level " + std::to_string(i) + ": " + with_commas(level.mesh.vertex_count()) +
+        " vertices, " + with_commas(faces) + " faces, for a coverage of " +
+        short_number(level.coverage) + " and more" +
+        (faces > level.asked_faces
+             ? "; asked for " + with_commas(level.asked_faces) + " faces: " + why
+             : ""));
+    for (const std::string& dropped : level.dropped)
+      say("level " + std::to_string(i) + ": dropped " + dropped);
+  }
+  for (const fs::path& file : files)
+    say("wrote " + file.string());
+}
+
+Json level_json(const Level& level) {
+  return {{"ratio", level.ratio},
+          {"asked_faces", level.asked_faces},
+          {"vertices", level.mesh.vertex_count()},
+          {"faces", level.mesh.face_count()},
+          {"coverage", level.coverage},
+          {"dropped", level.dropped}};
+}
+
+void print_levels(const Source& source, const std::string& output, const std::vector<Level>& levels,
+                  const std::vector<fs::path>& files, const std::vector<std::string>& losses) {
+  const SimplifyReport& report = source.progressive.report;
+  Json json{{"input", source.loaded.file.string()},
+            {"output", output},
+            {"files", Json::array()},
+            {"faces_before", source.progressive.mesh.full_face_count()},
+            {"stop_reason", source.loaded.pm ? Json() : Json(key(report.reason))},
+            {"levels", Json::array()}};
+  for (const fs::path& file : files)
+    json["files"].push_back(file.string());
+  for (const Level& level : levels)
+    json["levels"].push_back(level_json(level));
+  json["lost"] = losses;
+  json["repairs"] = to_json(source.loaded.model.report);
+  add_pm(json, source.loaded.pm);
+  print_json(json);
+}
+
+}  // namespace
+
+std::vector<double> parse_ratios(const std::string& text) {
+  const std::vector<double> ratios = parse_numbers(text).value_or(std::vector<double>{});
+  if (ratios.empty() || !is_falling(ratios) || ratios.front() > 1.0 || ratios.back() <= 0.0) {
+    throw UsageError("--ratios: '" + text +
+                     "' are not numbers above 0, at most 1, the largest first (1,0.5,0.25)");
+  }
+  return ratios;
+}
+
+std::vector<double> parse_coverage(const std::string& text, std::size_t levels) {
+  const std::vector<double> coverage = parse_numbers(text).value_or(std::vector<double>{});
+  if (coverage.size() != levels || !is_falling(coverage) || coverage.front() > 1.0 ||
+      coverage.back() < 0.0) {
+    throw UsageError("--coverage: '" + text + "' are not " + std::to_string(levels) +
+                     " numbers from 0 to 1, one a level, the largest first");
+  }
+  return coverage;
+}
+
+std::vector<double> default_coverage(const std::vector<double>& ratios) {
+  std::vector<double> coverage(ratios.begin() + 1, ratios.end());
+  coverage.push_back(0.0);
+  return coverage;
+}
+
+fs::path level_file(const fs::path& output, std::size_t level) {
+  fs::path file = output.parent_path() / output.stem();
+  file += "_lod" + std::to_string(level);
+  file += output.extension();
+  return file;
+}
+
+void run_lods(const InputOptions& input, const std::string& output, const LodWords& words,
+              const CommonOptions& common) {
+  const std::vector<double> ratios = parse_ratios(words.ratios);
+  const std::vector<double> coverage = words.coverage.empty()
+                                           ? default_coverage(ratios)
+                                           : parse_coverage(words.coverage, ratios.size());
+  check_format(output);
+  const std::vector<fs::path> files = files_for(output, ratios.size());
+  for (const fs::path& file : files)
+    AtomicFile::check(file);
+  Source source = read_source(input, ratios.back(), words.simplify, common);
+  const std::vector<Level> levels = make_levels(source, ratios, coverage);
+  write_levels(files, levels);
+  const std::vector<std::string> losses =
+      losses_in_format(output, levels.front().mesh, levels.front().attributes);
+  if (!common.quiet) {
+    for (const std::string& loss : losses)
+      say(output + " cannot hold " + loss);
+    say_levels(source, levels, files);
+  }
+  if (common.json) print_levels(source, output, levels, files, losses);
+}
+
+}  // namespace mesher::app

@@ -1,0 +1,180 @@
+#include "app/cli/progressive_command.h"
+
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "app/cli/batch.h"
+#include "app/cli/progress_line.h"
+#include "app/json.h"
+#include "app/words.h"
+#include "engine/core/error.h"
+#include "engine/progressive/build.h"
+
+namespace mesher::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A pipe needs no name: whoever reads it knows what it is.
+bool is_pipe(const fs::path& file) {
+  std::error_code ignored;
+  return fs::exists(file, ignored) && !fs::is_regular_file(file, ignored) &&
+         !fs::is_directory(file, ignored);
+}
+
+void check_pm_output(const std::string& output) {
+  if (!has_pm_ending(output) && !is_pipe(output)) {
+    throw UsageError("-o: '" + output + "' does not end in .pm");
+  }
+  AtomicFile::check(output);
+}
+
+std::vector<std::string> names_of(const Attributes& attributes) {
+  std::vector<std::string> names;
+  if (!attributes.texcoord.empty()) names.emplace_back("texture coordinates");
+  if (!attributes.normal.empty()) names.emplace_back("normals");
+  if (!attributes.color.empty()) names.emplace_back("colors");
+  if (!attributes.group.empty()) names.emplace_back("groups");
+  return names;
+}
+
+/// What became of a model.
+struct Written {
+  SimplifyOutcome outcome;
+  PmSummary summary;
+  PmSizes sizes;
+  double build_s = 0.0;
+  double write_s = 0.0;
+};
+
+class Stopwatch {
+ public:
+  /// Seconds since the last lap.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    return std::chrono::duration<double>(now - std::exchange(begin_, now)).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+Written make_and_write(const LoadedModel& loaded, const std::string& output, SimplifyOptions simple,
+                       unsigned coordinate_bits, const CommonOptions& common) {
+  ProgressLine line(!common.quiet);
+  begin_stage(line.progress(), "simplifying");
+  simple.progress = line.progress();
+  Stopwatch watch;
+  Progressive made = make_progressive(loaded.model.mesh, simple);
+  Written written;
+  written.outcome = {made.report, loaded.statistics.box.diagonal(),
+                     names_of(loaded.model.attributes)};
+  written.build_s = std::max(0.0, watch.lap() - made.report.seconds.total());
+  const PmWriteOptions options{.coordinate_bits = coordinate_bits, .progress = line.progress()};
+  AtomicFile file(output);
+  written.sizes = write_pm_file(file, made.mesh, options);
+  file.commit();
+  written.write_s = watch.lap();
+  written.summary = summary_of(made.mesh, options, written.sizes);
+  return written;
+}
+
+double share_of_indexed(const PmSummary& pm) {
+  return pm.indexed_bytes() > 0 ? double(pm.bytes) / double(pm.indexed_bytes()) : 0.0;
+}
+
+void say_written(const std::string& output, const Written& written) {
+  const SimplifyReport& r = written.outcome.report;
+  const PmSummary& pm = written.summary;
+  say("base of " + with_commas(pm.base_faces) + " of " + with_commas(r.faces_before) +
+      " faces, asked for " + with_commas(r.faces_asked) + ": " + std::string(describe(r.reason)) +
+      "; " + with_commas(pm.splits) + " splits, in " +
+      short_number(r.seconds.total() + written.build_s) + " s");
+  say(output + ": " + with_commas(pm.bytes) + " bytes in " + short_number(written.write_s) +
+      " s, " + short_number(pm.bytes_a_vertex()) + " a vertex (" +
+      (pm.coordinate_bits == 0 ? "lossless"
+                               : "positions of " + std::to_string(pm.coordinate_bits) + " bits") +
+      "), " + short_number(100.0 * share_of_indexed(pm)) +
+      " % of the plain arrays; the base takes " + with_commas(written.sizes.base));
+  for (const std::string& name : written.outcome.dropped)
+    say(name + " are not kept");
+}
+
+void print_written(const LoadedModel& loaded, const std::string& output, const Written& written) {
+  Json json{{"input", loaded.file.string()}, {"output", output}};
+  json.update(to_json(written.outcome));
+  json["seconds"]["build"] = written.build_s;
+  json["seconds"]["write"] = written.write_s;
+  add_pm(json, written.summary);
+  json["pm"]["base_bytes"] = written.sizes.base;
+  json["pm"]["split_bytes"] = written.sizes.splits;
+  json["share_of_indexed"] = share_of_indexed(written.summary);
+  json["repairs"] = to_json(loaded.model.report);
+  add_pm(json, loaded.pm, "input_pm");
+  print_json(json);
+}
+
+void say_level(const ProgressiveMesh& mesh, const DetailWords& words) {
+  const std::uint32_t faces = mesh.face_count(mesh.level());
+  std::string why;
+  if (words.faces && faces > *words.faces) why = ", the base: there is nothing coarser";
+  if (words.faces && mesh.level() == mesh.split_count() && faces < *words.faces) {
+    why = ": there are no more faces";
+  }
+  say("level " + with_commas(mesh.level()) + " of " + with_commas(mesh.split_count()) + why);
+}
+
+}  // namespace
+
+std::uint32_t level_for(const DetailWords& words, const ProgressiveMesh& mesh) {
+  if (words.faces) return mesh.level_for_faces(*words.faces);
+  return static_cast<std::uint32_t>(std::llround(*words.lod * mesh.split_count()));
+}
+
+void run_progressive(const InputOptions& input, const std::string& output,
+                     const ProgressiveWords& words, const CommonOptions& common) {
+  check_pm_output(output);
+  const LoadedModel loaded = load(input, common);
+  const std::uint32_t faces = loaded.model.mesh.face_count();
+  if (faces == 0) throw InputError(loaded.file.string(), 0, "has no faces");
+  SimplifyWords simplify = words.simplify;
+  simplify.faces = words.base_faces;
+  const SimplifyOptions options =
+      simplify_options(simplify, faces, loaded.statistics.box.diagonal());
+  const Written written = make_and_write(loaded, output, options, words.coordinate_bits, common);
+  if (!common.quiet) say_written(output, written);
+  if (common.json) print_written(loaded, output, written);
+}
+
+void run_extract(const InputOptions& input, const std::string& output, const DetailWords& words,
+                 const CommonOptions& common) {
+  if (!words.faces && !words.lod) {
+    throw UsageError("extract: say how much detail: --faces N or --lod 0..1");
+  }
+  check_output(output);
+  auto [loaded, levels] = load_levels(input, common);
+  if (!levels) {
+    throw InputError(loaded.file.string(), 0,
+                     "is no progressive mesh; `mesher progressive` makes one");
+  }
+  levels->go_to(level_for(words, *levels));
+  Model& model = loaded.model;
+  model.mesh = levels->mesh();
+  if (model.mesh.face_count() == 0) throw InputError(loaded.file.string(), 0, "has no faces");
+  if (!common.quiet) say_level(*levels, words);
+  const std::vector<std::string> losses = write_result(output, model, common);
+  if (!common.json) return;
+  Json json{{"input", loaded.file.string()},
+            {"output", output},
+            {"asked_faces", words.faces ? Json(*words.faces) : Json()},
+            {"asked_lod", words.lod ? Json(*words.lod) : Json()},
+            {"level", levels->level()},
+            {"vertices", model.mesh.vertex_count()},
+            {"faces", model.mesh.face_count()},
+            {"lost", losses}};
+  add_pm(json, loaded.pm);
+  print_json(json);
+}
+
+}  // namespace mesher::app

@@ -1,0 +1,144 @@
+#include "app/cli/render_command.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/cli/batch.h"
+#include "app/cli/progress_line.h"
+#include "app/json.h"
+#include "app/paths.h"
+#include "app/scripted_session.h"
+#include "engine/core/error.h"
+#include "engine/io/png.h"
+#include "engine/progressive/build.h"
+#include "engine/progressive/geomorph.h"
+#include "engine/render/offscreen.h"
+
+namespace mesher::app {
+namespace {
+
+/// The share of the splits that grow at a time.
+constexpr double kGrowing = 1.0 / 16.0;
+
+/// A model in all its levels.
+struct Detail {
+  ProgressiveMesh mesh;
+  Geomorph geomorph;
+  DetailMoment moment;
+};
+
+ProgressiveMesh progressive_of(const LoadedModel& loaded, Progress* progress) {
+  begin_stage(progress, "simplifying");
+  SimplifyOptions options{.target_faces = ProgressiveWords{}.base_faces};
+  options.progress = progress;
+  return make_progressive(loaded.model.mesh, options).mesh;
+}
+
+void show(Session& session, LoadedModel&& loaded, const LookOptions& look) {
+  const Size size = parse_size(look.size.empty() ? "800x600" : look.size);
+  session.window = {size.width, size.height};
+  show_model(session, std::move(loaded.model), loaded.statistics, loaded.file);
+  apply_look(session, look);
+}
+
+/// Opens the model for a picture of the moment; the camera sees it as it sees all of it.
+Detail open_detail(Session& session, LoadedLevels&& opened, double lod, const LookOptions& look,
+                   const CommonOptions& common) {
+  Detail detail;
+  ProgressLine line(!common.quiet);
+  detail.mesh =
+      opened.levels ? std::move(*opened.levels) : progressive_of(opened.loaded, line.progress());
+  show(session, std::move(opened.loaded), look);
+  detail.moment = detail_moment(lod, detail.mesh.split_count());
+  detail.mesh.go_to(detail.moment.level);
+  detail.geomorph = Geomorph(detail.mesh, line.progress());
+  session.settings.geomorph = GeomorphTime::continuous(detail.moment.time, detail.moment.window);
+  session.statistics = statistics(detail.mesh.mesh());
+  return detail;
+}
+
+Image picture_of(Detail& detail, const Session& session, const LookOptions& look) {
+  gpu::Instance instance({.extensions = {}, .validation = look.validation});
+  gpu::Device device(instance, {.select = look.device});
+  const Geomorph& geomorph = detail.geomorph;
+  Image image = render::render_image(
+      device, detail.mesh.mesh(), session.camera, session.settings,
+      static_cast<std::uint32_t>(session.window.x), static_cast<std::uint32_t>(session.window.y),
+      {.vertex_normals = geomorph.normals(),
+       .morph = {.heads = geomorph.heads(), .splits = geomorph.splits()}});
+  if (instance.messages().count() > 0) {
+    throw DeviceError("validation: " + instance.messages().list().front());
+  }
+  return image;
+}
+
+void draw_moment(LoadedLevels&& opened, double lod, const std::string& output,
+                 const LookOptions& look, const CommonOptions& common) {
+  Session session;
+  const std::optional<PmSummary> pm = opened.loaded.pm;
+  Detail detail = open_detail(session, std::move(opened), lod, look, common);
+  write_png(output, picture_of(detail, session, look));
+  if (!common.json) return;
+  Json json = to_json(session);
+  json["output"] = output;
+  json["detail"] = {{"lod", lod},
+                    {"level", detail.moment.level},
+                    {"splits", detail.mesh.split_count()},
+                    {"time", detail.moment.time},
+                    {"window", detail.moment.window}};
+  add_pm(json, pm);
+  print_json(json);
+}
+
+void draw(LoadedModel&& loaded, const std::string& output, const LookOptions& look,
+          const CommonOptions& common) {
+  Session session;
+  const std::optional<PmSummary> pm = loaded.pm;
+  show(session, std::move(loaded), look);
+  ScriptedSession script(session, {.device = look.device, .validation = look.validation});
+  write_png(output, script.picture());
+  script.expect_no_messages();
+  if (!common.json) return;
+  Json json = to_json(session);
+  json["output"] = output;
+  add_pm(json, pm);
+  print_json(json);
+}
+
+/// Fewer faces: the level of a progressive mesh, or simplified.
+void reduce(LoadedLevels& opened, const DetailWords& detail, const CommonOptions& common) {
+  LoadedModel& loaded = opened.loaded;
+  if (!opened.levels) {
+    simplify_model(loaded, {.target_faces = *detail.faces}, common);
+    return;
+  }
+  opened.levels->go_to(level_for(detail, *opened.levels));
+  loaded.model.mesh = std::move(opened.levels->mesh());
+  loaded.statistics = statistics(loaded.model.mesh);
+}
+
+}  // namespace
+
+DetailMoment detail_moment(double lod, std::uint32_t splits) {
+  DetailMoment moment;
+  moment.window = std::max(1.0, kGrowing * splits);
+  moment.time = lod * (splits + moment.window);
+  moment.level = static_cast<std::uint32_t>(std::min(double(splits), std::ceil(moment.time)));
+  return moment;
+}
+
+void run_render(const InputOptions& input, const std::string& output, const LookOptions& look,
+                const DetailWords& detail, const CommonOptions& common) {
+  // Refuse before the work, not after it.
+  if (!look.size.empty()) parse_size(look.size);
+  if (!look.camera.empty()) parse_camera(look.camera);
+  if (!is_png_name(output)) throw UsageError("-o: '" + output + "' does not end in .png");
+  AtomicFile::check(output);
+  if (!detail.faces && !detail.lod) return draw(load(input, common), output, look, common);
+  LoadedLevels opened = load_levels(input, common);
+  if (detail.lod) return draw_moment(std::move(opened), *detail.lod, output, look, common);
+  reduce(opened, detail, common);
+  draw(std::move(opened.loaded), output, look, common);
+}
+
+}  // namespace mesher::app
