@@ -2,6 +2,9 @@
 
 #include <array>
 
+#include "app/progressive_commands.h"
+#include "app/progressive_edits.h"
+
 namespace mesher::app {
 namespace {
 
@@ -31,6 +34,18 @@ constexpr std::array kBindings{
     Binding{Command::clear_creases, "x delete", "selected edges smooth"},
     Binding{Command::select_creases, "ctrl+a", "select all creases"},
     Binding{Command::tag_creases, "shift+c", "tag creases by angle (as in the panel)"},
+    Binding{Command::toggle_progressive, "p", "progressive mesh on and off"},
+    Binding{Command::play, "space", "progressive: play or pause"},
+    Binding{Command::detail_up, "pageup shift+]", "a tenth more of the detail"},
+    Binding{Command::detail_down, "pagedown shift+[", "a tenth less"},
+    Binding{Command::one_split_up, "] .", "one split more"},
+    Binding{Command::one_split_down, "[ ,", "one split less"},
+    Binding{Command::most_detail, "end", "all the detail"},
+    Binding{Command::least_detail, "home", "the base"},
+    Binding{Command::toggle_geomorphs, "shift+g", "splits grow (geomorphs) or pop"},
+    Binding{Command::toggle_automatic, "a", "automatic level, by size on the screen"},
+    Binding{Command::toggle_births, "shift+b", "colors by birth"},
+    Binding{Command::keep_level, "k", "keep this level as the model"},
     Binding{Command::toggle_info, "tab", "panels on and off"},
     Binding{Command::toggle_help, "f1 h shift+/", "this help"},
     Binding{Command::open_file, "ctrl+o", "open a file (or drop one on the window)"},
@@ -133,6 +148,8 @@ void escape(Session& session) {
     session.creases.selected.clear();
   } else if (session.creases.is_on) {
     set_crease_mode(session, false);
+  } else if (session.progressive.is_on() && !session.progressive.is_arriving()) {
+    leave_progressive(session);
   } else {
     session.wants_quit = true;
   }
@@ -200,6 +217,21 @@ void run(Session& session, Command command) {
     case Command::toggle_crease_rules:
       session.subdivide.creases = other_rules(session.subdivide.creases);
       return apply_subdivide_settings(session);
+    case Command::toggle_progressive:
+      return toggle_progressive(session);
+    case Command::keep_level:
+      return request_keep_level(session);
+    case Command::play:
+    case Command::one_split_down:
+    case Command::one_split_up:
+    case Command::detail_down:
+    case Command::detail_up:
+    case Command::least_detail:
+    case Command::most_detail:
+    case Command::toggle_geomorphs:
+    case Command::toggle_automatic:
+    case Command::toggle_births:
+      return run_progressive(session, command);
     case Command::toggle_info:
       return toggle(session.shows_info);
     case Command::toggle_help:

@@ -130,6 +130,7 @@ void take_back_same_drag(Session& session, std::uint64_t drag) {
 }  // namespace
 
 void set_crease_mode(Session& session, bool is_on) {
+  if (is_on && refuse_in_progressive(session)) return;
   CreaseMode& creases = session.creases;
   creases.is_on = is_on;
   session.settings.line_edges = is_on;
@@ -171,6 +172,7 @@ bool hover_edge(Session& session, const std::optional<glm::dvec2>& at) {
 }
 
 void select_sharp_edges(Session& session) {
+  if (refuse_in_progressive(session)) return;
   if (!session.creases.is_on) set_crease_mode(session, true);
   session.creases.selected = sharp_edges(session.model.mesh);
   session.notice = session.creases.selected.empty()

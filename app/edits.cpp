@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <utility>
 
 #include "app/session.h"
@@ -89,6 +90,11 @@ EditTask task_for_shown(Session& session) {
   return task;
 }
 
+bool is_about_detail(EditRequest::Kind kind) {
+  return kind == EditRequest::Kind::progressive || kind == EditRequest::Kind::geomorph ||
+         kind == EditRequest::Kind::keep_level;
+}
+
 bool is_subdivision(EditRequest::Kind kind) {
   return kind == EditRequest::Kind::finer || kind == EditRequest::Kind::coarser ||
          kind == EditRequest::Kind::same_level;
@@ -131,6 +137,45 @@ EditTask simplify_task(Session& session, const EditRequest& request) {
   }
   task.work = std::move(work);
   return task;
+}
+
+EditTask progressive_task(const Session& session, const EditRequest& request) {
+  ProgressiveWork work{copy_of(session.model),
+                       options_of(request.simplify, session.statistics.box.diagonal())};
+  work.options.max_error = std::numeric_limits<double>::infinity();
+  work.options.target_faces = session.progressive.settings().base_faces;
+  EditTask task;
+  task.title = "Making a progressive mesh";
+  task.work = std::move(work);
+  return task;
+}
+
+EditTask geomorph_task(const Session& session) {
+  EditTask task;
+  task.title = "Preparing geomorphs";
+  task.work = GeomorphWork{std::make_shared<ProgressiveMesh>(session.progressive.mesh())};
+  return task;
+}
+
+EditTask keep_task(Session& session) {
+  EditTask task = task_for_shown(session);
+  KeptLevel kept{std::make_shared<const Shape>(shown_shape(session))};
+  const std::string faces = with_commas(kept.shape->mesh.face_count()) + " faces";
+  task.title = "Keeping " + faces;
+  task.name = "keep a level of " + faces;
+  task.work = std::move(kept);
+  return task;
+}
+
+/// What is about the progressive mesh. None where it has gone.
+std::optional<EditTask> detail_task(Session& session, const EditRequest& request) {
+  const ProgressiveView& view = session.progressive;
+  if (request.kind == EditRequest::Kind::progressive) {
+    if (view.has_mesh() && request.target_faces == 0) return std::nullopt;
+    return progressive_task(session, request);
+  }
+  if (!view.is_on() || view.is_arriving()) return std::nullopt;
+  return request.kind == EditRequest::Kind::geomorph ? geomorph_task(session) : keep_task(session);
 }
 
 /// What a person cannot see in the picture.
@@ -183,6 +228,27 @@ EditResult perform_work(const EditTask& task, const SubdivisionLevel& wanted, Pr
   return result;
 }
 
+EditResult perform_work(const EditTask&, const ProgressiveWork& work, Progress* progress) {
+  EditResult result;
+  result.levels = perform_progressive(work, progress);
+  return result;
+}
+
+EditResult perform_work(const EditTask&, const GeomorphWork& work, Progress* progress) {
+  Progressive progressive;
+  progressive.mesh = std::move(*work.mesh);
+  EditResult result;
+  result.levels = detail_levels(std::move(progressive), progress);
+  return result;
+}
+
+EditResult perform_work(const EditTask& task, const KeptLevel& kept, Progress*) {
+  EditResult result;
+  result.edit.name = task.name;
+  take_difference(task, *kept.shape, result.edit);
+  return result;
+}
+
 }  // namespace
 
 void request_edit(Session& session, EditRequest request) {
@@ -196,7 +262,10 @@ std::optional<EditTask> begin_edit(Session& session) {
   session.edits.waiting.pop_front();
   // New rules have been said already.
   if (request.kind != EditRequest::Kind::same_level) session.notice.clear();
-  if (request.kind == EditRequest::Kind::undo) {
+  if (is_about_detail(request.kind)) return detail_task(session, request);
+  if (refuse_in_progressive(session)) {
+    follow_shown_level(session);
+  } else if (request.kind == EditRequest::Kind::undo) {
     undo(session);
   } else if (request.kind == EditRequest::Kind::redo) {
     redo(session);
@@ -219,6 +288,8 @@ EditResult perform(const EditTask& task, Progress* progress) {
 
 void finish_edit(Session& session, EditResult&& result) {
   Edits& edits = session.edits;
+  if (result.levels) return finish_progressive(session, *std::move(result.levels));
+  const bool is_kept = session.progressive.is_on();
   if (result.simplified) {
     session.notice = notice_for(*result.simplified);
     edits.last = std::move(result.simplified);
@@ -229,6 +300,7 @@ void finish_edit(Session& session, EditResult&& result) {
   } else if (result.subdivided) {
     edits.subdivision = std::move(result.edit.subdivision_after);  // other rules, the same surface
   }
+  if (is_kept) leave_progressive(session);
   follow_shown_level(session);
 }
 
@@ -260,6 +332,7 @@ bool take_back_last_edit(Session& session) {
 void note_model_changed(Session& session, bool keeps_topology) {
   Edits& edits = session.edits;
   ++edits.revision;
+  forget_progressive(session);
   if (!keeps_topology) return forget_edges(session);
   if (edits.opened && has_same_surface(edits.opened->mesh, session.model.mesh)) {
     edits.opened.reset();

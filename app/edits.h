@@ -9,6 +9,7 @@
 
 #include "app/crease_edits.h"
 #include "app/history.h"
+#include "app/progressive_edits.h"
 #include "app/shape.h"
 #include "app/subdivision.h"
 #include "engine/mesh/model.h"
@@ -41,6 +42,11 @@ struct EditRequest {
     finer,       ///< one level of subdivision more
     coarser,     ///< one less, down to what was subdivided
     same_level,  ///< what is shown, by the rules that now hold
+    /// No edit: a progressive mesh of the model, and the mode that shows it. Where there is one
+    /// already, another one only where `target_faces` is said (and means nothing more).
+    progressive,
+    geomorph,    ///< no edit: what a progressive mesh from a file lacks
+    keep_level,  ///< the level of the progressive mesh that is shown becomes the model
   };
   Kind kind = Kind::remove_tenth;
   std::uint32_t target_faces = 0;
@@ -83,20 +89,21 @@ struct Simplification {
   SimplifyOptions options;
 };
 
-/// Everything that a simplification or subdivision needs and nothing that anybody else changes: it
+/// Everything that work in the background needs and nothing that anybody else changes: it
 /// may run on another thread.
 struct EditTask {
   std::string title;  ///< "Simplifying to 4,500 faces"
   std::string name;   ///< in the history; empty: after the number of faces reached
   std::shared_ptr<const Shape> shown;
   Statistics statistics;  ///< of what is shown
-  std::variant<Simplification, SubdivisionLevel> work;
+  std::variant<Simplification, SubdivisionLevel, ProgressiveWork, GeomorphWork, KeptLevel> work;
 };
 
 struct EditResult {
   Edit edit;
   std::optional<SimplifyOutcome> simplified;
   std::optional<SubdivideOutcome> subdivided;
+  std::optional<DetailLevels> levels;
 };
 
 /// Lets a request wait for its turn, by the rules that the session has now.

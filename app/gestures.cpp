@@ -53,7 +53,7 @@ void Gestures::scroll(double steps, const glm::dvec2& at) {
 
 void Gestures::recentre() {
   const auto hit =
-      render::pick(session_.model.mesh, session_.camera.pick_ray({at_, session_.window}));
+      render::pick(shown_mesh(session_), session_.camera.pick_ray({at_, session_.window}));
   if (hit) session_.camera.recentre(hit->point);
 }
 

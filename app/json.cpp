@@ -64,6 +64,29 @@ Json to_json(const CreaseMode& creases, const SelectedSharpness& sharpness) {
           {"tag_angle_deg", creases.tag_angle_deg}};
 }
 
+Json to_json(const ProgressiveView& view) {
+  const ProgressiveSettings& s = view.settings();
+  Json json{{"on", view.is_on()},
+            {"base_faces", s.base_faces},
+            {"geomorphs", s.geomorphs},
+            {"window", s.window},
+            {"births", s.colors_births},
+            {"automatic", s.is_automatic},
+            {"tolerance_px", s.tolerance_px}};
+  if (!view.has_mesh()) return json;
+  const ProgressiveMesh& mesh = view.mesh();
+  json.update({{"arriving", view.is_arriving()},
+               {"ready", view.has_geomorph()},
+               {"playing", view.is_playing()},
+               {"position", view.position()},
+               {"time", view.time()},
+               {"level", mesh.level()},
+               {"splits", mesh.split_count()},
+               {"vertices", mesh.mesh().vertex_count()},
+               {"faces", mesh.mesh().face_count()}});
+  return json;
+}
+
 }  // namespace
 
 Json to_json(const Statistics& s) {
@@ -182,6 +205,7 @@ Json to_json(const Session& session) {
           {"subdivide", to_json(session.subdivide)},
           {"subdivision_level", shown_level(session)},
           {"last_subdivision", last_subdivision(edits)},
+          {"progressive", to_json(session.progressive)},
           {"shading", name(s.shading)},
           {"wireframe", s.wireframe},
           {"background", s.background == render::Background::light ? "light" : "dark"},

@@ -59,10 +59,9 @@ std::string to_text(const KeyPress& key) {
   if (key.control) text += "Ctrl+";
   if (key.shift) text += "Shift+";
   std::string name = key.name == "escape" ? "Esc" : key.name;
-  const bool is_function_key = name.size() > 1 && name[0] == 'f';
-  if (name.size() == 1 || is_function_key || name == "tab" || name == "delete") {
-    name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-  }
+  if (name == "pageup") name = "PageUp";
+  if (name == "pagedown") name = "PageDown";
+  name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
   return text + name;
 }
 

@@ -1,6 +1,7 @@
 #include "app/save.h"
 
 #include "app/paths.h"
+#include "app/progressive_edits.h"
 #include "app/session.h"
 #include "app/words.h"
 #include "engine/io/format.h"
@@ -59,8 +60,7 @@ void submit_save(Session& session) {
 
 std::optional<SaveTask> begin_save(Session& session) {
   if (!session.saving.waiting) return std::nullopt;
-  SaveTask task{*session.saving.waiting,
-                std::make_shared<const Shape>(Shape{session.model.mesh, session.model.attributes})};
+  SaveTask task{*session.saving.waiting, std::make_shared<const Shape>(shown_shape(session))};
   session.saving.waiting.reset();
   return task;
 }

@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "app/paths.h"
+#include "app/progressive_edits.h"
 #include "app/ui/overlay.h"
 #include "app/ui/panels.h"
 #include "engine/core/error.h"
@@ -50,6 +51,7 @@ void ScriptedSession::press(std::span<const KeyPress> keys) {
     if (!command) throw UsageError("--keys: '" + to_text(key) + "' does nothing");
     run(session_, *command);
     run_waiting_edits(session_);
+    session_.progressive.settle(shown_pixels_a_unit(session_));
     run_waiting_save(session_);
     if (session_.wants_quit) return;
     if (!session_.wants_screenshot) continue;
@@ -64,13 +66,13 @@ Image ScriptedSession::picture() {
   if (!gpu_) gpu_ = std::make_unique<Gpu>(options_);
   if (gpu_->generation != session_.model_generation) gpu_->mesh.invalidate();
   gpu_->generation = session_.model_generation;
-  const render::UploadStats upload = gpu_->mesh.apply(
-      session_.model.mesh, session_.settings, {.corner_normals = shading_normals(session_)});
+  const render::UploadStats upload =
+      gpu_->mesh.apply(shown_mesh(session_), shown_settings(session_), shown_sources(session_));
   if (upload.uploaded_bytes > 0) gpu_->upload = upload;
   gpu_->mesh.mark(marked_edges(session_));
   if (options_.panels) return picture_with_panels();
   return render::render_image(gpu_->device, gpu_->renderer, gpu_->mesh, session_.camera,
-                              session_.settings, extent().width, extent().height);
+                              shown_settings(session_), extent().width, extent().height);
 }
 
 VkExtent2D ScriptedSession::extent() const {
@@ -95,7 +97,7 @@ Image ScriptedSession::picture_with_panels() {
     panel_layer_->overlay.end();
   }
   device.run_once([&](VkCommandBuffer commands) {
-    gpu_->renderer.draw(commands, target, gpu_->mesh, session_.camera, session_.settings);
+    gpu_->renderer.draw(commands, target, gpu_->mesh, session_.camera, shown_settings(session_));
     target.copy_to(commands, image.handle());
     panel_layer_->overlay.draw(commands, image.view(), extent());
   });

@@ -1,5 +1,7 @@
 #include "app/session.h"
 
+#include "app/progressive_edits.h"
+
 namespace mesher::app {
 
 void show_model(Session& session, Model&& model, const std::filesystem::path& file) {
@@ -15,6 +17,7 @@ void show_model(Session& session, Model&& model, const Statistics& stats,
   session.edits = {};
   session.edits.opened_faces = stats.faces;
   session.saving = {};
+  forget_progressive(session);
   forget_edges(session);
   session.error.clear();
   session.notice.clear();

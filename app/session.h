@@ -6,6 +6,7 @@
 
 #include "app/crease_edits.h"
 #include "app/edits.h"
+#include "app/progressive_view.h"
 #include "app/save.h"
 #include "engine/mesh/model.h"
 #include "engine/mesh/statistics.h"
@@ -26,6 +27,7 @@ struct Session {
   SubdivideSettings subdivide;
   CreaseMode creases;
   Saving saving;
+  ProgressiveView progressive;
   render::Camera camera;
   glm::dvec2 window{800.0, 600.0};  ///< width and height in pixels: what "the whole model" must fit
 

@@ -1,5 +1,6 @@
 #include "app/viewer.h"
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -9,6 +10,9 @@
 #include "app/gestures.h"
 #include "app/load_job.h"
 #include "app/paths.h"
+#include "app/pm_arrival.h"
+#include "app/pm_file.h"
+#include "app/progressive_edits.h"
 #include "app/state_log.h"
 #include "app/ui/overlay.h"
 #include "app/ui/panels.h"
@@ -23,12 +27,16 @@ namespace {
 
 constexpr double kJobPollSeconds = 0.1;
 constexpr double kCaretBlinkSeconds = 0.4;
+// Of each frame, for reading on where a progressive mesh arrives.
+constexpr double kArrivalSeconds = 0.008;
+// A frame that took longer does not make what moves jump.
+constexpr double kLongestStepSeconds = 0.1;
 // ImGui settles its layout over a few frames after an event.
 constexpr int kFramesAfterEvent = 3;
 
 class Viewer {
  public:
-  Viewer(Session& session, const ViewerOptions& options)
+  Viewer(Session& session, const ViewerOptions& options, std::unique_ptr<PmArrival>& arrival)
       : session_(session),
         options_(options),
         window_(glm::ivec2(session.window), "mesher"),
@@ -43,21 +51,19 @@ class Viewer {
         log_(options.state_log) {
     window_.set_events(events());
     overlay_ = std::make_unique<Overlay>(instance_, device_, presenter_.format(), window_.handle());
+    arrival_ = std::move(arrival);
+    if (arrival_) arrival_->set_wake(Window::wake);
   }
 
   void run(const std::vector<KeyPress>& keys) {
     prepare_scene();
-    for (const KeyPress& key : keys) {
-      press_key(key);
-      edits_.finish();  // as in a script, the next key finds it done
-      prepare_scene();
-      if (session_.wants_screenshot) save_screenshot();
-      if (session_.wants_quit) break;
-    }
+    press(keys);
     while (!session_.wants_quit && !window_.should_close()) {
       wait();
       finish_load();
+      advance_arrival();
       if (edits_.advance()) want_frames();
+      animate();
       advance_save();
       update_hover();
       if (frames_wanted_ > 0) draw();
@@ -72,6 +78,20 @@ class Viewer {
   }
 
  private:
+  // As in a script, each key finds done what came before it.
+  void press(const std::vector<KeyPress>& keys) {
+    if (!keys.empty() && arrival_) arrival_->finish(session_);
+    edits_.finish();
+    for (const KeyPress& key : keys) {
+      press_key(key);
+      edits_.finish();
+      session_.progressive.settle(shown_pixels_a_unit(session_));
+      prepare_scene();
+      if (session_.wants_screenshot) save_screenshot();
+      if (session_.wants_quit) break;
+    }
+  }
+
   Window::Events events() {
     return {.key = [this](const KeyPress& key) { press_key(key); },
             .press =
@@ -129,6 +149,7 @@ class Viewer {
       if (overlay_->close_popups()) return;
       if (load_) return load_->cancel();
       if (edits_.is_running()) return edits_.cancel();
+      if (arrival_) return stop_arrival();
       if (is_typing && !has_dialog) return;  // ImGui ends the typing
     } else if (is_typing) {
       // ImGui looks at keys once a frame, and misses one that was let go by then.
@@ -147,12 +168,54 @@ class Viewer {
     session_.shows_open_dialog = false;
     session_.saving.shows_dialog = false;
     session_.error.clear();
+    want_frames();
+    if (is_pm_file(file)) return open_progressive(file);
     load_ = std::make_unique<LoadJob>(file, options_.read, Window::wake);
+  }
+
+  // What is shown stays until the base has arrived.
+  void open_progressive(const std::filesystem::path& file) {
+    load_.reset();
+    stop_arrival();
+    edits_.stop();
+    try {
+      arrival_ = std::make_unique<PmArrival>(file);
+      arrival_->set_wake(Window::wake);
+    } catch (const Error& error) {
+      session_.error = error.what();
+    }
+  }
+
+  void advance_arrival() {
+    if (!has_news()) return;
+    try {
+      if (!arrival_->has_base()) edits_.stop();  // they would be those of the model before
+      if (arrival_->advance(session_, kArrivalSeconds)) want_frames();
+      if (arrival_->is_done()) arrival_.reset();
+    } catch (const std::exception& error) {
+      session_.error = error.what();
+      stop_arrival();
+    }
+  }
+
+  void stop_arrival() {
+    if (!arrival_) return;
+    if (arrival_->has_base()) arrival_->stop(session_);
+    arrival_.reset();
     want_frames();
   }
 
+  /// What moves by itself: by the time since the frame before, where it moved then, too.
+  void animate() {
+    const double now = Window::time();
+    const double step = is_moving_ ? std::min(now - moved_at_s_, kLongestStepSeconds) : 0.0;
+    moved_at_s_ = now;
+    is_moving_ = session_.progressive.advance(step, shown_pixels_a_unit(session_));
+    if (is_moving_) want_frames();
+  }
+
   void wait() {
-    if (frames_wanted_ > 0) return Window::poll_events();
+    if (frames_wanted_ > 0 || has_news()) return Window::poll_events();
     if (running_job() != nullptr) {
       want_frames();  // the progress bar
       return Window::wait_events(kJobPollSeconds);
@@ -161,8 +224,10 @@ class Viewer {
       want_frames();  // the caret
       return Window::wait_events(kCaretBlinkSeconds);
     }
-    Window::wait_events(-1.0);
+    Window::wait_events(arrival_ ? kJobPollSeconds : -1.0);
   }
+
+  bool has_news() const { return arrival_ && arrival_->has_news(session_); }
 
   /// What a person waits for, if anything.
   const Job* running_job() const {
@@ -217,6 +282,7 @@ class Viewer {
 
   // What the GPU cannot hold is refused, and what was shown before stays.
   void show(LoadedModel&& loaded) {
+    arrival_.reset();
     edits_.stop();
     Session before;
     std::swap(before.model, session_.model);
@@ -280,8 +346,8 @@ class Viewer {
       mesh_generation_ = session_.model_generation;
     }
     const std::uint32_t faces_before = mesh_.face_count();
-    const render::UploadStats stats = mesh_.apply(session_.model.mesh, session_.settings,
-                                                  {.corner_normals = shading_normals(session_)});
+    const render::UploadStats stats =
+        mesh_.apply(shown_mesh(session_), shown_settings(session_), shown_sources(session_));
     if (mesh_.mark(marked_edges(session_))) drawn_.reset();
     uploaded_revision_ = session_.edits.revision;
     if (stats.uploaded_bytes == 0 && mesh_.face_count() == faces_before) return;
@@ -295,9 +361,10 @@ class Viewer {
     try {
       upload();
       drawable_settings_ = session_.settings;
+      drawn_settings_ = shown_settings(session_);
       return true;
     } catch (const Error& error) {
-      if (!take_back_settings() && !take_back_edit()) throw;
+      if (!take_back_settings() && !take_back_edit() && !take_back_mode()) throw;
       session_.error = error.what();
       mesh_.invalidate();
       want_frames();
@@ -318,6 +385,13 @@ class Viewer {
     return take_back_last_edit(session_);
   }
 
+  bool take_back_mode() {
+    if (!session_.progressive.is_on()) return false;
+    arrival_.reset();
+    forget_progressive(session_);
+    return true;
+  }
+
   void draw_scene(const gpu::Frame& frame) {
     const unsigned samples = device_.supported_samples(drawable_settings_->samples);
     if (!target_ || target_->extent().width != frame.extent.width ||
@@ -326,16 +400,16 @@ class Viewer {
       drawn_.reset();
     }
     // Panels may just have changed the settings; the mirror follows before the next frame.
-    const Drawn now{*drawable_settings_, session_.camera};
     if (session_.settings != *drawable_settings_) want_frames();
+    const Drawn now{*drawn_settings_, session_.camera};
     if (drawn_ == now) return;  // only the panels changed
     renderer_.draw(frame.commands, *target_, mesh_, now.camera, now.settings);
     drawn_ = now;
   }
 
   void update_title() {
-    const std::string title =
-        session_.model.name + " - " + std::to_string(session_.statistics.faces) + " faces - mesher";
+    const std::string title = session_.model.name + " - " +
+                              std::to_string(shown_mesh(session_).face_count()) + " faces - mesher";
     if (title != title_) window_.set_title(title);
     title_ = title;
   }
@@ -347,7 +421,7 @@ class Viewer {
     const std::filesystem::path file = next_screenshot(session_.model.name);
     try {
       write_png(file,
-                render::render_image(device_, renderer_, mesh_, session_.camera, session_.settings,
+                render::render_image(device_, renderer_, mesh_, session_.camera, *drawn_settings_,
                                      static_cast<std::uint32_t>(session_.window.x),
                                      static_cast<std::uint32_t>(session_.window.y)));
       session_.notice = "saved " + file.string();
@@ -378,9 +452,11 @@ class Viewer {
   EditRunner edits_;
   StateLog log_;
   std::unique_ptr<LoadJob> load_;
+  std::unique_ptr<PmArrival> arrival_;
   std::unique_ptr<JobOf<Saved>> save_;
   std::optional<Drawn> drawn_;
   std::optional<render::Settings> drawable_settings_;  ///< those that the mirror was made for
+  std::optional<render::Settings> drawn_settings_;     ///< the same, with what is shown of splits
   std::optional<std::uint64_t> uploaded_revision_;     ///< of the edits that the mirror has
   render::UploadStats upload_;
   glm::dvec2 cursor_{0.0};
@@ -390,12 +466,15 @@ class Viewer {
   double frame_ms_ = 0.0;
   int frames_wanted_ = kFramesAfterEvent;
   bool is_hover_old_ = false;
+  bool is_moving_ = false;
+  double moved_at_s_ = 0.0;
 };
 
 }  // namespace
 
-void run_viewer(Session& session, const std::vector<KeyPress>& keys, const ViewerOptions& options) {
-  Viewer(session, options).run(keys);
+void run_viewer(Session& session, const std::vector<KeyPress>& keys, const ViewerOptions& options,
+                std::unique_ptr<PmArrival>& arrival) {
+  Viewer(session, options, arrival).run(keys);
 }
 
 }  // namespace mesher::app

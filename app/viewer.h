@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "app/keys.h"
+#include "app/pm_arrival.h"
 #include "app/session.h"
 #include "engine/io/read.h"
 
@@ -19,8 +21,10 @@ struct ViewerOptions {
 
 /// Shows the session in a window of its size until the person quits. Draws when something changed,
 /// and sleeps otherwise. `keys` are pressed first. What goes wrong with a file is shown in the
+/// window. `arrival`: by what the session's model still comes, or null; taken once there is a
 /// window. Throws NoDisplay where there is nowhere to open a window, DeviceError where there is no
 /// usable Vulkan device or the validation layer had something to say.
-void run_viewer(Session& session, const std::vector<KeyPress>& keys, const ViewerOptions& options);
+void run_viewer(Session& session, const std::vector<KeyPress>& keys, const ViewerOptions& options,
+                std::unique_ptr<PmArrival>& arrival);
 
 }  // namespace mesher::app

@@ -30,11 +30,17 @@ std::string key_name(int key) {
   }
   if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return std::to_string(key - GLFW_KEY_KP_0);
   static const std::map<int, std::string> kNamed{
-      {GLFW_KEY_ESCAPE, "escape"}, {GLFW_KEY_TAB, "tab"},        {GLFW_KEY_SPACE, "space"},
-      {GLFW_KEY_ENTER, "enter"},   {GLFW_KEY_KP_ENTER, "enter"}, {GLFW_KEY_SLASH, "/"},
-      {GLFW_KEY_LEFT, "left"},     {GLFW_KEY_RIGHT, "right"},    {GLFW_KEY_UP, "up"},
-      {GLFW_KEY_DOWN, "down"},     {GLFW_KEY_HOME, "home"},      {GLFW_KEY_END, "end"},
-      {GLFW_KEY_DELETE, "delete"}, {GLFW_KEY_KP_ADD, "+"},       {GLFW_KEY_KP_SUBTRACT, "-"}};
+      {GLFW_KEY_ESCAPE, "escape"},  {GLFW_KEY_TAB, "tab"},
+      {GLFW_KEY_SPACE, "space"},    {GLFW_KEY_ENTER, "enter"},
+      {GLFW_KEY_KP_ENTER, "enter"}, {GLFW_KEY_SLASH, "/"},
+      {GLFW_KEY_LEFT, "left"},      {GLFW_KEY_RIGHT, "right"},
+      {GLFW_KEY_UP, "up"},          {GLFW_KEY_DOWN, "down"},
+      {GLFW_KEY_HOME, "home"},      {GLFW_KEY_END, "end"},
+      {GLFW_KEY_PAGE_UP, "pageup"}, {GLFW_KEY_PAGE_DOWN, "pagedown"},
+      {GLFW_KEY_LEFT_BRACKET, "["}, {GLFW_KEY_RIGHT_BRACKET, "]"},
+      {GLFW_KEY_COMMA, ","},        {GLFW_KEY_PERIOD, "."},
+      {GLFW_KEY_DELETE, "delete"},  {GLFW_KEY_KP_ADD, "+"},
+      {GLFW_KEY_KP_SUBTRACT, "-"}};
   const auto found = kNamed.find(key);
   return found == kNamed.end() ? "" : found->second;
 }

@@ -7,6 +7,8 @@
 #include "app/json.h"
 #include "app/keys.h"
 #include "app/paths.h"
+#include "app/pm_arrival.h"
+#include "app/pm_file.h"
 #include "app/scripted_session.h"
 #include "app/state_log.h"
 #include "app/viewer.h"
@@ -60,6 +62,33 @@ std::vector<KeyPress> checked_keys(const std::string& text) {
   return keys;
 }
 
+void finish(Session& session, PmArrival& arrival) {
+  arrival.finish(session);
+  run_waiting_edits(session);
+}
+
+/// Shows the model, or the base of a progressive mesh; returns what the rest arrives by, or null.
+/// A script has no time to wait for the rest in, so it comes first.
+std::unique_ptr<PmArrival> open_model(Session& session, const InputOptions& input,
+                                      const ViewOptions& view, const CommonOptions& common) {
+  const std::filesystem::path file = find_model(input.model);
+  if (!is_pm_file(file)) {
+    LoadedModel loaded = load(input, common);
+    show_model(session, std::move(loaded.model), loaded.statistics, loaded.file);
+    return nullptr;
+  }
+  if (input.tag_creases_deg) {
+    throw UsageError("--tag-creases: a progressive mesh has the creases that it was made with");
+  }
+  auto arrival = std::make_unique<PmArrival>(file);
+  if (view.screenshot.empty()) {
+    arrival->wait_for_base(session);
+    return arrival;
+  }
+  finish(session, *arrival);
+  return nullptr;
+}
+
 }  // namespace
 
 void run_view(const InputOptions& input, const LookOptions& look, const ViewOptions& view,
@@ -71,10 +100,9 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
     throw UsageError("--screenshot: '" + view.screenshot + "' does not end in .png");
   }
   refuse_mistyped_command(input.model);
-  LoadedModel loaded = load(input, common);
   Session session;
   session.window = {size.width, size.height};
-  show_model(session, std::move(loaded.model), loaded.statistics, loaded.file);
+  std::unique_ptr<PmArrival> arrival = open_model(session, input, view, common);
   apply_look(session, look);
   // On a small window the panel would hide the model.
   session.shows_info = size.width >= kPanelFitsWidth;
@@ -89,10 +117,12 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
                   .validation = look.validation,
                   .state_log = view.state_log,
                   .read = {.crease_index_base = input.crease_index_base,
-                           .keep_isolated_vertices = input.keep_isolated}});
+                           .keep_isolated_vertices = input.keep_isolated}},
+                 arrival);
     } catch (const NoDisplay& no_display) {
+      if (arrival) finish(session, *arrival);
       const Image picture = scripted_picture(session, keys, look, view);
-      output = free_picture_name("", loaded.file.stem().string()).string();
+      output = free_picture_name("", session.file.stem().string()).string();
       write_png(output, picture);
       std::cerr << "mesher: " << no_display.what() << "; drew a picture instead: " << output
                 << '\n';

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cinttypes>
 #include <cstdio>
 
 namespace mesher::app {
@@ -85,6 +86,18 @@ std::string seconds_text(double seconds) {
     std::snprintf(text, sizeof text, "%.2f ms", 1e3 * seconds);
   } else {
     std::snprintf(text, sizeof text, "%.3f s", seconds);
+  }
+  return text;
+}
+
+std::string size_text(std::uint64_t bytes) {
+  char text[32];
+  if (bytes < 10'000) {
+    std::snprintf(text, sizeof text, "%" PRIu64 " bytes", bytes);
+  } else {
+    std::snprintf(text, sizeof text, "%.*f %s", bytes < 1'000'000 ? 1 : 2,
+                  static_cast<double>(bytes) / (bytes < 1'000'000 ? 1e3 : 1e6),
+                  bytes < 1'000'000 ? "kB" : "MB");
   }
   return text;
 }

@@ -27,6 +27,8 @@ void row(const char* name, const std::string& value);
 /// A button of half the panel's width.
 bool half_button(const char* name, bool is_possible, const char* help);
 std::string seconds_text(double seconds);
+/// "3.4 MB"
+std::string size_text(std::uint64_t bytes);
 
 /// A value of an enum, and what it is for.
 struct Choice {

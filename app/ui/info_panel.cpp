@@ -3,6 +3,8 @@
 #include <cinttypes>
 #include <cstdio>
 
+#include "app/progressive_edits.h"
+#include "app/ui/controls.h"
 #include "app/ui/panels.h"
 
 namespace mesher::app {
@@ -30,6 +32,19 @@ bool begin_table(const char* name) {
 
 bool begin_section(const char* name) {
   return ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
+}
+
+/// Of a level: collapses change neither the genus nor the boundary loops.
+void draw_level_counts(const Mesh& mesh, const Statistics& of_model) {
+  if (!begin_section("Mesh") || !begin_table("counts")) return;
+  row("vertices", "%" PRIu32, mesh.vertex_count());
+  row("edges", "%" PRIi64,
+      std::int64_t(mesh.vertex_count()) + mesh.face_count() - of_model.euler_characteristic);
+  row("faces", "%" PRIu32, mesh.face_count());
+  row("boundary loops", "%" PRIu32, of_model.boundary_loops);
+  row("components", "%" PRIu32, of_model.components);
+  row("Euler characteristic", "%" PRIi64, of_model.euler_characteristic);
+  ImGui::EndTable();
 }
 
 void draw_counts(const Statistics& s) {
@@ -66,6 +81,11 @@ void draw_crease_switch(Session& session) {
   if (ImGui::Checkbox("edit creases", &is_on)) set_crease_mode(session, is_on);
 }
 
+void draw_progressive_switch(Session& session) {
+  bool is_on = session.progressive.is_on();
+  if (ImGui::Checkbox("progressive mesh", &is_on)) toggle_progressive(session);
+}
+
 void draw_shading(Session& session) {
   render::Settings& settings = session.settings;
   using render::Shading;
@@ -92,6 +112,7 @@ void draw_shading(Session& session) {
   ImGui::SliderFloat("crease angle", &settings.crease_angle_deg, 0.0F, 180.0F, "%.0f deg",
                      ImGuiSliderFlags_AlwaysClamp);
   ImGui::EndDisabled();
+  draw_progressive_switch(session);
 }
 
 void draw_colors(render::Settings& settings) {
@@ -116,18 +137,6 @@ void draw_colors(render::Settings& settings) {
   }
 }
 
-std::string size_text(std::uint64_t bytes) {
-  char text[32];
-  if (bytes < 10'000) {
-    std::snprintf(text, sizeof text, "%" PRIu64 " bytes", bytes);
-  } else {
-    std::snprintf(text, sizeof text, "%.*f %s", bytes < 1'000'000 ? 1 : 2,
-                  static_cast<double>(bytes) / (bytes < 1'000'000 ? 1e3 : 1e6),
-                  bytes < 1'000'000 ? "kB" : "MB");
-  }
-  return text;
-}
-
 void draw_gpu(const PanelFacts& facts) {
   if (!begin_section("GPU") || !begin_table("gpu")) return;
   if (facts.frame_ms > 0.0) row("frame", "%.1f ms", facts.frame_ms);
@@ -148,7 +157,11 @@ void draw_info_panel(Session& session, const PanelFacts& facts, PanelAreas& area
   bool is_open = true;
   const std::string title = session.model.name + "###info";
   if (ImGui::Begin(title.c_str(), &is_open, ImGuiWindowFlags_AlwaysAutoResize)) {
-    draw_counts(session.statistics);
+    if (session.progressive.is_on()) {
+      draw_level_counts(shown_mesh(session), session.statistics);
+    } else {
+      draw_counts(session.statistics);
+    }
     draw_repairs(session.model.report);
     draw_shading(session);
     draw_colors(session.settings);

@@ -24,6 +24,10 @@ PanelActions Panels::draw(Session& session, const PanelFacts& facts) {
 
 void Panels::draw_right_column(Session& session, const PanelFacts& facts) {
   float top = kPanelMargin;
+  if (session.progressive.is_on()) {  // in which nothing is edited
+    draw_progressive_panel(session, facts, top, areas_);
+    return;
+  }
   if (session.creases.is_on) {
     top = kPanelMargin + draw_crease_panel(session, facts, top, tag_count_, areas_);
   }

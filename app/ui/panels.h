@@ -80,6 +80,9 @@ void draw_save_dialog(Session& session, bool submits, PanelAreas& areas);
 float draw_crease_panel(Session& session, const PanelFacts& facts, float top, TagCount& last,
                         PanelAreas& areas);
 /// Returns where it ends.
+float draw_progressive_panel(Session& session, const PanelFacts& facts, float top,
+                             PanelAreas& areas);
+/// Returns where it ends.
 float draw_subdivide_panel(Session& session, float top, PanelAreas& areas);
 /// `slider_faces`: where the slider stands while it is dragged, and until that is done.
 void draw_simplify_panel(Session& session, const PanelFacts& facts, float top, int& slider_faces,

@@ -13,10 +13,11 @@ using Kind = EditRequest::Kind;
 
 class EditRunnerTest : public testing::Test {
  protected:
-  EditRunnerTest() {
+  EditRunnerTest() { show_torus(session_); }
+  static void show_torus(Session& session) {
     Model model;
     model.mesh = build_mesh(test::torus(12, 10)).mesh;
-    show_model(session_, std::move(model), "torus.obj");
+    show_model(session, std::move(model), "torus.obj");
   }
   void ask(Kind kind) { request_edit(session_, {kind}); }
 
@@ -40,9 +41,12 @@ TEST_F(EditRunnerTest, DoesInOrderWhatWaits) {
 }
 
 TEST_F(EditRunnerTest, GivesTheSameAsAScript) {
-  for (const Kind kind : {Kind::remove_tenth, Kind::remove_tenth, Kind::remove_edge})
+  Session script;
+  show_torus(script);
+  for (const Kind kind : {Kind::remove_tenth, Kind::remove_tenth, Kind::remove_edge}) {
     ask(kind);
-  Session script = session_;
+    request_edit(script, {kind});
+  }
   runner_.finish();
   run_waiting_edits(script);
   EXPECT_TRUE(difference(session_.model.mesh, script.model.mesh).is_empty());

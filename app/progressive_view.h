@@ -1,0 +1,121 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "app/detail_range.h"
+#include "app/level_errors.h"
+#include "engine/core/progress.h"
+#include "engine/progressive/build.h"
+#include "engine/progressive/geomorph.h"
+#include "engine/progressive/pm_read.h"
+
+namespace mesher::app {
+
+/// How progressive meshes are looked at, and made.
+struct ProgressiveSettings {
+  std::uint32_t base_faces = 200;  ///< how far simplification goes for the base
+  bool geomorphs = true;           ///< vertices move apart; otherwise they pop
+  float window = 0.125F;           ///< see DetailRange
+  bool colors_births = false;      ///< faces of later splits are tinted
+  float seconds = 6.0F;            ///< that playing takes from one end to the other
+  bool is_automatic = false;       ///< the level follows from the size on the screen
+  float tolerance_px = 1.0F;       ///< how far off the surface may be then
+
+  friend bool operator==(const ProgressiveSettings&, const ProgressiveSettings&) = default;
+};
+
+/// A progressive mesh and all that is needed to look at it.
+struct DetailLevels {
+  ProgressiveMesh mesh;
+  Geomorph geomorph;
+  LevelErrors errors;
+  /// Where vertices and faces come from, as in Progressive; empty where they were not made from a
+  /// model.
+  Array<Vertex> vertex_source;
+  Array<Halfedge> face_source;
+};
+
+/// All that a progressive mesh needs to be looked at. O(F). Throws Cancelled.
+DetailLevels detail_levels(Progressive&& progressive, Progress* progress);
+
+/// A progressive mesh as it is looked at: how far it is refined, and how that changes by itself.
+/// No window, no GPU, no clock.
+class ProgressiveView {
+ public:
+  // What is looked at.
+
+  /// Shows these levels, refined as far as it was, or wholly where there was nothing.
+  void show(DetailLevels&& levels);
+  /// Shows what a reader has so far, and from now on follows what it reads until a person moves it.
+  /// Splits pop until `show` brings a geomorph. Pre: it has a base.
+  void show(std::unique_ptr<PmReader> reader);
+  /// The reader is about to be fed (which it does at full detail), or has been.
+  PmReader* reader() { return reader_.get(); }
+  void reader_was_fed();
+  /// The reader has read all it will: its mesh stays. Pre: there is a reader.
+  void end_reading();
+  /// Nothing is looked at any more. Settings stay.
+  void forget();
+
+  bool has_mesh() const { return has_mesh_; }
+  bool is_arriving() const { return reader_ != nullptr; }
+  /// Pre: has_mesh().
+  ProgressiveMesh& mesh() { return reader_ ? reader_->mesh() : levels_.mesh; }
+  const ProgressiveMesh& mesh() const { return reader_ ? reader_->mesh() : levels_.mesh; }
+  const DetailLevels& levels() const { return levels_; }
+  bool has_geomorph() const { return has_geomorph_; }
+  bool is_on() const { return is_on_; }
+  /// Pre: has_mesh() where it is turned on.
+  void turn(bool on);
+
+  // How far it is refined.
+
+  double time() const { return time_; }
+  DetailRange range() const;
+  GeomorphTime growth() const { return range().growth(time_); }
+  double position() const { return range().position_of(time_); }
+  bool is_at_end() const { return time_ >= range().end(); }
+  /// Whoever moves it by hand ends what moves it by itself. Positions as in DetailRange.
+  void move_to(double position);
+  /// By single splits.
+  void move_by(int splits);
+  /// To a level with all its splits grown.
+  void move_to_level(std::uint32_t level);
+
+  // By itself.
+
+  const ProgressiveSettings& settings() const { return settings_; }
+  /// What has grown stays grown.
+  void change(const ProgressiveSettings& settings);
+  bool is_playing() const { return is_playing_; }
+  /// To and fro between the ends; first up, from the end down. Ends the automatic level.
+  void play(bool on);
+  /// So much time has passed, and the screen shows a model unit so large. Returns whether it moves
+  /// on by itself.
+  bool advance(double seconds, double pixels_a_unit);
+  /// To where it will come to rest, if it will.
+  void settle(double pixels_a_unit);
+
+ private:
+  void set_time(double time);
+  void take_hold();
+  void follow_level();
+  bool travel(double seconds, double pixels_a_unit);
+  bool swing(double seconds);
+
+  ProgressiveSettings settings_;
+  DetailLevels levels_;
+  std::unique_ptr<PmReader> reader_;
+  bool has_mesh_ = false;
+  bool has_geomorph_ = false;
+  bool is_on_ = false;
+  bool follows_reader_ = false;
+  bool is_playing_ = false;
+  bool is_rising_ = true;
+  double time_ = 0.0;
+  std::optional<std::uint32_t> goal_;  ///< the automatic level
+};
+
+}  // namespace mesher::app

@@ -1,0 +1,168 @@
+// Progressive meshes in a real window: the mode, its panel and keys, and a file that arrives by a
+// pipe.
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "engine/io/read.h"
+#include "engine/progressive/build.h"
+#include "engine/progressive/pm_write.h"
+#include "tests/ui/window_fixture.h"
+
+namespace mesher::test {
+namespace {
+
+class ProgressiveTest : public WindowTest {
+ protected:
+  // The panel's places in a window of 1280 x 800.
+  static constexpr int kSliderY = 51;
+  static constexpr int kButtonsY = 78;
+  static constexpr int kPlayX = 1056;
+  static constexpr int kKeepX = 1193;
+  static constexpr int kBoxX = 1102;
+  static constexpr int kGeomorphsY = 160;
+  static constexpr int kBirthsY = 239;
+  static constexpr int kAutomaticY = 270;
+
+  static std::string knot_bytes() {
+    const Model model = read_model(MESHER_SOURCE_DIR "/assets/knot.obj");
+    Progressive progressive = make_progressive(model.mesh, {.target_faces = 200});
+    std::string bytes;
+    write_pm(progressive.mesh, {}, [&](std::span<const std::byte> piece) {
+      bytes.append(reinterpret_cast<const char*>(piece.data()), piece.size());
+    });
+    return bytes;
+  }
+  static json shown(const ViewerProcess& viewer) { return viewer.state()["progressive"]; }
+};
+
+TEST_F(ProgressiveTest, PGoesInAndOutAndThePictureComesBack) {
+  const auto v = open({"knot", "--size", "800x600"});
+  v->key("Tab");  // without panels
+  v->settle();
+  const auto before = v->screenshot();
+  v->key("p");
+  EXPECT_REACHES(*v, s["progressive"]["on"] == true && s["progressive"]["ready"] == true);
+  EXPECT_EQ(shown(*v)["faces"], 2880);
+  v->key("Home");
+  EXPECT_REACHES(*v, s["progressive"]["level"] == 0);
+  EXPECT_LE(shown(*v)["faces"], 200);
+  EXPECT_EQ(v->state()["faces"], 2880) << "the model's";
+  v->settle();
+  const auto coarse = v->screenshot();
+  EXPECT_NE(coarse, before);
+  v->key("bracketright");
+  EXPECT_REACHES(*v, s["progressive"]["level"] == 1);
+  v->key("comma");
+  EXPECT_REACHES(*v, s["progressive"]["level"] == 0);
+  v->key("Next");  // page down: there is nothing below
+  v->key("Prior");
+  EXPECT_REACHES(*v, s["progressive"]["level"] > 1);
+  v->key("d");
+  EXPECT_REACHES(*v, s["notice"].get<std::string>().find("K keeps") != std::string::npos);
+  v->key("Escape");
+  EXPECT_REACHES(*v, s["progressive"]["on"] == false);
+  v->key("d");
+  EXPECT_REACHES(*v, s["undo_depth"] == 1);
+  v->key("ctrl+z");
+  EXPECT_REACHES(*v, s["faces"] == 2880);
+  quit(*v);
+}
+
+TEST_F(ProgressiveTest, TheSliderAppliesWhileItIsDragged) {
+  const auto v = open({"knot", "--size", "1280x800", "--keys", "p g"});
+  EXPECT_REACHES(*v, s["progressive"]["ready"] == true);
+  v->settle();
+  v->move(1250, kSliderY);
+  v->settle();
+  v->press(1);
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  v->move(1150, kSliderY);
+  EXPECT_REACHES(*v, s["progressive"]["faces"] < 1500);
+  const auto coarse = shown(*v)["faces"].get<int>();
+  v->move(1050, kSliderY);
+  EXPECT_REACHES(*v, s["progressive"]["faces"] < coarse);
+  v->move(1190, kSliderY);
+  EXPECT_REACHES(*v, s["progressive"]["faces"] > coarse);
+  v->release(1);
+  v->settle();
+  const json at_rest = shown(*v);
+  EXPECT_GT(at_rest["faces"], coarse);
+  EXPECT_EQ(v->state()["undo_depth"], 0);
+  click(*v, kBoxX, kGeomorphsY);
+  EXPECT_REACHES(*v, s["progressive"]["geomorphs"] == false);
+  click(*v, kBoxX, kBirthsY);
+  EXPECT_REACHES(*v, s["progressive"]["births"] == true);
+  click(*v, kKeepX, kButtonsY);
+  EXPECT_REACHES(*v, s["progressive"]["on"] == false && s["undo_depth"] == 1);
+  EXPECT_LT(v->state()["faces"], 2880);
+  v->key("ctrl+z");
+  EXPECT_REACHES(*v, s["faces"] == 2880);
+  quit(*v);
+}
+
+TEST_F(ProgressiveTest, PlaysUntilPausedAndThenSleeps) {
+  const auto v = open({"knot", "--size", "1280x800", "--keys", "p home"});
+  EXPECT_REACHES(*v, s["progressive"]["ready"] == true);
+  v->move(kPlayX, kButtonsY);
+  v->settle();
+  v->press(1);
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  v->release(1);
+  EXPECT_REACHES(*v, s["progressive"]["playing"] == true && s["progressive"]["position"] > 0.2);
+  EXPECT_REACHES(*v, s["progressive"]["position"] > 0.3);
+  v->key("space");
+  EXPECT_REACHES(*v, s["progressive"]["playing"] == false);
+  v->settle();
+  const json at_rest = shown(*v);
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_EQ(shown(*v), at_rest);
+  quit(*v);
+}
+
+TEST_F(ProgressiveTest, TheAutomaticLevelFollowsTheWheel) {
+  const auto v = open({"knot", "--size", "1280x800", "--keys", "p"});
+  EXPECT_REACHES(*v, s["progressive"]["ready"] == true);
+  v->settle();
+  click(*v, kBoxX, kAutomaticY);
+  EXPECT_REACHES(*v, s["progressive"]["automatic"] == true);
+  v->settle();
+  const int near = shown(*v)["faces"].get<int>();
+  v->move(640, 400);
+  for (int i = 0; i < 25; ++i)
+    v->press(5), v->release(5);
+  EXPECT_REACHES(*v, s["progressive"]["faces"] < near);
+  v->settle();
+  const int far = shown(*v)["faces"].get<int>();
+  EXPECT_LT(far, near);
+  for (int i = 0; i < 25; ++i)
+    v->press(4), v->release(4);
+  EXPECT_REACHES(*v, s["progressive"]["faces"] > far);
+  v->key("bracketleft");
+  EXPECT_REACHES(*v, s["progressive"]["automatic"] == false);
+  quit(*v);
+}
+
+TEST_F(ProgressiveTest, WhatArrivesIsShownAsItComes) {
+  const TempFolder folder;
+  const std::string pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const int out = ::open(pipe.c_str(), O_RDWR | O_CLOEXEC);
+  const std::string bytes = knot_bytes();
+  const std::size_t half = bytes.size() / 2;
+  ASSERT_EQ(::write(out, bytes.data(), half), ssize_t(half));
+  const auto v = open({pipe, "--size", "800x600"});
+  EXPECT_REACHES(*v, s["progressive"]["arriving"] == true && s["progressive"]["level"] > 100);
+  const int so_far = shown(*v)["faces"].get<int>();
+  EXPECT_LT(so_far, 2880);
+  v->settle();
+  ASSERT_EQ(::write(out, bytes.data() + half, bytes.size() - half), ssize_t(bytes.size() - half));
+  ::close(out);
+  EXPECT_REACHES(*v, s["progressive"]["ready"] == true && s["faces"] == 2880);
+  EXPECT_EQ(shown(*v)["faces"], 2880);
+  EXPECT_EQ(v->state()["error"], "");
+  quit(*v);
+}
+
+}  // namespace
+}  // namespace mesher::test
