@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 
 #include "tests/support/meshes.h"
 
@@ -16,12 +15,6 @@ double settled(float sharpness) {
 
 bool is_near(double a, double b) {
   return a == b || std::abs(a - b) < 1e-4;
-}
-
-template <class T>
-bool is_same_bytes(std::span<const T> a, std::span<const T> b) {
-  return a.size() == b.size() &&
-         (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
 }
 
 }  // namespace
@@ -63,13 +56,6 @@ void expect_same_sharpness(const Mesh& ours, const PlainMesh& reference) {
 bool has_boundary(const Mesh& mesh) {
   return std::any_of(mesh.twins().begin(), mesh.twins().end(),
                      [](Halfedge h) { return !h.is_valid(); });
-}
-
-bool is_identical(const Mesh& a, const Mesh& b) {
-  return is_same_bytes(a.positions(), b.positions()) && is_same_bytes(a.origins(), b.origins()) &&
-         is_same_bytes(a.twins(), b.twins()) && is_same_bytes(a.outgoings(), b.outgoings()) &&
-         is_same_bytes(a.sharpnesses(), b.sharpnesses()) &&
-         is_same_bytes(a.vertex_sharpnesses(), b.vertex_sharpnesses());
 }
 
 }  // namespace mesher::test

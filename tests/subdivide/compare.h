@@ -27,7 +27,4 @@ void expect_same_sharpness(const Mesh& ours, const PlainMesh& reference);
 
 bool has_boundary(const Mesh& mesh);
 
-/// Whether two meshes are equal, bit by bit, in all that a mesh holds.
-bool is_identical(const Mesh& a, const Mesh& b);
-
 }  // namespace mesher::test
