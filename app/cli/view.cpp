@@ -62,8 +62,10 @@ std::vector<KeyPress> checked_keys(const std::string& text) {
   return keys;
 }
 
+/// Without a window to show it in, what is damaged is said here.
 void finish(Session& session, PmArrival& arrival) {
   arrival.finish(session);
+  if (!session.error.empty()) say("DAMAGED: " + session.error);
   run_waiting_edits(session);
 }
 

@@ -262,6 +262,10 @@ TEST_F(ProgressiveCommand, DamageIsSaidByWhateverReadsIt) {
     EXPECT_GT(pm["splits"], 0) << arguments[0];
     EXPECT_LT(pm["splits"], 1737) << arguments[0];
   }
+  const Finished view =
+      mesher({"view", "damaged.pm", "--screenshot", "v.png", "--size", "20", "--quiet"});
+  EXPECT_EQ(view.exit_code, 0);
+  EXPECT_TRUE(holds(view.err, "DAMAGED: damaged.pm: ")) << view.err;
   const Finished compare = mesher({"compare", "damaged.pm", "bunny", "--json"});
   EXPECT_EQ(nlohmann::json::parse(compare.out)["first_pm"]["complete"], false);
 }
