@@ -227,8 +227,12 @@ struct SplitCoder<Coder>::State {
       ring.locate(split.parent, [&](Vertex v) { return glm::dvec3(pm.mesh().position(v)); });
     }
     split.cut = cut.code(coder, ring, split.cut);
-    if (Coder::kDecodes && !pm.can_append(split.parent, split.cut))
+    // What a model says of the ring is in range; the rest of can_append is this.
+    constexpr std::uint32_t most_faces = kNone / 3 - 2;
+    if (split.cut.left == split.cut.right || pm.full_face_count() > most_faces) {
       return "a split cuts where it cannot";
+    }
+    MESHER_ASSERT(!Coder::kDecodes || pm.can_append(split.parent, split.cut));
     moved += ring.moved(split.cut);
     parent.note(ring, split.parent, split.cut);
     return moved <= most_moved ? std::string_view{} : "splits move too many corners";
