@@ -163,18 +163,16 @@ class BitTree {
   BitModel models_[1U << kBits];
 };
 
-/// A number with a sign, less than 2^40 from 0: what only a hostile file says is cut off there.
-/// How many bits it has is told by a tree, the bit after the leading one by a model, and then the
-/// rest as it is, the sign last.
-template <unsigned kTreeBits>
-class SignedModel {
+/// A number with a sign, less than 2^40 from 0: what only a hostile file says is cut off there. The
+/// bit after the leading one is told by a model, then the rest as it is, the sign last. How many
+/// bits there are, `width`, is the caller's to tell.
+class DigitsModel {
  public:
   template <class Coder>
-  std::int64_t code(Coder& coder, std::int64_t value) {
+  std::int64_t code(Coder& coder, unsigned width, std::int64_t value) {
     constexpr std::uint64_t most = (std::uint64_t{1} << 40U) - 1;
-    const auto told = static_cast<std::uint64_t>(value < 0 ? -value : value);
-    const auto width = length_.code(coder, static_cast<std::uint32_t>(std::bit_width(told)));
     if (width == 0) return 0;
+    const auto told = static_cast<std::uint64_t>(value < 0 ? -value : value);
     std::uint64_t size = 1;
     unsigned left = width - 1;
     if (left > 0) {
@@ -183,11 +181,15 @@ class SignedModel {
     }
     for (; left > 24; left -= 24)
       size = size << 24U | coder.bits(low_bits(told >> (left - 24), 24), 24);
-    // The sign sticks to the last bits.
     const std::uint32_t last = low_bits(told, left) << 1U | (value < 0 ? 1U : 0U);
     const std::uint32_t rest = coder.bits(last, left + 1);
     size = std::min(size << left | rest >> 1U, most);
     return (rest & 1U) != 0 ? -static_cast<std::int64_t>(size) : static_cast<std::int64_t>(size);
+  }
+
+  static unsigned width(std::int64_t value) {
+    return static_cast<unsigned>(
+        std::bit_width(static_cast<std::uint64_t>(value < 0 ? -value : value)));
   }
 
  private:
@@ -195,8 +197,40 @@ class SignedModel {
     return static_cast<std::uint32_t>(value) & ((1U << count) - 1);
   }
 
-  BitTree<kTreeBits> length_;
-  BitModel second_[1U << kTreeBits];
+  BitModel second_[64];
+};
+
+/// The same with a width of which nothing is known.
+class SignedModel {
+ public:
+  template <class Coder>
+  std::int64_t code(Coder& coder, std::int64_t value) {
+    return digits_.code(coder, width_.code(coder, DigitsModel::width(value)), value);
+  }
+
+ private:
+  BitTree<6> width_;
+  DigitsModel digits_;
+};
+
+/// The same where the width is most likely one of the seven from `lowest` on.
+class ScaledModel {
+ public:
+  template <class Coder>
+  std::int64_t code(Coder& coder, unsigned lowest, std::int64_t value) {
+    unsigned width = DigitsModel::width(value);
+    unsigned near = width - lowest;
+    near = near_.code(coder, near < kNear ? near : kNear);
+    width = near < kNear ? lowest + near : far_.code(coder, width);
+    return digits_.code(coder, width, value);
+  }
+
+ private:
+  static constexpr unsigned kNear = 7;
+
+  BitTree<3> near_;
+  BitTree<6> far_;
+  DigitsModel digits_;
 };
 
 }  // namespace mesher
