@@ -109,7 +109,6 @@ class PlaceOrder {
 };
 
 /// Differences between what coordinates are and were thought to be.
-template <unsigned kTreeBits>
 class DifferenceModel {
  public:
   /// `width`: of what is expected, about, in bits. `shift`: how many bits finer than elsewhere the
@@ -117,10 +116,13 @@ class DifferenceModel {
   template <class Coder>
   std::int64_t code(Coder& coder, const PlaceGuess& guess, int step, int width, int shift,
                     std::int64_t difference) {
-    if (step < 2 || !guess.has_plane) return side_[step][context(width)].code(coder, difference);
+    if (step < 2 || !guess.has_plane) {
+      const unsigned at = context(width);
+      return side_[step][at].code(coder, lowest(at, step < 2 ? 5 : 7), difference);
+    }
     // Off a plane by what rounding leaves, or by what else places vertices: the last ones tell.
-    const auto recent_width = static_cast<int>(std::bit_width(recent_));
-    difference = plane_[context(recent_width + shift)].code(coder, difference);
+    const unsigned at = context(static_cast<int>(std::bit_width(recent_)) + shift);
+    difference = plane_[at].code(coder, lowest(at, 7), difference);
     const auto off = static_cast<std::uint64_t>(difference < 0 ? -difference : difference);
     recent_ = recent_ - recent_ / 16 + (off >> static_cast<unsigned>(shift));
     return difference;
@@ -129,12 +131,13 @@ class DifferenceModel {
  private:
   static constexpr int kContexts = 40;
 
-  static std::size_t context(int value) {
-    return static_cast<std::size_t>(std::clamp(value, 0, kContexts - 1));
+  static unsigned context(int value) {
+    return static_cast<unsigned>(std::clamp(value, 0, kContexts - 1));
   }
+  static unsigned lowest(unsigned at, unsigned below) { return at < below ? 0 : at - below; }
 
-  SignedModel<kTreeBits> side_[3][kContexts];
-  SignedModel<kTreeBits> plane_[kContexts];
+  ScaledModel side_[3][kContexts];
+  ScaledModel plane_[kContexts];
   std::uint64_t recent_ = 0;
 };
 

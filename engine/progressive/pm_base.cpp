@@ -138,8 +138,8 @@ class BaseCoder {
   std::uint32_t next_ = 0;
   std::uint32_t last_which_ = 0;
   BitTree<3> which_[24];
-  SignedModel<6> difference_[3];
-  SignedModel<6> position_[3];
+  SignedModel difference_[3];
+  SignedModel position_[3];
   SharpnessModel edge_;
   SharpnessModel corner_;
 };

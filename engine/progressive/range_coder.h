@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -15,23 +16,18 @@ namespace mesher {
 // does not look at what it is given.
 
 /// How likely a bit is to be 0, of 65536: the mean of two estimates, one that adapts fast and one
-/// that adapts slowly.
+/// that adapts slowly. Neither comes nearer to 0 or 65536 than 31. No branch: which bit comes is
+/// what a processor cannot foresee.
 class BitModel {
  public:
-  std::uint32_t zero() const { return (std::uint32_t{fast_} + slow_) >> 1U; }
+  std::uint32_t zero() const { return static_cast<std::uint32_t>(fast_ + slow_) >> 1U; }
   void update(bool bit) {
-    if (bit) {
-      fast_ = static_cast<std::uint16_t>(fast_ - (fast_ >> kFast));
-      slow_ = static_cast<std::uint16_t>(slow_ - (slow_ >> kSlow));
-    } else {
-      fast_ = static_cast<std::uint16_t>(fast_ + ((0xFFFFU - fast_) >> kFast));
-      slow_ = static_cast<std::uint16_t>(slow_ + ((0xFFFFU - slow_) >> kSlow));
-    }
+    const int goal = bit ? 31 : 65505;
+    fast_ = static_cast<std::uint16_t>(fast_ + ((goal - fast_) >> 4));
+    slow_ = static_cast<std::uint16_t>(slow_ + ((goal - slow_) >> 7));
   }
 
  private:
-  static constexpr unsigned kFast = 4;
-  static constexpr unsigned kSlow = 7;
   std::uint16_t fast_ = 0x8000;
   std::uint16_t slow_ = 0x8000;
 };
@@ -104,12 +100,9 @@ class RangeDecoder {
   bool bit(BitModel& model, bool = false) {
     const std::uint64_t bound = (range_ >> 16U) * model.zero();
     const bool value = code_ >= bound;
-    if (value) {
-      code_ -= bound;
-      range_ -= bound;
-    } else {
-      range_ = bound;
-    }
+    const std::uint64_t above = range_ - bound;
+    code_ -= value ? bound : 0;
+    range_ = value ? above : bound;
     model.update(value);
     normalize();
     return value;
@@ -170,60 +163,74 @@ class BitTree {
   BitModel models_[1U << kBits];
 };
 
-/// A number of up to 63 bits: how many bits it has by a tree, then the two bits after the leading
-/// one by models, then the rest as it is.
-template <unsigned kTreeBits>
-class MagnitudeModel {
+/// A number with a sign, less than 2^40 from 0: what only a hostile file says is cut off there. The
+/// bit after the leading one is told by a model, then the rest as it is, the sign last. How many
+/// bits there are, `width`, is the caller's to tell.
+class DigitsModel {
  public:
-  static constexpr unsigned kMostBits = (1U << kTreeBits) - 1;
-
   template <class Coder>
-  std::uint64_t code(Coder& coder, std::uint64_t value) {
-    const auto width = length_.code(coder, static_cast<std::uint32_t>(std::bit_width(value)));
-    if (width <= 1) return width;
-    std::uint64_t result = 1;
+  std::int64_t code(Coder& coder, unsigned width, std::int64_t value) {
+    constexpr std::uint64_t most = (std::uint64_t{1} << 40U) - 1;
+    if (width == 0) return 0;
+    const auto told = static_cast<std::uint64_t>(value < 0 ? -value : value);
+    std::uint64_t size = 1;
     unsigned left = width - 1;
-    const auto next = [&] { return (value >> (left - 1) & 1U) != 0; };
-    const bool second = coder.bit(second_[width], left > 0 && next());
-    result = result << 1U | std::uint64_t{second};
-    if (--left == 0) return result;
-    const bool third = coder.bit(third_[2 * width + std::size_t{second}], next());
-    result = result << 1U | std::uint64_t{third};
-    --left;
-    while (left > 0) {
-      const unsigned count = left < 24 ? left : 24;
-      left -= count;
-      const std::uint32_t mask = (1U << count) - 1;
-      const auto part = static_cast<std::uint32_t>(value >> left) & mask;
-      result = result << count | coder.bits(part, count);
+    if (left > 0) {
+      --left;
+      size = 2 | std::uint64_t{coder.bit(second_[width], (told >> left & 1U) != 0)};
     }
-    return result;
+    for (; left > 24; left -= 24)
+      size = size << 24U | coder.bits(low_bits(told >> (left - 24), 24), 24);
+    const std::uint32_t last = low_bits(told, left) << 1U | (value < 0 ? 1U : 0U);
+    const std::uint32_t rest = coder.bits(last, left + 1);
+    size = std::min(size << left | rest >> 1U, most);
+    return (rest & 1U) != 0 ? -static_cast<std::int64_t>(size) : static_cast<std::int64_t>(size);
+  }
+
+  static unsigned width(std::int64_t value) {
+    return static_cast<unsigned>(
+        std::bit_width(static_cast<std::uint64_t>(value < 0 ? -value : value)));
   }
 
  private:
-  BitTree<kTreeBits> length_;
-  BitModel second_[1U << kTreeBits];
-  BitModel third_[2U << kTreeBits];
+  static std::uint32_t low_bits(std::uint64_t value, unsigned count) {
+    return static_cast<std::uint32_t>(value) & ((1U << count) - 1);
+  }
+
+  BitModel second_[64];
 };
 
-/// A number with a sign, less than 2^40 from 0: what only a hostile file says is cut off there.
-template <unsigned kTreeBits>
+/// The same with a width of which nothing is known.
 class SignedModel {
  public:
   template <class Coder>
   std::int64_t code(Coder& coder, std::int64_t value) {
-    constexpr std::uint64_t most = (std::uint64_t{1} << 40U) - 1;
-    const auto told =
-        magnitude_.code(coder, static_cast<std::uint64_t>(value < 0 ? -value : value));
-    const std::uint64_t size = told < most ? told : most;
-    if (size == 0) return 0;
-    const bool is_negative = coder.bit(sign_, value < 0);
-    return is_negative ? -static_cast<std::int64_t>(size) : static_cast<std::int64_t>(size);
+    return digits_.code(coder, width_.code(coder, DigitsModel::width(value)), value);
   }
 
  private:
-  MagnitudeModel<kTreeBits> magnitude_;
-  BitModel sign_;
+  BitTree<6> width_;
+  DigitsModel digits_;
+};
+
+/// The same where the width is most likely one of the seven from `lowest` on.
+class ScaledModel {
+ public:
+  template <class Coder>
+  std::int64_t code(Coder& coder, unsigned lowest, std::int64_t value) {
+    unsigned width = DigitsModel::width(value);
+    unsigned near = width - lowest;
+    near = near_.code(coder, near < kNear ? near : kNear);
+    width = near < kNear ? lowest + near : far_.code(coder, width);
+    return digits_.code(coder, width, value);
+  }
+
+ private:
+  static constexpr unsigned kNear = 7;
+
+  BitTree<3> near_;
+  BitTree<6> far_;
+  DigitsModel digits_;
 };
 
 }  // namespace mesher

@@ -59,8 +59,6 @@ class FloatPlaces {
   }
 
  private:
-  using Model = DifferenceModel<6>;
-
   static bool has_same_bits(const glm::vec3& a, const glm::vec3& b) {
     return pm_ordered(a.x) == pm_ordered(b.x) && pm_ordered(a.y) == pm_ordered(b.y) &&
            pm_ordered(a.z) == pm_ordered(b.z);
@@ -73,8 +71,8 @@ class FloatPlaces {
   }
 
   template <class Coder>
-  static bool code_point(Coder& coder, Model& model, const glm::dvec3& at, const PlaceGuess& guess,
-                         glm::vec3& position) {
+  static bool code_point(Coder& coder, DifferenceModel& model, const glm::dvec3& at,
+                         const PlaceGuess& guess, glm::vec3& position) {
     const PlaceOrder order(guess);
     const double largest = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
     glm::dvec3 point(0.0);
@@ -100,8 +98,8 @@ class FloatPlaces {
   }
 
   StaysModel stays_;
-  Model parent_;
-  Model child_;
+  DifferenceModel parent_;
+  DifferenceModel child_;
 };
 
 /// Positions on a grid: first how the child lies to the parent, then the parent.
@@ -133,8 +131,6 @@ class GridPlaces {
   }
 
  private:
-  using Model = DifferenceModel<5>;
-
   template <class Coder>
   void code_numbers(Coder& coder, const SplitRing& ring, const NewSplit& split, glm::ivec3& parent,
                     glm::ivec3& child) {
@@ -164,18 +160,15 @@ class GridPlaces {
   }
 
   template <class Coder>
-  static void code_point(Coder& coder, Model& model, const glm::ivec3& at, const PlaceGuess& guess,
-                         glm::ivec3& numbers) {
+  static void code_point(Coder& coder, DifferenceModel& model, const glm::ivec3& at,
+                         const PlaceGuess& guess, glm::ivec3& numbers) {
     // Outside the grid by far; what is hostile ends there.
     constexpr std::int64_t most = std::int64_t{1} << 26U;
     const PlaceOrder order(guess);
     glm::dvec3 point(0.0);
     for (int step = 0; step < 3; ++step) {
       const int i = order.axis(step);
-      const double near = std::floor(at[i] + order.mean(step, point) + 0.5);
-      const auto before = static_cast<std::int64_t>(near >= -most  ? std::min<double>(near, most)
-                                                    : near < -most ? -most
-                                                                   : 0);
+      const std::int64_t before = nearest(at[i] + order.mean(step, point), most);
       const int width = (exponent_of(order.variance(step)) - 1023) / 2;
       const std::int64_t number =
           before + model.code(coder, guess, step, width, 0, numbers[i] - before);
@@ -184,10 +177,20 @@ class GridPlaces {
     }
   }
 
+  /// The nearest whole number, the upper of two; 0 for what is no number.
+  static std::int64_t nearest(double value, std::int64_t most) {
+    const double limit = static_cast<double>(most);
+    if (!(value > -limit)) return value <= -limit ? -most : 0;
+    if (value >= limit) return most;
+    const double up = value + 0.5;
+    const auto whole = static_cast<std::int64_t>(up);
+    return whole - (static_cast<double>(whole) > up ? 1 : 0);
+  }
+
   Array<glm::ivec3> numbers_;
   StaysModel stays_;
-  Model difference_;
-  Model parent_;
+  DifferenceModel difference_;
+  DifferenceModel parent_;
 };
 
 }  // namespace
@@ -214,21 +217,25 @@ struct SplitCoder<Coder>::State {
     if (pm.level() == 0) parent.begin(mesh);
     split.parent = parent.code(coder, split.parent);
     if (!split.parent.is_valid()) return "a split has a parent that is not there";
-    if (!ring.gather(mesh, split.parent)) return "a split has a parent of too many faces";
+    const bool is_gathered =
+        header.is_quantized()
+            ? ring.gather(mesh, split.parent, [&](Vertex v) { return glm::dvec3(grid.at(v)); })
+            : ring.gather(mesh, split.parent,
+                          [&](Vertex v) { return glm::dvec3(mesh.position(v)); });
+    if (!is_gathered) return "a split has a parent of too many faces";
     walked += ring.faces();
     return walked <= most_walked ? std::string_view{}
                                  : "too many faces around the parents of splits";
   }
 
   std::string_view code_cut(Coder& coder, const ProgressiveMesh& pm, NewSplit& split) {
-    if (header.is_quantized()) {
-      ring.locate(split.parent, [this](Vertex v) { return glm::dvec3(grid.at(v)); });
-    } else {
-      ring.locate(split.parent, [&](Vertex v) { return glm::dvec3(pm.mesh().position(v)); });
-    }
     split.cut = cut.code(coder, ring, split.cut);
-    if (Coder::kDecodes && !pm.can_append(split.parent, split.cut))
+    // What a model says of the ring is in range; the rest of can_append is this.
+    constexpr std::uint32_t most_faces = kNone / 3 - 2;
+    if (split.cut.left == split.cut.right || pm.full_face_count() > most_faces) {
       return "a split cuts where it cannot";
+    }
+    MESHER_ASSERT(!Coder::kDecodes || pm.can_append(split.parent, split.cut));
     moved += ring.moved(split.cut);
     parent.note(ring, split.parent, split.cut);
     return moved <= most_moved ? std::string_view{} : "splits move too many corners";

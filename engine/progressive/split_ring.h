@@ -22,43 +22,36 @@ inline glm::dvec3 cross(const glm::dvec3& a, const glm::dvec3& b) {
 /// The edges at a vertex by slot (see SplitCut), in memory that is used again.
 class SplitRing {
  public:
-  /// False where more faces than the format allows are there. Pre: not isolated.
-  bool gather(const Mesh& mesh, Vertex v) {
-    out_.clear();
-    vertices_.clear();
+  /// With where its vertices are, seen from the parent. False where more faces than the format
+  /// allows are there. Pre: not isolated.
+  template <class Position>
+  bool gather(const Mesh& mesh, Vertex v, const Position& position) {
+    at_ = position(v);
     const Halfedge start = mesh.outgoing(v);
     Halfedge h = start;
-    Halfedge last;
+    std::uint32_t count = 0;
     do {
-      if (out_.size() == kPmMostFan) return false;
-      out_.push_back(h);
-      vertices_.push_back(mesh.target(h));
-      last = Mesh::prev(h);
-      h = mesh.twin(last);
+      if (count == kPmMostFan) return false;
+      if (count + 1 >= out_.size()) resize(2 * count + 32);
+      out_[count] = h;
+      add(count++, mesh.target(h), position);
+      last_ = Mesh::prev(h);
+      h = mesh.twin(last_);
     } while (h.is_valid() && h != start);
+    faces_ = count;
     is_closed_ = h.is_valid();
-    if (!is_closed_) vertices_.push_back(mesh.origin(last));
+    if (!is_closed_) add(count, mesh.origin(last_), position);
     return true;
   }
-  /// Where its vertices are, seen from the parent.
-  template <class Position>
-  void locate(Vertex parent, const Position& position) {
-    at_ = position(parent);
-    places_.resize(vertices_.size());
-    for (std::size_t i = 0; i < vertices_.size(); ++i)
-      places_[i] = position(vertices_[i]) - at_;
-  }
 
-  std::uint32_t faces() const { return static_cast<std::uint32_t>(out_.size()); }
-  std::uint32_t slots() const { return static_cast<std::uint32_t>(vertices_.size()); }
+  std::uint32_t faces() const { return faces_; }
+  std::uint32_t slots() const { return faces_ + (is_closed_ ? 0 : 1); }
   bool is_closed() const { return is_closed_; }
   std::uint32_t after(std::uint32_t slot) const { return slot + 1 == slots() ? 0 : slot + 1; }
   /// At the other end of the edge in a slot.
   Vertex vertex(std::uint32_t slot) const { return vertices_[slot]; }
   /// A half of the edge in a slot.
-  Halfedge halfedge(std::uint32_t slot) const {
-    return slot < out_.size() ? out_[slot] : Mesh::prev(out_[slot - 1]);
-  }
+  Halfedge halfedge(std::uint32_t slot) const { return slot < faces_ ? out_[slot] : last_; }
   const glm::dvec3& at() const { return at_; }  ///< the parent
   const glm::dvec3& place(std::uint32_t slot) const { return places_[slot]; }
 
@@ -69,10 +62,23 @@ class SplitRing {
   }
 
  private:
+  void resize(std::uint32_t size) {
+    out_.resize(size);
+    vertices_.resize(size);
+    places_.resize(size);
+  }
+  template <class Position>
+  void add(std::uint32_t slot, Vertex v, const Position& position) {
+    vertices_[slot] = v;
+    places_[slot] = position(v) - at_;
+  }
+
   Array<Halfedge> out_;
   Array<Vertex> vertices_;
   Array<glm::dvec3> places_;
   glm::dvec3 at_{0.0};
+  Halfedge last_;
+  std::uint32_t faces_ = 0;
   bool is_closed_ = false;
 };
 

@@ -3,11 +3,14 @@
 
 #include <random>
 #include <string>
+#include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/memory.h"
 #include "engine/progressive/build.h"
 #include "engine/progressive/pm_format.h"
 #include "engine/progressive/pm_read.h"
+#include "engine/progressive/pm_write.h"
 #include "tests/progressive/checks.h"
 #include "tests/progressive/pm_files.h"
 #include "tests/support/meshes.h"
@@ -22,6 +25,11 @@ ProgressiveMesh sample() {
     mesh.set_sharpness(mesh.edge(Halfedge(i)), i % 2 == 0 ? kInfinitelySharp : 1.25F);
   mesh.set_sharpness(Vertex(3), 2.0F);
   return make_progressive(mesh, {.target_faces = 30}).mesh;
+}
+
+/// Of header and base.
+std::size_t written_base_bytes(ProgressiveMesh& mesh) {
+  return write_pm(mesh, {}, [](auto) {}).base;
 }
 
 /// Fails where the mesh that was read is not the sample at some level.
@@ -102,6 +110,66 @@ TEST(PmHostile, NoiseUnderRightChecksums) {
     expect_sound(read);
     if (testing::Test::HasFailure()) return;
   }
+}
+
+/// Writes a number into a file, and the checksums that fit.
+Bytes with_u32(Bytes bytes, std::size_t at, std::uint32_t value) {
+  for (std::size_t i = 0; i < 4; ++i)
+    bytes[at + i] = static_cast<std::byte>(value >> (8 * i));
+  mend_checksums(bytes);
+  return bytes;
+}
+
+TEST(PmHostile, WhatIsAnnouncedTakesNoMemory) {
+  ProgressiveMesh mesh = sample();
+  const Bytes bytes = written(mesh);
+  const std::size_t first_block = written_base_bytes(mesh);
+  const MemoryLimit limit(std::uint64_t{64} << 20U);
+  constexpr std::size_t vertices = 20;
+  constexpr std::size_t faces = 24;
+  constexpr std::size_t splits = 28;
+  for (const std::uint32_t count : {100'000U, 0x3FFFFFFFU, 0xFFFFFFF0U}) {
+    EXPECT_NE(read_back(with_u32(bytes, vertices, count)).error, "");
+    EXPECT_NE(read_back(with_u32(bytes, faces, count)).error, "");
+    ReadBack block = read_back(with_u32(bytes, first_block + 4, count));
+    EXPECT_EQ(block.mesh.split_count(), 0U);
+    EXPECT_NE(block.damage, "");
+    ReadBack size = read_back(with_u32(bytes, first_block, count));
+    EXPECT_NE(size.damage, "");
+  }
+  ReadBack many = read_back(with_u32(bytes, splits, 0xFFFFFF00U));
+  EXPECT_EQ(many.error, "");
+  EXPECT_EQ(many.mesh.split_count(), mesh.split_count());
+  EXPECT_NE(many.damage.find("of 4,294,967,040 splits"), std::string::npos) << many.damage;
+}
+
+TEST(PmHostile, OtherVersionsAndFlagsAreRefused) {
+  ProgressiveMesh mesh = sample();
+  const Bytes bytes = written(mesh);
+  for (const auto& [at, value] : {std::pair{8U, 2U},
+                                  {12U, 4U},
+                                  {12U, 0x80000000U},
+                                  {16U, 3U},
+                                  {16U, 25U},
+                                  {16U, 14U},
+                                  {64U, 0U},
+                                  {64U, 1U}}) {
+    EXPECT_NE(read_back(with_u32(bytes, at, value)).error, "") << at << " " << value;
+  }
+}
+
+TEST(PmHostile, ABlockIsUsedOnce) {
+  ProgressiveMesh mesh = sample();
+  const Bytes bytes = written(mesh);
+  const std::size_t base = written_base_bytes(mesh);
+  std::size_t end = base + kPmBlockHeaderBytes;
+  for (std::size_t i = 0; i < 4; ++i)
+    end += std::to_integer<std::size_t>(bytes[base + i]) << (8 * i);
+  Bytes twice(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(end));
+  twice.insert(twice.end(), bytes.begin() + static_cast<std::ptrdiff_t>(base), bytes.end());
+  ReadBack read = read_back(twice);
+  EXPECT_EQ(read.mesh.split_count(), 64U);
+  EXPECT_NE(read.damage.find("checksum"), std::string::npos) << read.damage;
 }
 
 TEST(PmHostile, WhatFollowsTheEndIsSaid) {
