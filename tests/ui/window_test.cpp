@@ -205,7 +205,7 @@ TEST_F(WindowTest, EscapeClosesAColorPickerAndNotTheProgram) {
   const auto v = open({"cube", "--size", "800x800"});
   v->settle();
   const auto before = v->screenshot();
-  click(*v, 32, 468);  // the swatch of the front color
+  click(*v, 32, 494);  // the swatch of the front color
   v->move(500, 700);
   v->settle();
   EXPECT_GT(differing_bytes(v->screenshot(), before), 50'000U);  // the picker is open
@@ -226,7 +226,7 @@ TEST_F(WindowTest, ThePanelsControlsWork) {
   EXPECT_REACHES(*v, s["wireframe"] == true);
   slide(*v, 135, 80, 416);
   EXPECT_REACHES(*v, s["crease_angle_deg"] < 150.0);
-  click(*v, 32, 520);
+  click(*v, 32, 546);
   EXPECT_REACHES(*v, s["background"] == "dark");
   quit(*v);
 }
