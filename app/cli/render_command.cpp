@@ -1,12 +1,11 @@
 #include "app/cli/render_command.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "app/cli/batch.h"
 #include "app/cli/progress_line.h"
+#include "app/detail_range.h"
 #include "app/json.h"
 #include "app/paths.h"
+#include "app/progressive_view.h"
 #include "app/scripted_session.h"
 #include "engine/core/error.h"
 #include "engine/io/png.h"
@@ -16,9 +15,6 @@
 
 namespace mesher::app {
 namespace {
-
-/// The share of the splits that grow at a time.
-constexpr double kGrowing = 1.0 / 16.0;
 
 /// A model in all its levels.
 struct Detail {
@@ -49,10 +45,10 @@ Detail open_detail(Session& session, LoadedLevels&& opened, double lod, const Lo
   detail.mesh =
       opened.levels ? std::move(*opened.levels) : progressive_of(opened.loaded, line.progress());
   show(session, std::move(opened.loaded), look);
-  detail.moment = detail_moment(lod, detail.mesh.split_count());
+  detail.moment = detail_moment(lod, detail.mesh.base_vertex_count(), detail.mesh.split_count());
   detail.mesh.go_to(detail.moment.level);
   detail.geomorph = Geomorph(detail.mesh, line.progress());
-  session.settings.geomorph = GeomorphTime::continuous(detail.moment.time, detail.moment.window);
+  session.settings.geomorph = detail.moment.growth;
   session.statistics = statistics(detail.mesh.mesh());
   return detail;
 }
@@ -119,12 +115,15 @@ void reduce(LoadedLevels& opened, const DetailWords& detail, const CommonOptions
 
 }  // namespace
 
-DetailMoment detail_moment(double lod, std::uint32_t splits) {
-  DetailMoment moment;
-  moment.window = std::max(1.0, kGrowing * splits);
-  moment.time = lod * (splits + moment.window);
-  moment.level = static_cast<std::uint32_t>(std::min(double(splits), std::ceil(moment.time)));
-  return moment;
+DetailMoment detail_moment(double lod, std::uint32_t base_vertices, std::uint32_t splits) {
+  const DetailRange range{.base_vertices = double(base_vertices),
+                          .splits = splits,
+                          .window = ProgressiveSettings{}.window};
+  const double time = lod * range.end();
+  return {.time = time,
+          .window = range.growing(time),
+          .level = range.level(time),
+          .growth = range.growth(time)};
 }
 
 void run_render(const InputOptions& input, const std::string& output, const LookOptions& look,

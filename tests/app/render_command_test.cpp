@@ -13,23 +13,29 @@ using app::detail_moment;
 using app::DetailMoment;
 
 TEST(DetailMoment, GoesFromTheBaseToAllDetail) {
-  const DetailMoment base = detail_moment(0.0, 1600);
-  EXPECT_EQ(base.time, 0.0);
+  const DetailMoment base = detail_moment(0.0, 80, 1600);
   EXPECT_EQ(base.level, 0U);
-  EXPECT_EQ(base.window, 100.0);
-  const DetailMoment middle = detail_moment(0.5, 1600);
-  EXPECT_EQ(middle.time, 850.0);
-  EXPECT_EQ(middle.level, 850U);
-  EXPECT_EQ(detail_moment(0.5003, 1600).level, 851U);
-  const DetailMoment full = detail_moment(1.0, 1600);
-  EXPECT_EQ(full.time, 1700.0);
+  EXPECT_EQ(base.time, 0.0);
+  EXPECT_EQ(base.window, 10.0);
+  double grown = 0.0;
+  for (double lod = 0.01; lod < 1.0; lod += 0.01) {
+    const DetailMoment moment = detail_moment(lod, 80, 1600);
+    double now = 0.0;
+    for (std::uint32_t i = 0; i < moment.level; ++i)
+      now += double(growth(moment.growth, i));
+    EXPECT_GT(now, grown);
+    EXPECT_NEAR(now, lod * 1600, 130);  // within half the widest window
+    grown = now;
+  }
+  const DetailMoment full = detail_moment(1.0, 80, 1600);
   EXPECT_EQ(full.level, 1600U);
+  EXPECT_EQ(full.growth, GeomorphTime::done());
 }
 
 TEST(DetailMoment, OfAMeshWithoutSplitsIsTheMesh) {
   for (const double lod : {0.0, 0.5, 1.0}) {
-    EXPECT_EQ(detail_moment(lod, 0).level, 0U);
-    EXPECT_GT(detail_moment(lod, 0).window, 0.0);
+    EXPECT_EQ(detail_moment(lod, 80, 0).level, 0U);
+    EXPECT_GT(detail_moment(lod, 80, 0).window, 0.0);
   }
 }
 
@@ -79,7 +85,7 @@ TEST_F(RenderCommand, AFileOfLevelsGivesTheSamePicture) {
 
 TEST_F(RenderCommand, TheMomentIsReported) {
   const auto json = mesher_json({"render", "bunny", "-o", "r.png", "--size", "20", "--lod", "0.5"});
-  const DetailMoment moment = detail_moment(0.5, 1737);
+  const DetailMoment moment = detail_moment(0.5, 102, 1737);
   EXPECT_EQ(json["detail"]["lod"], 0.5);
   EXPECT_EQ(json["detail"]["splits"], 1737);
   EXPECT_EQ(json["detail"]["level"], moment.level);
