@@ -29,6 +29,8 @@ constexpr double kJobPollSeconds = 0.1;
 constexpr double kCaretBlinkSeconds = 0.4;
 // Of each frame, for reading on where a progressive mesh arrives.
 constexpr double kArrivalSeconds = 0.008;
+// Past it, edges are not smoothed while things move.
+constexpr double kLongFrameMs = 40.0;
 // A frame that took longer does not make what moves jump.
 constexpr double kLongestStepSeconds = 0.1;
 // ImGui settles its layout over a few frames after an event.
@@ -78,6 +80,12 @@ class Viewer {
   }
 
  private:
+  struct Drawn {
+    render::Settings settings;
+    render::Camera camera;
+    friend bool operator==(const Drawn&, const Drawn&) = default;
+  };
+
   // As in a script, each key finds done what came before it.
   void press(const std::vector<KeyPress>& keys) {
     if (!keys.empty() && arrival_) arrival_->finish(session_);
@@ -392,8 +400,19 @@ class Viewer {
     return true;
   }
 
+  /// While the picture changes from frame to frame and that takes long, to follow the hand counts
+  /// for more than smooth edges. They come with the first frame that has nothing new to show.
+  unsigned samples_for(const Drawn& now) {
+    const bool changes = drawn_ != now;
+    is_hurried_ = changes && has_changed_ && (is_hurried_ || frame_ms_ > kLongFrameMs);
+    has_changed_ = changes;
+    if (is_hurried_) want_frames();
+    return is_hurried_ ? 1 : now.settings.samples;
+  }
+
   void draw_scene(const gpu::Frame& frame) {
-    const unsigned samples = device_.supported_samples(drawable_settings_->samples);
+    const Drawn now{*drawn_settings_, session_.camera};
+    const unsigned samples = device_.supported_samples(samples_for(now));
     if (!target_ || target_->extent().width != frame.extent.width ||
         target_->extent().height != frame.extent.height || target_->samples() != samples) {
       target_.emplace(device_, frame.extent, samples, presenter_.format());
@@ -401,7 +420,6 @@ class Viewer {
     }
     // Panels may just have changed the settings; the mirror follows before the next frame.
     if (session_.settings != *drawable_settings_) want_frames();
-    const Drawn now{*drawn_settings_, session_.camera};
     if (drawn_ == now) return;  // only the panels changed
     renderer_.draw(frame.commands, *target_, mesh_, now.camera, now.settings);
     drawn_ = now;
@@ -429,12 +447,6 @@ class Viewer {
       session_.error = error.what();
     }
   }
-
-  struct Drawn {
-    render::Settings settings;
-    render::Camera camera;
-    friend bool operator==(const Drawn&, const Drawn&) = default;
-  };
 
   Session& session_;
   ViewerOptions options_;
@@ -467,6 +479,8 @@ class Viewer {
   int frames_wanted_ = kFramesAfterEvent;
   bool is_hover_old_ = false;
   bool is_moving_ = false;
+  bool has_changed_ = false;  ///< the frame before showed something new
+  bool is_hurried_ = false;   ///< it was drawn without smooth edges
   double moved_at_s_ = 0.0;
 };
 

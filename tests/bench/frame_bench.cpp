@@ -83,9 +83,11 @@ struct DragScene {
   /// were copied to the GPU.
   std::uint64_t show(double position, render::Settings settings,
                      const render::SceneTarget& target) {
+    // As many grow as in the viewer: an eighth of the vertices that there are.
     const double count = mesh.split_count();
-    const double window = 0.05 * count;
-    const double time = position * (count + window);
+    const double base = mesh.base_vertex_count();
+    const double time = position * (count - 1.0 + kGrowing * base) / (1.0 - kGrowing);
+    const double window = std::max(1.0, kGrowing * (base + time));
     mesh.go_to(static_cast<std::uint32_t>(std::min(count, std::ceil(time))));
     geomorph.follow(mesh);
     settings.geomorph = GeomorphTime::continuous(time, window);
@@ -99,6 +101,7 @@ struct DragScene {
     return stats.uploaded_bytes;
   }
 
+  static constexpr double kGrowing = 0.125;
   gpu::Instance instance;
   gpu::Device device{instance};
   ProgressiveMesh mesh;
