@@ -76,4 +76,9 @@ MeshArrays MeshArrays::take(Mesh&& mesh) {
           std::move(mesh.outgoing_), std::move(mesh.sharpness_), std::move(mesh.vertex_sharpness_)};
 }
 
+MeshArrays::InPlace MeshArrays::open(Mesh& mesh) {
+  return {mesh.position_, mesh.origin_,    mesh.twin_,
+          mesh.outgoing_, mesh.sharpness_, mesh.vertex_sharpness_};
+}
+
 }  // namespace mesher

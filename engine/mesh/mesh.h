@@ -169,6 +169,18 @@ class MeshArrays {
   Mesh finish() &&;
   /// Takes a mesh apart. O(1).
   static MeshArrays take(Mesh&& mesh);
+
+  /// The arrays of a mesh where they are: for what is too short to take a mesh apart for. Changes
+  /// are the caller's to note.
+  struct InPlace {
+    Array<glm::vec3>& position;
+    Array<Vertex>& origin;
+    Array<Halfedge>& twin;
+    Array<Halfedge>& outgoing;
+    Array<float>& sharpness;
+    Array<float>& vertex_sharpness;
+  };
+  static InPlace open(Mesh& mesh);
 };
 
 }  // namespace mesher

@@ -176,11 +176,7 @@ Array<std::byte> encode_base(const PmHeader& header, const PmBase& base) {
   coder.code_faces();
   coder.code_positions();
   coder.code_sharpness();
-  Array<std::byte> payload = encoder.finish();
-  const std::uint64_t least =
-      pm_least_base_bytes(std::max(header.base_vertices, header.base_faces));
-  if (payload.size() < least) payload.resize(least, std::byte{0});
-  return payload;
+  return encoder.finish(pm_least_base_bytes(std::max(header.base_vertices, header.base_faces)));
 }
 
 std::string_view decode_base(const PmHeader& header, std::span<const std::byte> payload,

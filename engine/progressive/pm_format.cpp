@@ -9,18 +9,24 @@
 namespace mesher {
 namespace {
 
-constexpr std::array<std::uint32_t, 256> make_crc_table() {
-  std::array<std::uint32_t, 256> table{};
+// Eight bytes at a time, each with a table for how far it is from the end of the eight.
+constexpr auto make_crc_tables() {
+  std::array<std::array<std::uint32_t, 256>, 8> tables{};
   for (std::uint32_t i = 0; i < 256; ++i) {
     std::uint32_t c = i;
     for (int k = 0; k < 8; ++k)
       c = (c & 1U) != 0 ? 0xEDB88320U ^ (c >> 1U) : c >> 1U;
-    table[i] = c;
+    tables[0][i] = c;
   }
-  return table;
+  for (std::size_t t = 1; t < 8; ++t) {
+    for (std::size_t i = 0; i < 256; ++i)
+      tables[t][i] = tables[0][tables[t - 1][i] & 0xFFU] ^ (tables[t - 1][i] >> 8U);
+  }
+  return tables;
 }
 
-constexpr auto kCrcTable = make_crc_table();
+constexpr auto kCrcTables = make_crc_tables();
+static_assert(std::endian::native == std::endian::little, "eight bytes are read as one word");
 
 /// Little-endian numbers one after another.
 class Put {
@@ -99,8 +105,17 @@ glm::ivec3 PmGrid::numbers(const glm::vec3& position, unsigned bits) const {
 
 std::uint32_t pm_check(std::uint32_t before, std::span<const std::byte> bytes) {
   std::uint32_t c = ~before;
-  for (const std::byte b : bytes)
-    c = kCrcTable[(c ^ std::to_integer<std::uint32_t>(b)) & 0xFFU] ^ (c >> 8U);
+  std::size_t i = 0;
+  for (; bytes.size() - i >= 8; i += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes.data() + i, 8);
+    word ^= c;
+    c = 0;
+    for (std::size_t k = 0; k < 8; ++k)
+      c ^= kCrcTables[7 - k][(word >> (8 * k)) & 0xFFU];
+  }
+  for (; i < bytes.size(); ++i)
+    c = kCrcTables[0][(c ^ std::to_integer<std::uint32_t>(bytes[i])) & 0xFFU] ^ (c >> 8U);
   return ~c;
 }
 

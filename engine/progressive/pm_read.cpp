@@ -137,9 +137,17 @@ struct PmReader::State {
     return {};
   }
 
+  /// For as many splits as the bytes that have arrived may hold: most take more.
+  void reserve() {
+    constexpr std::uint64_t usual_bytes = 4;
+    const std::uint64_t expected = mesh.split_count() + waiting.size() / usual_bytes;
+    mesh.reserve(static_cast<std::uint32_t>(std::min<std::uint64_t>(expected, header.splits)));
+  }
+
   bool append(std::uint32_t count, std::span<const std::byte> payload) {
+    reserve();
     RangeDecoder decoder(payload);
-    coder->begin_block(std::uint64_t{mesh.split_count()} + count);
+    coder->begin_block(mesh.split_count(), mesh.split_count() + count);
     for (std::uint32_t i = 0; i < count; ++i) {
       NewSplit split;
       const std::string_view why = coder->code(decoder, mesh, split);

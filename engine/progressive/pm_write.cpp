@@ -121,16 +121,14 @@ class PmWriter {
   void write_block(SplitCoder<RangeEncoder>& coder, std::uint32_t end) {
     const std::uint32_t count = end - mesh_.level();
     RangeEncoder encoder;
-    coder.begin_block(end);
+    coder.begin_block(mesh_.level(), end);
     while (mesh_.level() < end) {
       NewSplit split = mesh_.next_split();
       const std::string_view why = coder.code(encoder, mesh_, split);
       if (!why.empty()) refuse(why);
       mesh_.go_to(mesh_.level() + 1);
     }
-    Array<std::byte> payload = encoder.finish();
-    // Zeros follow from the end of a payload anyway.
-    if (payload.size() < pm_least_bytes(count)) payload.resize(pm_least_bytes(count), std::byte{0});
+    const Array<std::byte> payload = encoder.finish(pm_least_bytes(count));
     if (payload.size() > pm_most_bytes(count)) refuse("splits do not fit into a block");
     check_ = pm_block_check(check_, count, payload);
     write(pm_bytes(PmBlockHeader{static_cast<std::uint32_t>(payload.size()), count, check_}));

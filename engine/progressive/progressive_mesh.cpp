@@ -57,20 +57,10 @@ struct FanSize {
   }
 };
 
-/// The mesh's arrays, taken out and put back, with its changes.
+/// The mesh's arrays, all resized together.
 class Opened {
  public:
-  explicit Opened(Mesh& mesh) : mesh_(mesh), log_(std::move(mesh.changes())) {
-    arrays_ = MeshArrays::take(std::move(mesh));
-  }
-  ~Opened() {
-    mesh_ = std::move(arrays_).finish();
-    mesh_.changes() = std::move(log_);
-  }
-  Opened(const Opened&) = delete;
-  Opened& operator=(const Opened&) = delete;
-
-  ChangeLog& log() { return log_; }
+  explicit Opened(Mesh& mesh) : arrays_(MeshArrays::open(mesh)) {}
 
   /// Throws std::bad_alloc; sizes may differ then, but nothing is lost (`shrink` to what was).
   void resize(std::size_t vertices, std::size_t faces) {
@@ -102,9 +92,7 @@ class Opened {
   }
 
  private:
-  Mesh& mesh_;
-  ChangeLog log_;
-  MeshArrays arrays_;
+  MeshArrays::InPlace arrays_;
 };
 
 Halfedge lowest(std::span<const Halfedge> of) {
@@ -212,9 +200,9 @@ void ProgressiveMesh::go_to(std::uint32_t level) {
       coarsen(arrays, step(i - 1), note);
   };
   if ((level > from ? level - from : from - level) < kLongWay) {
-    go(Notes(opened.log()));
+    go(Notes(mesh_.changes()));
   } else {
-    opened.log().note_all();
+    mesh_.changes().note_all();
     go(NoNotes());
   }
   if (level < from) opened.resize(base_vertices_ + level, face_count(level));
@@ -230,6 +218,22 @@ bool ProgressiveMesh::can_append(Vertex parent, const SplitCut& cut) const {
   if (cut.left >= slots) return false;
   if (cut.right == kNone) return !fan.is_closed;
   return cut.right < slots && cut.left != cut.right;
+}
+
+void ProgressiveMesh::reserve(std::uint32_t splits) {
+  if (splits <= splits_.capacity()) return;
+  // At least twice as much, as when they grow by themselves.
+  const std::size_t count = std::max<std::size_t>(splits, 2 * splits_.capacity());
+  constexpr std::size_t usually_moved = 4;
+  splits_.reserve(count);
+  moved_.reserve(usually_moved * count);
+  const MeshArrays::InPlace arrays = MeshArrays::open(mesh_);
+  arrays.position.reserve(base_vertices_ + count);
+  arrays.outgoing.reserve(base_vertices_ + count);
+  const std::size_t corners = 3 * (base_faces_ + 2 * count);
+  arrays.origin.reserve(corners);
+  arrays.twin.reserve(corners);
+  arrays.sharpness.reserve(corners);
 }
 
 void ProgressiveMesh::append(const NewSplit& split) {

@@ -72,6 +72,9 @@ class ProgressiveMesh {
   /// Any such split of a valid mesh gives a valid mesh. O(faces at the parent). Pre: level() ==
   /// split_count().
   bool can_append(Vertex parent, const SplitCut& cut) const;
+  /// Makes room for so many splits in all, so that arrays need not move as they are appended.
+  /// Throws std::bad_alloc.
+  void reserve(std::uint32_t splits);
   /// Adds a split after the last and goes up to it. O(faces at the parent). Throws std::bad_alloc.
   /// Pre: can_append; level() == split_count(); positions are finite.
   void append(const NewSplit& split);

@@ -17,23 +17,23 @@ void RangeEncoder::put(unsigned count) {
     bytes_.push_back(static_cast<std::byte>(low_ >> (56 - 8 * i)));
 }
 
-Array<std::byte> RangeEncoder::finish() {
-  // The number of the fewest bytes that lies in the interval.
+Array<std::byte> RangeEncoder::finish(std::uint64_t least) {
+  // The fewest bytes that lie in the interval whatever comes after them.
   for (unsigned count = 0; count <= 8; ++count) {
-    const std::uint64_t rest = count == 0   ? ~std::uint64_t{0}
-                               : count == 8 ? 0
-                                            : (std::uint64_t{1} << (64 - 8 * count)) - 1;
-    const std::uint64_t distance = ((low_ + rest) & ~rest) - low_;
-    if (distance >= range_) continue;
+    const std::uint64_t spread = count == 8 ? 0 : ~std::uint64_t{0} >> 8 * count;
+    const std::uint64_t distance = ((low_ + spread) & ~spread) - low_;
+    if (distance >= range_ || spread >= range_ - distance) continue;
     add(distance);
     put(count);
     break;
   }
-  while (!bytes_.empty() && bytes_.back() == std::byte{0})
-    bytes_.pop_back();
-  low_ = 0;
-  range_ = ~std::uint64_t{0};
-  return std::exchange(bytes_, {});
+  if (plain_count_ > 0) plain_bytes_.push_back(static_cast<std::byte>(plain_));
+  const std::size_t size = bytes_.size() + plain_bytes_.size();
+  if (size < least) bytes_.resize(least - plain_bytes_.size(), std::byte{0});
+  bytes_.insert(bytes_.end(), plain_bytes_.rbegin(), plain_bytes_.rend());
+  Array<std::byte> result = std::move(bytes_);
+  *this = RangeEncoder();
+  return result;
 }
 
 }  // namespace mesher

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 #include "engine/core/array.h"
@@ -56,15 +57,18 @@ class RangeEncoder {
     normalize();
     return value;
   }
-  /// The low `count` bits of a number. Pre: count <= 32.
+  /// A number of `count` bits, none more likely than another; they are kept apart from the rest.
+  /// Pre: count <= 32.
   std::uint32_t bits(std::uint32_t value, unsigned count) {
-    range_ >>= count;
-    add(range_ * value);
-    normalize();
+    plain_ |= std::uint64_t{value} << plain_count_;
+    plain_count_ += count;
+    for (; plain_count_ >= 8; plain_count_ -= 8, plain_ >>= 8U)
+      plain_bytes_.push_back(static_cast<std::byte>(plain_));
     return value;
   }
-  /// Ends the block and returns its bytes; the next call of any function begins another.
-  Array<std::byte> finish();
+  /// Ends the block and returns its bytes, `least` of them or more; the next call of any function
+  /// begins another.
+  Array<std::byte> finish(std::uint64_t least);
 
  private:
   void add(std::uint64_t amount) {
@@ -84,15 +88,18 @@ class RangeEncoder {
   std::uint64_t low_ = 0;
   std::uint64_t range_ = ~std::uint64_t{0};
   Array<std::byte> bytes_;
+  std::uint64_t plain_ = 0;  ///< less than 8 bits that wait
+  unsigned plain_count_ = 0;
+  Array<std::byte> plain_bytes_;
 };
 
-/// Reads a block; past its end come zeros. Any bytes decode to something in range.
+/// Reads a block; past its ends come zeros. Any bytes decode to something in range.
 class RangeDecoder {
  public:
   static constexpr bool kDecodes = true;
 
   explicit RangeDecoder(std::span<const std::byte> bytes)
-      : next_(bytes.data()), end_(bytes.data() + bytes.size()) {
+      : begin_(bytes.data()), end_(bytes.data() + bytes.size()), next_(begin_), plain_next_(end_) {
     code_ = std::uint64_t{word()} << 32U;
     code_ |= word();
   }
@@ -112,8 +119,12 @@ class RangeDecoder {
     return take(n - 1);
   }
   std::uint32_t bits(std::uint32_t, unsigned count) {
-    range_ >>= count;
-    return take(static_cast<std::uint32_t>((std::uint64_t{1} << count) - 1));
+    if (plain_count_ < count) fill();
+    const std::uint64_t mask = (std::uint64_t{1} << count) - 1;
+    const auto value = static_cast<std::uint32_t>(plain_ & mask);
+    plain_ >>= count;
+    plain_count_ -= count;
+    return value;
   }
 
  private:
@@ -126,6 +137,19 @@ class RangeDecoder {
     normalize();
     return value;
   }
+  /// Four bytes more, from the end of the block on.
+  void fill() {
+    if (plain_next_ - begin_ >= 4) {
+      plain_next_ -= 4;
+      std::uint32_t four = 0;
+      std::memcpy(&four, plain_next_, 4);
+      plain_ |= std::uint64_t{__builtin_bswap32(four)} << plain_count_;
+    } else {
+      for (unsigned i = 0; i < 32 && plain_next_ != begin_; i += 8)
+        plain_ |= std::to_integer<std::uint64_t>(*--plain_next_) << (plain_count_ + i);
+    }
+    plain_count_ += 32;
+  }
   void normalize() {
     if (range_ >> 32U != 0) return;
     code_ = code_ << 32U | word();
@@ -136,12 +160,21 @@ class RangeDecoder {
 
   std::uint64_t code_ = 0;
   std::uint64_t range_ = ~std::uint64_t{0};
-  const std::byte* next_;
+  std::uint64_t plain_ = 0;
+  unsigned plain_count_ = 0;
+  const std::byte* begin_;
   const std::byte* end_;
+  const std::byte* next_;
+  const std::byte* plain_next_;
 };
 
 inline std::uint32_t RangeDecoder::word() {
   std::uint32_t value = 0;
+  if (end_ - next_ >= 4) {
+    std::memcpy(&value, next_, 4);
+    next_ += 4;
+    return __builtin_bswap32(value);
+  }
   for (unsigned i = 0; i < 4; ++i)
     value = value << 8U | (next_ != end_ ? std::to_integer<std::uint32_t>(*next_++) : 0U);
   return value;

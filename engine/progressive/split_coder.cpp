@@ -10,6 +10,7 @@
 #include "engine/progressive/cut_model.h"
 #include "engine/progressive/parent_model.h"
 #include "engine/progressive/place_model.h"
+#include "engine/progressive/ring_prefetch.h"
 #include "engine/progressive/sharp_split_model.h"
 #include "engine/progressive/split_ring.h"
 
@@ -24,7 +25,12 @@ constexpr double kApart = 0.609375;
 class FloatPlaces {
  public:
   template <class Coder>
-  bool code(Coder& coder, const Mesh& mesh, const SplitRing& ring, NewSplit& split) {
+  bool code(Coder& coder, const Mesh& mesh, const SplitRing& ring, RingPrefetch& next,
+            NewSplit& split) {
+    const auto ahead = [&] {
+      next.step([&](Vertex v) { __builtin_prefetch(&mesh.positions()[v.index()]); });
+    };
+    ahead();
     const SplitSides s(ring, split.cut);
     const glm::dvec3 apart = s.child - s.parent;
     const glm::vec3 before = mesh.position(split.parent);
@@ -44,7 +50,7 @@ class FloatPlaces {
                      .variance = dot(apart, apart)};
     if (stays == Stays::child) guess.mean = -kApart * apart;
     if (stays != Stays::parent &&
-        !code_point(coder, parent_, ring.at(), guess, split.parent_position)) {
+        !code_point(coder, parent_, ring.at(), guess, ahead, split.parent_position)) {
       return false;
     }
     if (stays == Stays::child) return true;
@@ -55,7 +61,7 @@ class FloatPlaces {
     } else {
       use_plane(guess, s.child_normal + cross(s.opening, parent), -dot(parent, s.parent_normal));
     }
-    return code_point(coder, child_, ring.at(), guess, split.child_position);
+    return code_point(coder, child_, ring.at(), guess, ahead, split.child_position);
   }
 
  private:
@@ -70,13 +76,14 @@ class FloatPlaces {
     return std::max(exponent_of(value), least);
   }
 
-  template <class Coder>
+  template <class Coder, class Ahead>
   static bool code_point(Coder& coder, DifferenceModel& model, const glm::dvec3& at,
-                         const PlaceGuess& guess, glm::vec3& position) {
+                         const PlaceGuess& guess, const Ahead& ahead, glm::vec3& position) {
     const PlaceOrder order(guess);
     const double largest = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
     glm::dvec3 point(0.0);
     for (int step = 0; step < 3; ++step) {
+      ahead();
       const int i = order.axis(step);
       const double near = clamped(at[i] + order.mean(step, point));
       const int fine = fineness(near);
@@ -110,14 +117,15 @@ class GridPlaces {
   const glm::ivec3& at(Vertex v) const { return numbers_[v.index()]; }
 
   template <class Coder>
-  bool code(Coder& coder, const PmHeader& header, const SplitRing& ring, NewSplit& split) {
+  bool code(Coder& coder, const PmHeader& header, const SplitRing& ring, RingPrefetch& next,
+            NewSplit& split) {
     glm::ivec3 parent(0);
     glm::ivec3 child(0);
     if constexpr (!Coder::kDecodes) {
       parent = header.grid.numbers(split.parent_position, header.coordinate_bits);
       child = header.grid.numbers(split.child_position, header.coordinate_bits);
     }
-    code_numbers(coder, ring, split, parent, child);
+    code_numbers(coder, ring, next, split, parent, child);
     const int highest = (1 << header.coordinate_bits) - 1;
     for (int i = 0; i < 3; ++i) {
       if (std::min(parent[i], child[i]) < 0 || std::max(parent[i], child[i]) > highest)
@@ -132,8 +140,12 @@ class GridPlaces {
 
  private:
   template <class Coder>
-  void code_numbers(Coder& coder, const SplitRing& ring, const NewSplit& split, glm::ivec3& parent,
-                    glm::ivec3& child) {
+  void code_numbers(Coder& coder, const SplitRing& ring, RingPrefetch& next, const NewSplit& split,
+                    glm::ivec3& parent, glm::ivec3& child) {
+    const auto ahead = [&] {
+      next.step([&](Vertex v) { __builtin_prefetch(&numbers_[v.index()]); });
+    };
+    ahead();
     const SplitSides s(ring, split.cut);
     const glm::ivec3 before = numbers_[split.parent.index()];
     Stays stays = parent == before  ? Stays::parent
@@ -143,7 +155,7 @@ class GridPlaces {
     const glm::dvec3 apart = s.child - s.parent;
     PlaceGuess guess{.mean = kApart * apart, .normal = normal_of(s), .variance = dot(apart, apart)};
     glm::ivec3 offset = child - parent;
-    code_point(coder, difference_, glm::ivec3(0), guess, offset);
+    code_point(coder, difference_, glm::ivec3(0), guess, ahead, offset);
     if (stays == Stays::parent) {
       parent = before;
     } else if (stays == Stays::child) {
@@ -154,19 +166,20 @@ class GridPlaces {
       guess.variance = dot(d, d);
       guess.stretch = d;
       use_plane(guess, guess.normal + cross(d, s.opening), -dot(d, s.child_normal));
-      code_point(coder, parent_, before, guess, parent);
+      code_point(coder, parent_, before, guess, ahead, parent);
     }
     child = parent + offset;
   }
 
-  template <class Coder>
+  template <class Coder, class Ahead>
   static void code_point(Coder& coder, DifferenceModel& model, const glm::ivec3& at,
-                         const PlaceGuess& guess, glm::ivec3& numbers) {
+                         const PlaceGuess& guess, const Ahead& ahead, glm::ivec3& numbers) {
     // Outside the grid by far; what is hostile ends there.
     constexpr std::int64_t most = std::int64_t{1} << 26U;
     const PlaceOrder order(guess);
     glm::dvec3 point(0.0);
     for (int step = 0; step < 3; ++step) {
+      ahead();
       const int i = order.axis(step);
       const std::int64_t before = nearest(at[i] + order.mean(step, point), most);
       const int width = (exponent_of(order.variance(step)) - 1023) / 2;
@@ -199,12 +212,16 @@ template <class Coder>
 struct SplitCoder<Coder>::State {
   PmHeader header;
   SplitRing ring;
-  ParentModel parent;
+  ParentModel parents;
   CutModel cut;
   FloatPlaces floats;
   GridPlaces grid;
   SharpSplitModel sharpness;
   SharpCornerModel corners;
+  Vertex next_parent;
+  RingPrefetch prefetch;
+  std::uint32_t block_begin = 0;
+  std::uint32_t block_end = 0;
   std::uint64_t most_moved = 0;
   std::uint64_t most_walked = 0;
   std::uint64_t moved = 0;
@@ -212,16 +229,19 @@ struct SplitCoder<Coder>::State {
 
   State(const PmHeader& h, Array<glm::ivec3>&& numbers) : header(h), grid(std::move(numbers)) {}
 
-  std::string_view code_parent(Coder& coder, const ProgressiveMesh& pm, NewSplit& split) {
-    const Mesh& mesh = pm.mesh();
-    if (pm.level() == 0) parent.begin(mesh);
-    split.parent = parent.code(coder, split.parent);
-    if (!split.parent.is_valid()) return "a split has a parent that is not there";
+  /// The parent of split i, where the models know the splits before it.
+  void code_parent(Coder& coder, const ProgressiveMesh& pm, std::uint32_t i) {
+    Vertex told;
+    if constexpr (!Coder::kDecodes) told = pm.splits()[i].parent;
+    next_parent = parents.code(coder, told);
+  }
+
+  std::string_view gather(const Mesh& mesh, Vertex v) {
+    if (!v.is_valid()) return "a split has a parent that is not there";
     const bool is_gathered =
         header.is_quantized()
-            ? ring.gather(mesh, split.parent, [&](Vertex v) { return glm::dvec3(grid.at(v)); })
-            : ring.gather(mesh, split.parent,
-                          [&](Vertex v) { return glm::dvec3(mesh.position(v)); });
+            ? ring.gather(mesh, v, [&](Vertex u) { return glm::dvec3(grid.at(u)); })
+            : ring.gather(mesh, v, [&](Vertex u) { return glm::dvec3(mesh.position(u)); });
     if (!is_gathered) return "a split has a parent of too many faces";
     walked += ring.faces();
     return walked <= most_walked ? std::string_view{}
@@ -237,7 +257,7 @@ struct SplitCoder<Coder>::State {
     }
     MESHER_ASSERT(!Coder::kDecodes || pm.can_append(split.parent, split.cut));
     moved += ring.moved(split.cut);
-    parent.note(ring, split.parent, split.cut);
+    parents.note(ring, split.parent, split.cut);
     return moved <= most_moved ? std::string_view{} : "splits move too many corners";
   }
 };
@@ -250,26 +270,37 @@ template <class Coder>
 SplitCoder<Coder>::~SplitCoder() = default;
 
 template <class Coder>
-void SplitCoder<Coder>::begin_block(std::uint64_t splits_at_end) {
-  state_->most_moved = pm_most_moved(splits_at_end);
-  state_->most_walked = pm_most_walked(splits_at_end);
+void SplitCoder<Coder>::begin_block(std::uint32_t begin, std::uint32_t end) {
+  state_->block_begin = begin;
+  state_->block_end = end;
+  state_->most_moved = pm_most_moved(end);
+  state_->most_walked = pm_most_walked(end);
 }
 
 template <class Coder>
-std::string_view SplitCoder<Coder>::code(Coder& coder, const ProgressiveMesh& mesh,
-                                         NewSplit& split) {
+std::string_view SplitCoder<Coder>::code(Coder& coder, const ProgressiveMesh& pm, NewSplit& split) {
   State& s = *state_;
-  if (const auto why = s.code_parent(coder, mesh, split); !why.empty()) return why;
-  if (const auto why = s.code_cut(coder, mesh, split); !why.empty()) return why;
-  const bool is_placed = s.header.is_quantized() ? s.grid.code(coder, s.header, s.ring, split)
-                                                 : s.floats.code(coder, mesh.mesh(), s.ring, split);
+  const Mesh& mesh = pm.mesh();
+  const std::uint32_t i = pm.level();
+  if (i == 0) s.parents.begin(mesh);
+  if (i == s.block_begin) s.code_parent(coder, pm, i);
+  split.parent = s.next_parent;
+  if (const auto why = s.gather(mesh, split.parent); !why.empty()) return why;
+  if (const auto why = s.code_cut(coder, pm, split); !why.empty()) return why;
+  // The next parent is told before where the vertices are: reading around it can begin early.
+  s.next_parent = Vertex{};
+  if (i + 1 < s.block_end) s.code_parent(coder, pm, i + 1);
+  s.prefetch.begin(mesh, s.next_parent);
+  const bool is_placed = s.header.is_quantized()
+                             ? s.grid.code(coder, s.header, s.ring, s.prefetch, split)
+                             : s.floats.code(coder, mesh, s.ring, s.prefetch, split);
   if (!is_placed) return "a split has a position outside the range of coordinates";
   if (s.header.has_sharp_edges()) {
-    const auto why = s.sharpness.code(coder, mesh.mesh(), s.ring, split);
+    const auto why = s.sharpness.code(coder, mesh, s.ring, split);
     if (!why.empty()) return why;
   }
   if (!s.header.has_sharp_vertices()) return {};
-  return s.corners.code(coder, mesh.mesh(), split);
+  return s.corners.code(coder, mesh, split);
 }
 
 template class SplitCoder<RangeEncoder>;

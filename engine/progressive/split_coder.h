@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string_view>
 
@@ -21,12 +22,12 @@ class SplitCoder {
   SplitCoder(const SplitCoder&) = delete;
   SplitCoder& operator=(const SplitCoder&) = delete;
 
-  /// Splits up to this many in all are in the block that begins: its limits count for them.
-  void begin_block(std::uint64_t splits_at_end);
+  /// Splits [begin, end) are in the block that begins.
+  void begin_block(std::uint32_t begin, std::uint32_t end);
   /// Encodes the split, or decodes it into `split`. Returns why it cannot be, empty where it can:
-  /// decoded, it may be appended then. Pre: `mesh` is at the level before it, and every split
+  /// decoded, it may be appended then. Pre: `pm` is at the level before it, and every split
   /// before it went through here.
-  std::string_view code(Coder& coder, const ProgressiveMesh& mesh, NewSplit& split);
+  std::string_view code(Coder& coder, const ProgressiveMesh& pm, NewSplit& split);
 
  private:
   struct State;
