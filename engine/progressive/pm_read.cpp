@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 #include <utility>
 
 #include "engine/core/error.h"
@@ -123,7 +124,13 @@ struct PmReader::State {
       end_early(used_bytes, "the checksum of a block is wrong");
       return 0;
     }
-    if (!append(block.splits, payload)) return 0;
+    try {
+      if (!append(block.splits, payload)) return 0;
+    } catch (const std::bad_alloc&) {
+      // The models know splits that the mesh lacks: what follows cannot be read.
+      end_early(used_bytes, "memory ran out");
+      throw;
+    }
     if (mesh.split_count() == header.splits) stage = Stage::done;
     return kPmBlockHeaderBytes + block.bytes;
   }

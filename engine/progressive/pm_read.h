@@ -27,8 +27,8 @@ class PmReader {
   static bool is_pm(std::span<const std::byte> begin);
 
   /// Takes the next bytes. Throws InputError (file, byte, reason) where header or base are wrong:
-  /// there is no mesh then. A block that is wrong ends the reading: see damage(). O(bytes +
-  /// splits).
+  /// there is no mesh then. A block that is wrong ends the reading: see damage(). So does want
+  /// of memory, and throws std::bad_alloc. O(bytes + splits).
   void feed(std::span<const std::byte> bytes);
   /// No more bytes come. Throws InputError where there is no base; where blocks are missing says so
   /// in damage().

@@ -1,6 +1,7 @@
 // Files of progressive meshes that are cut off, damaged or made to do harm.
 #include <gtest/gtest.h>
 
+#include <new>
 #include <random>
 #include <string>
 #include <utility>
@@ -141,6 +142,25 @@ TEST(PmHostile, WhatIsAnnouncedTakesNoMemory) {
   EXPECT_EQ(many.error, "");
   EXPECT_EQ(many.mesh.split_count(), mesh.split_count());
   EXPECT_NE(many.damage.find("of 4,294,967,040 splits"), std::string::npos) << many.damage;
+}
+
+TEST(PmHostile, WantOfMemoryLeavesWhatWasRead) {
+  ProgressiveMesh mesh = make_progressive(built(torus(80, 60)).mesh, {.target_faces = 60}).mesh;
+  const Bytes bytes = written(mesh);
+  PmReader reader("x.pm");
+  reader.feed(std::span(bytes).first(20'000));
+  const std::uint32_t before = reader.mesh().split_count();
+  ASSERT_GT(before, 64U);
+  {
+    const MemoryLimit limit(std::uint64_t{100} << 10U);
+    EXPECT_THROW(reader.feed(std::span(bytes).subspan(20'000)), std::bad_alloc);
+  }
+  EXPECT_GE(reader.mesh().split_count(), before);
+  EXPECT_FALSE(reader.is_complete());
+  EXPECT_NE(reader.damage(), "");
+  expect_valid_level(reader.mesh());
+  mesh.go_to(reader.mesh().split_count());
+  EXPECT_TRUE(is_identical(mesh.mesh(), reader.mesh().mesh()));
 }
 
 TEST(PmHostile, OtherVersionsAndFlagsAreRefused) {
