@@ -162,7 +162,7 @@ struct PmReader::State {
         end_early(used_bytes, why);
         return false;
       }
-      mesh.append(split);
+      mesh.append(split, coder->fan());
     }
     return true;
   }

@@ -13,24 +13,23 @@ namespace {
 // cheaper than many.
 constexpr std::uint32_t kLongWay = 4096;
 
-/// The half-edges out of a vertex, counter-clockwise, in memory that is used again.
-struct Spokes {
-  Array<Halfedge>& out;
-  bool is_closed = false;
+/// Walks around a vertex. The memory is used again.
+ParentFan gather_fan(const Mesh& mesh, Vertex v, Array<Halfedge>& memory) {
+  memory.clear();
+  const Halfedge start = mesh.outgoing(v);
+  Halfedge h = start;
+  do {
+    memory.push_back(h);
+    h = mesh.rotate_ccw(h);
+  } while (h.is_valid() && h != start);
+  return {memory, h.is_valid()};
+}
 
-  Spokes(const Mesh& mesh, Vertex v, Array<Halfedge>& memory) : out(memory) {
-    out.clear();
-    const Halfedge start = mesh.outgoing(v);
-    Halfedge h = start;
-    do {
-      out.push_back(h);
-      h = mesh.rotate_ccw(h);
-    } while (h.is_valid() && h != start);
-    is_closed = h.is_valid();
-  }
+/// The same with the two halves of the edge in each slot (see SplitCut); either may be none.
+struct Spokes : ParentFan {
+  explicit Spokes(const ParentFan& fan) : ParentFan(fan) {}
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(out.size()); }
-  /// The two halves of the edge in a slot (see SplitCut); either may be none.
   Halfedge out_of(std::uint32_t slot) const { return slot < size() ? out[slot] : Halfedge{}; }
   Halfedge into(std::uint32_t slot) const {
     if (slot == 0) return is_closed ? Mesh::prev(out.back()) : Halfedge{};
@@ -138,7 +137,7 @@ void find_outgoing(const Spokes& spokes, const Parts& parts, bool is_pair, Verte
     split.fine_outgoing = start(e + 1);
     return;
   }
-  const auto all = std::span<const Halfedge>(spokes.out);
+  const auto all = spokes.out;
   Halfedge outer;
   if (!spokes.is_closed) {
     outer = start(parts.is_inner_child ? e + 1 : e + 4);
@@ -237,8 +236,12 @@ void ProgressiveMesh::reserve(std::uint32_t splits) {
 }
 
 void ProgressiveMesh::append(const NewSplit& split) {
+  append(split, gather_fan(mesh_, split.parent, spokes_));
+}
+
+void ProgressiveMesh::append(const NewSplit& split, const ParentFan& fan) {
   MESHER_ASSERT(level_ == split_count());
-  const Spokes spokes(mesh_, split.parent, spokes_);
+  const Spokes spokes(fan);
   const auto& [left, right] = split.cut;
   const bool is_pair = right != kNone;
   VertexSplit record{.parent = split.parent,
@@ -284,7 +287,7 @@ void ProgressiveMesh::add_sharpness(const NewSplit& split, float coarse_corner) 
 NewSplit ProgressiveMesh::next_split() const {
   const VertexSplit& s = splits_[level_];
   Array<Halfedge> memory;
-  const Spokes spokes(mesh_, s.parent, memory);
+  const Spokes spokes(gather_fan(mesh_, s.parent, memory));
   NewSplit split{.parent = s.parent,
                  .cut = {.left = spokes.slot_of(s.beyond[1])},
                  .parent_position = s.fine_position,

@@ -78,6 +78,8 @@ class ProgressiveMesh {
   /// Adds a split after the last and goes up to it. O(faces at the parent). Throws std::bad_alloc.
   /// Pre: can_append; level() == split_count(); positions are finite.
   void append(const NewSplit& split);
+  /// The same for whoever has been around the parent already. O(moved).
+  void append(const NewSplit& split, const ParentFan& fan);
   /// Split `level()` as `append` takes it. O(faces at the parent). Pre: level() < split_count().
   NewSplit next_split() const;
 

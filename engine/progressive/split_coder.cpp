@@ -278,6 +278,11 @@ void SplitCoder<Coder>::begin_block(std::uint32_t begin, std::uint32_t end) {
 }
 
 template <class Coder>
+ParentFan SplitCoder<Coder>::fan() const {
+  return state_->ring.fan();
+}
+
+template <class Coder>
 std::string_view SplitCoder<Coder>::code(Coder& coder, const ProgressiveMesh& pm, NewSplit& split) {
   State& s = *state_;
   const Mesh& mesh = pm.mesh();

@@ -28,6 +28,8 @@ class SplitCoder {
   /// decoded, it may be appended then. Pre: `pm` is at the level before it, and every split
   /// before it went through here.
   std::string_view code(Coder& coder, const ProgressiveMesh& pm, NewSplit& split);
+  /// Around the parent of the split that was coded last.
+  ParentFan fan() const;
 
  private:
   struct State;

@@ -47,6 +47,7 @@ class SplitRing {
   std::uint32_t faces() const { return faces_; }
   std::uint32_t slots() const { return faces_ + (is_closed_ ? 0 : 1); }
   bool is_closed() const { return is_closed_; }
+  ParentFan fan() const { return {std::span(out_).first(faces_), is_closed_}; }
   std::uint32_t after(std::uint32_t slot) const { return slot + 1 == slots() ? 0 : slot + 1; }
   /// At the other end of the edge in a slot.
   Vertex vertex(std::uint32_t slot) const { return vertices_[slot]; }

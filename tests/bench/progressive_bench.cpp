@@ -3,11 +3,15 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "engine/core/parallel.h"
 #include "engine/io/read.h"
 #include "engine/progressive/build.h"
+#include "engine/progressive/pm_read.h"
+#include "engine/progressive/pm_write.h"
 #include "engine/simplify/simplify.h"
 #include "tests/bench/settings.h"
 
@@ -67,6 +71,29 @@ void play(State& state, const Mesh& input, bool up) {
   }
 }
 
+/// A whole file, from memory to all levels.
+void read(State& state, const Mesh& input, unsigned coordinate_bits) {
+  const ThreadLimit one(1);
+  ProgressiveMesh mesh = std::move(make_progressive(input, {.target_faces = 200}).mesh);
+  std::vector<std::byte> file;
+  write_pm(mesh, {.coordinate_bits = coordinate_bits}, [&](std::span<const std::byte> bytes) {
+    file.insert(file.end(), bytes.begin(), bytes.end());
+  });
+  const double plain_bytes = 12.0 * input.vertex_count() + 12.0 * input.face_count();
+  for (auto _ : state) {
+    const auto start = Clock::now();
+    PmReader reader("benchmark");
+    reader.feed(file);
+    reader.finish();
+    const double seconds = seconds_since(start);
+    if (!reader.is_complete()) state.SkipWithError("the file is not whole");
+    state.SetIterationTime(seconds);
+    state.counters["decoded_mb_per_s"] = 1e-6 * plain_bytes / seconds;
+    state.counters["bits_a_vertex"] = 8.0 * static_cast<double>(file.size()) / input.vertex_count();
+    state.counters["share_of_indexed"] = static_cast<double>(file.size()) / plain_bytes;
+  }
+}
+
 }  // namespace
 
 void register_progressive(const Settings& settings) {
@@ -85,6 +112,8 @@ void register_progressive(const Settings& settings) {
   add_simplify("simplification alone", false, 0);
   add_simplify("simplification alone, one thread", false, 1);
   add("progressive_up/mesher", [=](State& state) { play(state, *mesh, true); });
+  add("progressive_read/mesher", [=](State& state) { read(state, *mesh, 0); });
+  add("progressive_read_14/mesher", [=](State& state) { read(state, *mesh, 14); });
   add("progressive_down/mesher", [=](State& state) { play(state, *mesh, false); });
 }
 
