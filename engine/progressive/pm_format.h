@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -8,6 +9,8 @@
 #include <glm/vec3.hpp>
 #include <span>
 #include <string_view>
+
+#include "engine/mesh/ids.h"
 
 namespace mesher {
 
@@ -24,7 +27,7 @@ inline constexpr std::size_t kPmBlockHeaderBytes = 12;
 
 // Limits: nothing that a file announces takes memory or time out of proportion to its bytes.
 
-inline constexpr std::uint32_t kPmMostBlockSplits = 65'536;
+inline constexpr std::uint32_t kPmMostBlockSplits = 8192;
 inline constexpr std::uint32_t kPmMostFan = 65'535;  ///< faces at a parent
 /// The fewest bytes that announce so many splits, or so many vertices or faces of the base.
 constexpr std::uint64_t pm_least_bytes(std::uint64_t splits) {
@@ -36,9 +39,9 @@ constexpr std::uint64_t pm_least_base_bytes(std::uint64_t elements) {
 constexpr std::uint64_t pm_most_bytes(std::uint64_t splits) {
   return 128 * splits + 64;
 }
-/// For all splits up to the end of a block together.
+/// For all splits up to the end of a block together; ids of moved corners have 32 bits.
 constexpr std::uint64_t pm_most_moved(std::uint64_t splits) {
-  return 64 * splits + 65'536;
+  return std::min(64 * splits + 65'536, std::uint64_t{kNone});
 }
 constexpr std::uint64_t pm_most_walked(std::uint64_t splits) {
   return 4096 * splits + (std::uint64_t{1} << 20U);

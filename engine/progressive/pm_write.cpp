@@ -15,7 +15,7 @@ namespace mesher {
 namespace {
 
 constexpr std::uint32_t kFirstBlockSplits = 64;
-constexpr std::uint32_t kLargestBlockSplits = 8192;
+constexpr std::uint32_t kLargestBlockSplits = kPmMostBlockSplits;
 
 /// Brings the mesh back to its level, whatever happens.
 class LevelKept {

@@ -208,7 +208,7 @@ class DigitsModel {
     const auto told = static_cast<std::uint64_t>(value < 0 ? -value : value);
     std::uint64_t size = 1;
     unsigned left = width - 1;
-    if (left > 0) {
+    if (left > 0 && width <= kMostLearned) {
       --left;
       size = 2 | std::uint64_t{coder.bit(second_[width], (told >> left & 1U) != 0)};
     }
@@ -230,7 +230,10 @@ class DigitsModel {
     return static_cast<std::uint32_t>(value) & ((1U << count) - 1);
   }
 
-  BitModel second_[64];
+  // Of a longer number it is nearly as likely to be 0 as 1: not worth its time.
+  static constexpr unsigned kMostLearned = 8;
+
+  BitModel second_[kMostLearned + 1];
 };
 
 /// The same with a width of which nothing is known.

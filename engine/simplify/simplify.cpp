@@ -58,7 +58,10 @@ class Units {
   glm::vec3 original(Vertex v, const glm::vec3& scaled) const {
     if (scale_ == 1.0F) return scaled;
     const glm::vec3& before = original_[v.index()];
-    return scale_ * before == scaled ? before : (1.0F / scale_) * scaled;
+    if (scale_ * before == scaled) return before;
+    // An optimum may lie past the largest float that the caller's units have.
+    constexpr float kMost = std::numeric_limits<float>::max();
+    return glm::clamp((1.0F / scale_) * scaled, -kMost, kMost);
   }
 
  private:

@@ -91,7 +91,7 @@ TEST(Degenerate, CoincidentVerticesAndFacesWithoutArea) {
 }
 
 TEST(Degenerate, HugeAndTinyCoordinates) {
-  for (const float size : {1e-38F, 1e-30F, 1e30F, 1e37F}) {
+  for (const float size : {1e-38F, 1e-30F, 1e30F, 1e37F, 2.2e38F}) {
     Soup soup = torus(40, 20);
     for (glm::vec3& p : soup.positions)
       p *= size;
