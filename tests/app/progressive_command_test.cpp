@@ -221,6 +221,48 @@ TEST_F(ProgressiveCommand, GoesThroughPipes) {
   }
 }
 
+TEST_F(ProgressiveCommand, NoMoreOfAPipeIsReadThanIsNeeded) {
+  make("bunny");
+  // "all" says that the reader took what was offered instead of going away.
+  const std::string tail = "head -c 100M /dev/zero && echo x >all";
+  const Finished after = shell("(cat p.pm; " + tail + ") | mesher info /dev/stdin --json");
+  ASSERT_EQ(after.exit_code, 0) << after.err;
+  EXPECT_EQ(nlohmann::json::parse(after.out)["statistics"]["faces"], 3674);
+  const Finished garbage = shell("(" + tail + ") | mesher info /dev/stdin");
+  EXPECT_EQ(garbage.exit_code, 2);
+  EXPECT_TRUE(holds(garbage.err, "is no progressive mesh")) << garbage.err;
+  const Finished named = shell("mkfifo g.pm; (" + tail + ") >g.pm & mesher info g.pm");
+  EXPECT_EQ(named.exit_code, 2);
+  EXPECT_TRUE(holds(named.err, "not a progressive mesh")) << named.err;
+  damage(0.5);
+  EXPECT_EQ(shell("(cat damaged.pm; " + tail + ") | mesher info /dev/stdin").exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "all"));
+}
+
+TEST_F(ProgressiveCommand, AWholeMeshDoesNotWaitForTheEndOfItsPipe) {
+  make("bunny");
+  const Finished run = shell(
+      "mkfifo f.pm; (cat p.pm; exec sleep 60) >f.pm 2>/dev/null & "
+      "timeout 30 " MESHER_PROGRAM " info f.pm --json; code=$?; kill $!; exit $code");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto pm = nlohmann::json::parse(run.out)["pm"];
+  EXPECT_EQ(pm["complete"], true);
+  EXPECT_EQ(pm["bytes"], std::filesystem::file_size(folder_ / "p.pm"));
+}
+
+TEST_F(ProgressiveCommand, BytesAfterTheEndThatAreThereAreSaid) {
+  make("bunny");
+  // In one piece, so that they are there for certain.
+  const std::string bytes = read_bytes(folder_ / "p.pm");
+  ASSERT_LT(bytes.size(), 65536U);
+  folder_.write("longer.pm", bytes + "more");
+  const Finished run = shell("cat longer.pm | mesher info /dev/stdin --json");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto pm = nlohmann::json::parse(run.out)["pm"];
+  EXPECT_TRUE(holds(pm["damage"], "bytes follow")) << run.out;
+  EXPECT_EQ(pm["bytes"], bytes.size() + 4);
+}
+
 TEST_F(ProgressiveCommand, APipeThatEndsEarlyGivesWhatCame) {
   make("bunny");
   const std::size_t bytes = std::filesystem::file_size(folder_ / "p.pm");
