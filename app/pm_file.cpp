@@ -202,9 +202,16 @@ PmContents read_pm_file(const fs::path& file, Progress* progress) {
 
 PmSizes write_pm_file(AtomicFile& file, ProgressiveMesh& mesh, const PmWriteOptions& options) {
   begin_stage(options.progress, "writing");
-  return write_pm(mesh, options, [&](std::span<const std::byte> bytes) {
-    file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  });
+  try {
+    return write_pm(mesh, options, [&](std::span<const std::byte> bytes) {
+      file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    });
+  } catch (const OutputError& error) {
+    // The coder knows of no file; the file itself names itself.
+    const std::string_view what = error.what();
+    if (what.starts_with(file.name() + ": ")) throw;
+    throw OutputError(file.name(), what);
+  }
 }
 
 PmSummary summary_of(const ProgressiveMesh& mesh, const PmWriteOptions& options,

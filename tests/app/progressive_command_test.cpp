@@ -221,6 +221,23 @@ TEST_F(ProgressiveCommand, GoesThroughPipes) {
   }
 }
 
+TEST_F(ProgressiveCommand, GoesToWhatAShellHasOpened) {
+  make("bunny");
+  const std::string bytes = read_bytes(folder_ / "p.pm");
+  EXPECT_EQ(shell("mesher progressive bunny -o /dev/stdout > a.out").exit_code, 0);
+  EXPECT_TRUE(read_bytes(folder_ / "a.out") == bytes);
+  EXPECT_EQ(shell("mesher progressive bunny -o /dev/fd/3 3> b.out").exit_code, 0);
+  EXPECT_TRUE(read_bytes(folder_ / "b.out") == bytes);
+  // What was there stays, as with everything that writes so.
+  EXPECT_EQ(
+      shell("printf head > c.out; mesher progressive bunny -o /dev/stdout >> c.out").exit_code, 0);
+  EXPECT_TRUE(read_bytes(folder_ / "c.out") == "head" + bytes);
+  const Finished closed = shell("mesher progressive bunny -o /dev/fd/77");
+  EXPECT_EQ(closed.exit_code, 4);
+  EXPECT_TRUE(holds(closed.err, "/dev/fd/77: cannot write")) << closed.err;
+  EXPECT_EQ(shell("mesher progressive bunny -o /dev/fd/3 3< p.pm").exit_code, 4);
+}
+
 TEST_F(ProgressiveCommand, NoMoreOfAPipeIsReadThanIsNeeded) {
   make("bunny");
   // "all" says that the reader took what was offered instead of going away.
