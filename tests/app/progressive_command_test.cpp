@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
+#include <numbers>
 
 #include "engine/io/read.h"
 #include "tests/app/program_test.h"
@@ -219,6 +221,43 @@ TEST_F(ProgressiveCommand, GoesThroughPipes) {
     EXPECT_EQ(other.exit_code, 2);
     EXPECT_TRUE(holds(other.err, "other kinds of files are known by their names")) << other.err;
   }
+}
+
+/// Discs with two hubs each, close together: where those become one, so do thousands of corners.
+std::string hubs(int discs, int rim) {
+  std::string text;
+  std::string faces;
+  const auto add_face = [&](int a, int b, int c) {
+    faces += "f " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + "\n";
+  };
+  for (int disc = 0; disc < discs; ++disc) {
+    const int first = 1 + disc * (rim + 2);
+    const auto at = [&](int i) { return first + 2 + i % rim; };
+    const double x = 3.0 * disc;
+    const auto add_vertex = [&](double dx, double y, double z) {
+      text +=
+          "v " + std::to_string(x + dx) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+    };
+    add_vertex(0.0, 0.0, 0.5);
+    add_vertex(1e-4, 0.0, 0.5);
+    for (int i = 0; i < rim; ++i) {
+      const double angle = (0.5 + 2.0 * i / rim) * std::numbers::pi;
+      add_vertex(std::cos(angle), std::sin(angle), 0.0);
+      add_face(i < rim / 2 ? first : first + 1, at(i), at(i + 1));
+    }
+    add_face(first + 1, first, at(rim / 2));
+    add_face(first, first + 1, at(0));
+  }
+  return text + faces;
+}
+
+TEST_F(ProgressiveCommand, WhatTheFormatCannotHoldIsRefusedByTheNameOfTheFile) {
+  folder_.write("hubs.obj", hubs(60, 3000));
+  const Finished run = mesher({"progressive", "hubs.obj", "-o", "h.pm", "--base-faces", "180000",
+                               "--boundary", "lock", "--cost", "length"});
+  EXPECT_EQ(run.exit_code, 4) << run.err;
+  EXPECT_TRUE(holds(run.err, "mesher: h.pm: splits move too many corners")) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "h.pm"));
 }
 
 TEST_F(ProgressiveCommand, GoesToWhatAShellHasOpened) {
