@@ -40,9 +40,9 @@ bool has_pm_ending(const std::filesystem::path& file);
 /// or it is a pipe whose name says nothing (a pipe's beginning can be read only once).
 bool is_pm_file(const std::filesystem::path& file);
 
-/// Reads a file or a pipe. Where it is damaged, what lies before the damage is the result, and the
-/// summary says so. Throws InputError where there is not even a base; DeviceError where memory runs
-/// out; Cancelled.
+/// Reads a file, or of a pipe what the mesh needs. What lies before damage is the result then, and
+/// the summary says so. Throws InputError where there is not even a base; DeviceError where memory
+/// runs out; Cancelled.
 PmContents read_pm_file(const std::filesystem::path& file, Progress* progress = nullptr);
 
 /// Writes all of it; leaves `mesh` at its level. Does not commit. Throws OutputError.

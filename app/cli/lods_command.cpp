@@ -37,6 +37,11 @@ struct Level {
   std::vector<std::string> dropped;
 };
 
+/// A target that is out of reach gives the level before once more.
+bool repeats(const std::vector<Level>& levels, std::size_t i) {
+  return i > 0 && levels[i].level == levels[i - 1].level;
+}
+
 bool is_falling(const std::vector<double>& values) {
   return std::ranges::adjacent_find(values, std::less_equal<>()) == values.end();
 }
@@ -156,7 +161,8 @@ void say_levels(const Source& source, const std::vector<Level>& levels,
         short_number(level.coverage) + " and more" +
         (faces > level.asked_faces
              ? "; asked for " + with_commas(level.asked_faces) + " faces: " + why
-             : ""));
+             : "") +
+        (repeats(levels, i) ? "; the same mesh as level " + std::to_string(i - 1) : ""));
     for (const std::string& dropped : level.dropped)
       say("level " + std::to_string(i) + ": dropped " + dropped);
   }
@@ -184,8 +190,10 @@ void print_levels(const Source& source, const std::string& output, const std::ve
             {"levels", Json::array()}};
   for (const fs::path& file : files)
     json["files"].push_back(file.string());
-  for (const Level& level : levels)
-    json["levels"].push_back(level_json(level));
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    json["levels"].push_back(level_json(levels[i]));
+    json["levels"].back()["repeats_previous"] = repeats(levels, i);
+  }
   json["lost"] = losses;
   json["repairs"] = to_json(source.loaded.model.report);
   add_pm(json, source.loaded.pm);

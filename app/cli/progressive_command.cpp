@@ -16,15 +16,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A pipe needs no name: whoever reads it knows what it is.
-bool is_pipe(const fs::path& file) {
+/// Neither a pipe needs a name nor what a shell has opened for us, be it a file: whoever reads it
+/// knows what it is.
+bool is_stream(const fs::path& file) {
+  if (file == "/dev/stdout" || file.parent_path() == "/dev/fd") return true;
   std::error_code ignored;
   return fs::exists(file, ignored) && !fs::is_regular_file(file, ignored) &&
          !fs::is_directory(file, ignored);
 }
 
 void check_pm_output(const std::string& output) {
-  if (!has_pm_ending(output) && !is_pipe(output)) {
+  if (!has_pm_ending(output) && !is_stream(output)) {
     throw UsageError("-o: '" + output + "' does not end in .pm");
   }
   AtomicFile::check(output);

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
+#include <string>
 #include <system_error>
 
 #include "engine/core/error.h"
@@ -17,10 +19,36 @@ namespace {
 /// One write(2) moves at most 2 GB; smaller pieces also keep the page cache flowing.
 constexpr std::size_t kLargestWrite = std::size_t{1} << 26;
 
+/// The number of a descriptor of ours that `target` names (/dev/stdout, /dev/fd/3); -1: it names
+/// none. The file behind it is not to be replaced: a shell that said `>>` would lose what it held.
+int descriptor_named(const std::filesystem::path& target) {
+  if (target == "/dev/stdout") return STDOUT_FILENO;
+  if (target == "/dev/stderr") return STDERR_FILENO;
+  if (target.parent_path() != "/dev/fd" && target.parent_path() != "/proc/self/fd") return -1;
+  const std::string number = target.filename().string();
+  int descriptor = -1;
+  const auto [end, error] =
+      std::from_chars(number.data(), number.data() + number.size(), descriptor);
+  return error == std::errc() && end == number.data() + number.size() ? descriptor : -1;
+}
+
+/// Notes why not in errno.
+bool is_writable(int descriptor) {
+  const int flags = ::fcntl(descriptor, F_GETFL);
+  if (flags >= 0 && (flags & O_ACCMODE) == O_RDONLY) errno = EBADF;
+  return flags >= 0 && (flags & O_ACCMODE) != O_RDONLY;
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(const std::filesystem::path& target)
     : name_(target.string()), target_(target) {
+  if (const int named = descriptor_named(target); named >= 0) {
+    if (is_writable(named)) descriptor_ = ::fcntl(named, F_DUPFD_CLOEXEC, 0);
+    if (descriptor_ < 0) fail("cannot write");
+    is_direct_ = true;
+    return;
+  }
   struct stat status = {};
   const bool exists = ::stat(target.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) throw OutputError(name_, "is a directory");
@@ -41,6 +69,10 @@ void AtomicFile::check(const std::filesystem::path& target) {
   const auto refuse = [&](const std::string& reason) {
     throw OutputError(target.string(), reason);
   };
+  if (const int named = descriptor_named(target); named >= 0) {
+    if (!is_writable(named)) refuse("cannot write: " + std::generic_category().message(errno));
+    return;
+  }
   const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
   struct stat status = {};
   const bool exists = ::stat(target.c_str(), &status) == 0;

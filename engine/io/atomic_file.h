@@ -9,9 +9,9 @@ namespace mesher {
 
 /// A file that appears whole or not at all: written without a name in the target's folder (where
 /// the file system knows such files; otherwise under a temporary one), named and renamed by
-/// `commit`. Destroyed without `commit`, or killed, it leaves nothing behind, and whatever stood at
-/// the target stays. A link is followed, an existing file's permissions are kept. A target that is
-/// no regular file (a pipe, `/dev/stdout`) cannot be renamed over and is written directly.
+/// `commit`. Destroyed without it, or killed, it leaves nothing behind, and whatever stood at the
+/// target stays. A link is followed, an existing file's permissions are kept. Pipes cannot be
+/// renamed over and are written directly; so is what is open already (`/dev/stdout`, `/dev/fd/3`).
 class AtomicFile {
  public:
   /// Throws OutputError where the target is a directory or its folder cannot be written.

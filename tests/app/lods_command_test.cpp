@@ -198,6 +198,18 @@ TEST_F(LodsCommand, SaysWhyALevelIsNotReached) {
   EXPECT_TRUE(holds(run.err, "asked for 1 faces: no legal collapse is left")) << run.err;
 }
 
+TEST_F(LodsCommand, SaysWhichLevelIsTheOneBefore) {
+  const Finished run =
+      mesher({"lods", "bunny", "-o", "b.glb", "--ratios", "1,0.0001,0.00001", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(holds(run.err, "the same mesh as level 1")) << run.err;
+  EXPECT_FALSE(holds(run.err, "the same mesh as level 0")) << run.err;
+  const auto levels = nlohmann::json::parse(run.out)["levels"];
+  EXPECT_EQ(levels[0]["repeats_previous"], false);
+  EXPECT_EQ(levels[1]["repeats_previous"], false);
+  EXPECT_EQ(levels[2]["repeats_previous"], true);
+}
+
 TEST_F(LodsCommand, RefusalsLeaveNothing) {
   const std::vector<std::vector<std::string>> bad{
       {"lods", "cube"},

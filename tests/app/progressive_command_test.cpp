@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
+#include <numbers>
 
 #include "engine/io/read.h"
 #include "tests/app/program_test.h"
@@ -219,6 +221,102 @@ TEST_F(ProgressiveCommand, GoesThroughPipes) {
     EXPECT_EQ(other.exit_code, 2);
     EXPECT_TRUE(holds(other.err, "other kinds of files are known by their names")) << other.err;
   }
+}
+
+/// Discs with two hubs each, close together: where those become one, so do thousands of corners.
+std::string hubs(int discs, int rim) {
+  std::string text;
+  std::string faces;
+  const auto add_face = [&](int a, int b, int c) {
+    faces += "f " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + "\n";
+  };
+  for (int disc = 0; disc < discs; ++disc) {
+    const int first = 1 + disc * (rim + 2);
+    const auto at = [&](int i) { return first + 2 + i % rim; };
+    const double x = 3.0 * disc;
+    const auto add_vertex = [&](double dx, double y, double z) {
+      text +=
+          "v " + std::to_string(x + dx) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+    };
+    add_vertex(0.0, 0.0, 0.5);
+    add_vertex(1e-4, 0.0, 0.5);
+    for (int i = 0; i < rim; ++i) {
+      const double angle = (0.5 + 2.0 * i / rim) * std::numbers::pi;
+      add_vertex(std::cos(angle), std::sin(angle), 0.0);
+      add_face(i < rim / 2 ? first : first + 1, at(i), at(i + 1));
+    }
+    add_face(first + 1, first, at(rim / 2));
+    add_face(first, first + 1, at(0));
+  }
+  return text + faces;
+}
+
+TEST_F(ProgressiveCommand, WhatTheFormatCannotHoldIsRefusedByTheNameOfTheFile) {
+  folder_.write("hubs.obj", hubs(60, 3000));
+  const Finished run = mesher({"progressive", "hubs.obj", "-o", "h.pm", "--base-faces", "180000",
+                               "--boundary", "lock", "--cost", "length"});
+  EXPECT_EQ(run.exit_code, 4) << run.err;
+  EXPECT_TRUE(holds(run.err, "mesher: h.pm: splits move too many corners")) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "h.pm"));
+}
+
+TEST_F(ProgressiveCommand, GoesToWhatAShellHasOpened) {
+  make("bunny");
+  const std::string bytes = read_bytes(folder_ / "p.pm");
+  EXPECT_EQ(shell("mesher progressive bunny -o /dev/stdout > a.out").exit_code, 0);
+  EXPECT_TRUE(read_bytes(folder_ / "a.out") == bytes);
+  EXPECT_EQ(shell("mesher progressive bunny -o /dev/fd/3 3> b.out").exit_code, 0);
+  EXPECT_TRUE(read_bytes(folder_ / "b.out") == bytes);
+  // What was there stays, as with everything that writes so.
+  EXPECT_EQ(
+      shell("printf head > c.out; mesher progressive bunny -o /dev/stdout >> c.out").exit_code, 0);
+  EXPECT_TRUE(read_bytes(folder_ / "c.out") == "head" + bytes);
+  const Finished closed = shell("mesher progressive bunny -o /dev/fd/77");
+  EXPECT_EQ(closed.exit_code, 4);
+  EXPECT_TRUE(holds(closed.err, "/dev/fd/77: cannot write")) << closed.err;
+  EXPECT_EQ(shell("mesher progressive bunny -o /dev/fd/3 3< p.pm").exit_code, 4);
+}
+
+TEST_F(ProgressiveCommand, NoMoreOfAPipeIsReadThanIsNeeded) {
+  make("bunny");
+  // "all" says that the reader took what was offered instead of going away.
+  const std::string tail = "head -c 100M /dev/zero && echo x >all";
+  const Finished after = shell("(cat p.pm; " + tail + ") | mesher info /dev/stdin --json");
+  ASSERT_EQ(after.exit_code, 0) << after.err;
+  EXPECT_EQ(nlohmann::json::parse(after.out)["statistics"]["faces"], 3674);
+  const Finished garbage = shell("(" + tail + ") | mesher info /dev/stdin");
+  EXPECT_EQ(garbage.exit_code, 2);
+  EXPECT_TRUE(holds(garbage.err, "is no progressive mesh")) << garbage.err;
+  const Finished named = shell("mkfifo g.pm; (" + tail + ") >g.pm & mesher info g.pm");
+  EXPECT_EQ(named.exit_code, 2);
+  EXPECT_TRUE(holds(named.err, "not a progressive mesh")) << named.err;
+  damage(0.5);
+  EXPECT_EQ(shell("(cat damaged.pm; " + tail + ") | mesher info /dev/stdin").exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "all"));
+}
+
+TEST_F(ProgressiveCommand, AWholeMeshDoesNotWaitForTheEndOfItsPipe) {
+  make("bunny");
+  const Finished run = shell(
+      "mkfifo f.pm; (cat p.pm; exec sleep 60) >f.pm 2>/dev/null & "
+      "timeout 30 " MESHER_PROGRAM " info f.pm --json; code=$?; kill $!; exit $code");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto pm = nlohmann::json::parse(run.out)["pm"];
+  EXPECT_EQ(pm["complete"], true);
+  EXPECT_EQ(pm["bytes"], std::filesystem::file_size(folder_ / "p.pm"));
+}
+
+TEST_F(ProgressiveCommand, BytesAfterTheEndThatAreThereAreSaid) {
+  make("bunny");
+  // In one piece, so that they are there for certain.
+  const std::string bytes = read_bytes(folder_ / "p.pm");
+  ASSERT_LT(bytes.size(), 65536U);
+  folder_.write("longer.pm", bytes + "more");
+  const Finished run = shell("cat longer.pm | mesher info /dev/stdin --json");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto pm = nlohmann::json::parse(run.out)["pm"];
+  EXPECT_TRUE(holds(pm["damage"], "bytes follow")) << run.out;
+  EXPECT_EQ(pm["bytes"], bytes.size() + 4);
 }
 
 TEST_F(ProgressiveCommand, APipeThatEndsEarlyGivesWhatCame) {
