@@ -54,11 +54,22 @@ class PmArrivalTest : public testing::Test {
   void put(std::size_t begin, std::size_t end) {
     EXPECT_EQ(::write(pipe_, bytes_.data() + begin, end - begin), ssize_t(end - begin));
   }
+  /// Comes back when it has been read but for what a pipe holds.
+  void put(std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+      const ssize_t count = ::write(pipe_, bytes.data(), bytes.size());
+      ASSERT_GT(count, 0);
+      bytes = bytes.subspan(std::size_t(count));
+    }
+  }
   void close() { ::close(pipe_); }
   /// Until what has been put is there.
   void advance(PmArrival& arrival, const auto& is_enough) {
+    advance(arrival, is_enough, [] {});
+  }
+  void advance(PmArrival& arrival, const auto& is_enough, const auto& note_news) {
     for (int i = 0; i < 5000 && !is_enough(); ++i) {
-      arrival.advance(session_, 0.01);
+      if (arrival.advance(session_, 0.01)) note_news();
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     EXPECT_TRUE(is_enough());
@@ -164,6 +175,55 @@ TEST_F(PmArrivalTest, WithoutABaseWhatWasShownStays) {
   EXPECT_THROW(arrival.finish(session_), InputError);
   EXPECT_EQ(session_.statistics.faces, 12U);
   EXPECT_FALSE(view().has_mesh());
+}
+
+TEST_F(PmArrivalTest, NothingIsReadBehindTheLastSplitOrDamage) {
+  for (const bool is_damaged : {false, true}) {
+    Bytes endless = bytes_;
+    if (is_damaged) endless[bytes_.size() / 2] ^= std::byte{0x10};
+    endless.resize(bytes_.size() + 30'000);
+    PmArrival arrival(pipe());  // that stays open: its end never comes
+    put(endless);
+    arrival.finish(session_);
+    EXPECT_TRUE(arrival.is_done());
+    EXPECT_NE(session_.error.find(is_damaged ? "splits were read" : "bytes follow"),
+              std::string::npos)
+        << session_.error;
+    EXPECT_EQ(session_.statistics.faces == 19'200U, !is_damaged);
+    close();
+    std::filesystem::remove(folder_ / "pipe");
+  }
+}
+
+TEST_F(PmArrivalTest, ReadingOnBelowFullDetailTakesLargerBites) {
+  for (const bool is_at_end : {true, false}) {
+    PmArrival arrival(file_of(bytes_));
+    arrival.wait_for_base(session_);
+    if (!is_at_end) view().move_to(0.0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));  // all of it waits now
+    int bites = 0;
+    advance(arrival, [&] { return arrival.is_done(); }, [&] { ++bites; });
+    EXPECT_GE(bytes_.size(), 3 * ByteStream::kBlockBytes);
+    if (is_at_end) continue;
+    EXPECT_LE(bites, 2) << "each takes the way up and back";
+  }
+}
+
+TEST_F(PmArrivalTest, APipeWithoutAWriterIsSilentAndKeepsNobodyWaiting) {
+  const std::filesystem::path file = folder_ / "pipe";
+  ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
+  PmArrival arrival(file);
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_FALSE(arrival.has_news(session_)) << "that is not its end";
+  pipe_ = ::open(file.c_str(), O_WRONLY);
+  std::thread writer([this] {
+    put(bytes_);
+    close();
+  });
+  arrival.finish(session_);
+  writer.join();
+  EXPECT_EQ(session_.statistics.faces, 19'200U);
+  EXPECT_EQ(session_.error, "");
 }
 
 TEST_F(PmArrivalTest, StoppingKeepsWhatHasCome) {
