@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/commands.h"
+#include "engine/core/memory.h"
 #include "engine/progressive/build.h"
 #include "engine/progressive/pm_write.h"
 #include "tests/support/meshes.h"
@@ -22,9 +23,9 @@ class ArrivalRunnerTest : public testing::Test {
     model.mesh = build_mesh(test::cube()).mesh;
     show_model(session_, std::move(model), "cube.obj");
   }
-  std::filesystem::path torus_file() {
+  std::filesystem::path torus_file(std::uint32_t around = 40, std::uint32_t across = 30) {
     Progressive progressive =
-        make_progressive(build_mesh(test::torus(40, 30)).mesh, {.target_faces = 100});
+        make_progressive(build_mesh(test::torus(around, across)).mesh, {.target_faces = 100});
     std::string bytes;
     write_pm(progressive.mesh, {}, [&](std::span<const std::byte> piece) {
       bytes.append(reinterpret_cast<const char*>(piece.data()), piece.size());
@@ -78,6 +79,25 @@ TEST_F(ArrivalRunnerTest, TheBaseEndsWhatRunsForTheModelBefore) {
   EXPECT_EQ(session_.statistics.faces, 2400U);
   EXPECT_EQ(session_.edits.history.undo_depth(), 0U);
   EXPECT_TRUE(view().has_geomorph()) << "asked for when the last split had come";
+}
+
+TEST_F(ArrivalRunnerTest, WithoutMemoryToKeepItInTheBaseStays) {
+  ASSERT_TRUE(arrivals_.open(torus_file(120, 80)));
+  for (int i = 0; i < 5000 && !view().has_mesh(); ++i) {
+    arrivals_.advance(0.0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  ASSERT_TRUE(arrivals_.is_running()) << "a block at a time";
+  {
+    const MemoryLimit limit(1);
+    EXPECT_NO_THROW(arrivals_.stop());
+  }
+  EXPECT_FALSE(arrivals_.is_running());
+  EXPECT_FALSE(view().has_mesh());
+  EXPECT_FALSE(view().is_on());
+  EXPECT_NE(session_.error, "");
+  test::expect_valid(session_.model.mesh);
+  EXPECT_EQ(session_.statistics.faces, session_.model.mesh.face_count());
 }
 
 TEST_F(ArrivalRunnerTest, WhoLeavesTheModeMeanwhileIsNotTakenBack) {

@@ -202,7 +202,8 @@ TEST_F(PmArrivalTest, ReadingOnBelowFullDetailTakesLargerBites) {
     if (!is_at_end) view().move_to(0.0);
     std::this_thread::sleep_for(std::chrono::milliseconds(300));  // all of it waits now
     int bites = 0;
-    advance(arrival, [&] { return arrival.is_done(); }, [&] { ++bites; });
+    advance(
+        arrival, [&] { return arrival.is_done(); }, [&] { ++bites; });
     EXPECT_GE(bytes_.size(), 3 * ByteStream::kBlockBytes);
     if (is_at_end) continue;
     EXPECT_LE(bites, 2) << "each takes the way up and back";
