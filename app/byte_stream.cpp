@@ -23,20 +23,26 @@ std::string reason(int error) {
 }  // namespace
 
 ByteStream::ByteStream(const std::filesystem::path& file) : file_(file) {
-  // A named pipe keeps us here until somebody opens it for writing, as it keeps every reader.
-  descriptor_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  // Else a named pipe would keep us here until somebody opens it for writing.
+  descriptor_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor_ < 0) throw InputError(file.string(), 0, reason(errno));
   thread_ = std::thread([this] { run(); });
 }
 
 ByteStream::~ByteStream() {
+  close();
+  thread_.join();
+  ::close(descriptor_);
+}
+
+void ByteStream::close() {
   {
     const std::lock_guard lock(mutex_);
     is_stopped_ = true;
+    blocks_.clear();
+    waiting_bytes_ = 0;
   }
   changed_.notify_all();
-  thread_.join();
-  ::close(descriptor_);
 }
 
 void ByteStream::run() {
@@ -62,6 +68,7 @@ void ByteStream::set_wake(void (*wake)()) {
 
 /// False where no more is to be read.
 bool ByteStream::read_block() {
+  // A pipe that never had a writer is not ready; one whose writers have all gone is, and ends.
   pollfd waiting{descriptor_, POLLIN, 0};
   const int ready = ::poll(&waiting, 1, kPollMilliseconds);
   if (ready == 0 || (ready < 0 && errno == EINTR)) return put({});

@@ -19,7 +19,8 @@ class ByteStream {
   static constexpr std::size_t kBlockBytes = std::size_t{16} << 10U;
   static constexpr std::size_t kMostAhead = std::size_t{8} << 20U;
 
-  /// Throws InputError where the file cannot be opened.
+  /// Returns at once, even for a named pipe that nobody has opened for writing yet: that one is
+  /// silent until somebody does. Throws InputError where the file cannot be opened.
   explicit ByteStream(const std::filesystem::path& file);
   /// Ends the reading within a moment, even of a pipe that is silent.
   ~ByteStream();
@@ -37,6 +38,8 @@ class ByteStream {
   bool is_at_end() const;
   /// Returns when there is something to take, or the end.
   void wait() const;
+  /// Nobody wants more: what waits is dropped, and reading ends within a moment.
+  void close();
   /// Why reading ended before the end; empty: it did not.
   std::string failure() const;
 

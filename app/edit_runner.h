@@ -25,6 +25,8 @@ class EditRunner {
   void cancel();
   /// The same, silently, and done when it returns: the model goes.
   void stop();
+  /// Ends what runs, silently: its model has gone. What waits is the next one's.
+  void drop() { job_.reset(); }
   /// Returns when nothing runs or waits any more.
   void finish();
 

@@ -175,7 +175,9 @@ std::optional<EditTask> detail_task(Session& session, const EditRequest& request
     return progressive_task(session, request);
   }
   if (!view.is_on() || view.is_arriving()) return std::nullopt;
-  return request.kind == EditRequest::Kind::geomorph ? geomorph_task(session) : keep_task(session);
+  if (request.kind == EditRequest::Kind::keep_level) return keep_task(session);
+  if (view.has_geomorph()) return std::nullopt;  // asked for twice
+  return geomorph_task(session);
 }
 
 /// What a person cannot see in the picture.

@@ -1,5 +1,6 @@
 #include "app/pm_arrival.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -12,7 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kSecondsBetween = 0.25;
+// Below full detail: between two times of reading on, and how long each takes at least.
+constexpr double kSecondsBetween = 0.15;
+constexpr double kBiteSeconds = 0.1;
 
 double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -26,11 +29,16 @@ PmArrival::PmArrival(const fs::path& file)
 bool PmArrival::advance(Session& session, double seconds) {
   if (is_done_ || !has_news(session)) return false;
   bool is_new = feed(session, seconds);
-  if (stream_.is_at_end()) {
+  if (is_over(session)) {
     end(session);
     is_new = true;
   }
   return is_new;
+}
+
+/// What lies behind damage is of no use, and may go on for ever.
+bool PmArrival::is_over(Session& session) const {
+  return stream_.is_at_end() || (has_base_ && !session.progressive.reader()->damage().empty());
 }
 
 bool PmArrival::has_news(const Session& session) const {
@@ -39,8 +47,19 @@ bool PmArrival::has_news(const Session& session) const {
   return is_at_rest || now_s() - last_fed_s_ >= kSecondsBetween;
 }
 
+/// To full detail, where reading goes on; returns for how many seconds it should, at least, so that
+/// the way up and back does not take most of the time.
+double PmArrival::climb(Session& session) const {
+  if (!has_base_ || session.progressive.is_at_end()) return 0.0;
+  const double begin = now_s();
+  ProgressiveMesh& mesh = session.progressive.mesh();
+  mesh.go_to(mesh.split_count());
+  return std::max(kBiteSeconds, 2.0 * (now_s() - begin));
+}
+
 bool PmArrival::feed(Session& session, double seconds) {
-  const double end = now_s() + seconds;
+  const double least = climb(session);
+  const double end = now_s() + std::max(seconds, least);
   bool is_new = false;
   do {
     const ByteStream::Block block = stream_.take();
@@ -49,7 +68,7 @@ bool PmArrival::feed(Session& session, double seconds) {
     reader.feed(block);
     if (!has_base_ && reader.has_base()) show_base(session);
     is_new = is_new || has_base_;
-  } while (now_s() < end);
+  } while (now_s() < end && !is_over(session));
   last_fed_s_ = now_s();
   if (is_new) session.progressive.reader_was_fed();
   return is_new;
@@ -76,6 +95,7 @@ void PmArrival::end(Session& session) {
   }
   const std::string damage(session.progressive.reader()->damage());
   const std::string failure = stream_.failure();
+  stream_.close();
   stop(session);
   if (!damage.empty()) session.error = file_.string() + ": " + damage;
   if (!failure.empty()) session.error = file_.string() + ": " + failure;
@@ -88,9 +108,11 @@ void PmArrival::stop(Session& session) {
   ProgressiveMesh& mesh = view.mesh();
   const std::uint32_t level = mesh.level();
   mesh.go_to(mesh.split_count());
-  session.model.mesh = mesh.mesh();
+  // All that may want memory first: the model is never half of one and half of another.
+  Mesh whole = mesh.mesh();
   mesh.go_to(level);
-  session.statistics = statistics(session.model.mesh);
+  session.statistics = statistics(whole);
+  session.model.mesh = std::move(whole);
   session.edits.opened_faces = session.statistics.faces;
   request_edit(session, {.kind = EditRequest::Kind::geomorph});
 }

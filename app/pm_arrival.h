@@ -25,7 +25,9 @@ class PmArrival {
   bool has_news(const Session& session) const;
   /// Reads on for about so many seconds. When the base is there it becomes the session's model, in
   /// progressive mode; at the end all of it does, and geomorphs are asked for. Where splits are
-  /// missing or wrong, the session's error says so. Returns whether there is anything new to see.
+  /// missing or wrong, or bytes follow after the last, the session's error says so; nothing more is
+  /// read. Below full detail it takes longer, at least as long as the way up and back. Returns
+  /// whether there is anything new to see.
   /// Throws InputError where there is no base: the session is as it was.
   bool advance(Session& session, double seconds);
   /// Returns when the base is shown. Throws as `advance`.
@@ -38,6 +40,8 @@ class PmArrival {
   bool has_base() const { return has_base_; }
 
  private:
+  bool is_over(Session& session) const;
+  double climb(Session& session) const;
   bool feed(Session& session, double seconds);
   void show_base(Session& session);
   void end(Session& session);
@@ -46,7 +50,7 @@ class PmArrival {
   std::unique_ptr<PmReader> reader_;  ///< until the base is there: then it is the session's
   bool has_base_ = false;
   bool is_done_ = false;
-  double last_fed_s_ = 0.0;
+  double last_fed_s_ = 0.0;  ///< when that ended
   ByteStream stream_;
 };
 

@@ -40,6 +40,8 @@ void toggle_progressive(Session& session) {
   } else if (session.model.mesh.face_count() == 0) {
     session.notice = "there is nothing to refine";
   } else {
+    // Now, not when it is made: who turns creases on meanwhile wants to see them.
+    if (session.creases.is_on) set_crease_mode(session, false);
     request_edit(session, {.kind = EditRequest::Kind::progressive});
   }
 }
@@ -48,6 +50,10 @@ void enter_progressive(Session& session) {
   if (session.creases.is_on) set_crease_mode(session, false);
   session.progressive.turn(true);
   ++session.model_generation;
+  const ProgressiveView& view = session.progressive;
+  if (!view.has_geomorph() && !view.is_arriving()) {
+    request_edit(session, {.kind = EditRequest::Kind::geomorph});
+  }
 }
 
 void leave_progressive(Session& session) {
@@ -88,6 +94,8 @@ void finish_progressive(Session& session, DetailLevels&& levels) {
   ProgressiveView& view = session.progressive;
   const bool is_new = !view.has_mesh();
   view.show(std::move(levels));
+  // Who has left the mode meanwhile, or turned creases on, is not taken back.
+  if (!view.is_on() && (!is_new || session.creases.is_on)) return;
   enter_progressive(session);
   if (!is_new) return;
   const ProgressiveMesh& mesh = view.mesh();

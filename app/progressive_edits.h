@@ -36,7 +36,7 @@ struct KeptLevel {
 /// what it is: edits are refused meanwhile, and afterwards it is shown as it was. What was made for
 /// it is kept until the model changes; where there is none, it is asked for.
 void toggle_progressive(Session& session);
-/// Turns the mode on. Pre: there is a progressive mesh.
+/// Turns the mode on; geomorphs that are missing are asked for. Pre: there is a progressive mesh.
 void enter_progressive(Session& session);
 void leave_progressive(Session& session);
 /// The model has changed: its progressive mesh is that of another one.
@@ -50,7 +50,7 @@ void request_keep_level(Session& session);
 // The work, as in app/edits.h.
 
 DetailLevels perform_progressive(const ProgressiveWork& work, Progress* progress);
-/// Shows what was made, and turns the mode on where it is not.
+/// Takes what was made; the first one turns the mode on, unless creases are edited by now.
 void finish_progressive(Session& session, DetailLevels&& levels);
 
 // What is drawn: the model, or in the mode a level of it.

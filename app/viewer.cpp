@@ -5,12 +5,12 @@
 #include <memory>
 #include <optional>
 
+#include "app/arrival_runner.h"
 #include "app/commands.h"
 #include "app/edit_runner.h"
 #include "app/gestures.h"
 #include "app/load_job.h"
 #include "app/paths.h"
-#include "app/pm_arrival.h"
 #include "app/pm_file.h"
 #include "app/progressive_edits.h"
 #include "app/state_log.h"
@@ -50,11 +50,11 @@ class Viewer {
         mesh_(device_),
         gestures_(session),
         edits_(session, Window::wake),
+        arrivals_(session, edits_, Window::wake),
         log_(options.state_log) {
     window_.set_events(events());
     overlay_ = std::make_unique<Overlay>(instance_, device_, presenter_.format(), window_.handle());
-    arrival_ = std::move(arrival);
-    if (arrival_) arrival_->set_wake(Window::wake);
+    arrivals_.take_over(std::move(arrival));
   }
 
   void run(const std::vector<KeyPress>& keys) {
@@ -63,7 +63,7 @@ class Viewer {
     while (!session_.wants_quit && !window_.should_close()) {
       wait();
       finish_load();
-      advance_arrival();
+      if (arrivals_.advance(kArrivalSeconds)) want_frames();
       if (edits_.advance()) want_frames();
       animate();
       advance_save();
@@ -88,7 +88,7 @@ class Viewer {
 
   // As in a script, each key finds done what came before it.
   void press(const std::vector<KeyPress>& keys) {
-    if (!keys.empty() && arrival_) arrival_->finish(session_);
+    if (!keys.empty()) arrivals_.finish();
     edits_.finish();
     for (const KeyPress& key : keys) {
       press_key(key);
@@ -157,7 +157,7 @@ class Viewer {
       if (overlay_->close_popups()) return;
       if (load_) return load_->cancel();
       if (edits_.is_running()) return edits_.cancel();
-      if (arrival_) return stop_arrival();
+      if (arrivals_.is_running()) return arrivals_.stop();
       if (is_typing && !has_dialog) return;  // ImGui ends the typing
     } else if (is_typing) {
       // ImGui looks at keys once a frame, and misses one that was let go by then.
@@ -177,40 +177,11 @@ class Viewer {
     session_.saving.shows_dialog = false;
     session_.error.clear();
     want_frames();
-    if (is_pm_file(file)) return open_progressive(file);
+    if (is_pm_file(file)) {
+      if (arrivals_.open(file)) load_.reset();
+      return;
+    }
     load_ = std::make_unique<LoadJob>(file, options_.read, Window::wake);
-  }
-
-  // What is shown stays until the base has arrived.
-  void open_progressive(const std::filesystem::path& file) {
-    load_.reset();
-    stop_arrival();
-    edits_.stop();
-    try {
-      arrival_ = std::make_unique<PmArrival>(file);
-      arrival_->set_wake(Window::wake);
-    } catch (const Error& error) {
-      session_.error = error.what();
-    }
-  }
-
-  void advance_arrival() {
-    if (!has_news()) return;
-    try {
-      if (!arrival_->has_base()) edits_.stop();  // they would be those of the model before
-      if (arrival_->advance(session_, kArrivalSeconds)) want_frames();
-      if (arrival_->is_done()) arrival_.reset();
-    } catch (const std::exception& error) {
-      session_.error = error.what();
-      stop_arrival();
-    }
-  }
-
-  void stop_arrival() {
-    if (!arrival_) return;
-    if (arrival_->has_base()) arrival_->stop(session_);
-    arrival_.reset();
-    want_frames();
   }
 
   /// What moves by itself: by the time since the frame before, where it moved then, too.
@@ -223,7 +194,7 @@ class Viewer {
   }
 
   void wait() {
-    if (frames_wanted_ > 0 || has_news()) return Window::poll_events();
+    if (frames_wanted_ > 0 || arrivals_.has_news()) return Window::poll_events();
     if (running_job() != nullptr) {
       want_frames();  // the progress bar
       return Window::wait_events(kJobPollSeconds);
@@ -232,10 +203,8 @@ class Viewer {
       want_frames();  // the caret
       return Window::wait_events(kCaretBlinkSeconds);
     }
-    Window::wait_events(arrival_ ? kJobPollSeconds : -1.0);
+    Window::wait_events(arrivals_.is_running() ? kJobPollSeconds : -1.0);
   }
-
-  bool has_news() const { return arrival_ && arrival_->has_news(session_); }
 
   /// What a person waits for, if anything.
   const Job* running_job() const {
@@ -290,9 +259,11 @@ class Viewer {
 
   // What the GPU cannot hold is refused, and what was shown before stays.
   void show(LoadedModel&& loaded) {
-    arrival_.reset();
+    arrivals_.stop();
     edits_.stop();
     Session before;
+    std::swap(before.progressive, session_.progressive);
+    session_.progressive.change(before.progressive.settings());
     std::swap(before.model, session_.model);
     std::swap(before.edits, session_.edits);
     before.statistics = session_.statistics;
@@ -304,6 +275,8 @@ class Viewer {
     } catch (const Error& error) {
       show_model(session_, std::move(before.model), before.statistics, before.file);
       session_.edits = std::move(before.edits);
+      session_.progressive = std::move(before.progressive);
+      if (session_.progressive.is_on()) enter_progressive(session_);
       session_.camera = before.camera;
       session_.error = error.what();
     }
@@ -393,10 +366,17 @@ class Viewer {
     return take_back_last_edit(session_);
   }
 
+  // The whole of what comes from a file was never shown by itself: less of it may still fit.
   bool take_back_mode() {
-    if (!session_.progressive.is_on()) return false;
-    arrival_.reset();
-    forget_progressive(session_);
+    ProgressiveView& view = session_.progressive;
+    if (!view.is_on()) return false;
+    arrivals_.stop();
+    const std::uint32_t level = view.is_on() ? view.mesh().level() : 0;
+    if (level > 0 && view.levels().vertex_source.empty()) {
+      view.move_to_level(level / 2);
+    } else {
+      forget_progressive(session_);
+    }
     return true;
   }
 
@@ -462,9 +442,9 @@ class Viewer {
   Panels panels_;
   Gestures gestures_;
   EditRunner edits_;
+  ArrivalRunner arrivals_;
   StateLog log_;
   std::unique_ptr<LoadJob> load_;
-  std::unique_ptr<PmArrival> arrival_;
   std::unique_ptr<JobOf<Saved>> save_;
   std::optional<Drawn> drawn_;
   std::optional<render::Settings> drawable_settings_;  ///< those that the mirror was made for

@@ -54,6 +54,14 @@ class PmArrivalTest : public testing::Test {
   void put(std::size_t begin, std::size_t end) {
     EXPECT_EQ(::write(pipe_, bytes_.data() + begin, end - begin), ssize_t(end - begin));
   }
+  /// Comes back when it has been read but for what a pipe holds.
+  void put(std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+      const ssize_t count = ::write(pipe_, bytes.data(), bytes.size());
+      ASSERT_GT(count, 0);
+      bytes = bytes.subspan(std::size_t(count));
+    }
+  }
   void close() { ::close(pipe_); }
   /// Until what has been put is there.
   void advance(PmArrival& arrival, const auto& is_enough) {
@@ -164,6 +172,59 @@ TEST_F(PmArrivalTest, WithoutABaseWhatWasShownStays) {
   EXPECT_THROW(arrival.finish(session_), InputError);
   EXPECT_EQ(session_.statistics.faces, 12U);
   EXPECT_FALSE(view().has_mesh());
+}
+
+TEST_F(PmArrivalTest, NothingIsReadBehindTheLastSplitOrDamage) {
+  for (const bool is_damaged : {false, true}) {
+    Bytes endless = bytes_;
+    if (is_damaged) endless[bytes_.size() / 2] ^= std::byte{0x10};
+    endless.resize(bytes_.size() + 30'000);
+    PmArrival arrival(pipe());  // that stays open: its end never comes
+    put(endless);
+    arrival.finish(session_);
+    EXPECT_TRUE(arrival.is_done());
+    EXPECT_NE(session_.error.find(is_damaged ? "splits were read" : "bytes follow"),
+              std::string::npos)
+        << session_.error;
+    EXPECT_EQ(session_.statistics.faces == 19'200U, !is_damaged);
+    close();
+    std::filesystem::remove(folder_ / "pipe");
+  }
+}
+
+TEST_F(PmArrivalTest, ReadingOnBelowFullDetailTakesLargerBites) {
+  const auto bites = [&](bool follows) {
+    PmArrival arrival(file_of(bytes_));
+    arrival.wait_for_base(session_);
+    if (!follows) view().move_to(0.0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));  // all of it waits now
+    int count = 0;
+    for (int i = 0; i < 5000 && !arrival.is_done(); ++i) {
+      if (arrival.advance(session_, 0.0)) ++count;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    EXPECT_TRUE(arrival.is_done());
+    return count;
+  };
+  EXPECT_GE(bites(true), 3) << "a block each, as there is no time for more";
+  EXPECT_LE(bites(false), 2) << "each takes the way up and back";
+}
+
+TEST_F(PmArrivalTest, APipeWithoutAWriterIsSilentAndKeepsNobodyWaiting) {
+  const std::filesystem::path file = folder_ / "pipe";
+  ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
+  PmArrival arrival(file);
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_FALSE(arrival.has_news(session_)) << "that is not its end";
+  pipe_ = ::open(file.c_str(), O_WRONLY);
+  std::thread writer([this] {
+    put(bytes_);
+    close();
+  });
+  arrival.finish(session_);
+  writer.join();
+  EXPECT_EQ(session_.statistics.faces, 19'200U);
+  EXPECT_EQ(session_.error, "");
 }
 
 TEST_F(PmArrivalTest, StoppingKeepsWhatHasCome) {

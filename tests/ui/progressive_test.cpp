@@ -8,6 +8,7 @@
 #include "engine/progressive/build.h"
 #include "engine/progressive/pm_write.h"
 #include "tests/ui/window_fixture.h"
+#include "tests/ui/xdnd_source.h"
 
 namespace mesher::test {
 namespace {
@@ -161,6 +162,25 @@ TEST_F(ProgressiveTest, WhatArrivesIsShownAsItComes) {
   EXPECT_REACHES(*v, s["progressive"]["ready"] == true && s["faces"] == 2880);
   EXPECT_EQ(shown(*v)["faces"], 2880);
   EXPECT_EQ(v->state()["error"], "");
+  quit(*v);
+}
+
+TEST_F(ProgressiveTest, APipeThatNobodyWritesToFreezesNothing) {
+  const TempFolder folder;
+  const std::string pipe = folder / "pipe.pm";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const auto v = open({"cube", "--size", "800x600"});
+  ASSERT_TRUE(drop_file(server_->display(), std::stoul(v->window()), pipe));
+  v->settle();
+  v->key("c");
+  EXPECT_REACHES(*v, s["notice"].get<std::string>().starts_with("creases"));
+  EXPECT_EQ(v->state()["faces"], 12) << "what was shown stays";
+  const int out = ::open(pipe.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+  ASSERT_GE(out, 0) << "the viewer has it open";
+  const std::string bytes = knot_bytes();
+  ASSERT_EQ(::write(out, bytes.data(), bytes.size()), ssize_t(bytes.size()));
+  ::close(out);
+  EXPECT_REACHES(*v, s["progressive"]["ready"] == true && s["faces"] == 2880);
   quit(*v);
 }
 
