@@ -121,10 +121,10 @@ TEST(Levels, AreNamedByTheFirstNode) {
   write_gltf(file, levels, false);
   file.commit();
   const auto json = nlohmann::json::parse(test::read_bytes(folder / "l.gltf"));
-  EXPECT_EQ(json["extensionsUsed"], nlohmann::json({"MSFT_lod"}));
-  EXPECT_EQ(json["scenes"][0]["nodes"], nlohmann::json({0}));
+  EXPECT_EQ(json["extensionsUsed"], nlohmann::json::array({"MSFT_lod"}));
+  EXPECT_EQ(json["scenes"][0]["nodes"], nlohmann::json::array({0}));
   ASSERT_EQ(json["nodes"].size(), 2U);
-  EXPECT_EQ(json["nodes"][0]["extensions"]["MSFT_lod"]["ids"], nlohmann::json({1}));
+  EXPECT_EQ(json["nodes"][0]["extensions"]["MSFT_lod"]["ids"], nlohmann::json::array({1}));
   EXPECT_EQ(json["nodes"][0]["extras"]["MSFT_screencoverage"], nlohmann::json({0.5, 0.125}));
   EXPECT_EQ(json["nodes"][1]["mesh"], 1);
   EXPECT_FALSE(json["nodes"][1].contains("extensions"));
