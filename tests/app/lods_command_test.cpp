@@ -65,7 +65,7 @@ TEST_F(LodsCommand, OneGlbHoldsThemAll) {
   ASSERT_EQ(glb["nodes"].size(), 3U);
   ASSERT_EQ(glb["meshes"].size(), 3U);
   EXPECT_EQ(glb["extensionsUsed"], nlohmann::json({"MSFT_lod"}));
-  EXPECT_EQ(glb["scenes"][0]["nodes"], nlohmann::json({0}));
+  EXPECT_EQ(glb["scenes"][0]["nodes"], nlohmann::json::array({0}));
   EXPECT_EQ(glb["nodes"][0]["extensions"]["MSFT_lod"]["ids"], nlohmann::json({1, 2}));
   EXPECT_EQ(glb["nodes"][0]["extras"]["MSFT_screencoverage"], nlohmann::json({0.5, 0.2, 0.05}));
   for (std::size_t i = 0; i < 3; ++i) {
