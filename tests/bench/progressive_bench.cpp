@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -22,6 +23,8 @@ using State = benchmark::State;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kRatio = 0.01;
+/// Bytes of a file that are read at a time.
+constexpr std::size_t kPiece = std::size_t{64} << 10U;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -83,7 +86,8 @@ void read(State& state, const Mesh& input, unsigned coordinate_bits) {
   for (auto _ : state) {
     const auto start = Clock::now();
     PmReader reader("benchmark");
-    reader.feed(file);
+    for (std::size_t at = 0; at < file.size(); at += kPiece)
+      reader.feed(std::span(file).subspan(at, std::min(kPiece, file.size() - at)));
     reader.finish();
     const double seconds = seconds_since(start);
     if (!reader.is_complete()) state.SkipWithError("the file is not whole");
