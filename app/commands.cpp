@@ -155,6 +155,26 @@ void escape(Session& session) {
   }
 }
 
+void change_subdivision(Session& session, Command command) {
+  SubdivideSettings& rules = session.subdivide;
+  if (command == Command::toggle_limit) rules.limit = !rules.limit;
+  if (command == Command::next_scheme) rules.scheme = next_scheme(rules.scheme);
+  if (command == Command::toggle_crease_rules) rules.creases = other_rules(rules.creases);
+  apply_subdivide_settings(session);
+}
+
+// One dialog at a time.
+
+void toggle_open_dialog(Session& session) {
+  session.saving.shows_dialog = false;
+  toggle(session.shows_open_dialog);
+}
+
+void show_save_dialog(Session& session) {
+  session.shows_open_dialog = false;
+  open_save_dialog(session);
+}
+
 }  // namespace
 
 std::span<const Binding> bindings() {
@@ -170,6 +190,8 @@ std::optional<Command> command_for(const KeyPress& key) {
   return std::nullopt;
 }
 
+// As long as there are commands, a line or two each: one switch, so that the compiler finds the one
+// that is missing.
 void run(Session& session, Command command) {
   render::Settings& settings = session.settings;
   session.notice.clear();
@@ -209,14 +231,9 @@ void run(Session& session, Command command) {
       return request_edit(session, {.kind = EditRequest::Kind::creases,
                                     .creases = crease_edit_of(session, command)});
     case Command::toggle_limit:
-      session.subdivide.limit = !session.subdivide.limit;
-      return apply_subdivide_settings(session);
     case Command::next_scheme:
-      session.subdivide.scheme = next_scheme(session.subdivide.scheme);
-      return apply_subdivide_settings(session);
     case Command::toggle_crease_rules:
-      session.subdivide.creases = other_rules(session.subdivide.creases);
-      return apply_subdivide_settings(session);
+      return change_subdivision(session, command);
     case Command::toggle_progressive:
       return toggle_progressive(session);
     case Command::keep_level:
@@ -237,11 +254,9 @@ void run(Session& session, Command command) {
     case Command::toggle_help:
       return toggle(session.shows_help);
     case Command::open_file:
-      session.saving.shows_dialog = false;
-      return toggle(session.shows_open_dialog);
+      return toggle_open_dialog(session);
     case Command::save_file:
-      session.shows_open_dialog = false;
-      return open_save_dialog(session);
+      return show_save_dialog(session);
     case Command::screenshot:
       return set(session.wants_screenshot);
     case Command::escape:

@@ -11,19 +11,10 @@
 #include "engine/simplify/simplify.h"
 #include "tests/progressive/checks.h"
 #include "tests/support/meshes.h"
+#include "tests/support/obj_files.h"
 
 namespace mesher::test {
 namespace {
-
-std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  if (!std::filesystem::is_directory(folder)) return files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".obj") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 /// Root mean square of the distances both ways.
 double rms(const Mesh& a, const Mesh& b) {

@@ -11,6 +11,7 @@
 #include "engine/simplify/simplify.h"
 #include "tests/simplify/replay.h"
 #include "tests/support/meshes.h"
+#include "tests/support/obj_files.h"
 
 namespace mesher::test {
 namespace {
@@ -18,16 +19,6 @@ namespace {
 constexpr double kRatios[] = {0.5, 0.1, 0.01, 0.001};
 // Where every collapse of every run is checked; the larger models are checked at the end of each.
 constexpr std::uint32_t kFewFaces = 1'300;
-
-std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  if (!std::filesystem::is_directory(folder)) return files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".obj") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 void examine_run(const Mesh& mesh, CostPolicy policy, double ratio) {
   SCOPED_TRACE(std::string(key(policy)) + " to " + std::to_string(ratio));
