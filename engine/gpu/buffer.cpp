@@ -6,6 +6,7 @@
 
 #include "engine/core/assert.h"
 #include "engine/core/error.h"
+#include "engine/gpu/memory_barrier.h"
 #include "engine/gpu/result.h"
 
 namespace mesher::gpu {
@@ -14,19 +15,10 @@ namespace {
 /// Everything before is finished and seen by everything after; for transfers outside of frames,
 /// where a finer barrier would gain nothing.
 void full_barrier(VkCommandBuffer commands) {
-  const VkMemoryBarrier2 barrier{
-      .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-      .pNext = nullptr,
-      .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-      .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
-      .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT | VK_PIPELINE_STAGE_2_HOST_BIT,
-      .dstAccessMask =
-          VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT | VK_ACCESS_2_HOST_READ_BIT};
-  VkDependencyInfo dependency{};
-  dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
-  dependency.memoryBarrierCount = 1;
-  dependency.pMemoryBarriers = &barrier;
-  vkCmdPipelineBarrier2(commands, &dependency);
+  memory_barrier(
+      commands, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT},
+      {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT | VK_PIPELINE_STAGE_2_HOST_BIT,
+       VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT | VK_ACCESS_2_HOST_READ_BIT});
 }
 
 VkDeviceSize total_size(std::span<const ByteRange> ranges, [[maybe_unused]] VkDeviceSize limit) {

@@ -6,6 +6,7 @@
 
 #include "engine/core/error.h"
 #include "engine/gpu/buffer.h"
+#include "engine/gpu/memory_barrier.h"
 #include "engine/gpu/result.h"
 
 namespace mesher::gpu {
@@ -67,17 +68,8 @@ void record_read(VkCommandBuffer commands, const DeviceImage& image, ImageState 
   vkCmdCopyImageToBuffer(commands, image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                          pixels.handle(), 1, &region);
   transition(commands, image.handle(), kTransferSource, state);
-  const VkMemoryBarrier2 to_host{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-                                 .pNext = nullptr,
-                                 .srcStageMask = VK_PIPELINE_STAGE_2_TRANSFER_BIT,
-                                 .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                                 .dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT,
-                                 .dstAccessMask = VK_ACCESS_2_HOST_READ_BIT};
-  VkDependencyInfo dependency{};
-  dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
-  dependency.memoryBarrierCount = 1;
-  dependency.pMemoryBarriers = &to_host;
-  vkCmdPipelineBarrier2(commands, &dependency);
+  memory_barrier(commands, {VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                 {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
 }
 
 }  // namespace

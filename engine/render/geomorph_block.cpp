@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/gpu/memory_barrier.h"
+
 #include "shaders/shared/constants.h"
 
 namespace mesher::render {
@@ -39,21 +41,6 @@ shared::GeomorphConstants constants_of(const GpuMesh& mesh, const Settings& sett
           .unused = 0};
 }
 
-void barrier(VkCommandBuffer commands, VkPipelineStageFlags2 from, VkAccessFlags2 written,
-             VkPipelineStageFlags2 to, VkAccessFlags2 access) {
-  const VkMemoryBarrier2 memory{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-                                .pNext = nullptr,
-                                .srcStageMask = from,
-                                .srcAccessMask = written,
-                                .dstStageMask = to,
-                                .dstAccessMask = access};
-  VkDependencyInfo dependency{};
-  dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
-  dependency.memoryBarrierCount = 1;
-  dependency.pMemoryBarriers = &memory;
-  vkCmdPipelineBarrier2(commands, &dependency);
-}
-
 }  // namespace
 
 bool needs_geomorph(const GpuMesh& mesh, const Settings& settings) {
@@ -67,12 +54,14 @@ VkDeviceAddress GeomorphBlock::write(VkCommandBuffer commands, const GpuMesh& me
     buffer_ = gpu::Buffer(device_, sizeof(constants), 0, gpu::MemoryIntent::fixed);
   }
   // Frames before, in whatever command buffer, have read it and written it.
-  barrier(commands, VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
-          VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
-          VK_ACCESS_2_TRANSFER_WRITE_BIT);
+  gpu::memory_barrier(commands,
+                      {VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+                       VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                      {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT});
   vkCmdUpdateBuffer(commands, buffer_.handle(), 0, sizeof(constants), &constants);
-  barrier(commands, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-          VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT);
+  gpu::memory_barrier(commands,
+                      {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                      {VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT});
   return buffer_.address();
 }
 
