@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/gpu/memory_barrier.h"
-
 #include "shaders/shared/constants.h"
 
 namespace mesher::render {
