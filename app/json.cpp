@@ -66,25 +66,24 @@ Json to_json(const CreaseMode& creases, const SelectedSharpness& sharpness) {
 
 Json to_json(const ProgressiveView& view) {
   const ProgressiveSettings& s = view.settings();
-  Json json{{"on", view.is_on()},
-            {"base_faces", s.base_faces},
-            {"geomorphs", s.geomorphs},
-            {"window", s.window},
-            {"births", s.colors_births},
-            {"automatic", s.is_automatic},
-            {"tolerance_px", s.tolerance_px}};
-  if (!view.has_mesh()) return json;
-  const ProgressiveMesh& mesh = view.mesh();
-  json.update({{"arriving", view.is_arriving()},
-               {"ready", view.has_geomorph()},
-               {"playing", view.is_playing()},
-               {"position", view.position()},
-               {"time", view.time()},
-               {"level", mesh.level()},
-               {"splits", mesh.split_count()},
-               {"vertices", mesh.mesh().vertex_count()},
-               {"faces", mesh.mesh().face_count()}});
-  return json;
+  const ProgressiveMesh* mesh = view.has_mesh() ? &view.mesh() : nullptr;
+  const auto if_any = [mesh](auto value) { return mesh != nullptr ? Json(value()) : Json(); };
+  return {{"on", view.is_on()},
+          {"base_faces", s.base_faces},
+          {"geomorphs", s.geomorphs},
+          {"window", s.window},
+          {"births", s.colors_births},
+          {"automatic", s.is_automatic},
+          {"tolerance_px", s.tolerance_px},
+          {"arriving", view.is_arriving()},
+          {"ready", view.has_geomorph()},
+          {"playing", view.is_playing()},
+          {"position", if_any([&] { return view.position(); })},
+          {"time", if_any([&] { return view.time(); })},
+          {"level", if_any([&] { return mesh->level(); })},
+          {"splits", if_any([&] { return mesh->split_count(); })},
+          {"vertices", if_any([&] { return mesh->mesh().vertex_count(); })},
+          {"faces", if_any([&] { return mesh->mesh().face_count(); })}};
 }
 
 }  // namespace

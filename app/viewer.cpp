@@ -70,7 +70,7 @@ class Viewer {
       update_hover();
       if (frames_wanted_ > 0) draw();
       if (session_.wants_screenshot) save_screenshot();
-      log_.note(session_);
+      log_.note(session_, &pointer_);
     }
     finish_saves();
     device_.wait_idle();
@@ -104,18 +104,20 @@ class Viewer {
     return {.key = [this](const KeyPress& key) { press_key(key); },
             .press =
                 [this](MouseButton button, Modifiers modifiers, glm::dvec2 at) {
+                  pointer_.is_pressed = true;
                   if (!panels_.covers(at)) gestures_.press(button, modifiers, at, Window::time());
                   want_frames();
                 },
             .release =
                 [this] {
+                  pointer_.is_pressed = false;
                   gestures_.release();
                   want_frames();
                 },
             .move = [this](glm::dvec2 at) { move(at); },
             .scroll =
                 [this](double steps) {
-                  if (!panels_.covers(cursor_)) gestures_.scroll(steps, cursor_);
+                  if (!panels_.covers(pointer_.at)) gestures_.scroll(steps, pointer_.at);
                   want_frames();
                 },
             .drop =
@@ -134,8 +136,8 @@ class Viewer {
   // Over the bare picture a move without a drag changes nothing but the edge under the cursor: no
   // need to draw.
   void move(const glm::dvec2& at) {
-    const bool touches_panel = panels_.covers(at) || panels_.covers(cursor_);
-    cursor_ = at;
+    const bool touches_panel = panels_.covers(at) || panels_.covers(pointer_.at);
+    pointer_.at = at;
     is_hover_old_ = true;
     if (gestures_.move(at) || touches_panel) want_frames();
   }
@@ -143,8 +145,9 @@ class Viewer {
   // Once for all the moves that have come since: it takes a look at every face.
   void update_hover() {
     if (!is_hover_old_ || !session_.creases.is_on) return;
-    const bool is_over_model = !gestures_.is_dragging() && !panels_.covers(cursor_);
-    if (hover_edge(session_, is_over_model ? std::optional(cursor_) : std::nullopt)) want_frames();
+    const bool is_over_model = !gestures_.is_dragging() && !panels_.covers(pointer_.at);
+    if (hover_edge(session_, is_over_model ? std::optional(pointer_.at) : std::nullopt))
+      want_frames();
     is_hover_old_ = false;
   }
 
@@ -451,7 +454,7 @@ class Viewer {
   std::optional<render::Settings> drawn_settings_;     ///< the same, with what is shown of splits
   std::optional<std::uint64_t> uploaded_revision_;     ///< of the edits that the mirror has
   render::UploadStats upload_;
-  glm::dvec2 cursor_{0.0};
+  Pointer pointer_;
   std::string title_;
   std::uint64_t mesh_generation_ = 0;
   std::uint64_t framebuffers_of_ = 0;

@@ -26,7 +26,7 @@ std::string key_name(int key) {
     return name;
   }
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) {
-    return "f" + std::to_string(key - GLFW_KEY_F1 + 1);
+    return std::string("f").append(std::to_string(key - GLFW_KEY_F1 + 1));
   }
   if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return std::to_string(key - GLFW_KEY_KP_0);
   static const std::map<int, std::string> kNamed{

@@ -102,6 +102,7 @@ struct PmReader::State {
     const auto violations = validate(first, 1);
     if (!violations.empty()) refuse(used_bytes, "the base is no mesh: " + violations.front().what);
     mesh = ProgressiveMesh(std::move(first));
+    mesh.mesh().changes().note_all();  // nobody has seen it; what follows need not be noted apart
     coder = std::make_unique<SplitCoder<RangeDecoder>>(header, std::move(base.grid));
     check = header.base_check;
     has_base = true;

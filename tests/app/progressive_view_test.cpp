@@ -345,14 +345,25 @@ TEST_F(ProgressiveViewTest, SettingsSayWhatIsDrawn) {
   EXPECT_EQ(sources.morph.splits.size(), view().mesh().split_count());
 }
 
+std::vector<std::string> keys_of(const Json& json) {
+  std::vector<std::string> keys;
+  for (const auto& item : json.items())
+    keys.push_back(item.key());
+  return keys;
+}
+
 TEST_F(ProgressiveViewTest, TheStateSaysWhereItIs) {
-  EXPECT_EQ(to_json(session_)["progressive"]["on"], false);
+  const Json off = to_json(session_)["progressive"];
+  EXPECT_EQ(off["on"], false);
+  EXPECT_EQ(off["ready"], false);
+  EXPECT_TRUE(off["level"].is_null());
   press(session_, "p home ]");
   const Json json = to_json(session_)["progressive"];
   EXPECT_EQ(json["on"], true);
   EXPECT_EQ(json["level"], 1U);
   EXPECT_EQ(json["faces"], view().mesh().face_count(1));
   EXPECT_EQ(json["time"], 1.0);
+  EXPECT_EQ(keys_of(json), keys_of(off)) << "whoever waits for a value finds its name";
   EXPECT_EQ(to_json(session_)["faces"], 2400U) << "the model's";
 }
 

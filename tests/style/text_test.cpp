@@ -70,7 +70,7 @@ TEST(Text, FilesStayReadable) {
 
 /// Names in the lists of scripts/bootstrap: the first word of each line of `*_packages="..."`.
 std::vector<std::string> packages_installed() {
-  std::ifstream script(std::string(MESHER_SOURCE_DIR) + "/scripts/bootstrap");
+  std::ifstream script(MESHER_SOURCE_DIR "/scripts/bootstrap");
   std::vector<std::string> names;
   bool is_list = false;
   for (std::string line; std::getline(script, line);) {
@@ -88,7 +88,7 @@ std::vector<std::string> packages_installed() {
 
 /// Names in the first column of the README's table of dependencies.
 std::set<std::string> packages_explained() {
-  std::ifstream readme(std::string(MESHER_SOURCE_DIR) + "/README.md");
+  std::ifstream readme(MESHER_SOURCE_DIR "/README.md");
   std::set<std::string> names;
   for (std::string line; std::getline(readme, line);) {
     if (!line.starts_with("| ")) continue;

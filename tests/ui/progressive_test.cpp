@@ -4,6 +4,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <thread>
+
 #include "engine/io/read.h"
 #include "engine/progressive/build.h"
 #include "engine/progressive/pm_write.h"
@@ -77,7 +80,6 @@ TEST_F(ProgressiveTest, TheSliderAppliesWhileItIsDragged) {
   v->move(1250, kSliderY);
   v->settle();
   v->press(1);
-  std::this_thread::sleep_for(std::chrono::milliseconds(150));
   v->move(1150, kSliderY);
   EXPECT_REACHES(*v, s["progressive"]["faces"] < 1500);
   const auto coarse = shown(*v)["faces"].get<int>();
@@ -108,7 +110,6 @@ TEST_F(ProgressiveTest, PlaysUntilPausedAndThenSleeps) {
   v->move(kPlayX, kButtonsY);
   v->settle();
   v->press(1);
-  std::this_thread::sleep_for(std::chrono::milliseconds(150));
   v->release(1);
   EXPECT_REACHES(*v, s["progressive"]["playing"] == true && s["progressive"]["position"] > 0.2);
   EXPECT_REACHES(*v, s["progressive"]["position"] > 0.3);
@@ -130,14 +131,12 @@ TEST_F(ProgressiveTest, TheAutomaticLevelFollowsTheWheel) {
   v->settle();
   const int near = shown(*v)["faces"].get<int>();
   v->move(640, 400);
-  for (int i = 0; i < 25; ++i)
-    v->press(5), v->release(5);
+  v->scroll_down(25);
   EXPECT_REACHES(*v, s["progressive"]["faces"] < near);
   v->settle();
   const int far = shown(*v)["faces"].get<int>();
   EXPECT_LT(far, near);
-  for (int i = 0; i < 25; ++i)
-    v->press(4), v->release(4);
+  v->scroll_up(25);
   EXPECT_REACHES(*v, s["progressive"]["faces"] > far);
   v->key("bracketleft");
   EXPECT_REACHES(*v, s["progressive"]["automatic"] == false);

@@ -66,12 +66,33 @@ void ViewerProcess::settle() const {
   });
 }
 
+void ViewerProcess::await_pointer(const char* what, const nlohmann::json& value) const {
+  if (!reaches([&](const nlohmann::json& s) { return s["pointer"][what] == value; })) {
+    throw std::runtime_error("the viewer does not see the pointer " + value.dump());
+  }
+}
+
 void ViewerProcess::key(const std::string& keysym) const {
   server_.xdotool({"key", keysym});
 }
 
 void ViewerProcess::move(int x, int y) const {
   server_.xdotool({"mousemove", "--window", window_, std::to_string(x), std::to_string(y)});
+  await_pointer("at", {x, y});
+}
+
+void ViewerProcess::press(int button) const {
+  server_.xdotool({"mousedown", std::to_string(button)});
+  await_pointer("pressed", true);
+}
+
+void ViewerProcess::release(int button) const {
+  server_.xdotool({"mouseup", std::to_string(button)});
+  await_pointer("pressed", false);
+}
+
+void ViewerProcess::scroll(int button, int steps) const {
+  server_.xdotool({"click", "--repeat", std::to_string(steps), std::to_string(button)});
 }
 
 void ViewerProcess::drag(int button, int x0, int y0, int x1, int y1) const {

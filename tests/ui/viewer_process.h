@@ -27,10 +27,14 @@ class ViewerProcess {
   /// Waits until the picture has come to rest.
   void settle() const;
   void key(const std::string& keysym) const;
-  /// Moves the pointer to a point of the window.
+  /// Moves the pointer to a point of the window. This, `press` and `release` return when the viewer
+  /// has seen it: what comes in one frame with what follows, ImGui may take for something else.
   void move(int x, int y) const;
-  void press(int button) const { server_.xdotool({"mousedown", std::to_string(button)}); }
-  void release(int button) const { server_.xdotool({"mouseup", std::to_string(button)}); }
+  void press(int button) const;
+  void release(int button) const;
+  /// Steps of the wheel; up is to come nearer.
+  void scroll_up(int steps) const { scroll(4, steps); }
+  void scroll_down(int steps) const { scroll(5, steps); }
   /// Press, move in steps, release.
   void drag(int button, int x0, int y0, int x1, int y1) const;
   const std::string& window() const { return window_; }
@@ -41,6 +45,9 @@ class ViewerProcess {
   int wait_for_end() { return program_->wait(60.0); }
 
  private:
+  void scroll(int button, int steps) const;
+  void await_pointer(const char* what, const nlohmann::json& value) const;
+
   const XServer& server_;
   TempFolder folder_;
   std::unique_ptr<BackgroundProgram> program_;

@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "tests/ui/viewer_process.h"
@@ -29,23 +27,18 @@ class WindowTest : public testing::Test {
     viewer.key("q");
     EXPECT_EQ(viewer.wait_for_end(), 0);
   }
-  /// A click as a hand makes it: ImGui sees the pointer arrive, the button go down, and come up
-  /// where it went down. It reads the pointer once a frame: moved on at once, the release would be
-  /// seen elsewhere.
   static void click(const ViewerProcess& viewer, int x, int y) {
     viewer.move(x, y);
     viewer.settle();
     viewer.press(1);
-    std::this_thread::sleep_for(std::chrono::milliseconds(150));
     viewer.release(1);
     viewer.settle();
   }
-  /// A drag along a slider as a hand makes it, for the same reason.
+  /// A drag along a slider.
   static void slide(const ViewerProcess& viewer, int x0, int x1, int y) {
     viewer.move(x0, y);
     viewer.settle();
     viewer.press(1);
-    std::this_thread::sleep_for(std::chrono::milliseconds(150));
     viewer.move(x1, y);
     viewer.settle();
     viewer.release(1);
