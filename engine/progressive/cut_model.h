@@ -32,18 +32,17 @@ class CutModel {
 
   /// Sorts the edges into classes by the squares of their lengths.
   void measure(const SplitRing& ring) {
-    std::array<double, kFewSlots> squares{};
     double sum = 0.0;
     const std::uint32_t slots = ring.slots();
     for (std::uint32_t i = 0; i < slots; ++i) {
-      squares[i] = dot(ring.place(i), ring.place(i));
-      sum += squares[i];
+      square_[i] = dot(ring.place(i), ring.place(i));
+      sum += square_[i];
     }
     const double mean = sum / slots;
     for (std::uint32_t i = 0; i < slots; ++i) {
       length_[i] = 0;
       for (const double limit : {0.375, 0.5625, 0.8125, 1.125, 1.5, 2.25})
-        length_[i] += squares[i] > limit * mean ? 1U : 0U;
+        length_[i] += square_[i] > limit * mean ? 1U : 0U;
     }
   }
 
@@ -69,7 +68,8 @@ class CutModel {
 
   static constexpr std::uint32_t kFarthest = 10;
 
-  std::array<std::uint32_t, kFewSlots> length_{};
+  std::array<double, kFewSlots> square_{};         ///< of the ring at hand, used again
+  std::array<std::uint32_t, kFewSlots> length_{};  ///< the same
   BitModel is_pair_;
   BitModel first_[kFewSlots + 1][kLengths];
   BitModel second_[kFewSlots + 1][kFarthest + 1][kLengths];

@@ -6,6 +6,7 @@
 
 #include "engine/core/array.h"
 #include "engine/mesh/mesh.h"
+#include "engine/progressive/progressive_mesh.h"
 #include "engine/progressive/range_coder.h"
 #include "engine/progressive/split_ring.h"
 
@@ -15,11 +16,12 @@ namespace mesher {
 /// the number of edges is told first, then which of the vertices that have as many.
 class ParentModel {
  public:
-  /// Those of the base. O(V + F).
-  void begin(const Mesh& base) {
-    edges_.assign(base.vertex_count(), 0);
-    place_.resize(base.vertex_count());
-    for (std::uint32_t i = 0; i < base.halfedge_count(); ++i) {
+  /// Those of the base. O(V + F). Pre: the mesh is at its base.
+  void begin(const ProgressiveMesh& pm) {
+    const Mesh& base = pm.mesh();
+    edges_.assign(pm.base_vertex_count(), 0);
+    place_.resize(pm.base_vertex_count());
+    for (std::uint32_t i = 0; i < 3 * pm.base_face_count(); ++i) {
       const Halfedge h(i);
       ++edges_[base.origin(h).index()];
       if (base.is_boundary(h)) ++edges_[base.target(h).index()];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -61,51 +62,69 @@ struct PlaceGuess {
   glm::dvec3 stretch{0.0};  ///< the variance is three times as much in this direction
 };
 
+/// Three coordinates that can be told by a number.
+using Coordinates = std::array<double, 3>;
+
+inline Coordinates coordinates(const glm::dvec3& v) {
+  return {v.x, v.y, v.z};
+}
+
 /// Coordinates are told in order, the one along which the normal is longest at last. What is known
-/// of the first two says something of the next.
+/// of the first two says something of the next. "Of a step" is of its coordinate.
 class PlaceOrder {
  public:
-  explicit PlaceOrder(const PlaceGuess& guess) : guess_(guess) {
-    const glm::dvec3 n = guess.normal;
-    const glm::dvec3 size(std::abs(n.x), std::abs(n.y), std::abs(n.z));
-    axis_[2] = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+  explicit PlaceOrder(const PlaceGuess& guess) : has_plane_(guess.has_plane), plane_(guess.plane) {
+    const glm::dvec3& n = guess.normal;
+    const Coordinates size{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
+    const bool is_x_first = size[0] >= size[1];
+    const int larger = is_x_first ? 0 : 1;
+    axis_[2] = size[static_cast<std::size_t>(larger)] >= size[2] ? larger : 2;
     axis_[0] = axis_[2] == 0 ? 1 : 0;
     axis_[1] = axis_[2] == 2 ? 1 : 2;
+    mean_ = by_step(guess.mean);
+    normal_ = by_step(guess.normal);
+    const Coordinates stretch = by_step(guess.stretch);
     const double nn = dot(n, n);
     const double ss = dot(guess.stretch, guess.stretch);
     const double weight = ss > 0.0 ? 2.0 / ss : 0.0;
-    const auto covariance = [&](int a, int b) {
-      const double flat = (a == b ? 1.0 : 0.0) - n[a] * n[b] / nn;
-      return flat + weight * (guess.stretch[a] * guess.stretch[b]);
+    const auto covariance = [&](std::size_t a, std::size_t b) {
+      const double flat = (a == b ? 1.0 : 0.0) - normal_[a] * normal_[b] / nn;
+      return flat + weight * (stretch[a] * stretch[b]);
     };
-    const double first = covariance(axis_[0], axis_[0]);
-    follow_ = covariance(axis_[0], axis_[1]) / first;
+    const double first = covariance(0, 0);
+    follow_ = covariance(0, 1) / first;
     variance_[0] = guess.variance * first;
-    variance_[1] = guess.variance *
-                   (covariance(axis_[1], axis_[1]) - follow_ * covariance(axis_[0], axis_[1]));
-    variance_[2] = guess.variance * nn / (n[axis_[2]] * n[axis_[2]]);
+    variance_[1] = guess.variance * (covariance(1, 1) - follow_ * covariance(0, 1));
+    variance_[2] = guess.variance * nn / (normal_[2] * normal_[2]);
   }
 
-  int axis(int step) const { return axis_[step]; }
-  double variance(int step) const { return variance_[step]; }
-  /// Of the coordinate of a step where those of the steps before it are known.
-  double mean(int step, const glm::dvec3& point) const {
-    const int a = axis_[0];
-    const int b = axis_[1];
-    const int c = axis_[2];
-    const glm::dvec3& m = guess_.mean;
-    const glm::dvec3& n = guess_.normal;
-    if (step == 0) return m[a];
-    if (step == 1) return m[b] + follow_ * (point[a] - m[a]);
-    if (guess_.has_plane) return (guess_.plane - n[a] * point[a] - n[b] * point[b]) / n[c];
-    return m[c] - (n[a] * (point[a] - m[a]) + n[b] * (point[b] - m[b])) / n[c];
+  int axis(std::size_t step) const { return axis_[step]; }
+  double variance(std::size_t step) const { return variance_[step]; }
+  /// Of the coordinate of a step; `point` has those of the steps before it.
+  template <std::size_t kStep>
+  double mean(const Coordinates& point) const {
+    const Coordinates& m = mean_;
+    const Coordinates& n = normal_;
+    if constexpr (kStep == 0) return m[0];
+    if constexpr (kStep == 1) return m[1] + follow_ * (point[0] - m[0]);
+    if (has_plane_) return (plane_ - n[0] * point[0] - n[1] * point[1]) / n[2];
+    return m[2] - (n[0] * (point[0] - m[0]) + n[1] * (point[1] - m[1])) / n[2];
+  }
+  /// Coordinates by step.
+  Coordinates by_step(const glm::dvec3& v) const {
+    const Coordinates all = coordinates(v);
+    return {all[static_cast<std::size_t>(axis_[0])], all[static_cast<std::size_t>(axis_[1])],
+            all[static_cast<std::size_t>(axis_[2])]};
   }
 
  private:
-  const PlaceGuess& guess_;
-  int axis_[3];
+  bool has_plane_;
+  double plane_;
+  std::array<int, 3> axis_;
+  Coordinates mean_;
+  Coordinates normal_;
   double follow_;
-  double variance_[3];
+  Coordinates variance_;
 };
 
 /// Differences between what coordinates are and were thought to be.
@@ -113,12 +132,11 @@ class DifferenceModel {
  public:
   /// `width`: of what is expected, about, in bits. `shift`: how many bits finer than elsewhere the
   /// numbers are here.
-  template <class Coder>
-  std::int64_t code(Coder& coder, const PlaceGuess& guess, int step, int width, int shift,
-                    std::int64_t difference) {
-    if (step < 2 || !guess.has_plane) {
+  template <std::size_t kStep, class Coder>
+  std::int64_t code(Coder& coder, bool has_plane, int width, int shift, std::int64_t difference) {
+    if (kStep < 2 || !has_plane) {
       const unsigned at = context(width);
-      return side_[step][at].code(coder, lowest(at, step < 2 ? 5 : 7), difference);
+      return side_[kStep][at].code(coder, lowest(at, kStep < 2 ? 5 : 7), difference);
     }
     // Off a plane by what rounding leaves, or by what else places vertices: the last ones tell.
     const unsigned at = context(static_cast<int>(std::bit_width(recent_)) + shift);

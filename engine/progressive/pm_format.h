@@ -100,14 +100,14 @@ std::uint32_t pm_block_check(std::uint32_t before, std::uint32_t splits,
 /// Floats as integers in the same order: neighbours differ by 1. -0 comes just below +0.
 inline std::int32_t pm_ordered(float value) {
   const auto bits = std::bit_cast<std::int32_t>(value);
-  return bits < 0 ? bits ^ 0x7FFFFFFF : bits;
+  return bits ^ ((bits >> 31) & 0x7FFFFFFF);
 }
 /// Whether it is one of a finite float.
 inline bool is_finite_ordered(std::int64_t ordered) {
   return ordered >= -std::int64_t{0x7F800000} && ordered < std::int64_t{0x7F800000};
 }
 inline float pm_float(std::int32_t ordered) {
-  return std::bit_cast<float>(ordered < 0 ? ordered ^ 0x7FFFFFFF : ordered);
+  return std::bit_cast<float>(ordered ^ ((ordered >> 31) & 0x7FFFFFFF));
 }
 
 }  // namespace mesher

@@ -11,6 +11,7 @@
 #include "engine/progressive/pm_base.h"
 #include "engine/progressive/pm_format.h"
 #include "engine/progressive/range_coder.h"
+#include "engine/progressive/split_appender.h"
 #include "engine/progressive/split_coder.h"
 
 namespace mesher {
@@ -145,17 +146,23 @@ struct PmReader::State {
     return {};
   }
 
-  /// For as many splits as the bytes that have arrived may hold: most take more.
-  void reserve() {
+  /// For as many splits as the bytes that have arrived may hold (most take more), and for several
+  /// times those that there are: memory that is not written to costs nothing, moving arrays does.
+  void reserve(std::uint32_t count) {
     constexpr std::uint64_t usual_bytes = 4;
-    const std::uint64_t expected = mesh.split_count() + waiting.size() / usual_bytes;
+    constexpr std::uint64_t growth = 4;
+    const std::uint64_t before = mesh.split_count();
+    if (before + count <= mesh.split_capacity()) return;
+    const std::uint64_t expected =
+        std::max({before + count, before + waiting.size() / usual_bytes, growth * before});
     mesh.reserve(static_cast<std::uint32_t>(std::min<std::uint64_t>(expected, header.splits)));
   }
 
   bool append(std::uint32_t count, std::span<const std::byte> payload) {
-    reserve();
+    reserve(count);
     RangeDecoder decoder(payload);
     coder->begin_block(mesh.split_count(), mesh.split_count() + count);
+    SplitAppender appender(mesh, count);
     for (std::uint32_t i = 0; i < count; ++i) {
       NewSplit split;
       const std::string_view why = coder->code(decoder, mesh, split);
@@ -163,7 +170,7 @@ struct PmReader::State {
         end_early(used_bytes, why);
         return false;
       }
-      mesh.append(split, coder->fan());
+      appender.append(split, coder->fan());
     }
     return true;
   }

@@ -75,11 +75,10 @@ class ProgressiveMesh {
   /// Makes room for so many splits in all, so that arrays need not move as they are appended.
   /// Throws std::bad_alloc.
   void reserve(std::uint32_t splits);
+  std::size_t split_capacity() const { return splits_.capacity(); }
   /// Adds a split after the last and goes up to it. O(faces at the parent). Throws std::bad_alloc.
   /// Pre: can_append; level() == split_count(); positions are finite.
   void append(const NewSplit& split);
-  /// The same for whoever has been around the parent already. O(moved).
-  void append(const NewSplit& split, const ParentFan& fan);
   /// Split `level()` as `append` takes it. O(faces at the parent). Pre: level() < split_count().
   NewSplit next_split() const;
 
@@ -88,9 +87,9 @@ class ProgressiveMesh {
 
  private:
   friend class ProgressiveBuilder;
+  friend class SplitAppender;
 
   SplitStep step(std::uint32_t split) const;
-  void add_sharpness(const NewSplit& split, float coarse_corner);
 
   Mesh mesh_;
   std::uint32_t level_ = 0;

@@ -107,9 +107,10 @@ class RangeDecoder {
   bool bit(BitModel& model, bool = false) {
     const std::uint64_t bound = (range_ >> 16U) * model.zero();
     const bool value = code_ >= bound;
-    const std::uint64_t above = range_ - bound;
-    code_ -= value ? bound : 0;
-    range_ = value ? above : bound;
+    // No branch, as in BitModel: all ones or none.
+    const std::uint64_t ones = -std::uint64_t{value};
+    code_ -= bound & ones;
+    range_ = bound + ((range_ - 2 * bound) & ones);
     model.update(value);
     normalize();
     return value;

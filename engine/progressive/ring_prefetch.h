@@ -9,10 +9,10 @@ namespace mesher {
 /// before the split at hand.
 class RingPrefetch {
  public:
-  /// `v`: may be none, or no vertex yet.
-  void begin(const Mesh& mesh, Vertex v) {
+  /// `v`: may be none, or no vertex yet: not one of the first `vertices`.
+  void begin(const Mesh& mesh, std::uint32_t vertices, Vertex v) {
     mesh_ = &mesh;
-    v_ = v.index() < mesh.vertex_count() ? v : Vertex{};
+    v_ = v.index() < vertices ? v : Vertex{};
     at_ = Halfedge{};
     if (v_.is_valid()) __builtin_prefetch(&mesh.outgoings()[v_.index()]);
   }

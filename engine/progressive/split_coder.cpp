@@ -1,10 +1,12 @@
 #include "engine/progressive/split_coder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "engine/progressive/cut_model.h"
@@ -21,6 +23,12 @@ namespace {
 /// one will lie to the other: so much of it (the best on scans, and much the same on all).
 constexpr double kApart = 0.609375;
 
+// The three steps of a point, each with code of its own: what differs between them is decided when
+// this is compiled.
+constexpr std::integral_constant<std::size_t, 0> kFirst;
+constexpr std::integral_constant<std::size_t, 1> kSecond;
+constexpr std::integral_constant<std::size_t, 2> kThird;
+
 /// Positions as floats, exactly: first the parent, then the child.
 class FloatPlaces {
  public:
@@ -30,8 +38,8 @@ class FloatPlaces {
     const auto ahead = [&] {
       next.step([&](Vertex v) { __builtin_prefetch(&mesh.positions()[v.index()]); });
     };
-    ahead();
     const SplitSides s(ring, split.cut);
+    ahead();
     const glm::dvec3 apart = s.child - s.parent;
     const glm::vec3 before = mesh.position(split.parent);
     Stays stays = Stays::neither;
@@ -81,21 +89,28 @@ class FloatPlaces {
                          const PlaceGuess& guess, const Ahead& ahead, glm::vec3& position) {
     const PlaceOrder order(guess);
     const double largest = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
-    glm::dvec3 point(0.0);
-    for (int step = 0; step < 3; ++step) {
+    const Coordinates from = order.by_step(at);
+    const std::array<float, 3> told{position.x, position.y, position.z};
+    std::array<float, 3> coded{};
+    Coordinates point{};
+    const auto code_step = [&]<std::size_t kStep>(std::integral_constant<std::size_t, kStep>) {
       ahead();
-      const int i = order.axis(step);
-      const double near = clamped(at[i] + order.mean(step, point));
+      const auto axis = static_cast<std::size_t>(order.axis(kStep));
+      const double near = clamped(from[kStep] + order.mean<kStep>(point));
       const int fine = fineness(near);
-      const int width = (exponent_of(order.variance(step)) + 1023 + 46 - 2 * fine) / 2;
+      const int width = (exponent_of(order.variance(kStep)) + 1023 + 46 - 2 * fine) / 2;
       const int shift = std::clamp(fineness(largest) - fine, 0, 15);
       const std::int64_t before = pm_ordered(static_cast<float>(near));
-      const std::int64_t difference = Coder::kDecodes ? 0 : pm_ordered(position[i]) - before;
-      const std::int64_t number = before + model.code(coder, guess, step, width, shift, difference);
+      const std::int64_t difference = Coder::kDecodes ? 0 : pm_ordered(told[axis]) - before;
+      const std::int64_t number =
+          before + model.template code<kStep>(coder, guess.has_plane, width, shift, difference);
       if (!is_finite_ordered(number)) return false;
-      position[i] = pm_float(static_cast<std::int32_t>(number));
-      point[i] = double{position[i]} - at[i];
-    }
+      coded[axis] = pm_float(static_cast<std::int32_t>(number));
+      point[kStep] = double{coded[axis]} - from[kStep];
+      return true;
+    };
+    if (!code_step(kFirst) || !code_step(kSecond) || !code_step(kThird)) return false;
+    position = {coded[0], coded[1], coded[2]};
     return true;
   }
 
@@ -145,8 +160,8 @@ class GridPlaces {
     const auto ahead = [&] {
       next.step([&](Vertex v) { __builtin_prefetch(&numbers_[v.index()]); });
     };
-    ahead();
     const SplitSides s(ring, split.cut);
+    ahead();
     const glm::ivec3 before = numbers_[split.parent.index()];
     Stays stays = parent == before  ? Stays::parent
                   : child == before ? Stays::child
@@ -177,17 +192,24 @@ class GridPlaces {
     // Outside the grid by far; what is hostile ends there.
     constexpr std::int64_t most = std::int64_t{1} << 26U;
     const PlaceOrder order(guess);
-    glm::dvec3 point(0.0);
-    for (int step = 0; step < 3; ++step) {
+    const Coordinates from = order.by_step(glm::dvec3(at));
+    const std::array<int, 3> told{numbers.x, numbers.y, numbers.z};
+    std::array<int, 3> coded{};
+    Coordinates point{};
+    const auto code_step = [&]<std::size_t kStep>(std::integral_constant<std::size_t, kStep>) {
       ahead();
-      const int i = order.axis(step);
-      const std::int64_t before = nearest(at[i] + order.mean(step, point), most);
-      const int width = (exponent_of(order.variance(step)) - 1023) / 2;
-      const std::int64_t number =
-          before + model.code(coder, guess, step, width, 0, numbers[i] - before);
-      numbers[i] = static_cast<int>(std::clamp(number, -most, most));
-      point[i] = numbers[i] - at[i];
-    }
+      const auto axis = static_cast<std::size_t>(order.axis(kStep));
+      const std::int64_t before = nearest(from[kStep] + order.mean<kStep>(point), most);
+      const int width = (exponent_of(order.variance(kStep)) - 1023) / 2;
+      const std::int64_t number = before + model.template code<kStep>(coder, guess.has_plane, width,
+                                                                      0, told[axis] - before);
+      coded[axis] = static_cast<int>(std::clamp(number, -most, most));
+      point[kStep] = coded[axis] - from[kStep];
+    };
+    code_step(kFirst);
+    code_step(kSecond);
+    code_step(kThird);
+    numbers = {coded[0], coded[1], coded[2]};
   }
 
   /// The nearest whole number, the upper of two; 0 for what is no number.
@@ -287,7 +309,7 @@ std::string_view SplitCoder<Coder>::code(Coder& coder, const ProgressiveMesh& pm
   State& s = *state_;
   const Mesh& mesh = pm.mesh();
   const std::uint32_t i = pm.level();
-  if (i == 0) s.parents.begin(mesh);
+  if (i == 0) s.parents.begin(pm);
   if (i == s.block_begin) s.code_parent(coder, pm, i);
   split.parent = s.next_parent;
   if (const auto why = s.gather(mesh, split.parent); !why.empty()) return why;
@@ -295,7 +317,7 @@ std::string_view SplitCoder<Coder>::code(Coder& coder, const ProgressiveMesh& pm
   // The next parent is told before where the vertices are: reading around it can begin early.
   s.next_parent = Vertex{};
   if (i + 1 < s.block_end) s.code_parent(coder, pm, i + 1);
-  s.prefetch.begin(mesh, s.next_parent);
+  s.prefetch.begin(mesh, pm.base_vertex_count() + i, s.next_parent);
   const bool is_placed = s.header.is_quantized()
                              ? s.grid.code(coder, s.header, s.ring, s.prefetch, split)
                              : s.floats.code(coder, mesh, s.ring, s.prefetch, split);
