@@ -150,7 +150,9 @@ TEST_F(RendererTest, CreasesAreYellow) {
   for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
     mesh.set_sharpness(mesh.edge(Halfedge(i)), 2.0F);
   }
-  EXPECT_GT(count_pixels(draw(device(), mesh, framed(mesh), settings), is_yellow), 300U);
+  // Nine of its edges are seen, some 60 pixels each. How many of those come out wholly yellow is
+  // the driver's: 303 by llvmpipe, 300 by an NVIDIA GPU.
+  EXPECT_GT(count_pixels(draw(device(), mesh, framed(mesh), settings), is_yellow), 9U * 30);
 }
 
 TEST_F(RendererTest, BackFacesAreBlueAndAClosedSurfaceShowsNone) {
