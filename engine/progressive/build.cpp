@@ -1,7 +1,9 @@
 #include "engine/progressive/build.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
+#include <vector>
 
 #include "engine/core/parallel.h"
 #include "engine/progressive/split_step.h"
@@ -36,6 +38,28 @@ void at_once(const First& first, const Second& second) {
   });
 }
 
+/// Calls work(i, range) for pieces of [0, counts[i]), in any order, several at a time.
+template <class Work>
+void in_pieces(std::initializer_list<std::size_t> counts, const Work& work) {
+  struct Piece {
+    std::size_t work;
+    IndexRange range;
+  };
+  std::vector<Piece> pieces;
+  std::size_t i = counts.size();
+  // The last work first: it is what cannot be cut.
+  for (const std::size_t* count = counts.end(); count != counts.begin();) {
+    --count;
+    --i;
+    for (std::size_t begin = 0; begin < *count; begin += kGrain)
+      pieces.push_back({i, {begin, std::min(begin + kGrain, *count)}});
+  }
+  parallel_for(pieces.size(), 1, [&](IndexRange range) {
+    for (std::size_t k = range.begin; k < range.end; ++k)
+      work(pieces[k].work, pieces[k].range);
+  });
+}
+
 /// The half-edge of h's face that is `steps` corners after it. Pre: steps < 3.
 Halfedge turned(Halfedge h, std::uint32_t steps) {
   const std::uint32_t corner = Mesh::corner(h) + steps;
@@ -53,11 +77,8 @@ class ProgressiveBuilder {
 
   Progressive run() {
     begin_stage(progress_, "recording");
-    at_once([&] { number_faces(); },
-            [&] {
-              number_vertices();
-              fill_vertices();
-            });
+    at_once([&] { number_faces(); }, [&] { number_vertices(); });
+    place_parts();
     fill_arrays();
     fill_sharpness();
     go_down();
@@ -89,73 +110,88 @@ class ProgressiveBuilder {
     }
   }
 
+  /// Where the faces of each piece of the splits begin: after those of the base.
   void number_faces() {
     const std::uint32_t faces = full_.face_count();
     std::uint32_t removed = 0;
-    for (const CollapseRecord& c : collapses_)
-      removed += c.twin.is_valid() ? 2 : 1;
+    for (std::uint32_t i = 0; i < split_count(); ++i) {
+      if (i % kGrain == 0) first_faces_.push_back(removed);
+      removed += collapses_[i].twin.is_valid() ? 2 : 1;
+    }
+    for (std::uint32_t& first : first_faces_)
+      first += faces - removed;
     result_.mesh.base_faces_ = faces - removed;
     result_.mesh.full_faces_ = faces;
     result_.mesh.level_ = split_count();
+    result_.mesh.splits_.resize(split_count());
+  }
+
+  /// Vertices and faces that splits bring, some at a time, then the faces of the base.
+  void place_parts() {
+    const std::uint32_t vertices = full_.vertex_count();
+    const std::uint32_t faces = full_.face_count();
+    arrays_.position.resize(vertices);
+    if (!full_.vertex_sharpnesses().empty()) arrays_.vertex_sharpness.resize(vertices);
     face_place_.assign(faces, Halfedge{});
     result_.face_source.resize(faces);
-    result_.mesh.splits_.resize(split_count());
-    std::uint32_t next = faces - removed;
-    const auto place = [&](Halfedge first, std::uint32_t f) {
-      const std::uint32_t corner = Mesh::corner(first);
-      face_place_[Mesh::face(first).index()] =
-          turned(Halfedge(3 * f), corner == 0 ? 0 : 3 - corner);
-      result_.face_source[f] = first;
-    };
-    for (std::uint32_t i = 0; i < split_count(); ++i) {
+    in_pieces({split_count(), vertices}, [&](std::size_t work, IndexRange range) {
+      if (work == 0) {
+        place_split_faces(range);
+      } else {
+        fill_vertices(range);
+      }
+    });
+    std::uint32_t next = 0;
+    for (std::uint32_t f = 0; f < faces; ++f) {
+      if (!face_place_[f].is_valid()) place_face(Halfedge(3 * f), next++);
+    }
+  }
+
+  void place_split_faces(IndexRange splits) {
+    std::uint32_t next = first_faces_[splits.begin / kGrain];
+    for (std::size_t i = splits.begin; i < splits.end; ++i) {
       const CollapseRecord& c = collapses_[i];
       result_.mesh.splits_[i].first_face = next;
-      place(c.halfedge, next++);
-      if (c.twin.is_valid()) place(c.twin, next++);
+      place_face(c.halfedge, next++);
+      if (c.twin.is_valid()) place_face(c.twin, next++);
     }
-    next = 0;
-    for (std::uint32_t f = 0; f < faces; ++f) {
-      if (!face_place_[f].is_valid()) place(Halfedge(3 * f), next++);
-    }
+  }
+
+  /// The face of `first` becomes `f`, with that half-edge as its first.
+  void place_face(Halfedge first, std::uint32_t f) {
+    const std::uint32_t corner = Mesh::corner(first);
+    face_place_[Mesh::face(first).index()] = turned(Halfedge(3 * f), corner == 0 ? 0 : 3 - corner);
+    result_.face_source[f] = first;
   }
 
   Halfedge placed(Halfedge h) const {
     return h.is_valid() ? turned(face_place_[Mesh::face(h).index()], Mesh::corner(h)) : h;
   }
 
-  void fill_vertices() {
-    const std::uint32_t vertices = full_.vertex_count();
-    arrays_.position.resize(vertices);
-    const bool has_own = !full_.vertex_sharpnesses().empty();
-    if (has_own) arrays_.vertex_sharpness.resize(vertices);
-    for (std::uint32_t v = 0; v < vertices; ++v) {
+  void fill_vertices(IndexRange vertices) {
+    const bool has_own = !arrays_.vertex_sharpness.empty();
+    for (auto v = static_cast<std::uint32_t>(vertices.begin); v < vertices.end; ++v) {
       const std::uint32_t to = place_[v].index();
       arrays_.position[to] = full_.position(Vertex(v));
       if (has_own) arrays_.vertex_sharpness[to] = full_.sharpness(Vertex(v));
     }
   }
 
-  /// Twins in pieces, beside outgoing half-edges and positions.
   void fill_arrays() {
-    const std::uint32_t faces = full_.face_count();
-    arrays_.twin.resize(3 * std::size_t{faces});
-    parallel_for(2 + chunk_count(faces, kGrain), 1, [&](IndexRange range) {
-      for (std::size_t i = range.begin; i < range.end; ++i) {
-        if (i == 0) {
-          fill_outgoing();
-        } else if (i == 1) {
-          note_positions();
-        } else {
-          fill_twins((i - 2) * kGrain, std::min<std::size_t>((i - 1) * kGrain, faces));
-        }
-      }
+    arrays_.twin.resize(full_.halfedge_count());
+    in_pieces({full_.face_count(), 1, 1, 1}, [&](std::size_t work, IndexRange range) {
+      if (work == 0) fill_twins(range);
+      if (work == 1) note_positions();
+      if (work == 2) lower_half_.find(*this, {0, full_.halfedge_count() / 2});
+      if (work == 3) upper_half_.find(*this, {full_.halfedge_count() / 2, full_.halfedge_count()});
     });
+    fill_outgoing();
   }
 
   /// In the order of the input, whose neighbours lie near each other: what is read is at hand, and
   /// no one waits for what is written far away.
-  void fill_twins(std::size_t first_face, std::size_t end) {
-    for (auto f = static_cast<std::uint32_t>(first_face); f < end; ++f) {
+  void fill_twins(IndexRange faces) {
+    for (auto f = static_cast<std::uint32_t>(faces.begin); f < faces.end; ++f) {
       Halfedge to = face_place_[f];
       for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
         arrays_.twin[to.index()] = placed(full_.twin(Halfedge(h)));
@@ -164,17 +200,33 @@ class ProgressiveBuilder {
     }
   }
 
+  /// Of the full mesh, by the numbers of the input: the lowest half-edge out of each vertex among
+  /// some, and those that begin a fan at a boundary.
+  struct Outgoing {
+    Array<Halfedge> lowest;
+    std::vector<Halfedge> starts;
+
+    void find(const ProgressiveBuilder& b, IndexRange halfedges) {
+      lowest.assign(b.full_.vertex_count(), Halfedge{});
+      for (auto i = static_cast<std::uint32_t>(halfedges.begin); i < halfedges.end; ++i) {
+        const Halfedge h(i);
+        Halfedge& its = lowest[b.full_.origin(h).index()];
+        its = std::min(its, b.placed(h));  // none is the highest of all
+        if (b.full_.is_boundary(h)) starts.push_back(h);
+      }
+    }
+  };
+
   /// P3 at full detail, and where fans start at a boundary.
   void fill_outgoing() {
-    arrays_.outgoing.assign(full_.vertex_count(), Halfedge{});
-    std::vector<Halfedge> starts;
-    for (std::uint32_t h = 0; h < full_.halfedge_count(); ++h) {
-      Halfedge& outgoing = arrays_.outgoing[place_[full_.origin(Halfedge(h)).index()].index()];
-      outgoing = std::min(outgoing, placed(Halfedge(h)));  // none is the highest of all
-      if (full_.is_boundary(Halfedge(h))) starts.emplace_back(h);
+    arrays_.outgoing.resize(full_.vertex_count());
+    for (std::uint32_t v = 0; v < full_.vertex_count(); ++v) {
+      arrays_.outgoing[place_[v].index()] = std::min(lower_half_.lowest[v], upper_half_.lowest[v]);
     }
-    for (const Halfedge h : starts)
-      arrays_.outgoing[place_[full_.origin(h).index()].index()] = placed(h);
+    for (const Outgoing* half : {&lower_half_, &upper_half_}) {
+      for (const Halfedge h : half->starts)
+        arrays_.outgoing[place_[full_.origin(h).index()].index()] = placed(h);
+    }
   }
 
   /// What positions splits lead from and to; those of the base are left in the array.
@@ -268,9 +320,18 @@ class ProgressiveBuilder {
   /// They were gathered from the last to the first.
   void turn_moved_around() {
     auto& moved = result_.mesh.moved_;
-    std::reverse(moved.begin(), moved.end());
-    for (VertexSplit& split : result_.mesh.splits_)
-      split.first_moved = static_cast<std::uint32_t>(moved.size()) - split.first_moved;
+    const auto count = static_cast<std::uint32_t>(moved.size());
+    const std::size_t half = count / 2;
+    in_pieces({split_count(), half}, [&](std::size_t work, IndexRange range) {
+      for (std::size_t i = range.begin; i < range.end; ++i) {
+        if (work == 1) {
+          std::swap(moved[i], moved[count - 1 - i]);
+        } else {
+          VertexSplit& split = result_.mesh.splits_[i];
+          split.first_moved = count - split.first_moved;
+        }
+      }
+    });
   }
 
   void cut_to_base() {
@@ -348,9 +409,12 @@ class ProgressiveBuilder {
   const Mesh& full_;
   Array<CollapseRecord> collapses_;  ///< in the order of the splits
   Progress* progress_;
-  Array<Vertex> place_;         ///< of the input's vertices
-  Array<Halfedge> face_place_;  ///< where the first corner of each of its faces is
-  Array<Vertex> merged_into_;   ///< of the progressive mesh's vertices; none: it lives
+  Array<Vertex> place_;                     ///< of the input's vertices
+  Array<Halfedge> face_place_;              ///< where the first corner of each of its faces is
+  std::vector<std::uint32_t> first_faces_;  ///< of each kGrain splits
+  Array<Vertex> merged_into_;               ///< of the progressive mesh's vertices; none: it lives
+  Outgoing lower_half_;
+  Outgoing upper_half_;
   MeshArrays arrays_;
   Progressive result_;
 };
