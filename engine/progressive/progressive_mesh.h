@@ -75,6 +75,7 @@ class ProgressiveMesh {
   /// Makes room for so many splits in all, so that arrays need not move as they are appended.
   /// Throws std::bad_alloc.
   void reserve(std::uint32_t splits);
+  /// For how many splits there is room.
   std::size_t split_capacity() const { return splits_.capacity(); }
   /// Adds a split after the last and goes up to it. O(faces at the parent). Throws std::bad_alloc.
   /// Pre: can_append; level() == split_count(); positions are finite.
