@@ -29,15 +29,6 @@ Array<CollapseRecord> sorted_by_rank(std::span<const CollapseRecord> collapses) 
   return sorted;
 }
 
-/// Two pieces of work that have nothing to do with each other.
-template <class First, class Second>
-void at_once(const First& first, const Second& second) {
-  parallel_for(2, 1, [&](IndexRange range) {
-    if (range.begin == 0) first();
-    if (range.end == 2) second();
-  });
-}
-
 /// Calls work(i, range) for pieces of [0, counts[i]), in any order, several at a time.
 template <class Work>
 void in_pieces(std::initializer_list<std::size_t> counts, const Work& work) {
@@ -77,7 +68,10 @@ class ProgressiveBuilder {
 
   Progressive run() {
     begin_stage(progress_, "recording");
-    at_once([&] { number_faces(); }, [&] { number_vertices(); });
+    in_pieces({1, 1}, [&](std::size_t work, IndexRange) {
+      if (work == 0) number_faces();
+      if (work == 1) number_vertices();
+    });
     place_parts();
     fill_arrays();
     fill_sharpness();
@@ -135,11 +129,8 @@ class ProgressiveBuilder {
     face_place_.assign(faces, Halfedge{});
     result_.face_source.resize(faces);
     in_pieces({split_count(), vertices}, [&](std::size_t work, IndexRange range) {
-      if (work == 0) {
-        place_split_faces(range);
-      } else {
-        fill_vertices(range);
-      }
+      if (work == 0) place_split_faces(range);
+      if (work == 1) fill_vertices(range);
     });
     std::uint32_t next = 0;
     for (std::uint32_t f = 0; f < faces; ++f) {
