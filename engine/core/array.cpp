@@ -2,6 +2,7 @@
 
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <mutex>
@@ -21,6 +22,7 @@
 namespace mesher {
 namespace {
 
+constexpr std::size_t kCacheLine = 64;
 constexpr std::size_t kHugePage = std::size_t{2} << 20U;
 // Smaller arrays come from malloc, which has its memory at hand; under AddressSanitizer all do, so
 // that it sees what is done to them.
@@ -32,6 +34,11 @@ constexpr std::size_t kSmall = std::size_t{128} << 10U;
 // What a last, broken huge page must hold to be made a whole one: filling 512 kB in small pages
 // costs twice as much as clearing 2 MB at once.
 constexpr std::size_t kWorthAHugePage = std::size_t{512} << 10U;
+
+/// Arrays begin on cache lines, and no two share one.
+constexpr std::size_t padded(std::size_t bytes) {
+  return (bytes + kCacheLine - 1) / kCacheLine * kCacheLine;
+}
 
 /// Whole small pages, or whole huge ones where not much is lost.
 std::size_t rounded(std::size_t bytes) {
@@ -89,7 +96,7 @@ class SharedPages {
   }
 
  private:
-  static constexpr std::size_t kHeader = 64;
+  static constexpr std::size_t kHeader = kCacheLine;
   static constexpr std::size_t kMostKept = 16;  // 32 MB: up to so much malloc keeps, too
   struct Page {
     std::size_t used = kHeader;
@@ -115,9 +122,6 @@ class SharedPages {
     ++kept_count_;
   }
 
-  /// Arrays begin on cache lines, and no two share one.
-  static std::size_t padded(std::size_t bytes) { return (bytes + 63) / 64 * 64; }
-
   std::mutex mutex_;
   Page* page_ = nullptr;  ///< that is being filled
   Page* kept_ = nullptr;  ///< free
@@ -130,18 +134,19 @@ SharedPages& shared_pages() {
   return *kPages;
 }
 
-constexpr std::size_t kShared = kHugePage - 64;
+constexpr std::size_t kShared = kHugePage - kCacheLine;
 
 }  // namespace
 
 void* allocate_array(std::size_t bytes) {
-  if (!MemoryLimit::take(bytes)) throw std::bad_alloc();
+  // No object is larger, so that rounding up cannot overflow.
+  if (bytes > PTRDIFF_MAX || !MemoryLimit::take(bytes)) throw std::bad_alloc();
   void* memory = nullptr;
   if (bytes < kSmall) {
-    memory = std::malloc(bytes == 0 ? 1 : bytes);
+    memory = std::aligned_alloc(kCacheLine, std::max(padded(bytes), kCacheLine));
   } else if (bytes <= kShared) {
     memory = shared_pages().allocate(bytes);
-  } else if (bytes <= static_cast<std::size_t>(-1) - 2 * kHugePage) {
+  } else {
     memory = map_pages(rounded(bytes));
   }
   if (memory == nullptr) throw std::bad_alloc();

@@ -27,6 +27,19 @@ TEST(Array, ResizeDoesNotTouchTrivialElements) {
     EXPECT_EQ(value, 7U);
 }
 
+TEST(Array, BeginsOnACacheLineWhateverItsSize) {
+  for (std::size_t size = 1; size < std::size_t{64} << 20U; size = 3 * size + 1) {
+    const Array<char> a(size);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(a.data()) % 64, 0U) << size;
+  }
+}
+
+TEST(Array, NoArrayIsLargerThanHalfTheAddresses) {
+  EXPECT_THROW(static_cast<void>(allocate_array(static_cast<std::size_t>(-1))), std::bad_alloc);
+  EXPECT_THROW(static_cast<void>(allocate_array(static_cast<std::size_t>(-1) / 2 + 2)),
+               std::bad_alloc);
+}
+
 TEST(Array, FillingIsStillPossible) {
   Array<float> a;
   a.assign(10, 2.5F);
