@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstring>
+#include <optional>
 
 #include "engine/core/parallel.h"
 #include "engine/mesh/mesh.h"
@@ -14,12 +17,8 @@ constexpr std::size_t kVertexChunk = 1 << 14;
 struct Entry {
   std::uint32_t upper;
   std::uint32_t h;
-  std::uint64_t key() const { return std::uint64_t{upper} << 32U | h; }
   friend auto operator<=>(const Entry&, const Entry&) = default;
 };
-
-/// So many are sorted by counting.
-constexpr std::size_t kFew = 16;
 
 Vertex target(const Array<Vertex>& origin, std::uint32_t h) {
   return origin[Mesh::next(Halfedge(h)).index()];
@@ -49,16 +48,68 @@ Array<Halfedge> chain(const Array<Vertex>& origin, std::uint32_t vertex_count,
   return first;
 }
 
-/// Sorts by counting how many come before each: no branch that a processor could guess wrong, which
-/// is what sorting so few costs. Pre: entries differ; `sorted` has as many.
-void sort_few(std::span<const Entry> entries, std::span<Entry> sorted) {
-  for (const Entry& entry : entries) {
-    std::size_t rank = 0;
-    for (const Entry& other : entries)
-      rank += other.key() < entry.key() ? 1U : 0U;
-    sorted[rank] = entry;
+/// The half-edges of one lower vertex where they are few, as they mostly are: side by side, so that
+/// each can be compared with all at once, without an order and without a branch that a processor
+/// could guess wrong. The place past the last stands for none.
+class FewHalfedges {
+ public:
+  static constexpr std::size_t kMost = 16;
+
+  FewHalfedges() {
+    upper_.fill(kNone);
+    from_[kMost] = apex_[kMost] = h_[kMost] = kNone;
   }
-}
+
+  std::size_t size() const { return size_; }
+  void push(const Array<Vertex>& origin, std::uint32_t lower, std::uint32_t h) {
+    // Of the edge's two vertices the one that is not the lower, without asking which that is.
+    upper_[size_] = origin[h].index() ^ target(origin, h).index() ^ lower;
+    from_[size_] = origin[h].index();
+    apex_[size_] = apex(origin, h).index();
+    h_[size_++] = h;
+  }
+
+  /// Where no edge has more than two half-edges and no two faces are the same: writes all twins,
+  /// and says how many pairs run the same way. Otherwise writes nothing.
+  std::optional<std::uint64_t> match(Array<Halfedge>& twin) const {
+    std::array<std::size_t, kMost> mate;
+    bool is_plain = true;
+    for (std::size_t i = 0; i < size_; ++i) {
+      const std::uint32_t same = equal_to(upper_[i]) ^ 1U << i;
+      mate[i] = static_cast<std::size_t>(std::countr_zero(same | 1U << kMost));
+      is_plain &= (same & (same - 1)) == 0 && apex_[i] != apex_[mate[i]];
+    }
+    if (!is_plain) return std::nullopt;
+    std::uint64_t disagreeing = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      twin[h_[i]] = Halfedge(h_[mate[i]]);
+      disagreeing += from_[i] == from_[mate[i]] ? 1U : 0U;
+    }
+    return disagreeing / 2;  // each was met from both sides
+  }
+
+ private:
+  using Numbers = std::array<std::uint32_t, kMost + 1>;
+  using Four = std::uint32_t __attribute__((vector_size(16)));
+
+  /// A bit for each place whose upper vertex is this one.
+  std::uint32_t equal_to(std::uint32_t upper) const {
+    constexpr Four kBits{1U << 0, 1U << 1, 1U << 2, 1U << 3};
+    Four bits{};
+    for (std::uint32_t k = 0; k < kMost; k += 4) {
+      Four four;
+      std::memcpy(&four, &upper_[k], sizeof four);
+      bits |= (four == upper) & kBits << k;
+    }
+    return (bits[0] | bits[1]) | (bits[2] | bits[3]);
+  }
+
+  std::size_t size_ = 0;
+  std::array<std::uint32_t, kMost> upper_;
+  Numbers from_;
+  Numbers apex_;
+  Numbers h_;
+};
 
 /// What one chunk of vertices found; joined in order of chunks.
 struct Findings {
@@ -73,29 +124,30 @@ class Matcher {
   Matcher(const Array<Vertex>& origin, Array<Halfedge>& twin, Findings& findings)
       : origin_(origin), twin_(twin), findings_(findings) {}
 
-  /// Matches the edges whose lower vertex has this chain. Its links lie where the twins will be:
-  /// they are read before the first twin is written, and no other chain runs through them.
-  void match_chain(Halfedge first) {
-    std::array<Entry, kFew> few;
-    std::size_t count = 0;
+  /// Matches the edges whose lower vertex this is, and has this chain. Its links lie where the
+  /// twins will be: they are read before the first twin is written, and no other chain runs through
+  /// them.
+  void match_chain(std::uint32_t lower, Halfedge first) {
+    FewHalfedges few;
     Halfedge h = first;
-    for (; h.is_valid() && count < kFew; h = twin_[h.index()])
-      few[count++] = entry_of(h);
+    for (; h.is_valid() && few.size() < FewHalfedges::kMost; h = twin_[h.index()])
+      few.push(origin_, lower, h.index());
     if (!h.is_valid()) {
-      std::array<Entry, kFew> sorted;
-      sort_few({few.data(), count}, sorted);
-      return match_sorted({sorted.data(), count});
+      if (const std::optional<std::uint64_t> disagreeing = few.match(twin_)) {
+        findings_.disagreeing_edges += *disagreeing;
+        return;
+      }
     }
-    many_.assign(few.begin(), few.end());
-    for (; h.is_valid(); h = twin_[h.index()])
-      many_.push_back(entry_of(h));
+    many_.clear();
+    for (h = first; h.is_valid(); h = twin_[h.index()])
+      many_.push_back(entry_of(h, lower));
     std::sort(many_.begin(), many_.end());
     match_sorted(many_);
   }
 
  private:
-  Entry entry_of(Halfedge h) const {
-    return {std::max(origin_[h.index()], target(origin_, h.index())).index(), h.index()};
+  Entry entry_of(Halfedge h, std::uint32_t lower) const {
+    return {origin_[h.index()].index() ^ target(origin_, h.index()).index() ^ lower, h.index()};
   }
 
   void match_sorted(std::span<const Entry> entries) {
@@ -171,7 +223,7 @@ EdgeMatching match_edges(const Array<Vertex>& origin, std::uint32_t vertex_count
   parallel_chunks(vertex_count, kVertexChunk, [&](std::size_t i, IndexRange range) {
     Matcher matcher(origin, matching.twin, findings[i]);
     for (std::size_t v = range.begin; v < range.end; ++v)
-      matcher.match_chain(first[v]);
+      matcher.match_chain(static_cast<std::uint32_t>(v), first[v]);
   });
   join(findings, matching);
   return matching;

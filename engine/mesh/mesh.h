@@ -59,8 +59,12 @@ class Mesh {
   static Halfedge halfedge(Edge e) { return Halfedge(e.index()); }
   static Face face(Halfedge h) { return Face(h.index() / 3); }
   static std::uint32_t corner(Halfedge h) { return h.index() % 3; }
-  static Halfedge next(Halfedge h) { return Halfedge(h.index() + 1 - 3 * (corner(h) / 2)); }
-  static Halfedge prev(Halfedge h) { return Halfedge(h.index() - 1 + 3 * ((2 - corner(h)) / 2)); }
+  static Halfedge next(Halfedge h) {
+    return Halfedge(h.index() + 1 - (3U & (0U - static_cast<std::uint32_t>(h.index() % 3 == 2))));
+  }
+  static Halfedge prev(Halfedge h) {
+    return Halfedge(h.index() - 1 + (3U & (0U - static_cast<std::uint32_t>(h.index() % 3 == 0))));
+  }
   Vertex origin(Halfedge h) const { return origin_[h.index()]; }
   Vertex target(Halfedge h) const { return origin_[next(h).index()]; }
   /// None on a boundary.
