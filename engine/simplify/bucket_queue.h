@@ -12,21 +12,12 @@
 
 namespace mesher {
 
-/// What is known of a vertex's next collapse, beside the surface, and its place in a queue. A
-/// vertex is in at most one queue at a time, so that queues over disjoint sets of vertices share
-/// one array. Half a cache line.
-struct alignas(32) QueueEntry {
-  static constexpr std::uint32_t kGone = kNone;
-
+/// A vertex's place in a queue. A vertex is in at most one queue at a time, so that queues over
+/// disjoint sets of vertices share one array.
+struct QueueEntry {
   std::uint32_t next = kNone;
   std::uint32_t previous = kNone;
   std::uint32_t bucket = kNone;  ///< kNone: in no queue
-  std::uint32_t region = 0;      ///< whose turn it is to change the vertex; kGone: it is removed
-  Halfedge best;                 ///< the cheapest of the half-edges out of the vertex
-  float cost = 0.0F;             ///< of `best` when it was chosen
-  bool has_refused = false;      ///< an edge of the vertex was refused for its surroundings
-  /// The highest CollapseRecord::rank of the collapses in whose one-rings the vertex was.
-  std::uint16_t rank = 0;
 };
 
 /// Vertices by cost, cheapest first, to within 1/32 of an octave (2 %); first come, first served
@@ -69,7 +60,9 @@ class BucketQueue {
     if (bucket / 64 < lowest_word_) lowest_word_ = bucket / 64;
   }
 
-  bool contains(Vertex v) const { return entries_[v.index()].bucket != kNone; }
+  bool contains(Vertex v) const { return bucket(v) != kNone; }
+  /// In which the vertex is; kNone where in none.
+  std::uint32_t bucket(Vertex v) const { return entries_[v.index()].bucket; }
 
   void remove(Vertex v) {
     QueueEntry& entry = entries_[v.index()];
@@ -82,6 +75,10 @@ class BucketQueue {
     }
     entry.bucket = kNone;
   }
+
+  /// Who comes after this one, if nothing else happens: the vertex behind it in its bucket, or
+  /// none. Pre: the queue contains it.
+  Vertex behind(Vertex v) const { return Vertex(entries_[v.index()].next); }
 
   /// The cheapest vertex, or none.
   Vertex front() {

@@ -13,10 +13,6 @@ namespace mesher {
 
 static_assert(CollapseRecord::kRanks == BucketQueue::kBuckets);
 
-Schedule::Schedule(const Surface& surface)
-    : edge_cost(surface.mesh().halfedge_count()),
-      vertices(surface.mesh().vertex_count(), QueueEntry{}) {}
-
 namespace {
 
 /// Calls `visit` for the half-edges out of `v`, at most `limit` of them.
@@ -37,35 +33,33 @@ class FirstCosts {
 
   void find(IndexRange vertices) {
     const Mesh& mesh = context_.surface.mesh();
-    edges_.clear();
+    std::size_t count = 0;
     for (std::size_t i = vertices.begin; i < vertices.end; ++i) {
       const Vertex v(static_cast<std::uint32_t>(i));
       if (mesh.is_isolated(v)) continue;
       visit_spokes(mesh, v, kNone, [&](Halfedge h) {
-        // None is the highest index of all, so the origin of a boundary edge answers for it.
-        if (h < mesh.twin(h)) edges_.push_back(h);
+        if (count == edges_.size()) edges_.resize(2 * count + 64);
+        edges_[count] = h;
+        // None is the highest index of all, so the origin of a boundary edge answers for it. Which
+        // of the two halves is the lower cannot be guessed: so no branch.
+        count += static_cast<std::size_t>(h < mesh.twin(h));
       });
     }
-    costs_.resize(edges_.size());
-    context_.policy.evaluate_costs(context_.surface, edges_, context_.care, costs_.data());
-    for (std::size_t i = vertices.begin; i < vertices.end; ++i)
-      context_.schedule.vertices[i].cost = Candidate::kNever;
-    for (std::size_t i = 0; i < edges_.size(); ++i)
+    costs_.resize(count);
+    context_.policy.evaluate_costs(context_.surface, std::span(edges_).first(count), context_.care,
+                                   costs_.data());
+    for (std::size_t i = 0; i < count; ++i)
       note(edges_[i], costs_[i]);
   }
 
  private:
   void note(Halfedge h, float cost) {
-    const Mesh& mesh = context_.surface.mesh();
-    context_.schedule.edge_cost[h.index()] = cost;
-    if (const Halfedge t = mesh.twin(h); t.is_valid()) {
-      context_.schedule.edge_cost[t.index()] = Candidate::kNever;
-    }
-    QueueEntry& entry = context_.schedule.vertices[mesh.origin(h).index()];
-    if (cost < entry.cost) {
-      entry.cost = cost;
-      entry.best = h;
-    }
+    Surface& surface = context_.surface;
+    surface.set_cost(h, cost);
+    VertexState& from = surface.state(surface.mesh().origin(h));
+    const bool is_cheaper = cost < from.cost;
+    from.best = is_cheaper ? h : from.best;
+    from.cost = is_cheaper ? cost : from.cost;
   }
 
   const CollapseContext& context_;
@@ -85,7 +79,7 @@ void evaluate_all(const CollapseContext& context) {
 }
 
 Collapser::Collapser(CollapseContext& context, const Limits& limits)
-    : context_(context), limits_(limits), queue_(context.schedule.vertices) {}
+    : context_(context), limits_(limits), queue_(context.queue) {}
 
 CollapseOutcome Collapser::run(std::span<const Vertex> vertices) {
   outcome_.records.reserve(std::min<std::size_t>(vertices.size(), limits_.faces / 2 + 1));
@@ -114,10 +108,9 @@ CollapseOutcome Collapser::run_refused(std::span<const Vertex> vertices) {
 
 void Collapser::fill_queue(std::span<const Vertex> vertices) {
   for (const Vertex v : vertices) {
-    const QueueEntry& e = entry(v);
-    if (e.region == QueueEntry::kGone) continue;
-    has_refused_ |= e.has_refused;
-    if (e.cost <= limits_.cost && e.cost < Candidate::kNever) queue_.push(v, e.cost);
+    const VertexState& e = state(v);
+    if (e.region == VertexState::kGone) continue;
+    if (e.cost <= limits_.cost && e.cost < kNever) queue_.push(v, e.cost);
   }
 }
 
@@ -138,27 +131,48 @@ void Collapser::take_turns() {
   for (std::uint32_t turn = 1; outcome_.removed_faces + 1 < limits_.faces; ++turn) {
     const Vertex v = queue_.front();
     if (!v.is_valid()) break;
+    look_ahead(v);
     take_turn(v);
     if (turn % kTurnsBetweenReports == 0) note_progress();
   }
   note_progress();
 }
 
+/// Asks for what the next three turns are likely to read, each a step further: of the third vertex
+/// its state, of the second its edge, of the next what lies
+/// around the face at the edge.
+void Collapser::look_ahead(Vertex v) {
+  const Surface& surface = context_.surface;
+  const Mesh& mesh = surface.mesh();
+  const Vertex next = queue_.behind(v);
+  if (!next.is_valid()) return;
+  const Halfedge h = surface.state(next).best;
+  // The edge may be gone by now.
+  if (const Vertex target = mesh.target(h); target.is_valid()) surface.will_need(target);
+  for (const Halfedge side : {h, Mesh::prev(h), Mesh::next(h)}) {
+    if (const Halfedge t = mesh.twin(side); t.is_valid()) surface.will_need(t);
+  }
+  const Vertex second = queue_.behind(next);
+  if (!second.is_valid()) return;
+  surface.will_need(surface.state(second).best);
+  if (const Vertex third = queue_.behind(second); third.is_valid()) surface.will_need(third);
+}
+
 /// Either collapses the vertex's cheapest edge, or puts the vertex back where it belongs.
 void Collapser::take_turn(Vertex v) {
-  Schedule& s = context_.schedule;
-  const Mesh& mesh = context_.surface.mesh();
-  const std::uint32_t bucket = entry(v).bucket;
+  Surface& surface = context_.surface;
+  const Mesh& mesh = surface.mesh();
+  const std::uint32_t bucket = queue_.bucket(v);
   queue_.remove(v);
-  const Halfedge h = entry(v).best;
+  const Halfedge h = state(v).best;
   // The edge may be gone, have become dearer, or have another that answers for it.
-  if (mesh.origin(h) != v || BucketQueue::bucket_of(s.edge_cost[h.index()]) > bucket) {
+  if (mesh.origin(h) != v || BucketQueue::bucket_of(surface.cost(h)) > bucket) {
     return choose_cheapest_edge(v);
   }
   // Across the region's border: another time.
   if (!is_ours(mesh.target(h))) return;
   const Candidate candidate = evaluate(h);
-  s.edge_cost[h.index()] = candidate.cost;
+  surface.set_cost(h, candidate.cost);
   if (BucketQueue::bucket_of(candidate.cost) > bucket + limits_.tolerance) {
     return choose_cheapest_edge(v);
   }
@@ -179,7 +193,7 @@ bool Collapser::remove_one_face(std::span<const Vertex> vertices) {
     const Halfedge h = mesh.outgoing(v);
     if (!is_ours(mesh.target(h))) continue;
     const float cost = evaluate(h).cost;
-    if (cost <= limits_.cost && cost < Candidate::kNever) edges.emplace_back(cost, h);
+    if (cost <= limits_.cost && cost < kNever) edges.emplace_back(cost, h);
   }
   std::sort(edges.begin(), edges.end());
   for (const auto& [cost, h] : edges) {
@@ -198,74 +212,64 @@ Candidate Collapser::evaluate(Halfedge h) {
 }
 
 void Collapser::choose_cheapest_edge(Vertex v) {
-  const Schedule& s = context_.schedule;
-  const Mesh& mesh = context_.surface.mesh();
-  Halfedge best;
-  float cost = Candidate::kNever;
-  visit_spokes(mesh, v, limits_.valence, [&](Halfedge h) {
-    const float c = s.edge_cost[h.index()];
-    if (c < cost) {
-      cost = c;
-      best = h;
-    }
-  });
-  wait_for(v, best, cost);
+  const Surface& surface = context_.surface;
+  const Mesh& mesh = surface.mesh();
+  Cheapest cheapest;
+  visit_spokes(mesh, v, limits_.valence, [&](Halfedge h) { cheapest.offer(h, surface.cost(h)); });
+  wait_for(v, cheapest);
 }
 
 /// Puts a vertex where its cheapest edge belongs in the queue.
-void Collapser::wait_for(Vertex v, Halfedge best, float cost) {
-  entry(v).best = best;
-  entry(v).cost = cost;
-  if (cost <= limits_.cost && cost < Candidate::kNever) queue_.push(v, cost);
+void Collapser::wait_for(Vertex v, const Cheapest& cheapest) {
+  const float cost = cheapest.cost();
+  state(v).best = cheapest.halfedge();
+  state(v).cost = cost;
+  if (cost <= limits_.cost && cost < kNever) queue_.push(v, cost);
 }
 
 /// Gives every edge of the fan's vertex its cost, and the vertex its place in the queue.
 void Collapser::evaluate_fan(Vertex v) {
-  Schedule& s = context_.schedule;
-  const Mesh& mesh = context_.surface.mesh();
+  Surface& surface = context_.surface;
+  const Mesh& mesh = surface.mesh();
   costs_.resize(fan_.size() + 8);
   context_.policy.evaluate_around(context_.surface, v, fan_, context_.care, costs_.data());
-  Halfedge best;
-  float cost = Candidate::kNever;
+  Cheapest cheapest;
   for (std::size_t i = 0; i < fan_.size(); ++i) {
     const Halfedge h = fan_.spokes()[i];
-    s.edge_cost[h.index()] = costs_[i];
-    if (mesh.twin(h).is_valid()) s.edge_cost[mesh.twin(h).index()] = Candidate::kNever;
-    if (costs_[i] < cost) {
-      cost = costs_[i];
-      best = h;
-    }
+    surface.set_cost(h, costs_[i]);
+    // The other half of the next spoke's edge.
+    surface.set_cost(Mesh::prev(h), kNever);
+    cheapest.offer(h, costs_[i]);
   }
-  wait_for(v, best, cost);
+  wait_for(v, cheapest);
   if (fan_.is_closed() || fan_.size() == 0) return;
   // The last edge of an open fan has no half out of the vertex: the neighbour answers for it.
   const Halfedge last = Mesh::prev(fan_.spokes().back());
   const Vertex neighbour = mesh.origin(last);
-  s.edge_cost[last.index()] = costs_[fan_.size()];
+  surface.set_cost(last, costs_[fan_.size()]);
   queue_.remove(neighbour);
   choose_cheapest_edge(neighbour);
 }
 
 /// Looks again at what was refused at `v`, and answers for it.
 void Collapser::evaluate_refused(Vertex v) {
-  Schedule& s = context_.schedule;
-  const Mesh& mesh = context_.surface.mesh();
+  Surface& surface = context_.surface;
+  const Mesh& mesh = surface.mesh();
   visit_spokes(mesh, v, limits_.valence, [&](Halfedge h) {
     const Halfedge t = mesh.twin(h);
-    const bool is_refused = s.edge_cost[h.index()] == Candidate::kNever &&
-                            (!t.is_valid() || s.edge_cost[t.index()] == Candidate::kNever);
-    if (is_refused && is_ours(mesh.target(h))) s.edge_cost[h.index()] = evaluate(h).cost;
+    const bool is_refused =
+        surface.cost(h) == kNever && (!t.is_valid() || surface.cost(t) == kNever);
+    if (is_refused && is_ours(mesh.target(h))) surface.set_cost(h, evaluate(h).cost);
   });
 }
 
 void Collapser::refuse(Halfedge h, Rejection cause) {
-  Schedule& s = context_.schedule;
-  const Mesh& mesh = context_.surface.mesh();
+  Surface& surface = context_.surface;
+  const Mesh& mesh = surface.mesh();
   ++outcome_.rejected[static_cast<std::size_t>(cause)];
-  s.edge_cost[h.index()] = Candidate::kNever;
+  surface.set_cost(h, kNever);
   for (const Vertex v : {mesh.origin(h), mesh.target(h)})
-    entry(v).has_refused = true;
-  has_refused_ = true;
+    state(v).has_refused = true;
 }
 
 /// What stands against a collapse; nothing is said where the ring reaches across the region's
@@ -273,21 +277,33 @@ void Collapser::refuse(Halfedge h, Rejection cause) {
 std::optional<Rejection> Collapser::check(Halfedge h, const Candidate& candidate) {
   const Surface& surface = context_.surface;
   const bool is_whole = fan_.gather(surface, h, limits_.valence);
-  for (const Vertex neighbour : fan_.ring()) {
-    if (!is_ours(neighbour)) return std::nullopt;
-  }
+  survey_ring();
+  if (!ring_.is_ours) return std::nullopt;
   if (!is_whole) return Rejection::link_condition;
   // Coordinates at the ends of what a float holds may overflow on the way.
   const glm::vec3& p = candidate.position;
   if (!std::isfinite(p.x + p.y + p.z)) return Rejection::fold_over;
   Rejection cause = fan_.check_topology(surface);
-  if (cause == Fan::kLegal && makes_feature_triangle(h)) cause = Rejection::crease;
+  if (cause == Fan::kLegal && !fan_.is_smooth() && makes_feature_triangle(h)) {
+    cause = Rejection::crease;
+  }
   if (cause == Fan::kLegal) cause = fan_.check_shape(surface, candidate.position);
   if (cause != Fan::kLegal || context_.bound == nullptr) return cause;
   const Mesh& mesh = surface.mesh();
   const bool is_near =
       context_.bound->allows(surface, mesh.origin(h), mesh.target(h), fan_, candidate.position);
   return is_near ? Fan::kLegal : Rejection::error_bound;
+}
+
+/// Everything that has to be known of the neighbours, in one loop without branches.
+void Collapser::survey_ring() {
+  ring_ = {};
+  for (const Vertex v : fan_.ring()) {
+    const VertexState& s = state(v);
+    ring_.is_ours &= s.region == limits_.region;
+    ring_.has_refused |= s.has_refused;
+    ring_.rank = std::max(ring_.rank, s.rank);
+  }
 }
 
 /// Whether both other sides of a face at a feature edge are features: a loop of three, which must
@@ -307,13 +323,11 @@ bool Collapser::makes_feature_triangle(Halfedge h) const {
 /// The rank of the collapse that is about to be done, noted where later ones will look for it.
 std::uint16_t Collapser::take_rank(Halfedge h, float cost) {
   const Mesh& mesh = context_.surface.mesh();
-  std::uint16_t& at_kept = entry(mesh.target(h)).rank;
-  auto rank = static_cast<std::uint16_t>(BucketQueue::bucket_of(cost));
-  rank = std::max({rank, at_kept, entry(mesh.origin(h)).rank});
+  std::uint16_t& at_kept = state(mesh.target(h)).rank;
+  const auto of_cost = static_cast<std::uint16_t>(BucketQueue::bucket_of(cost));
+  const std::uint16_t rank = std::max({of_cost, at_kept, state(mesh.origin(h)).rank, ring_.rank});
   for (const Vertex v : fan_.ring())
-    rank = std::max(rank, entry(v).rank);
-  for (const Vertex v : fan_.ring())
-    entry(v).rank = rank;
+    state(v).rank = rank;
   at_kept = rank;
   return rank;
 }
@@ -330,7 +344,7 @@ void Collapser::collapse(Halfedge h, const Candidate& candidate) {
   outcome_.paid += double{candidate.error};
   queue_.remove(removed);
   queue_.remove(kept);
-  entry(removed).region = QueueEntry::kGone;
+  state(removed).region = VertexState::kGone;
   if (fan_.is_smooth()) {
     merge_smooth(h, candidate.position);
   } else {
@@ -345,10 +359,10 @@ void Collapser::collapse(Halfedge h, const Candidate& candidate) {
 
 /// What was refused near a collapse may be allowed after it.
 void Collapser::wake_ring() {
-  if (!has_refused_) return;
+  if (!ring_.has_refused) return;
   for (const Vertex v : fan_.ring()) {
-    if (!entry(v).has_refused) continue;
-    entry(v).has_refused = false;
+    if (!state(v).has_refused) continue;
+    state(v).has_refused = false;
     evaluate_refused(v);
     queue_.remove(v);
     choose_cheapest_edge(v);
@@ -376,7 +390,7 @@ void Collapser::merge_near_feature(Halfedge h, const glm::vec3& p) {
     if (side.is_valid()) add_contributions(Mesh::face(side), -1.0F);
   }
   merge(h, p);
-  surface.state(kept) = {{}, {p.x, p.y, p.z}};
+  surface.place_anew(kept, p);
   for (std::size_t i = 0; i < fan_.size(); ++i)
     surface.set_shape(Mesh::face(fan_.spokes()[i]), fan_.four_shapes(i)[0]);
   for (const Halfedge spoke : fan_.spokes())
@@ -408,7 +422,7 @@ void Collapser::merge_smooth(Halfedge h, const glm::vec3& p) {
   }
   surface.add(fan_.ring().back(), previous);
   merge(h, p);
-  surface.state(kept) = {{}, {p.x, p.y, p.z}};
+  surface.place_anew(kept, p);
   surface.add(kept, total);
 }
 
@@ -419,7 +433,7 @@ void Collapser::merge(Halfedge h, const glm::vec3& p) {
   const Halfedge t = mesh.twin(h);
   const Vertex removed = mesh.origin(h);
   const Vertex kept = mesh.target(h);
-  surface.set_kind(kept, std::max(surface.kind(kept), surface.kind(removed)));
+  surface.state(kept).freedom = std::max(surface.freedom(kept), surface.freedom(removed));
   if (!fan_.is_smooth()) {
     edit.join_sharpness(h);
     // Two edges become one: a feature if either was.

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -19,31 +21,35 @@
 
 namespace mesher {
 
-/// What is known of each edge's cost and each vertex's cheapest edge, beside the surface. A vertex
-/// stands for its edges in the queue, so that there is one entry for each.
-///
-/// A cost may be out of date: a collapse evaluates the edges of its own vertex, not those of the
-/// neighbours. An edge is looked at again when its turn comes (costs mostly rise, so that nothing
-/// cheap is missed).
-struct Schedule {
-  /// By half-edge. An edge has its cost at one of its halves, whose origin answers for it; the
-  /// other has kNever, and both have where the edge is refused.
-  Array<float> edge_cost;
-  Array<QueueEntry> vertices;
-
-  explicit Schedule(const Surface& surface);
-};
-
 /// What stays the same over a whole simplification.
 struct CollapseContext {
   Surface& surface;
   CollapsePolicy& policy;
-  Schedule& schedule;
+  std::span<QueueEntry> queue;  ///< by vertex
   ErrorBound* bound = nullptr;
   Care care = Care::exact;  ///< with which edges are looked at before their turn
   Progress* progress = nullptr;
   std::uint32_t faces_to_remove = 0;            ///< in all
   std::atomic<std::uint32_t> removed_faces{0};  ///< so far, for the progress
+};
+
+/// The cheapest of the edges that it is offered, of equals that of the lowest index. Which is
+/// cheaper cannot be guessed, so there is no branch: one number holds the cost's bits, which for
+/// costs that are not negative are in the order of the costs, above the half-edge's.
+class Cheapest {
+ public:
+  void offer(Halfedge h, float cost) { least_ = std::min(least_, key(h, cost)); }
+
+  /// None where no edge has a cost.
+  Halfedge halfedge() const { return Halfedge(static_cast<std::uint32_t>(least_)); }
+  float cost() const { return std::bit_cast<float>(static_cast<std::uint32_t>(least_ >> 32U)); }
+
+ private:
+  static std::uint64_t key(Halfedge h, float cost) {
+    return std::uint64_t{std::bit_cast<std::uint32_t>(cost)} << 32U | h.index();
+  }
+
+  std::uint64_t least_ = key(Halfedge(), kNever);
 };
 
 /// What came of the work on one region.
@@ -56,6 +62,10 @@ struct CollapseOutcome {
 
 /// Gives every edge its first cost, and every vertex its cheapest edge. O(F), parallel. Throws
 /// Cancelled.
+///
+/// From then on a cost may be out of date: a collapse evaluates the edges of its own vertex, not
+/// those of the neighbours. An edge is looked at again when its turn comes (costs mostly rise, so
+/// that nothing cheap is missed).
 void evaluate_all(const CollapseContext& context);
 
 /// Collapses edges of one region (a set of vertices), cheapest first. Regions may be worked on at
@@ -67,8 +77,8 @@ class Collapser {
  public:
   struct Limits {
     std::uint32_t region = 0;
-    float cost = Candidate::kNever;  ///< nothing dearer is collapsed
-    std::uint32_t tolerance = 0;     ///< buckets that an edge may be dearer than was thought
+    float cost = kNever;          ///< nothing dearer is collapsed
+    std::uint32_t tolerance = 0;  ///< buckets that an edge may be dearer than was thought
     /// At most so many are removed, or one more: a collapse inside the surface removes two. Where
     /// one is left to remove, a legal collapse at the boundary is preferred.
     std::uint32_t faces = 0;
@@ -83,22 +93,31 @@ class Collapser {
   [[nodiscard]] CollapseOutcome run_refused(std::span<const Vertex> vertices);
 
  private:
-  QueueEntry& entry(Vertex v) { return context_.schedule.vertices[v.index()]; }
-  bool is_ours(Vertex v) { return entry(v).region == limits_.region; }
+  /// What the neighbours of an edge say of a collapse.
+  struct RingSurvey {
+    bool is_ours = true;       ///< all are of the region
+    bool has_refused = false;  ///< one has a refused edge
+    std::uint16_t rank = 0;    ///< the highest
+  };
+
+  VertexState& state(Vertex v) { return context_.surface.state(v); }
+  bool is_ours(Vertex v) const { return context_.surface.state(v).region == limits_.region; }
   void fill_queue(std::span<const Vertex> vertices);
   void empty_queue(std::span<const Vertex> vertices);
   void take_turns();
+  void look_ahead(Vertex v);
   void take_turn(Vertex v);
   bool remove_one_face(std::span<const Vertex> vertices);
   Candidate evaluate(Halfedge h);
   void choose_cheapest_edge(Vertex v);
-  void wait_for(Vertex v, Halfedge best, float cost);
+  void wait_for(Vertex v, const Cheapest& cheapest);
   void evaluate_fan(Vertex v);
   void evaluate_refused(Vertex v);
   void refuse(Halfedge h, Rejection cause);
   std::optional<Rejection> check(Halfedge h, const Candidate& candidate);
   void collapse(Halfedge h, const Candidate& candidate);
   std::uint16_t take_rank(Halfedge h, float cost);
+  void survey_ring();
   bool makes_feature_triangle(Halfedge h) const;
   void add_contributions(Face f, float sign);
   void merge(Halfedge h, const glm::vec3& p);
@@ -111,7 +130,7 @@ class Collapser {
   BucketQueue queue_;
   Fan fan_;
   std::vector<float> costs_;  ///< scratch of evaluate_fan
-  bool has_refused_ = false;  ///< a vertex of the region has
+  RingSurvey ring_;           ///< of the fan
   CollapseOutcome outcome_;
 };
 

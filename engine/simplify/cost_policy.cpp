@@ -10,7 +10,7 @@ void CollapsePolicy::evaluate_costs(const Surface& surface, std::span<const Half
                                     float* costs) const {
   for (const Halfedge h : edges) {
     const Fit fit = surface.fit(h);
-    *costs++ = fit == Fit::nowhere ? Candidate::kNever : evaluate(surface, h, fit).cost;
+    *costs++ = fit == Fit::nowhere ? kNever : evaluate(surface, h, fit).cost;
   }
 }
 

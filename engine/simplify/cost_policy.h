@@ -1,7 +1,6 @@
 #pragma once
 
 #include <glm/vec3.hpp>
-#include <limits>
 #include <memory>
 #include <span>
 
@@ -13,7 +12,6 @@ namespace mesher {
 
 /// What merging an edge would cost, and where the vertex would go.
 struct Candidate {
-  static constexpr float kNever = std::numeric_limits<float>::infinity();
   float cost = kNever;  ///< what orders collapses, >= 0
   float error = 0.0F;   ///< what it does to the surface: area times squared distance
   glm::vec3 position{0.0F};

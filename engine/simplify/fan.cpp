@@ -72,8 +72,8 @@ bool Fan::gather(const Surface& surface, Halfedge h, std::size_t limit) {
   edge_ = h;
   size_ = 0;
   // A vertex on the boundary is not smooth.
-  has_smooth_ends_ = surface.kind(mesh.origin(h)) == VertexKind::smooth &&
-                     surface.kind(mesh.target(h)) == VertexKind::smooth;
+  has_smooth_ends_ = surface.freedom(mesh.origin(h)) == Freedom::free &&
+                     surface.freedom(mesh.target(h)) == Freedom::free;
   const bool is_open =
       !has_smooth_ends_ && (mesh.is_boundary(mesh.origin(h)) || mesh.is_boundary(mesh.target(h)));
   is_closed_ = !is_open;
@@ -88,25 +88,41 @@ bool Fan::has_smooth_ring(const Surface& surface) const {
   if (!surface.is_constrained()) return true;
   bool is_smooth = has_smooth_ends_;
   for (const Vertex v : ring())
-    is_smooth &= surface.kind(v) == VertexKind::smooth;
+    is_smooth &= surface.freedom(v) == Freedom::free;
   return is_smooth;
 }
 
 bool Fan::gather_closed(const Mesh& mesh, std::size_t limit) {
   const Halfedge t = mesh.twin(edge_);
-  return append(mesh, mesh.rotate_ccw(edge_), Mesh::next(t), limit) &&
-         append(mesh, mesh.rotate_ccw(t), Mesh::next(edge_), limit);
+  const Halfedge end_at_origin = Mesh::next(t);
+  const Halfedge end = Mesh::next(edge_);
+  const Halfedge first_at_target = mesh.rotate_ccw(t);
+  // One loop around both ends of the edge, and no branch from the one to the other: where each of
+  // two loops ends could not be guessed.
+  const std::uint32_t jump = end_at_origin.index() ^ first_at_target.index();
+  const auto onward = [&](Halfedge s) {
+    return Halfedge(s.index() ^ (jump & (0U - static_cast<std::uint32_t>(s == end_at_origin))));
+  };
+  std::size_t n = 0;
+  ring_[0] = mesh.origin(Mesh::prev(edge_));
+  Halfedge s = onward(mesh.rotate_ccw(edge_));
+  for (; s != end && n < limit; ++n) {
+    if (n + kLanes >= spokes_.size()) reserve(2 * n);
+    const Halfedge back = Mesh::prev(s);
+    spokes_[n] = s;
+    ring_[n + 1] = mesh.origin(back);
+    s = onward(mesh.twin(back));
+  }
+  size_ = n;
+  return s == end;
 }
 
-/// Spokes counter-clockwise from `s` on, up to `end`, which is left out.
-bool Fan::append(const Mesh& mesh, Halfedge s, Halfedge end, std::size_t limit) {
-  for (; s != end; s = mesh.rotate_ccw(s)) {
-    if (size_ == limit) return false;
-    if (size_ + kLanes >= spokes_.size()) reserve(2 * size_);
-    spokes_[size_] = s;
-    ring_[size_] = mesh.target(s);
-    ++size_;
-  }
+bool Fan::append(const Mesh& mesh, Halfedge spoke, std::size_t limit) {
+  if (size_ == limit) return false;
+  if (size_ + kLanes >= spokes_.size()) reserve(2 * size_);
+  spokes_[size_] = spoke;
+  ring_[size_] = mesh.target(spoke);
+  ++size_;
   return true;
 }
 
@@ -123,7 +139,7 @@ bool Fan::gather_open(const Mesh& mesh, std::size_t limit) {
   }
   Halfedge last;
   for (Halfedge s = start; s.is_valid(); s = sweep.ccw(s)) {
-    if (!append(mesh, s, mesh.rotate_ccw(s), limit)) return false;
+    if (!append(mesh, s, limit)) return false;
     last = s;
   }
   ring_[size_] = mesh.origin(Mesh::prev(last));

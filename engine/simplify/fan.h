@@ -71,7 +71,7 @@ class Fan {
   struct Block;
 
   void reserve(std::size_t faces);
-  bool append(const Mesh& mesh, Halfedge s, Halfedge end, std::size_t limit);
+  bool append(const Mesh& mesh, Halfedge spoke, std::size_t limit);
   bool has_smooth_ring(const Surface& surface) const;
   bool gather_closed(const Mesh& mesh, std::size_t limit);
   bool gather_open(const Mesh& mesh, std::size_t limit);

@@ -82,7 +82,7 @@ void QuadricPolicy::evaluate_costs(const Surface& surface, std::span<const Halfe
     if (fit == Fit::anywhere && !surface.is_feature(edges[i])) {
       eight.add(edges[i], i);
     } else {
-      costs[i] = fit == Fit::nowhere ? Candidate::kNever : evaluate(surface, edges[i], fit).cost;
+      costs[i] = fit == Fit::nowhere ? kNever : evaluate(surface, edges[i], fit).cost;
     }
   }
   eight.flush();

@@ -90,9 +90,8 @@ Reordered reorder_by_place(const Mesh& mesh) {
   return result;
 }
 
-Mesh compact(const Mesh& mesh, const Survivors& survivors) {
-  return rearranged(mesh, survivors.vertices, survivors.faces,
-                    places(survivors.vertices, mesh.vertex_count()));
+Mesh compact(const Mesh& mesh, const KeptIds& kept) {
+  return rearranged(mesh, kept.vertices, kept.faces, places(kept.vertices, mesh.vertex_count()));
 }
 
 }  // namespace mesher

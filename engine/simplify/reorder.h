@@ -18,12 +18,12 @@ struct Reordered {
 Reordered reorder_by_place(const Mesh& mesh);
 
 /// Which vertices and faces of a mesh with holes are left, and where each goes.
-struct Survivors {
+struct KeptIds {
   Array<Vertex> vertices;  ///< by new id, the old id
   Array<Face> faces;
 };
 
-/// A mesh of the survivors alone, in their order. O(V + F), parallel.
-Mesh compact(const Mesh& mesh, const Survivors& survivors);
+/// A mesh of what is kept alone, in that order. O(V + F), parallel.
+Mesh compact(const Mesh& mesh, const KeptIds& kept);
 
 }  // namespace mesher

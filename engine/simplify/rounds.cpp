@@ -48,13 +48,6 @@ std::unique_ptr<ErrorBound> make_bound(const Mesh& mesh, float scale,
   return std::make_unique<ErrorBound>(mesh, double{scale} * options.max_error);
 }
 
-double total_area(const Surface& surface) {
-  double sum = 0.0;
-  for (std::uint32_t f = 0; f < surface.mesh().face_count(); ++f)
-    sum += double{surface.shape(Face(f)).area};
-  return sum;
-}
-
 }  // namespace
 
 Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, TranslateRecords translate)
@@ -64,18 +57,16 @@ Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, Transla
       bound_(make_bound(mesh, scale, options)),
       surface_(std::move(mesh), options),
       policy_(make_policy(options, surface_)),
-      schedule_(surface_),
+      queue_(surface_.mesh().vertex_count(), QueueEntry{}),
       context_{.surface = surface_,
                .policy = *policy_,
-               .schedule = schedule_,
+               .queue = queue_,
                .bound = bound_.get(),
                .progress = options.progress},
-      faces_(surface_.mesh().face_count()),
-      area_(total_area(surface_)) {
+      faces_(surface_.mesh().face_count()) {
+  for (std::uint32_t v = 0; v < surface_.mesh().vertex_count(); ++v)
+    (surface_.mesh().is_isolated(Vertex(v)) ? isolated_ : live_).emplace_back(v);
   if (faces_to_remove() == 0) return;
-  for (std::uint32_t v = 0; v < surface_.mesh().vertex_count(); ++v) {
-    if (!surface_.mesh().is_isolated(Vertex(v))) live_.emplace_back(v);
-  }
   context_.care = is_far() ? Care::guess : Care::exact;
   evaluate_all(context_);
 }
@@ -93,6 +84,7 @@ void Rounds::run(SimplifyReport& report) {
     if ((vertices - live_.size()) * kVerticesPerLeastRound < vertices) break;
   }
   run_to_the_end();
+  drop_removed();
   report.reason = reason();
   report.collapses = collapses_;
   report.rejected = rejected_;
@@ -111,15 +103,15 @@ bool Rounds::is_last_round() const {
 
 /// The cost under which the part of the vertices lies that this round is about. What has no legal
 /// edge is not counted: no threshold would let it through.
-Rounds::Share Rounds::share() const {
+Rounds::Share Rounds::share(std::span<const float> costs) const {
   std::vector<std::uint32_t> histogram(BucketQueue::kBuckets, 0);
-  for (const Vertex v : live_)
-    ++histogram[BucketQueue::bucket_of(schedule_.vertices[v.index()].cost)];
-  const double wanted = std::min(kShareOfVertices * static_cast<double>(live_.size()),
+  for (const float cost : costs)
+    ++histogram[BucketQueue::bucket_of(cost)];
+  const double wanted = std::min(kShareOfVertices * static_cast<double>(costs.size()),
                                  kShareOfTarget * 0.5 * faces_to_remove());
   double sum = 0.0;
   std::uint32_t bucket = 0;
-  for (; bucket < BucketQueue::bucket_of(Candidate::kNever) && sum < wanted; ++bucket)
+  for (; bucket < BucketQueue::bucket_of(kNever) && sum < wanted; ++bucket)
     sum += histogram[bucket];
   return {BucketQueue::highest_below(bucket), std::min(1.0, kMostOfShare * wanted / sum)};
 }
@@ -127,36 +119,40 @@ Rounds::Share Rounds::share() const {
 void Rounds::run_regions(std::uint32_t round) {
   constexpr std::uint32_t kBitsOfGrid = 7;
   constexpr float kGoldenRatio = 0.618034F;  // its multiples spread evenly over 0 to 1
-  const Share share = this->share();
   context_.care = is_far() ? Care::guess : Care::exact;
   const float shift = kGoldenRatio * static_cast<float>(round + 1);
   live_ = morton_order(surface_.mesh().positions(), live_,
                        {.bits = kBitsOfGrid, .shift = shift - std::floor(shift)});
   const std::size_t count = (live_.size() + kRegionVertices - 1) / kRegionVertices;
-  const auto region = [&](std::size_t i) {
-    const std::size_t begin = live_.size() * i / count;
-    return std::span(live_).subspan(begin, live_.size() * (i + 1) / count - begin);
+  const auto region = [&](std::size_t i) -> IndexRange {
+    return {live_.size() * i / count, live_.size() * (i + 1) / count};
   };
+  // Costs are looked at several times, so they are copied out of the much larger states.
+  Array<float> costs(live_.size());
   parallel_for(count, 1, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
-      for (const Vertex v : region(i))
-        schedule_.vertices[v.index()].region = static_cast<std::uint32_t>(i);
+      for (std::size_t k = region(i).begin; k < region(i).end; ++k) {
+        VertexState& state = surface_.state(live_[k]);
+        state.region = static_cast<std::uint32_t>(i);
+        costs[k] = state.cost;
+      }
     }
   });
+  const Share share = this->share(costs);
   std::vector<CollapseOutcome> outcomes(count);
   parallel_for(count, 1, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
-      const auto cheap =
-          static_cast<double>(std::count_if(region(i).begin(), region(i).end(), [&](Vertex v) {
-            return schedule_.vertices[v.index()].cost <= share.cost;
-          }));
+      const auto [begin, end] = region(i);
+      std::uint32_t cheap = 0;
+      for (std::size_t k = begin; k < end; ++k)
+        cheap += costs[k] <= share.cost ? 1U : 0U;
       Collapser collapser(context_,
                           {.region = static_cast<std::uint32_t>(i),
                            .cost = share.cost,
                            .tolerance = is_far() ? kToleranceFarFromTarget : kToleranceNearTarget,
                            .faces = 2 * static_cast<std::uint32_t>(share.part * cheap),
                            .valence = kUsualValence});
-      outcomes[i] = translated(collapser.run(region(i)));
+      outcomes[i] = translated(collapser.run(std::span(live_).subspan(begin, end - begin)));
     }
   });
   for (const CollapseOutcome& outcome : outcomes)
@@ -167,7 +163,7 @@ void Rounds::run_regions(std::uint32_t round) {
 void Rounds::run_to_the_end() {
   context_.care = Care::exact;
   for (const Vertex v : live_)
-    schedule_.vertices[v.index()].region = 0;
+    surface_.state(v).region = 0;
   Collapser collapser(context_, {.faces = faces_to_remove(), .valence = kUsualValence});
   note(translated(collapser.run(live_)));
   while (faces_to_remove() > 0 && try_refused_again(kLargestValence)) {
@@ -214,7 +210,13 @@ void Rounds::note(const CollapseOutcome& outcome) {
 }
 
 void Rounds::drop_removed() {
-  std::erase_if(live_, [&](Vertex v) { return is_removed(v); });
+  std::erase_if(live_, [&](Vertex v) { return surface_.mesh().is_isolated(v); });
+}
+
+Array<Vertex> Rounds::vertices_left() const {
+  Array<Vertex> left = live_;
+  left.insert(left.end(), isolated_.begin(), isolated_.end());
+  return left;
 }
 
 StopReason Rounds::reason() const {
@@ -225,8 +227,9 @@ StopReason Rounds::reason() const {
 
 /// The errors of successive collapses add up as if they were independent.
 double Rounds::estimated_error() const {
-  if (!(area_ > 0.0)) return 0.0;
-  return std::sqrt(paid_ / (kTimesCounted * area_)) / double{scale_};
+  const double area = surface_.area_before();
+  if (!(area > 0.0)) return 0.0;
+  return std::sqrt(paid_ / (kTimesCounted * area)) / double{scale_};
 }
 
 }  // namespace mesher

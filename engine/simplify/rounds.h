@@ -33,9 +33,8 @@ class Rounds {
   void run(SimplifyReport& report);
 
   const Surface& surface() const { return surface_; }
-  bool is_removed(Vertex v) const {
-    return schedule_.vertices[v.index()].region == QueueEntry::kGone;
-  }
+  /// What `run` has left, in no order that means anything.
+  Array<Vertex> vertices_left() const;
 
  private:
   /// What a round may collapse.
@@ -53,7 +52,7 @@ class Rounds {
   void run_to_the_end();
   void count_constrained();
   bool try_refused_again(std::size_t valence);
-  Share share() const;
+  Share share(std::span<const float> costs) const;
   CollapseOutcome translated(CollapseOutcome&& outcome) const;
   void note(const CollapseOutcome& outcome);
   void drop_removed();
@@ -66,13 +65,13 @@ class Rounds {
   std::unique_ptr<ErrorBound> bound_;
   Surface surface_;
   std::unique_ptr<CollapsePolicy> policy_;
-  Schedule schedule_;
+  Array<QueueEntry> queue_;
   CollapseContext context_;
-  Array<Vertex> live_;
+  Array<Vertex> live_;      ///< that have faces
+  Array<Vertex> isolated_;  ///< that never had any
   std::uint32_t faces_;
   std::uint64_t collapses_ = 0;
   double paid_ = 0.0;
-  double area_ = 0.0;
   std::array<std::uint64_t, kRejectionCount> rejected_{};
 };
 

@@ -34,9 +34,10 @@ class Stopwatch {
 float handy_scale(const Mesh& mesh) {
   Box box{glm::vec3(std::numeric_limits<float>::max()),
           glm::vec3(std::numeric_limits<float>::lowest())};
-  for (const Vertex v : mesh.origins()) {
-    box.min = glm::min(box.min, mesh.position(v));
-    box.max = glm::max(box.max, mesh.position(v));
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.is_isolated(Vertex(v))) continue;
+    box.min = glm::min(box.min, mesh.position(Vertex(v)));
+    box.max = glm::max(box.max, mesh.position(Vertex(v)));
   }
   const double diagonal = box.is_empty() ? 0.0 : box.diagonal();
   if (!(diagonal > 0.0) || (diagonal > 0x1p-10 && diagonal < 0x1p20)) return 1.0F;
@@ -94,28 +95,23 @@ class Translator {
   const Units& units_;
 };
 
-/// Old ids of what is left, in the order that the caller asked for. `source[i]` is the input's id
-/// of what is i now.
-template <class Id, class IsLeft>
-Array<Id> in_order(const Array<Id>& source, ResultOrder order, const IsLeft& is_left) {
-  const auto n = static_cast<std::uint32_t>(source.size());
-  Array<std::uint32_t> by_source(n, kNone);
-  std::uint32_t left = 0;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    if (!is_left(Id(i))) continue;
-    by_source[source[i].index()] = i;
-    ++left;
-  }
+/// What is left, in the order that the caller asked for. `source[i]` is the input's id of what is i
+/// now.
+template <class Id>
+Array<Id> in_order(const Array<Id>& source, ResultOrder order, const Array<Id>& left) {
+  Array<std::uint32_t> by_source(source.size(), kNone);
+  for (const Id id : left)
+    by_source[source[id.index()].index()] = id.index();
   Array<Id> result;
-  result.reserve(left);
+  result.reserve(left.size());
   if (order == ResultOrder::input) {
     for (const std::uint32_t i : by_source) {
       if (i != kNone) result.push_back(Id(i));
     }
     return result;
   }
-  std::uint32_t mover = left;
-  for (std::uint32_t place = 0; place < left; ++place) {
+  std::size_t mover = left.size();
+  for (std::size_t place = 0; place < left.size(); ++place) {
     if (by_source[place] == kNone) {
       while (by_source[mover] == kNone)
         ++mover;
@@ -127,23 +123,29 @@ Array<Id> in_order(const Array<Id>& source, ResultOrder order, const IsLeft& is_
   return result;
 }
 
+Array<Face> faces_left(const Surface& surface) {
+  Array<Face> left;
+  for (std::uint32_t f = 0; f < surface.mesh().face_count(); ++f) {
+    if (!surface.is_removed(Face(f))) left.emplace_back(f);
+  }
+  return left;
+}
+
 Simplified finish(const Rounds& rounds, const Reordered& order, const Units& units,
                   const SimplifyOptions& options) {
-  const Survivors survivors{
-      in_order(order.vertex_source, options.order, [&](Vertex v) { return !rounds.is_removed(v); }),
-      in_order(order.face_source, options.order,
-               [&](Face f) { return !rounds.surface().is_removed(f); })};
+  const KeptIds kept{in_order(order.vertex_source, options.order, rounds.vertices_left()),
+                     in_order(order.face_source, options.order, faces_left(rounds.surface()))};
   Simplified result;
-  result.mesh = compact(rounds.surface().mesh(), survivors);
+  result.mesh = compact(rounds.surface().mesh(), kept);
   for (std::uint32_t v = 0; v < result.mesh.vertex_count() && units.scale() != 1.0F; ++v) {
     const glm::vec3& scaled = result.mesh.position(Vertex(v));
-    result.mesh.set_position(Vertex(v), units.original(survivors.vertices[v], scaled));
+    result.mesh.set_position(Vertex(v), units.original(kept.vertices[v], scaled));
   }
-  result.vertex_source.reserve(survivors.vertices.size());
-  for (const Vertex v : survivors.vertices)
+  result.vertex_source.reserve(kept.vertices.size());
+  for (const Vertex v : kept.vertices)
     result.vertex_source.push_back(order.vertex_source[v.index()]);
-  result.face_source.reserve(survivors.faces.size());
-  for (const Face f : survivors.faces)
+  result.face_source.reserve(kept.faces.size());
+  for (const Face f : kept.faces)
     result.face_source.push_back(order.face_source[f.index()]);
   return result;
 }

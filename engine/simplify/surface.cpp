@@ -33,21 +33,26 @@ Surface::Surface(Mesh&& mesh, const SimplifyOptions& options) : mesh_(std::move(
   mesh_.changes().note_all();
   find_shapes();
   find_features(options);
-  find_kinds(options);
   find_states();
+  find_freedoms(options);
 }
 
 void Surface::find_shapes() {
-  shape_.resize(mesh_.face_count());
-  first_normal_.resize(mesh_.face_count());
-  parallel_for_each(mesh_.face_count(), kGrain, [&](std::uint32_t f) {
-    const auto corner = [&](std::uint32_t c) {
-      const glm::vec3& p = mesh_.position(mesh_.origin(Halfedge(3 * f + c)));
-      return Vec3<float>{p.x, p.y, p.z};
-    };
-    const auto [unit, area] = unit_and_area(corner(1) - corner(0), corner(2) - corner(0));
-    shape_[f] = {{unit.x, unit.y, unit.z}, area};
-    first_normal_[f] = pack(shape_[f].normal);
+  faces_.resize(mesh_.face_count());
+  area_before_ = parallel_sum<double>(mesh_.face_count(), kGrain, [&](IndexRange range) {
+    double sum = 0.0;
+    for (std::size_t f = range.begin; f < range.end; ++f) {
+      const auto corner = [&](std::size_t c) {
+        const Halfedge h(static_cast<std::uint32_t>(3 * f + c));
+        const glm::vec3& p = mesh_.position(mesh_.origin(h));
+        return Vec3<float>{p.x, p.y, p.z};
+      };
+      const auto [unit, area] = unit_and_area(corner(1) - corner(0), corner(2) - corner(0));
+      const FaceShape shape{{unit.x, unit.y, unit.z}, area};
+      faces_[f] = {.shape = shape, .first_normal = pack(shape.normal)};
+      sum += double{area};
+    }
+    return sum;
   });
 }
 
@@ -74,8 +79,10 @@ void Surface::find_features(const SimplifyOptions& options) {
   if (!has_features_) feature_ = {};
 }
 
-void Surface::find_kinds(const SimplifyOptions& options) {
-  kind_.assign(mesh_.vertex_count(), VertexKind::smooth);
+void Surface::find_freedoms(const SimplifyOptions& options) {
+  const bool has_own = !mesh_.vertex_sharpnesses().empty();
+  is_constrained_ = has_features_ || has_own;
+  if (!is_constrained_) return;
   // Features are few: a walk along them instead of one around every vertex.
   Array<std::uint8_t> features(has_features_ ? mesh_.vertex_count() : 0);
   std::fill(features.begin(), features.end(), std::uint8_t{0});
@@ -89,28 +96,25 @@ void Surface::find_kinds(const SimplifyOptions& options) {
     count(mesh_.target(h));
   }
   const bool locks = options.boundary == BoundaryRule::lock;
-  const bool has_own = !mesh_.vertex_sharpnesses().empty();
-  is_constrained_ = has_features_ || has_own;
-  if (!is_constrained_) return;
   parallel_for_each(mesh_.vertex_count(), kGrain, [&](std::uint32_t i) {
     const Vertex v(i);
     const int met = has_features_ ? features[i] : 0;
     const bool is_fixed =
         (has_own && mesh_.sharpness(v) > 0.0F) || (locks && met > 0 && mesh_.is_boundary(v));
     if (is_fixed || met == 1 || met > 2) {
-      kind_[i] = VertexKind::corner;
+      vertices_[i].freedom = Freedom::corner;
     } else if (met == 2) {
-      kind_[i] = VertexKind::line;
+      vertices_[i].freedom = Freedom::line;
     }
   });
 }
 
 void Surface::find_states() {
-  state_.resize(mesh_.vertex_count());
+  vertices_.resize(mesh_.vertex_count());
   parallel_for_each(mesh_.vertex_count(), kGrain, [&](std::uint32_t i) {
     const Vertex v(i);
     const glm::vec3& p = mesh_.position(v);
-    state_[i] = {{}, {p.x, p.y, p.z}};
+    state(v) = {.position = {p.x, p.y, p.z}};
     QuadricRows sum{};
     for (const Halfedge h : halfedges_around(mesh_, v)) {
       const Face f = Mesh::face(h);
@@ -123,7 +127,7 @@ void Surface::find_states() {
 
 /// Adds what the feature edges of the face contribute to its corner at origin(h).
 void Surface::add_features(Halfedge h) {
-  Quadric<float>& sum = state_[mesh_.origin(h).index()].quadric;
+  Quadric<float>& sum = state(mesh_.origin(h)).quadric;
   for (const Halfedge side : {h, Mesh::prev(h)}) {
     if (is_feature(side)) sum = sum + across(side);
   }
@@ -153,14 +157,14 @@ std::array<Quadric<float>, 3> Surface::contributions(Face f) const {
   return result;
 }
 
-Fit Surface::constrained_fit(Halfedge h, VertexKind from, VertexKind to) const {
-  if (from == VertexKind::smooth) return Fit::at_target;
-  if (to == VertexKind::smooth) return Fit::at_origin;
-  if (!is_feature(h) || (from == VertexKind::corner && to == VertexKind::corner)) {
+Fit Surface::constrained_fit(Halfedge h, Freedom from, Freedom to) const {
+  if (from == Freedom::free) return Fit::at_target;
+  if (to == Freedom::free) return Fit::at_origin;
+  if (!is_feature(h) || (from == Freedom::corner && to == Freedom::corner)) {
     return Fit::nowhere;
   }
-  if (to == VertexKind::corner) return Fit::at_target;
-  return from == VertexKind::corner ? Fit::at_origin : Fit::anywhere;
+  if (to == Freedom::corner) return Fit::at_target;
+  return from == Freedom::corner ? Fit::at_origin : Fit::anywhere;
 }
 
 EdgeQuadric<Float8> Surface::edge_quadrics(const std::array<Halfedge, 8>& edges) const {

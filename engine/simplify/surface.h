@@ -3,9 +3,11 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <utility>
 
 #include "engine/core/array.h"
+#include "engine/core/prefetch.h"
 #include "engine/mesh/mesh.h"
 #include "engine/simplify/options.h"
 #include "engine/simplify/quadric.h"
@@ -13,8 +15,8 @@
 namespace mesher {
 
 /// How far a vertex is free.
-enum class VertexKind : std::uint8_t {
-  smooth,  ///< no feature edge: free
+enum class Freedom : std::uint8_t {
+  free,    ///< no feature edge
   line,    ///< two feature edges: may go along them
   corner,  ///< one, three or more feature edges, a sharpness of its own, or locked: stays
 };
@@ -36,11 +38,35 @@ struct ShapeLanes {
   Float4 area;
 };
 
-/// A vertex's quadric and a copy of its position, side by side: twelve floats, loaded as three
-/// times four.
-struct alignas(16) VertexState {
+/// The cost of what must not be merged.
+inline constexpr float kNever = std::numeric_limits<float>::infinity();
+
+/// What is kept of a face, half a cache line. Its half-edges' costs are what was last known of
+/// merging their edges: an edge has its cost at one of its halves, whose origin answers for it; the
+/// other has kNever, and both have where the edge is refused.
+struct alignas(32) FaceState {
+  FaceShape shape;
+  std::array<float, 3> cost{kNever, kNever, kNever};
+  std::uint32_t first_normal = 0;  ///< in the input, packed
+};
+
+/// What is kept of a vertex, a cache line: whoever comes past a vertex needs most of it. The
+/// quadric and a copy of the position, twelve floats, are loaded as three times four.
+///
+/// The rest is about the vertex's next collapse: it stands for the edges that it answers for, so
+/// that there is one entry in a queue for each vertex.
+struct alignas(64) VertexState {
+  static constexpr std::uint32_t kGone = kNone;
+
   Quadric<float> quadric{};
   Vec3<float> position{};
+  float cost = kNever;       ///< of `best` when it was chosen
+  Halfedge best;             ///< the cheapest of the half-edges out of the vertex
+  std::uint32_t region = 0;  ///< whose turn it is to change the vertex; kGone: it is removed
+  /// The highest CollapseRecord::rank of the collapses in whose one-rings the vertex was.
+  std::uint16_t rank = 0;
+  bool has_refused = false;  ///< an edge of the vertex was refused for its surroundings
+  Freedom freedom = Freedom::free;
 };
 /// Several of them at once.
 template <class F>
@@ -48,7 +74,7 @@ struct StateLanes {
   Quadric<F> quadric;
   Vec3<F> position;
 };
-static_assert(sizeof(FaceShape) == 16 && sizeof(VertexState) == 48);
+static_assert(sizeof(FaceState) == 32 && sizeof(VertexState) == 64);
 
 template <class F>
 struct UnitAndArea {
@@ -91,9 +117,8 @@ inline Quadric<float> plane_quadric(const FaceShape& shape) {
 ///  S1. shape(f) is that of the face's corners as they are.
 ///  S2. state(v).quadric is the sum of the contributions of the faces at v (within rounding), and
 ///      state(v).position is the mesh's.
-///  S3. kind(v) follows from the feature edges at v as VertexKind says. Both halves of an edge
-///  agree
-///      on being a feature; boundary edges are features.
+///  S3. freedom(v) follows from the feature edges at v as Freedom says. Both halves of an edge
+///      agree on being a feature; boundary edges are features.
 ///  S4. A removed face has origins that are none; a removed vertex has no outgoing half-edge.
 class Surface {
  public:
@@ -104,9 +129,9 @@ class Surface {
   Mesh& mesh() { return mesh_; }
 
   bool is_removed(Face f) const { return !mesh_.origin(Mesh::halfedge(f)).is_valid(); }
-  const FaceShape& shape(Face f) const { return shape_[f.index()]; }
+  const FaceShape& shape(Face f) const { return faces_[f.index()].shape; }
   /// The same as four floats: x, y, z, area.
-  Float4 shape_row(Face f) const { return load4(&shape_[f.index()].normal.x); }
+  Float4 shape_row(Face f) const { return load4(&shape(f).normal.x); }
   ShapeLanes shapes(const std::array<Face, 4>& faces) const {
     std::array<Float4, 4> rows;
     for (std::size_t lane = 0; lane < 4; ++lane)
@@ -118,17 +143,22 @@ class Surface {
   Vec3<Float4> first_normals(const std::array<Face, 4>& faces) const {
     Int4 packed;
     for (std::size_t lane = 0; lane < 4; ++lane)
-      packed[lane] = static_cast<std::int32_t>(first_normal_[faces[lane].index()]);
+      packed[lane] = static_cast<std::int32_t>(faces_[faces[lane].index()].first_normal);
     const auto unpack = [&](int shift) {
       // Moved to the top, so that the sign comes down with it.
       return to_float(packed << (22 - shift) >> 22) * broadcast<Float4>(1.0F / 511.0F);
     };
     return {unpack(0), unpack(10), unpack(20)};
   }
-  const VertexState& state(Vertex v) const { return state_[v.index()]; }
+  const VertexState& state(Vertex v) const { return vertices_[v.index()]; }
+  /// A vertex is somewhere else, and no face says anything of it yet.
+  void place_anew(Vertex v, const glm::vec3& p) {
+    state(v).quadric = {};
+    state(v).position = {p.x, p.y, p.z};
+  }
   /// Adds to a vertex's quadric. Pre: the rest of the last row is zero.
   void add(Vertex v, const QuadricRows& rows) {
-    float* at = &state_[v.index()].quadric.xx;
+    float* at = &state(v).quadric.xx;
     store4(at, load4(at) + rows.a);
     store4(at + 4, load4(at + 4) + rows.b);
     store4(at + 8, load4(at + 8) + rows.c);
@@ -157,16 +187,20 @@ class Surface {
              pair(p.g, q.g)},
             pair(low.position, high.position)};
   }
-  VertexKind kind(Vertex v) const { return kind_[v.index()]; }
+  Freedom freedom(Vertex v) const { return state(v).freedom; }
+  /// Of the edge of `h`, as last known, if the origin of `h` answers for it. O(1).
+  float cost(Halfedge h) const { return faces_[Mesh::face(h).index()].cost[Mesh::corner(h)]; }
   bool is_feature(Halfedge h) const { return has_features_ && feature_[h.index()] != 0; }
-  /// Some vertex is not smooth.
+  /// Of the mesh that was taken over.
+  double area_before() const { return area_before_; }
+  /// Some vertex is not free.
   bool is_constrained() const { return is_constrained_; }
 
   /// Where the edge of `h` may merge: features go along themselves only. O(1).
   Fit fit(Halfedge h) const {
-    const VertexKind from = kind(mesh_.origin(h));
-    const VertexKind to = kind(mesh_.target(h));
-    if (from == VertexKind::smooth && to == VertexKind::smooth) return Fit::anywhere;
+    const Freedom from = freedom(mesh_.origin(h));
+    const Freedom to = freedom(mesh_.target(h));
+    if (from == Freedom::free && to == Freedom::free) return Fit::anywhere;
     return constrained_fit(h, from, to);
   }
   /// O(1).
@@ -199,10 +233,19 @@ class Surface {
 
   // What a collapse changes besides the mesh itself.
 
-  void set_shape(Face f, Float4 shape) { store4(&shape_[f.index()].normal.x, shape); }
-  void set_kind(Vertex v, VertexKind kind) { kind_[v.index()] = kind; }
+  void set_shape(Face f, Float4 shape) { store4(&faces_[f.index()].shape.normal.x, shape); }
   void set_feature(Halfedge h, bool is) { feature_[h.index()] = is ? 1 : 0; }
-  VertexState& state(Vertex v) { return state_[v.index()]; }
+  VertexState& state(Vertex v) { return vertices_[v.index()]; }
+  /// Prefetches what is kept of a vertex, or of a half-edge and its face.
+  void will_need(Vertex v) const { prefetch(&vertices_[v.index()]); }
+  void will_need(Halfedge h) const {
+    prefetch(&faces_[Mesh::face(h).index()]);
+    prefetch(&mesh_.origins()[h.index()]);
+    prefetch(&mesh_.twins()[h.index()]);
+  }
+  void set_cost(Halfedge h, float cost) {
+    faces_[Mesh::face(h).index()].cost[Mesh::corner(h)] = cost;
+  }
 
   /// What a face, with its shape as it is kept, adds to the quadrics of its corners, in their
   /// order: its plane by area, and for each feature edge a plane across it, so that features hold
@@ -214,21 +257,20 @@ class Surface {
   }
 
  private:
-  Fit constrained_fit(Halfedge h, VertexKind from, VertexKind to) const;
+  Fit constrained_fit(Halfedge h, Freedom from, Freedom to) const;
   Quadric<float> across(Halfedge h) const;
   void add_features(Halfedge h);
   void find_shapes();
   void find_features(const SimplifyOptions& options);
-  void find_kinds(const SimplifyOptions& options);
   void find_states();
+  void find_freedoms(const SimplifyOptions& options);
 
   Mesh mesh_;
   bool has_features_ = false;    ///< edges
   bool is_constrained_ = false;  ///< vertices: features, or sharpness of their own
-  Array<FaceShape> shape_;
-  Array<std::uint32_t> first_normal_;
-  Array<VertexState> state_;
-  Array<VertexKind> kind_;
+  double area_before_ = 0.0;
+  Array<FaceState> faces_;
+  Array<VertexState> vertices_;
   Array<std::uint8_t> feature_;
 };
 

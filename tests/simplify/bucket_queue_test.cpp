@@ -40,6 +40,20 @@ TEST(BucketQueue, EqualCostsAreServedInTheOrderInWhichTheyCame) {
   EXPECT_FALSE(queue.contains(Vertex(3)));
 }
 
+TEST(BucketQueue, WhoStandsBehindWhomFollowsTheOrderInABucket) {
+  std::vector<QueueEntry> entries(10);
+  BucketQueue queue(entries);
+  for (const std::uint32_t v : {7U, 2U, 9U})
+    queue.push(Vertex(v), 1.0F);
+  queue.push(Vertex(4), 8.0F);
+  EXPECT_EQ(queue.behind(Vertex(7)), Vertex(2));
+  queue.remove(Vertex(2));
+  EXPECT_EQ(queue.behind(Vertex(7)), Vertex(9));
+  EXPECT_FALSE(queue.behind(Vertex(9)).is_valid());  // the next is in another bucket
+  EXPECT_EQ(queue.bucket(Vertex(4)), BucketQueue::bucket_of(8.0F));
+  EXPECT_EQ(queue.bucket(Vertex(2)), kNone);
+}
+
 TEST(BucketQueue, AgreesWithASortedSetOverRandomWork) {
   std::mt19937 random(11);
   constexpr std::uint32_t kVertices = 500;

@@ -1,0 +1,53 @@
+#include "engine/simplify/collapser.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace mesher::test {
+namespace {
+
+TEST(Cheapest, IsNoneWhereNothingHasACost) {
+  Cheapest cheapest;
+  EXPECT_FALSE(cheapest.halfedge().is_valid());
+  EXPECT_EQ(cheapest.cost(), kNever);
+  cheapest.offer(Halfedge(3), kNever);
+  EXPECT_EQ(cheapest.cost(), kNever);
+}
+
+TEST(Cheapest, OfEqualsIsTheLowest) {
+  Cheapest cheapest;
+  for (const std::uint32_t h : {9U, 4U, 7U})
+    cheapest.offer(Halfedge(h), 0.0F);
+  EXPECT_EQ(cheapest.halfedge(), Halfedge(4));
+  EXPECT_EQ(cheapest.cost(), 0.0F);
+}
+
+TEST(Cheapest, AgreesWithComparingCosts) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 1000; ++round) {
+    Cheapest cheapest;
+    float least = kNever;
+    for (std::uint32_t h = 0; h < 12; ++h) {
+      const float cost = std::ldexp(static_cast<float>(random() % 1000), int(random() % 250) - 130);
+      cheapest.offer(Halfedge(h), cost);
+      least = std::min(least, cost);
+    }
+    EXPECT_EQ(cheapest.cost(), least);
+  }
+}
+
+TEST(Cheapest, WhatIsNotANumberIsNeverChosen) {
+  Cheapest cheapest;
+  cheapest.offer(Halfedge(1), std::numeric_limits<float>::quiet_NaN());
+  EXPECT_EQ(cheapest.cost(), kNever);
+}
+
+// What lies together is read together: a vertex is one cache line, and no face crosses one.
+static_assert(sizeof(VertexState) == 64 && alignof(VertexState) == 64);
+static_assert(sizeof(FaceState) == 32 && alignof(FaceState) == 32);
+
+}  // namespace
+}  // namespace mesher::test
