@@ -143,7 +143,7 @@ void* allocate_array(std::size_t bytes) {
   if (bytes > PTRDIFF_MAX || !MemoryLimit::take(bytes)) throw std::bad_alloc();
   void* memory = nullptr;
   if (bytes < kSmall) {
-    memory = std::aligned_alloc(kCacheLine, std::max(padded(bytes), kCacheLine));
+    if (posix_memalign(&memory, kCacheLine, std::max<std::size_t>(bytes, 1)) != 0) memory = nullptr;
   } else if (bytes <= kShared) {
     memory = shared_pages().allocate(bytes);
   } else {

@@ -16,8 +16,15 @@ void* allocate_array(std::size_t bytes);
 /// `bytes`: what it was allocated with.
 void free_array(void* memory, std::size_t bytes) noexcept;
 
-/// Allocator that leaves trivially constructible elements uninitialised on `resize(n)`: filling
-/// fresh pages with zeros that are overwritten at once costs as much as the work itself.
+/// Whether `resize(n)` leaves elements of the type as the memory was. A type that has a constructor
+/// may be declared such where its arrays are written whole before they are read (it must be
+/// trivially copyable, so that it needs no constructor to begin its life).
+template <class T>
+inline constexpr bool kLeftAsItWas = std::is_trivially_default_constructible_v<T>;
+
+/// Allocator that leaves trivially constructible elements (and those of kLeftAsItWas) uninitialised
+/// on `resize(n)`: filling fresh pages with what is overwritten at once costs as much as the work
+/// itself.
 template <class T>
 class DefaultInitAllocator : public std::allocator<T> {
  public:
@@ -33,7 +40,11 @@ class DefaultInitAllocator : public std::allocator<T> {
   void deallocate(T* p, std::size_t n) noexcept { free_array(p, n * sizeof(T)); }
   template <class U>
   void construct(U* p) noexcept(std::is_nothrow_default_constructible_v<U>) {
-    ::new (static_cast<void*>(p)) U;
+    if constexpr (kLeftAsItWas<U>) {
+      static_assert(std::is_trivially_copyable_v<U>);
+    } else {
+      ::new (static_cast<void*>(p)) U;
+    }
   }
   template <class U, class... Args>
   void construct(U* p, Args&&... args) {

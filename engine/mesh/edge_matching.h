@@ -28,11 +28,12 @@ struct EdgeMatching {
   }
 };
 
-/// Chains the half-edges by the lower vertex of their edge, in the memory that the twins will have,
-/// then sorts each chain by the other: O(F + V) where valences are bounded, O(k log k) for a chain
-/// of k, and no memory but 4 bytes a vertex. The chains are matched in parallel; the result does
-/// not depend on the number of threads. `origin` holds 3F vertices below `vertex_count`; no face
-/// uses one twice.
+/// Chains the half-edges by the lower vertex of their edge, in the memory that the twins will have.
+/// Those of a short chain are compared with all others at once; a long one, or one with crowds or
+/// duplicates, is sorted by the other vertex: O(F + V) where valences are bounded, O(k log k) for a
+/// chain of k, and no memory but 4 bytes a vertex. The chains are matched in parallel; the result
+/// does not depend on the number of threads. `origin` holds 3F vertices below `vertex_count`; no
+/// face uses one twice.
 EdgeMatching match_edges(const Array<Vertex>& origin, std::uint32_t vertex_count);
 
 }  // namespace mesher

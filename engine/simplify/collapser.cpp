@@ -57,9 +57,10 @@ class FirstCosts {
     Surface& surface = context_.surface;
     surface.set_cost(h, cost);
     VertexState& from = surface.state(surface.mesh().origin(h));
-    const bool is_cheaper = cost < from.cost;
-    from.best = is_cheaper ? h : from.best;
-    from.cost = is_cheaper ? cost : from.cost;
+    Cheapest cheapest(from.best, from.cost);
+    cheapest.offer(h, cost);
+    from.best = cheapest.halfedge();
+    from.cost = cheapest.cost();
   }
 
   const CollapseContext& context_;
@@ -108,9 +109,9 @@ CollapseOutcome Collapser::run_refused(std::span<const Vertex> vertices) {
 
 void Collapser::fill_queue(std::span<const Vertex> vertices) {
   for (const Vertex v : vertices) {
-    const VertexState& e = state(v);
-    if (e.region == VertexState::kGone) continue;
-    if (e.cost <= limits_.cost && e.cost < kNever) queue_.push(v, e.cost);
+    const VertexState& s = state(v);
+    if (s.region == VertexState::kGone) continue;
+    if (s.cost <= limits_.cost && s.cost < kNever) queue_.push(v, s.cost);
   }
 }
 
@@ -139,8 +140,7 @@ void Collapser::take_turns() {
 }
 
 /// Asks for what the next three turns are likely to read, each a step further: of the third vertex
-/// its state, of the second its edge, of the next what lies
-/// around the face at the edge.
+/// its state, of the second its edge, of the next what lies around the face at the edge.
 void Collapser::look_ahead(Vertex v) {
   const Surface& surface = context_.surface;
   const Mesh& mesh = surface.mesh();
@@ -277,8 +277,8 @@ void Collapser::refuse(Halfedge h, Rejection cause) {
 std::optional<Rejection> Collapser::check(Halfedge h, const Candidate& candidate) {
   const Surface& surface = context_.surface;
   const bool is_whole = fan_.gather(surface, h, limits_.valence);
+  if (!is_ring_ours()) return std::nullopt;
   survey_ring();
-  if (!ring_.is_ours) return std::nullopt;
   if (!is_whole) return Rejection::link_condition;
   // Coordinates at the ends of what a float holds may overflow on the way.
   const glm::vec3& p = candidate.position;
@@ -295,12 +295,19 @@ std::optional<Rejection> Collapser::check(Halfedge h, const Candidate& candidate
   return is_near ? Fan::kLegal : Rejection::error_bound;
 }
 
-/// Everything that has to be known of the neighbours, in one loop without branches.
+/// By itself, since of other regions' vertices nothing may be read but whose they are.
+bool Collapser::is_ring_ours() const {
+  bool is_ours = true;
+  for (const Vertex v : fan_.ring())
+    is_ours &= this->is_ours(v);
+  return is_ours;
+}
+
+/// What else has to be known of the neighbours, in one loop without branches.
 void Collapser::survey_ring() {
   ring_ = {};
   for (const Vertex v : fan_.ring()) {
     const VertexState& s = state(v);
-    ring_.is_ours &= s.region == limits_.region;
     ring_.has_refused |= s.has_refused;
     ring_.rank = std::max(ring_.rank, s.rank);
   }

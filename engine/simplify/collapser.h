@@ -35,12 +35,15 @@ struct CollapseContext {
 
 /// The cheapest of the edges that it is offered, of equals that of the lowest index. Which is
 /// cheaper cannot be guessed, so there is no branch: one number holds the cost's bits, which for
-/// costs that are not negative are in the order of the costs, above the half-edge's.
+/// costs that are not negative (-0 is) are in the order of the costs, above the half-edge's.
 class Cheapest {
  public:
+  Cheapest() = default;
+  Cheapest(Halfedge h, float cost) : least_(key(h, cost)) {}
+
   void offer(Halfedge h, float cost) { least_ = std::min(least_, key(h, cost)); }
 
-  /// None where no edge has a cost.
+  /// None, or an edge that must not be merged, where the cost is kNever.
   Halfedge halfedge() const { return Halfedge(static_cast<std::uint32_t>(least_)); }
   float cost() const { return std::bit_cast<float>(static_cast<std::uint32_t>(least_ >> 32U)); }
 
@@ -60,8 +63,8 @@ struct CollapseOutcome {
   std::array<std::uint64_t, kRejectionCount> rejected{};
 };
 
-/// Gives every edge its first cost, and every vertex its cheapest edge. O(F), parallel. Throws
-/// Cancelled.
+/// Gives every edge its first cost, and every vertex its cheapest edge. Pre: they have none yet.
+/// O(F), parallel. Throws Cancelled.
 ///
 /// From then on a cost may be out of date: a collapse evaluates the edges of its own vertex, not
 /// those of the neighbours. An edge is looked at again when its turn comes (costs mostly rise, so
@@ -95,7 +98,6 @@ class Collapser {
  private:
   /// What the neighbours of an edge say of a collapse.
   struct RingSurvey {
-    bool is_ours = true;       ///< all are of the region
     bool has_refused = false;  ///< one has a refused edge
     std::uint16_t rank = 0;    ///< the highest
   };
@@ -117,6 +119,7 @@ class Collapser {
   std::optional<Rejection> check(Halfedge h, const Candidate& candidate);
   void collapse(Halfedge h, const Candidate& candidate);
   std::uint16_t take_rank(Halfedge h, float cost);
+  bool is_ring_ours() const;
   void survey_ring();
   bool makes_feature_triangle(Halfedge h) const;
   void add_contributions(Face f, float sign);
@@ -130,7 +133,7 @@ class Collapser {
   BucketQueue queue_;
   Fan fan_;
   std::vector<float> costs_;  ///< scratch of evaluate_fan
-  RingSurvey ring_;           ///< of the fan
+  RingSurvey ring_;           ///< of the fan, from a check that got so far to its collapse
   CollapseOutcome outcome_;
 };
 

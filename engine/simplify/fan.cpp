@@ -71,7 +71,7 @@ bool Fan::gather(const Surface& surface, Halfedge h, std::size_t limit) {
   const Mesh& mesh = surface.mesh();
   edge_ = h;
   size_ = 0;
-  // A vertex on the boundary is not smooth.
+  // A vertex on the boundary is not free.
   has_smooth_ends_ = surface.freedom(mesh.origin(h)) == Freedom::free &&
                      surface.freedom(mesh.target(h)) == Freedom::free;
   const bool is_open =

@@ -30,7 +30,7 @@ class Fan {
 
   std::size_t size() const { return size_; }
   bool is_closed() const { return is_closed_; }
-  /// Both ends and all neighbours are smooth, so that no face of the fan or of the edge has a
+  /// Both ends and all neighbours are free, so that no face of the fan or of the edge has a
   /// feature.
   bool is_smooth() const { return is_smooth_; }
   /// For each face the half-edge in it that starts at the end of the edge to which it belongs.

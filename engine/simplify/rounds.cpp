@@ -1,7 +1,6 @@
 #include "engine/simplify/rounds.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "engine/core/parallel.h"

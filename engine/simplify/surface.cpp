@@ -1,5 +1,6 @@
 #include "engine/simplify/surface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>

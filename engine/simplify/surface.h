@@ -43,7 +43,7 @@ inline constexpr float kNever = std::numeric_limits<float>::infinity();
 
 /// What is kept of a face, half a cache line. Its half-edges' costs are what was last known of
 /// merging their edges: an edge has its cost at one of its halves, whose origin answers for it; the
-/// other has kNever, and both have where the edge is refused.
+/// other has kNever, and both have where the edge is refused or must not be merged.
 struct alignas(32) FaceState {
   FaceShape shape;
   std::array<float, 3> cost{kNever, kNever, kNever};
@@ -53,8 +53,8 @@ struct alignas(32) FaceState {
 /// What is kept of a vertex, a cache line: whoever comes past a vertex needs most of it. The
 /// quadric and a copy of the position, twelve floats, are loaded as three times four.
 ///
-/// The rest is about the vertex's next collapse: it stands for the edges that it answers for, so
-/// that there is one entry in a queue for each vertex.
+/// `cost` and `best` are about the vertex's next collapse: it stands for the edges that it answers
+/// for, so that there is one entry in a queue for each vertex.
 struct alignas(64) VertexState {
   static constexpr std::uint32_t kGone = kNone;
 
@@ -68,6 +68,13 @@ struct alignas(64) VertexState {
   bool has_refused = false;  ///< an edge of the vertex was refused for its surroundings
   Freedom freedom = Freedom::free;
 };
+
+/// Both are written whole, in parallel, before they are read.
+template <>
+inline constexpr bool kLeftAsItWas<FaceState> = true;
+template <>
+inline constexpr bool kLeftAsItWas<VertexState> = true;
+
 /// Several of them at once.
 template <class F>
 struct StateLanes {
@@ -151,18 +158,6 @@ class Surface {
     return {unpack(0), unpack(10), unpack(20)};
   }
   const VertexState& state(Vertex v) const { return vertices_[v.index()]; }
-  /// A vertex is somewhere else, and no face says anything of it yet.
-  void place_anew(Vertex v, const glm::vec3& p) {
-    state(v).quadric = {};
-    state(v).position = {p.x, p.y, p.z};
-  }
-  /// Adds to a vertex's quadric. Pre: the rest of the last row is zero.
-  void add(Vertex v, const QuadricRows& rows) {
-    float* at = &state(v).quadric.xx;
-    store4(at, load4(at) + rows.a);
-    store4(at + 4, load4(at + 4) + rows.b);
-    store4(at + 8, load4(at + 8) + rows.c);
-  }
   StateLanes<Float4> states(const Vertex* four) const {
     std::array<std::array<Float4, 4>, 3> rows;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -188,12 +183,12 @@ class Surface {
             pair(low.position, high.position)};
   }
   Freedom freedom(Vertex v) const { return state(v).freedom; }
-  /// Of the edge of `h`, as last known, if the origin of `h` answers for it. O(1).
+  /// Of the edge of `h`, as last known, if the origin of `h` answers for it; else kNever. O(1).
   float cost(Halfedge h) const { return faces_[Mesh::face(h).index()].cost[Mesh::corner(h)]; }
   bool is_feature(Halfedge h) const { return has_features_ && feature_[h.index()] != 0; }
   /// Of the mesh that was taken over.
   double area_before() const { return area_before_; }
-  /// Some vertex is not free.
+  /// Some vertex may be not free.
   bool is_constrained() const { return is_constrained_; }
 
   /// Where the edge of `h` may merge: features go along themselves only. O(1).
@@ -235,6 +230,18 @@ class Surface {
 
   void set_shape(Face f, Float4 shape) { store4(&faces_[f.index()].shape.normal.x, shape); }
   void set_feature(Halfedge h, bool is) { feature_[h.index()] = is ? 1 : 0; }
+  /// Moves a vertex, and empties its quadric.
+  void place_anew(Vertex v, const glm::vec3& p) {
+    state(v).quadric = {};
+    state(v).position = {p.x, p.y, p.z};
+  }
+  /// Adds to a vertex's quadric. Pre: the rest of the last row is zero.
+  void add(Vertex v, const QuadricRows& rows) {
+    float* at = &state(v).quadric.xx;
+    store4(at, load4(at) + rows.a);
+    store4(at + 4, load4(at + 4) + rows.b);
+    store4(at + 8, load4(at + 8) + rows.c);
+  }
   VertexState& state(Vertex v) { return vertices_[v.index()]; }
   /// Prefetches what is kept of a vertex, or of a half-edge and its face.
   void will_need(Vertex v) const { prefetch(&vertices_[v.index()]); }

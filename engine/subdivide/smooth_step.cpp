@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/parallel.h"
+#include "engine/core/prefetch.h"
 #include "engine/subdivide/refine.h"
 #include "engine/subdivide/ring_masks.h"
 
@@ -21,7 +22,7 @@ inline Point edge_share(Point start, Point end, Point opposite) {
 
 /// Fetches what faces a little further on will ask for, where all is random: the numbers of the
 /// edges that begin before, then their vertices.
-inline void prefetch(const LevelView& coarse, const Level& finer, std::uint32_t f) {
+inline void look_ahead(const LevelView& coarse, const Level& finer, std::uint32_t f) {
   constexpr std::uint32_t kFar = 16;
   constexpr std::uint32_t kNear = 8;
   const std::uint32_t last = coarse.face_count() - 1;
@@ -30,12 +31,12 @@ inline void prefetch(const LevelView& coarse, const Level& finer, std::uint32_t 
   for (std::uint32_t k = 0; k < 3; ++k) {
     const Halfedge far_twin = coarse.twin[far + k];
     const Halfedge near_twin = coarse.twin[near + k];
-    __builtin_prefetch(&coarse.position[coarse.origin[far + k].index()]);
+    prefetch(&coarse.position[coarse.origin[far + k].index()]);
     if (far_twin.index() < 3 * f) {
-      __builtin_prefetch(&finer.origin[second_half(far_twin).index()]);
+      prefetch(&finer.origin[second_half(far_twin).index()]);
     }
     if (near_twin.index() < 3 * f) {
-      __builtin_prefetch(&finer.position[edge_vertex(finer, near_twin).index()]);
+      prefetch(&finer.position[edge_vertex(finer, near_twin).index()]);
     }
   }
 }
@@ -64,7 +65,7 @@ void sweep(const LevelView& coarse, IndexRange faces, Level& finer, Array<Point>
   };
   const auto end = static_cast<std::uint32_t>(faces.end);
   for (auto f = static_cast<std::uint32_t>(faces.begin); f < end; ++f) {
-    prefetch(level, finer, f);
+    look_ahead(level, finer, f);
     const Vertex a = level.origin[3 * f];
     const Vertex b = level.origin[3 * f + 1];
     const Vertex c = level.origin[3 * f + 2];
