@@ -24,8 +24,8 @@ namespace {
 
 constexpr std::size_t kCacheLine = 64;
 constexpr std::size_t kHugePage = std::size_t{2} << 20U;
-// Smaller arrays come from malloc, which has its memory at hand; under AddressSanitizer all do, so
-// that it sees what is done to them.
+// Smaller arrays come from malloc's heap, which has its memory at hand; under AddressSanitizer all
+// do, so that it sees what is done to them.
 #if defined(MESHER_ADDRESS_SANITIZER)
 constexpr std::size_t kSmall = static_cast<std::size_t>(-1);
 #else

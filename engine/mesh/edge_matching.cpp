@@ -28,6 +28,11 @@ Vertex apex(const Array<Vertex>& origin, std::uint32_t h) {
   return origin[Mesh::prev(Halfedge(h)).index()];
 }
 
+/// Of the edge's two vertices the one that is not the lower, without asking which that is.
+std::uint32_t upper(const Array<Vertex>& origin, std::uint32_t h, std::uint32_t lower) {
+  return origin[h].index() ^ target(origin, h).index() ^ lower;
+}
+
 /// Chains the half-edges of each lower vertex, by increasing index: `first` of the vertex, then
 /// `link` of the half-edge before.
 Array<Halfedge> chain(const Array<Vertex>& origin, std::uint32_t vertex_count,
@@ -62,8 +67,7 @@ class FewHalfedges {
 
   std::size_t size() const { return size_; }
   void push(const Array<Vertex>& origin, std::uint32_t lower, std::uint32_t h) {
-    // Of the edge's two vertices the one that is not the lower, without asking which that is.
-    upper_[size_] = origin[h].index() ^ target(origin, h).index() ^ lower;
+    upper_[size_] = upper(origin, h, lower);
     from_[size_] = origin[h].index();
     apex_[size_] = apex(origin, h).index();
     h_[size_++] = h;
@@ -147,7 +151,7 @@ class Matcher {
 
  private:
   Entry entry_of(Halfedge h, std::uint32_t lower) const {
-    return {origin_[h.index()].index() ^ target(origin_, h.index()).index() ^ lower, h.index()};
+    return {upper(origin_, h.index(), lower), h.index()};
   }
 
   void match_sorted(std::span<const Entry> entries) {
