@@ -92,6 +92,7 @@ CollapseResult collapse(Mesh& mesh, Halfedge h, const glm::vec3& p) {
   edit.move_fan(removed, kept);
   edit.join_sharpness(h);
   edit.close_edge(h);
+  edit.merge_bow_tie_copies(removed, kept, p);
   mesh.set_position(kept, p);
   edit.take_over(removed, kept);
   edit.start_fan_at_boundary(kept, spoke);

@@ -57,8 +57,9 @@ struct CollapseResult {
 };
 
 /// Removes origin(h) and the one or two faces at the edge, moves target(h) to `p`. Two edges that
-/// fall together keep the larger sharpness. O(valence of both ends, of the last vertex, and of the
-/// faces' third vertices); notes what it touched.
+/// fall together keep the larger sharpness. A copy of a bow-tie vertex that does not stay where it
+/// was is no copy any more. O(valence of both ends, of the last vertex, and of the faces' third
+/// vertices); notes what it touched.
 /// Pre: check_collapse(mesh, h).is_legal(), `p` finite.
 CollapseResult collapse(Mesh& mesh, Halfedge h, const glm::vec3& p);
 

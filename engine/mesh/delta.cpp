@@ -30,7 +30,8 @@ MeshDelta::MeshDelta(const Mesh& before, const Mesh& after)
       twin_(before.twins(), after.twins()),
       outgoing_(before.outgoings(), after.outgoings()),
       sharpness_(before.sharpnesses(), after.sharpnesses()),
-      vertex_sharpness_(before.vertex_sharpnesses(), after.vertex_sharpnesses()) {}
+      vertex_sharpness_(before.vertex_sharpnesses(), after.vertex_sharpnesses()),
+      bow_tie_copies_(before.bow_tie_copies(), after.bow_tie_copies()) {}
 
 MeshDelta::MeshDelta(const Mesh& mesh, std::span<const ElementWrite<float>> sharpness)
     : position_(unchanged(mesh.positions())),
@@ -38,16 +39,18 @@ MeshDelta::MeshDelta(const Mesh& mesh, std::span<const ElementWrite<float>> shar
       twin_(unchanged(mesh.twins())),
       outgoing_(unchanged(mesh.outgoings())),
       sharpness_(ArrayDelta::of_elements(mesh.sharpnesses(), sharpness)),
-      vertex_sharpness_(unchanged(mesh.vertex_sharpnesses())) {}
+      vertex_sharpness_(unchanged(mesh.vertex_sharpnesses())),
+      bow_tie_copies_(unchanged(mesh.bow_tie_copies())) {}
 
 bool MeshDelta::is_empty() const {
   return position_.is_empty() && origin_.is_empty() && twin_.is_empty() && outgoing_.is_empty() &&
-         sharpness_.is_empty() && vertex_sharpness_.is_empty();
+         sharpness_.is_empty() && vertex_sharpness_.is_empty() && bow_tie_copies_.is_empty();
 }
 
 std::size_t MeshDelta::memory_bytes() const {
   return position_.memory_bytes() + origin_.memory_bytes() + twin_.memory_bytes() +
-         outgoing_.memory_bytes() + sharpness_.memory_bytes() + vertex_sharpness_.memory_bytes();
+         outgoing_.memory_bytes() + sharpness_.memory_bytes() + vertex_sharpness_.memory_bytes() +
+         bow_tie_copies_.memory_bytes();
 }
 
 void MeshDelta::make_room(Mesh& mesh) const {
@@ -57,6 +60,7 @@ void MeshDelta::make_room(Mesh& mesh) const {
   outgoing_.make_room(mesh.outgoing_);
   sharpness_.make_room(mesh.sharpness_);
   vertex_sharpness_.make_room(mesh.vertex_sharpness_);
+  bow_tie_copies_.make_room(mesh.bow_tie_copies_);
 }
 
 // All that can fail comes first: a mesh that is written by half is none.
@@ -68,6 +72,7 @@ void MeshDelta::write(Mesh& mesh, Direction direction) const {
   outgoing_.write(mesh.outgoing_, direction);
   sharpness_.write(mesh.sharpness_, direction);
   vertex_sharpness_.write(mesh.vertex_sharpness_, direction);
+  bow_tie_copies_.write(mesh.bow_tie_copies_, direction);
   ChangeLog& changes = mesh.changes_;
   note(changes, GpuArray::position, position_, direction);
   note(changes, GpuArray::origin, origin_, direction);

@@ -45,6 +45,7 @@ class MeshDelta {
   ArrayDelta outgoing_;
   ArrayDelta sharpness_;
   ArrayDelta vertex_sharpness_;
+  ArrayDelta bow_tie_copies_;
 };
 
 /// What turns `before` into `after`. O(V + F) at the speed of memory, parallel.

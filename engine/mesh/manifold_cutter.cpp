@@ -18,6 +18,19 @@ struct CrowdEntry {
   bool joins_same(const CrowdEntry& other) const { return low == other.low && high == other.high; }
 };
 
+namespace {
+
+/// Halves the way for the next query.
+Vertex root_of(std::vector<Vertex>& parent, Vertex v) {
+  while (parent[v.index()] != v) {
+    parent[v.index()] = parent[parent[v.index()].index()];
+    v = parent[v.index()];
+  }
+  return v;
+}
+
+}  // namespace
+
 void ManifoldCutter::run(EdgeMatching&& matching) {
   matching_ = std::move(matching);
   mesh_.twin = std::move(matching_.twin);
@@ -35,6 +48,7 @@ void ManifoldCutter::run(EdgeMatching&& matching) {
       stitch(matching_.crowd(i));
   }
   report_[Repair::non_manifold_vertices_cut] += count_split_vertices();
+  list_bow_tie_copies();
   fill_outgoing(mesh_);
 }
 
@@ -45,6 +59,7 @@ void ManifoldCutter::cut_disagreeing(std::uint64_t expected) {
     const Halfedge t = mesh_.twin[h];
     if (!t.is_valid() || mesh_.origin[h] != mesh_.origin[t.index()]) continue;
     mesh_.twin[h] = mesh_.twin[t.index()] = Halfedge{};
+    cut_disagreeing_.insert(cut_disagreeing_.end(), {h, t.index()});
   }
 }
 
@@ -185,6 +200,49 @@ std::uint64_t ManifoldCutter::count_split_vertices() const {
   std::vector<Vertex> split = split_from_;  // a vertex of many fans is there once a copy
   std::sort(split.begin(), split.end());
   return static_cast<std::uint64_t>(std::unique(split.begin(), split.end()) - split.begin());
+}
+
+/// A forest over the vertices, each with its parent: the copies of a vertex are in one tree if
+/// edges of the input joined their fans before they were cut.
+std::vector<Vertex> ManifoldCutter::fans_joined_by_cut_edges() const {
+  std::vector<Vertex> parent;
+  for (std::uint32_t v = 0; v < mesh_.position.size(); ++v)
+    parent.emplace_back(v);
+  const auto join = [&](Vertex a, Vertex b) {
+    parent[root_of(parent, a).index()] = root_of(parent, b);
+  };
+  const auto join_ends = [&](std::uint32_t g, std::uint32_t h) {
+    const bool is_same_way = before_split(mesh_.origin[g]) == before_split(mesh_.origin[h]);
+    join(mesh_.origin[g], is_same_way ? mesh_.origin[h] : target(h));
+    join(target(g), is_same_way ? target(h) : mesh_.origin[h]);
+  };
+  for (std::size_t i = 0; i < matching_.crowd_count(); ++i) {
+    const std::span<const std::uint32_t> crowd = matching_.crowd(i);
+    for (const std::uint32_t h : crowd)
+      join_ends(crowd[0], h);
+  }
+  for (std::size_t i = 0; i < cut_disagreeing_.size(); i += 2)
+    join_ends(cut_disagreeing_[i], cut_disagreeing_[i + 1]);
+  return parent;
+}
+
+void ManifoldCutter::list_bow_tie_copies() {
+  if (split_from_.empty()) return;
+  std::vector<Vertex> parent = fans_joined_by_cut_edges();
+  std::vector<bool> is_bow_tie(original_vertices_, false);
+  for (std::size_t i = 0; i < split_from_.size(); ++i) {
+    const Vertex copy(static_cast<std::uint32_t>(original_vertices_ + i));
+    if (root_of(parent, copy) != root_of(parent, split_from_[i]))
+      is_bow_tie[split_from_[i].index()] = true;
+  }
+  Array<BowTieCopy>& copies = mesh_.bow_tie_copies;
+  for (std::uint32_t v = 0; v < original_vertices_; ++v) {
+    if (is_bow_tie[v]) copies.push_back({Vertex(v), Vertex(v)});
+  }
+  for (std::size_t i = 0; i < split_from_.size(); ++i) {
+    const Vertex copy(static_cast<std::uint32_t>(original_vertices_ + i));
+    if (is_bow_tie[split_from_[i].index()]) copies.push_back({copy, split_from_[i]});
+  }
 }
 
 void ManifoldCutter::stitch(std::span<const std::uint32_t> crowd) {

@@ -14,7 +14,9 @@ struct CrowdEntry;
 
 /// Turns matched triangles into a manifold. Internal to building; expects duplicate faces gone and
 /// orientation settled. Crowded edges are paired around the edge and vertices where several fans
-/// meet are split, so that the invariants of Mesh hold.
+/// meet are split, so that the invariants of Mesh hold. Where the fans were joined by no edge of
+/// the input, the vertex was a bow tie, and its copies are listed as such. Where the surface was
+/// opened along an edge, the copies are free to move apart.
 class ManifoldCutter {
  public:
   /// `mesh` has positions and origins. `vertex_source` names, for each vertex, where it came from;
@@ -22,7 +24,8 @@ class ManifoldCutter {
   ManifoldCutter(MeshArrays& mesh, Array<std::uint32_t>& vertex_source, BuildReport& report)
       : mesh_(mesh), vertex_source_(vertex_source), report_(report) {}
 
-  /// Fills mesh.twin and mesh.outgoing. O(F + V), plus O(k log k) for each edge of k faces.
+  /// Fills mesh.twin, mesh.outgoing and mesh.bow_tie_copies. O(F + V), plus O(k log k) for each
+  /// edge of k faces.
   void run(EdgeMatching&& matching);
 
  private:
@@ -35,8 +38,14 @@ class ManifoldCutter {
   bool cut_parallel_crowds();
   void undo_splits();
   std::uint64_t count_split_vertices() const;
+  void list_bow_tie_copies();
+  std::vector<Vertex> fans_joined_by_cut_edges() const;
   void stitch(std::span<const std::uint32_t> crowd);
   std::vector<CrowdEntry> sorted_by_ends(std::span<const std::uint32_t> crowd) const;
+  /// The vertex of the input that a vertex stands for.
+  Vertex before_split(Vertex v) const {
+    return v.index() < original_vertices_ ? v : split_from_[v.index() - original_vertices_];
+  }
   Vertex target(std::uint32_t h) const { return mesh_.origin[Mesh::next(Halfedge(h)).index()]; }
 
   MeshArrays& mesh_;
@@ -46,6 +55,7 @@ class ManifoldCutter {
   std::size_t original_vertices_ = 0;
   std::vector<Vertex> split_from_;  ///< for each vertex past the original ones
   std::vector<std::size_t> cut_crowds_;
+  std::vector<std::uint32_t> cut_disagreeing_;  ///< one half-edge of each such edge, and its twin
 };
 
 }  // namespace mesher

@@ -34,7 +34,7 @@ std::uint32_t Mesh::count_edges() const {
 std::size_t Mesh::memory_bytes() const {
   const auto bytes = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
   return bytes(position_) + bytes(origin_) + bytes(twin_) + bytes(outgoing_) + bytes(sharpness_) +
-         bytes(vertex_sharpness_);
+         bytes(vertex_sharpness_) + bytes(bow_tie_copies_);
 }
 
 void Mesh::set_position(Vertex v, const glm::vec3& p) {
@@ -67,18 +67,21 @@ Mesh MeshArrays::finish() && {
   mesh.outgoing_ = std::move(outgoing);
   mesh.sharpness_ = std::move(sharpness);
   mesh.vertex_sharpness_ = std::move(vertex_sharpness);
+  mesh.bow_tie_copies_ = std::move(bow_tie_copies);
   mesh.changes_.note_all();
   return mesh;
 }
 
 MeshArrays MeshArrays::take(Mesh&& mesh) {
-  return {std::move(mesh.position_), std::move(mesh.origin_),    std::move(mesh.twin_),
-          std::move(mesh.outgoing_), std::move(mesh.sharpness_), std::move(mesh.vertex_sharpness_)};
+  return {std::move(mesh.position_),      std::move(mesh.origin_),
+          std::move(mesh.twin_),          std::move(mesh.outgoing_),
+          std::move(mesh.sharpness_),     std::move(mesh.vertex_sharpness_),
+          std::move(mesh.bow_tie_copies_)};
 }
 
 MeshArrays::InPlace MeshArrays::open(Mesh& mesh) {
-  return {mesh.position_, mesh.origin_,    mesh.twin_,
-          mesh.outgoing_, mesh.sharpness_, mesh.vertex_sharpness_};
+  return {mesh.position_,  mesh.origin_,           mesh.twin_,          mesh.outgoing_,
+          mesh.sharpness_, mesh.vertex_sharpness_, mesh.bow_tie_copies_};
 }
 
 }  // namespace mesher

@@ -7,6 +7,7 @@
 
 #include "engine/core/array.h"
 #include "engine/core/assert.h"
+#include "engine/mesh/bow_tie.h"
 #include "engine/mesh/change_log.h"
 #include "engine/mesh/ids.h"
 
@@ -43,6 +44,9 @@ enum class EdgeClass : std::uint8_t { ordinary = 0, crease = 1, boundary = 2 };
 ///     way, and one without a twin has no counterpart.
 /// 11. Sharpness is a number >= 0 or infinity, and equal on twins.
 /// 12. Positions are finite.
+/// 13. The copies of bow-tie vertices ascend by vertex, and faces use each. `first` is the lowest
+///     of the copies that name it, which are at least two.
+/// 14. The copies of one bow-tie vertex have the same position.
 class Mesh {
  public:
   Mesh() = default;
@@ -115,6 +119,11 @@ class Mesh {
     return sharpness(h) > 0.0F ? EdgeClass::crease : EdgeClass::ordinary;
   }
 
+  /// Whether a vertex is one of the copies of a bow-tie vertex. O(log k) in their number.
+  bool is_bow_tie_copy(Vertex v) const {
+    return std::ranges::binary_search(bow_tie_copies_, v, {}, &BowTieCopy::v);
+  }
+
   // The arrays, as the GPU and bulk algorithms read them.
 
   std::span<const glm::vec3> positions() const { return position_; }  ///< V, model units
@@ -124,12 +133,15 @@ class Mesh {
   std::span<const float> sharpnesses() const { return sharpness_; }   ///< 3F
   /// V, or empty where no vertex has a sharpness of its own.
   std::span<const float> vertex_sharpnesses() const { return vertex_sharpness_; }
+  /// Sparse, ascending by vertex: empty for nearly all meshes. See invariants 13 and 14.
+  std::span<const BowTieCopy> bow_tie_copies() const { return bow_tie_copies_; }
   /// Bytes that the arrays occupy.
   std::size_t memory_bytes() const;
 
   // Edits. Each is O(1) and notes what it touched of the GPU's arrays in `changes()`.
 
-  /// Pre: `p` is finite.
+  /// Pre: `p` is finite. A caller that moves a copy of a bow-tie vertex must move all of them
+  /// (invariant 14).
   void set_position(Vertex v, const glm::vec3& p);
   /// Both half-edges of the edge. Pre: sharpness >= 0.
   void set_sharpness(Edge e, float sharpness);
@@ -151,6 +163,7 @@ class Mesh {
   Array<Halfedge> outgoing_;
   Array<float> sharpness_;
   Array<float> vertex_sharpness_;
+  Array<BowTieCopy> bow_tie_copies_;
   ChangeLog changes_;
 };
 
@@ -163,7 +176,8 @@ class MeshArrays {
   Array<Halfedge> twin;
   Array<Halfedge> outgoing;
   Array<float> sharpness;
-  Array<float> vertex_sharpness;  ///< may stay empty
+  Array<float> vertex_sharpness;     ///< may stay empty
+  Array<BowTieCopy> bow_tie_copies;  ///< may stay empty
 
   /// Moves the arrays into a mesh; nothing is checked here (see `validate`). O(1).
   Mesh finish() &&;
@@ -179,6 +193,7 @@ class MeshArrays {
     Array<Halfedge>& outgoing;
     Array<float>& sharpness;
     Array<float>& vertex_sharpness;
+    Array<BowTieCopy>& bow_tie_copies;
   };
   static InPlace open(Mesh& mesh);
 };

@@ -64,6 +64,17 @@ void MeshEditor::start_fan_at_boundary(Vertex v, Halfedge spoke) {
   set_outgoing(v, mesh_.is_boundary(start) ? start : spoke);
 }
 
+void MeshEditor::merge_bow_tie_copies(Vertex removed, Vertex kept, const glm::vec3& p) {
+  const auto stays = [&](Vertex v) { return mesh_.is_bow_tie_copy(v) && mesh_.position(v) == p; };
+  if (!mesh_.is_bow_tie_copy(removed) && !mesh_.is_bow_tie_copy(kept)) return;
+  const bool keeps = stays(kept);
+  const bool moves = !keeps && stays(removed);
+  mesh_.bow_tie_copies_ = renamed(mesh_.bow_tie_copies(), [&](Vertex v) {
+    if (v == removed) return moves ? kept : Vertex{};
+    return v == kept && !keeps ? Vertex{} : v;
+  });
+}
+
 CollapseResult::Move MeshEditor::remove_vertex(Vertex v) {
   const Vertex last(mesh_.vertex_count() - 1);
   CollapseResult::Move move;
@@ -74,6 +85,10 @@ CollapseResult::Move MeshEditor::remove_vertex(Vertex v) {
     mesh_.outgoing_[v.index()] = mesh_.outgoing_[last.index()];
     if (!mesh_.vertex_sharpness_.empty()) {
       mesh_.vertex_sharpness_[v.index()] = mesh_.vertex_sharpness_[last.index()];
+    }
+    if (mesh_.is_bow_tie_copy(last)) {
+      mesh_.bow_tie_copies_ =
+          renamed(mesh_.bow_tie_copies(), [&](Vertex copy) { return copy == last ? v : copy; });
     }
     move = {last.index(), v.index()};
   }

@@ -41,7 +41,12 @@ class MeshEditor {
   void close_edge(Halfedge h);
   /// What `kept` takes over of `removed` besides its fan: its sharpness, if that is larger.
   void take_over(Vertex removed, Vertex kept);
-  /// Moves the last vertex into the place of `v`, which no face uses any more. O(valence).
+  /// Updates the list of bow-tie copies before `removed` is merged into `kept`, which moves to `p`:
+  /// a copy stays in the list if `p` is its position. O(log k) in their number; O(k log k) where
+  /// one of the two is a copy. Not for several threads at once, unlike the steps above.
+  void merge_bow_tie_copies(Vertex removed, Vertex kept, const glm::vec3& p);
+  /// Moves the last vertex into the place of `v`, which no face uses any more and which is no copy
+  /// of a bow-tie vertex. O(valence).
   CollapseResult::Move remove_vertex(Vertex v);
   /// Moves the last face into the place of `f`, which no twin or outgoing names any more. O(1).
   CollapseResult::Move remove_face(Face f);

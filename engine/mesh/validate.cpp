@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace mesher {
 namespace {
@@ -23,6 +24,7 @@ class Validator {
     if (is_sound_) {
       check_vertices();
       check_edges();
+      check_bow_tie_copies();
     }
     return std::move(violations_);
   }
@@ -174,6 +176,29 @@ class Validator {
       if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
         fail(12, name(Vertex(i)) + ": position is not finite");
       }
+    }
+  }
+
+  void check_bow_tie_copies() {
+    const std::span<const BowTieCopy> copies = mesh_.bow_tie_copies();
+    std::map<Vertex, int> copies_of;
+    for (std::size_t i = 0; i < copies.size(); ++i) {
+      const auto [v, first] = copies[i];
+      if (i > 0 && !(copies[i - 1].v < v)) fail(13, "copies of bow-tie vertices do not ascend");
+      if (v.index() >= mesh_.vertex_count() || mesh_.is_isolated(v)) {
+        fail(13, "a copy of a bow-tie vertex is no vertex that faces use");
+        continue;
+      }
+      if (!copies_of.contains(first)) {
+        if (first != v) fail(13, name(v) + ": not the lowest copy of its bow-tie vertex");
+      } else if (first.index() < mesh_.vertex_count() &&
+                 mesh_.position(v) != mesh_.position(first)) {
+        fail(14, name(v) + " is not where the other copies of its bow-tie vertex are");
+      }
+      ++copies_of[first];
+    }
+    for (const auto& [first, count] : copies_of) {
+      if (count == 1) fail(13, name(first) + ": the only copy of its bow-tie vertex");
     }
   }
 

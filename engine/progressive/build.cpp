@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/parallel.h"
+#include "engine/mesh/bow_tie_follower.h"
 #include "engine/progressive/split_step.h"
 #include "engine/simplify/simplify.h"
 
@@ -76,6 +77,7 @@ class ProgressiveBuilder {
     fill_arrays();
     fill_sharpness();
     go_down();
+    list_bow_tie_copies();
     result_.mesh.mesh_ = std::move(arrays_).finish();
     return std::move(result_);
   }
@@ -334,6 +336,16 @@ class ProgressiveBuilder {
     if (!arrays_.vertex_sharpness.empty()) arrays_.vertex_sharpness.resize(vertices);
     arrays_.twin.resize(3 * faces);
     arrays_.sharpness.resize(3 * faces);
+  }
+
+  void list_bow_tie_copies() {
+    if (full_.bow_tie_copies().empty()) return;
+    BowTieFollower follower(full_);
+    for (std::uint32_t i = split_count(); i-- > 0;)
+      follower.merge(collapses_[i].removed, collapses_[i].kept, collapses_[i].position);
+    const auto placed = [&](Vertex v) { return place_[v.index()]; };
+    result_.mesh.full_bow_tie_copies_ = renamed(follower.before(), placed);
+    arrays_.bow_tie_copies = renamed(follower.after(), placed);
   }
 
   Halfedge twin(Halfedge h) const { return arrays_.twin[h.index()]; }

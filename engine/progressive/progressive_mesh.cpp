@@ -39,6 +39,7 @@ ProgressiveMesh::ProgressiveMesh(Mesh&& base)
       base_faces_(base.face_count()),
       full_faces_(base.face_count()) {
   MeshArrays arrays = MeshArrays::take(std::move(base));
+  arrays.bow_tie_copies.clear();
   fill_outgoing(arrays);
   has_sharp_base_ = std::any_of(arrays.sharpness.begin(), arrays.sharpness.end(),
                                 [](float sharpness) { return sharpness > 0.0F; });
@@ -63,10 +64,20 @@ SplitStep ProgressiveMesh::step(std::uint32_t i) const {
           corner_sharpness_.empty() ? nullptr : &corner_sharpness_[i]};
 }
 
+/// A copy that a level does not have yet is there as the vertex that it will be split off.
+Array<BowTieCopy> ProgressiveMesh::bow_tie_copies(std::uint32_t level) const {
+  return renamed(full_bow_tie_copies_, [&](Vertex v) {
+    while (v.index() >= base_vertices_ + level)
+      v = splits_[v.index() - base_vertices_].parent;
+    return v;
+  });
+}
+
 void ProgressiveMesh::go_to(std::uint32_t level) {
   MESHER_ASSERT(level <= split_count());
   if (level == level_) return;
   const std::uint32_t from = level_;
+  Array<BowTieCopy> copies = bow_tie_copies(level);
   OpenedArrays opened(mesh_);
   if (level > from) opened.grow(base_vertices_ + level, face_count(level));
   const StepArrays arrays = opened.step_arrays();
@@ -83,6 +94,7 @@ void ProgressiveMesh::go_to(std::uint32_t level) {
     go(NoNotes());
   }
   if (level < from) opened.resize(base_vertices_ + level, face_count(level));
+  MeshArrays::open(mesh_).bow_tie_copies = std::move(copies);
   level_ = level;
 }
 
@@ -136,7 +148,7 @@ NewSplit ProgressiveMesh::next_split() const {
 std::size_t ProgressiveMesh::memory_bytes() const {
   const auto bytes = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
   return mesh_.memory_bytes() + bytes(splits_) + bytes(moved_) + bytes(sharpness_) +
-         bytes(corner_sharpness_);
+         bytes(corner_sharpness_) + bytes(full_bow_tie_copies_);
 }
 
 }  // namespace mesher

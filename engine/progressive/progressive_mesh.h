@@ -27,6 +27,9 @@ struct SplitStep;
 ///      in level i + 1: first those that follow left -> child counter-clockwise, then, where they
 ///      end at a boundary, those that precede child -> right clockwise.
 ///
+/// The copies of bow-tie vertices are listed at every level. A split that is appended may move one,
+/// so a mesh that is put together of a base and splits (as one from a file is) lists none.
+///
 /// Beside the mesh it takes 76 bytes a split and 4 for each moved corner (3 to 4 a split).
 class ProgressiveMesh {
  public:
@@ -91,6 +94,7 @@ class ProgressiveMesh {
   friend class SplitAppender;
 
   SplitStep step(std::uint32_t split) const;
+  Array<BowTieCopy> bow_tie_copies(std::uint32_t level) const;
 
   Mesh mesh_;
   std::uint32_t level_ = 0;
@@ -102,7 +106,8 @@ class ProgressiveMesh {
   Array<Halfedge> moved_;
   Array<SplitSharpness> sharpness_;
   Array<SplitCornerSharpness> corner_sharpness_;
-  Array<Halfedge> spokes_;  ///< scratch of append
+  Array<BowTieCopy> full_bow_tie_copies_;  ///< at full detail
+  Array<Halfedge> spokes_;                 ///< scratch of append
 };
 
 }  // namespace mesher

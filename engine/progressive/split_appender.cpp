@@ -77,6 +77,8 @@ SplitAppender::SplitAppender(ProgressiveMesh& mesh, std::uint32_t splits)
   arrays_.grow(mesh.base_vertices_ + mesh.level_ + splits,
                mesh.full_faces_ + 2 * std::size_t{splits});
   at_ = arrays_.step_arrays();
+  mesh_.full_bow_tie_copies_.clear();
+  MeshArrays::open(mesh_.mesh_).bow_tie_copies.clear();
 }
 
 SplitAppender::~SplitAppender() {

@@ -63,6 +63,8 @@ Mesh rearranged(const Mesh& mesh, const Array<Vertex>& vertices, const Array<Fac
     arrays.outgoing[v] = moved(mesh.outgoing(vertices[v]));
     if (has_own) arrays.vertex_sharpness[v] = mesh.sharpness(vertices[v]);
   });
+  arrays.bow_tie_copies =
+      renamed(mesh.bow_tie_copies(), [&](Vertex v) { return Vertex(vertex_place[v.index()]); });
   const std::size_t halfedges = 3 * faces.size();
   arrays.origin.resize(halfedges);
   arrays.twin.resize(halfedges);

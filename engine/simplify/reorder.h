@@ -23,7 +23,8 @@ struct KeptIds {
   Array<Face> faces;
 };
 
-/// A mesh of what is kept alone, in that order. O(V + F), parallel.
+/// A mesh of what is kept alone, in that order. Copies of bow-tie vertices are those that kept
+/// their ids. O(V + F), parallel.
 Mesh compact(const Mesh& mesh, const KeptIds& kept);
 
 }  // namespace mesher

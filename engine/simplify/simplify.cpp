@@ -5,9 +5,11 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
+#include <unordered_map>
 #include <utility>
 
 #include "engine/core/progress.h"
+#include "engine/mesh/bow_tie_follower.h"
 #include "engine/mesh/statistics.h"
 #include "engine/simplify/measured.h"
 #include "engine/simplify/reorder.h"
@@ -95,6 +97,38 @@ class Translator {
   const Units& units_;
 };
 
+/// Follows the copies of bow-tie vertices on the way to the caller's observer. A pinned vertex
+/// stays where it is, but not under its id: at a boundary it may be the one that a collapse
+/// removes.
+class BowTieObserver : public CollapseObserver {
+ public:
+  BowTieObserver(const Mesh& mesh, CollapseObserver* next) : follower_(mesh), next_(next) {}
+
+  /// What `simplify` is to tell of its collapses.
+  CollapseObserver* observer() { return follower_.is_empty() ? next_ : this; }
+  void expect(std::size_t collapses) override {
+    if (next_ != nullptr) next_->expect(collapses);
+  }
+  void collapsed(std::span<const CollapseRecord> records) override {
+    for (const CollapseRecord& r : records)
+      follower_.merge(r.removed, r.kept, r.position);
+    if (next_ != nullptr) next_->collapsed(records);
+  }
+  /// Lists the copies in the result.
+  void finish(Simplified& result) const {
+    if (follower_.is_empty()) return;
+    std::unordered_map<Vertex, Vertex> new_id;
+    for (std::uint32_t v = 0; v < result.vertex_source.size(); ++v)
+      new_id[result.vertex_source[v]] = Vertex(v);
+    MeshArrays::open(result.mesh).bow_tie_copies =
+        renamed(follower_.after(), [&](Vertex v) { return new_id.at(v); });
+  }
+
+ private:
+  BowTieFollower follower_;
+  CollapseObserver* next_;
+};
+
 /// What is left, in the order that the caller asked for. `source[i]` is the input's id of what is i
 /// now.
 template <class Id>
@@ -156,18 +190,22 @@ Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options) {
   Stopwatch watch;
   SimplifyTimes seconds;
   begin_stage(options.progress, "preparing");
+  BowTieObserver bow_ties(mesh, options.observer);
+  SimplifyOptions observed = options;
+  observed.observer = bow_ties.observer();
   SimplifyReport report{.faces_before = mesh.face_count(),
                         .faces_asked = options.target_faces,
                         .vertices_before = mesh.vertex_count()};
   Reordered order = reorder_by_place(mesh);
   mesh = Mesh{};
   const Units units(order.mesh);
-  Rounds rounds(std::move(order.mesh), units.scale(), options, Translator(order, units));
+  Rounds rounds(std::move(order.mesh), units.scale(), observed, Translator(order, units));
   seconds.prepare = watch.lap();
   begin_stage(options.progress, "simplifying");
   rounds.run(report);
   seconds.collapse = watch.lap();
   Simplified result = finish(rounds, order, units, options);
+  bow_ties.finish(result);
   seconds.finish = watch.lap();
   report.faces_reached = result.mesh.face_count();
   report.vertices_reached = result.mesh.vertex_count();

@@ -82,7 +82,7 @@ void Surface::find_features(const SimplifyOptions& options) {
 
 void Surface::find_freedoms(const SimplifyOptions& options) {
   const bool has_own = !mesh_.vertex_sharpnesses().empty();
-  is_constrained_ = has_features_ || has_own;
+  is_constrained_ = has_features_ || has_own || !mesh_.bow_tie_copies().empty();
   if (!is_constrained_) return;
   // Features are few: a walk along them instead of one around every vertex.
   Array<std::uint8_t> features(has_features_ ? mesh_.vertex_count() : 0);
@@ -108,6 +108,8 @@ void Surface::find_freedoms(const SimplifyOptions& options) {
       vertices_[i].freedom = Freedom::line;
     }
   });
+  for (const BowTieCopy& copy : mesh_.bow_tie_copies())
+    vertices_[copy.v.index()].freedom = Freedom::corner;
 }
 
 void Surface::find_states() {

@@ -16,9 +16,11 @@ namespace mesher {
 
 /// How far a vertex is free.
 enum class Freedom : std::uint8_t {
-  free,    ///< no feature edge
-  line,    ///< two feature edges: may go along them
-  corner,  ///< one, three or more feature edges, a sharpness of its own, or locked: stays
+  free,  ///< no feature edge
+  line,  ///< two feature edges: may go along them
+  /// One, three or more feature edges, a sharpness of its own, a copy of a bow-tie vertex, or
+  /// locked: stays.
+  corner,
 };
 
 /// Where the vertex of a merged edge may be.
@@ -274,7 +276,7 @@ class Surface {
 
   Mesh mesh_;
   bool has_features_ = false;    ///< edges
-  bool is_constrained_ = false;  ///< vertices: features, or sharpness of their own
+  bool is_constrained_ = false;  ///< vertices: features, own sharpness, bow ties
   double area_before_ = 0.0;
   Array<FaceState> faces_;
   Array<VertexState> vertices_;

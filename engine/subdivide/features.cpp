@@ -110,9 +110,11 @@ class FeatureBuilder {
 
 namespace {
 
-/// The sharpness of its own that a vertex has on the given mesh.
+/// The sharpness of its own that a vertex has on the given mesh. Copies of a bow-tie vertex are
+/// infinitely sharp, or they would drift apart.
 float own_sharpness(const Mesh& mesh, Vertex v, const SubdivideOptions& options) {
   if (mesh.is_isolated(v)) return 0.0F;
+  if (mesh.is_bow_tie_copy(v)) return kInfinitelySharp;
   const Halfedge h = mesh.outgoing(v);
   const bool has_one_face = mesh.is_boundary(h) && !mesh.rotate_ccw(h).is_valid();
   if (has_one_face && options.boundary == BoundaryRounding::edge_and_corner) {
@@ -161,6 +163,8 @@ Features features_of(const Mesh& mesh, const SubdivideOptions& options) {
   for (std::uint32_t v = 0; v < mesh.vertex_sharpnesses().size(); ++v) {
     if (mesh.sharpness(Vertex(v)) > 0.0F) ends.push_back({Vertex(v), kNone, 0});
   }
+  for (const BowTieCopy& copy : mesh.bow_tie_copies())
+    ends.push_back({copy.v, kNone, 0});
   std::ranges::sort(ends, {}, [](const EdgeEnd& end) { return std::pair(end.v, end.edge); });
   for (std::size_t i = 0; i < ends.size();) {
     const Vertex v = ends[i].v;

@@ -98,6 +98,7 @@ class Subdivision {
     MeshArrays arrays;
     arrays.sharpness = edge_sharpness();
     arrays.vertex_sharpness = vertex_sharpness();
+    arrays.bow_tie_copies = copy_of(mesh_.bow_tie_copies());  // old vertices keep their ids
     arrays.position = std::move(level_.position);
     arrays.origin = std::move(level_.origin);
     arrays.twin = std::move(level_.twin);

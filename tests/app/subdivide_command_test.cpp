@@ -88,6 +88,24 @@ TEST_F(SubdivideCommand, WritesFourFacesForEachAndReports) {
   EXPECT_TRUE(validate(model.mesh).empty());
 }
 
+TEST_F(SubdivideCommand, BowTiesStayTogetherAndGetNoTags) {
+  folder_.write("touching.obj",
+                "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv -1 0 0\nv 0 -1 0\nv 0 0 -1\n"
+                "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\nf 1 5 6\nf 1 7 5\nf 5 7 6\nf 6 7 1\n");
+  for (const char* scheme : {"loop", "butterfly", "midpoint"}) {
+    const Finished run = subdivide(
+        {"touching.obj", "-o", "fine.obj", "--levels", "3", "--limit", "--scheme", scheme});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Model fine = read("fine.obj");
+    // The file has the copies as plain vertices: the first, and the last of the old ones.
+    EXPECT_EQ(fine.mesh.position(Vertex(0)), glm::vec3(0.0F)) << scheme;
+    EXPECT_EQ(fine.mesh.position(Vertex(7)), glm::vec3(0.0F)) << scheme;
+    const std::string text = test::read_bytes(folder_ / "fine.obj");
+    EXPECT_EQ(text.find("\nt corner"), std::string::npos) << scheme;
+    EXPECT_EQ(text.find("\ne "), std::string::npos) << scheme;
+  }
+}
+
 TEST_F(SubdivideCommand, QuietSaysNothing) {
   const Finished run = subdivide({"cube", "c.ply", "--quiet"});
   EXPECT_EQ(run.exit_code, 0);

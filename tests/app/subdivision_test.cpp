@@ -54,6 +54,22 @@ TEST(Subdivision, SMakesFourFacesOfEachAndTheCameraStays) {
   EXPECT_EQ(s.statistics.boundary_edges, 0U);
 }
 
+TEST(Subdivision, BowTiesStayTogetherThroughEditsAndUndo) {
+  Session s = session_with(test::bow_tie({test::torus(8, 6), test::cube(), test::grid(6)}));
+  const Mesh coarse = s.model.mesh;
+  ASSERT_EQ(coarse.bow_tie_copies().size(), 3U);
+  for (const char* keys : {"s", "l", "d", "r", "d", "s", "ctrl+z", "m", "ctrl+z", "ctrl+y", "d"}) {
+    press(s, keys);
+    ASSERT_EQ(s.model.mesh.bow_tie_copies().size(), 3U) << keys;
+    for (const BowTieCopy& copy : s.model.mesh.bow_tie_copies())
+      EXPECT_EQ(s.model.mesh.position(copy.v), glm::vec3(0.0F)) << keys;
+    EXPECT_TRUE(s.model.mesh.vertex_sharpnesses().empty());
+  }
+  for (int i = 0; i < 12; ++i)
+    press(s, "ctrl+z");
+  EXPECT_TRUE(is_same(s.model.mesh, coarse));
+}
+
 TEST(Subdivision, TwiceOnceIsOnceTwice) {
   Session s = session_with(creased_cube());
   const Mesh coarse = s.model.mesh;

@@ -93,6 +93,27 @@ TEST(RoundTrip, EveryFormatKeepsPositionsBitForBitAndFaces) {
   }
 }
 
+TEST(RoundTrip, CopiesOfBowTiesAreWrittenAsPlainVertices) {
+  const Model model = read_text(
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv -1 0 0\nv 0 -1 0\nv 0 0 -1\n"
+      "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\nf 1 5 6\nf 1 7 5\nf 5 7 6\nf 6 7 1\n");
+  ASSERT_EQ(model.mesh.bow_tie_copies().size(), 2U);
+  MeshArrays arrays = MeshArrays::take(Mesh(model.mesh));
+  arrays.bow_tie_copies.clear();
+  const Mesh plain = std::move(arrays).finish();
+  const TempFolder folder;
+  for (const char* name : {"m.obj", "m.ply", "m.off", "m.stl", "m.glb"}) {
+    write_model(folder / name, plain, {});
+    const std::string expected = read_bytes(folder / name);
+    write_model(folder / name, model.mesh, {});
+    EXPECT_EQ(read_bytes(folder / name), expected) << name;
+  }
+  write_model(folder / "m.obj", model.mesh, {});
+  const std::string obj = read_bytes(folder / "m.obj");
+  EXPECT_EQ(obj.find("\nt corner"), std::string::npos);
+  EXPECT_EQ(obj.find("\ne "), std::string::npos);
+}
+
 TEST(RoundTrip, SameBytesOnAnyNumberOfThreads) {
   const Model model = read_text(sheet(150));
   const TempFolder folder;

@@ -98,13 +98,41 @@ void collapse_to_the_end(Mesh mesh, std::uint32_t seed) {
 TEST(Collapse, KeepsEveryInvariantAndTheTopologyToTheLastEdge) {
   std::uint32_t seed = 0;
   for (const Soup& soup :
-       {cube(), grid(5), torus(9, 7), moebius(12), join(torus(6, 5), grid(3), {9, 0, 0})}) {
+       {cube(), grid(5), torus(9, 7), moebius(12), join(torus(6, 5), grid(3), {9, 0, 0}),
+        bow_tie({cube(), grid(3), cube()})}) {
     for (int run = 0; run < 4; ++run)
       collapse_to_the_end(built(Soup(soup)).mesh, ++seed);
   }
   for (; seed < 300 && !testing::Test::HasFailure(); ++seed) {
     collapse_to_the_end(built(random_soup(seed)).mesh, seed);
   }
+}
+
+TEST(Collapse, BowTieCopiesStayWhileTheyDoNotMove) {
+  using Copies = Array<BowTieCopy>;
+  const auto copies = [](const Mesh& m) {
+    return Copies(m.bow_tie_copies().begin(), m.bow_tie_copies().end());
+  };
+  const auto collapse_at = [](Mesh& m, std::uint32_t removed, std::uint32_t kept, glm::vec3 p) {
+    const Halfedge h = m.find_halfedge(Vertex(removed), Vertex(kept));
+    ASSERT_TRUE(check_collapse(m, h).is_legal());
+    collapse(m, h, p);
+    expect_valid(m);
+  };
+  const Mesh two = built(bow_tie({cube(), cube()})).mesh;
+  ASSERT_EQ(copies(two), (Copies{{Vertex(0), Vertex(0)}, {Vertex(15), Vertex(0)}}));
+  Mesh mesh = two;  // a neighbor is removed; the last vertex, a copy, moves into its slot
+  collapse_at(mesh, 4, 0, {0, 0, 0});
+  EXPECT_EQ(copies(mesh), (Copies{{Vertex(0), Vertex(0)}, {Vertex(4), Vertex(0)}}));
+  mesh = two;  // the copy itself is removed, and its neighbor goes where it was
+  collapse_at(mesh, 0, 4, {0, 0, 0});
+  EXPECT_EQ(copies(mesh), (Copies{{Vertex(0), Vertex(0)}, {Vertex(4), Vertex(0)}}));
+  mesh = two;
+  collapse_at(mesh, 4, 0, {0, 0, 1});
+  EXPECT_TRUE(copies(mesh).empty());
+  mesh = two;
+  collapse_at(mesh, 0, 4, {0, 0, 1});
+  EXPECT_TRUE(copies(mesh).empty());
 }
 
 TEST(Collapse, AClosedSurfaceEndsAsATetrahedron) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <new>
 #include <random>
@@ -28,6 +29,7 @@ void expect_same_arrays(const Mesh& a, const Mesh& b) {
   EXPECT_TRUE(is_same(a.outgoings(), b.outgoings()));
   EXPECT_TRUE(is_same(a.sharpnesses(), b.sharpnesses()));
   EXPECT_TRUE(is_same(a.vertex_sharpnesses(), b.vertex_sharpnesses()));
+  EXPECT_TRUE(is_same(a.bow_tie_copies(), b.bow_tie_copies()));
 }
 
 bool is_noted(const Mesh& mesh, GpuArray array, std::uint32_t i) {
@@ -110,6 +112,25 @@ TEST(MeshDelta, GoesBackAndForthOverRandomCollapses) {
     collapse_some(mesh, count, random);
     expect_round_trip(before, mesh);
   }
+}
+
+TEST(MeshDelta, BowTieCopiesComeBack) {
+  Mesh mesh = build_mesh(test::bow_tie({test::torus(12, 9), test::grid(6), test::cube()})).mesh;
+  ASSERT_EQ(mesh.bow_tie_copies().size(), 3U);
+  std::mt19937 random(13);
+  std::size_t fewest = 3;
+  for (int step = 0; step < 60; ++step) {
+    const Mesh before = mesh;
+    collapse_some(mesh, 1, random);
+    expect_round_trip(before, mesh);
+    fewest = std::min(fewest, mesh.bow_tie_copies().size());
+  }
+  EXPECT_EQ(fewest, 0U);
+  MeshArrays arrays = MeshArrays::take(Mesh(mesh));
+  arrays.bow_tie_copies.assign({{Vertex(0), Vertex(0)}, {Vertex(1), Vertex(0)}});
+  const MeshDelta delta = difference(mesh, std::move(arrays).finish());
+  EXPECT_FALSE(delta.is_empty());
+  EXPECT_GT(delta.memory_bytes(), 0U);
 }
 
 TEST(MeshDelta, AStackOfThemRestoresEveryState) {

@@ -96,6 +96,43 @@ TEST(Validate, SeesEachInvariantBroken) {
   expect_broken(std::move(a), 12);
 }
 
+TEST(Validate, SeesBrokenListsOfBowTieCopies) {
+  const auto sound_copies = [] { return sound(bow_tie({cube(), cube(), cube()})); };
+  expect_valid(sound_copies().finish());
+
+  MeshArrays a = sound_copies();
+  std::swap(a.bow_tie_copies[1], a.bow_tie_copies[2]);
+  expect_broken(std::move(a), 13);
+  a = sound_copies();
+  a.bow_tie_copies[1].v = a.bow_tie_copies[0].v;
+  expect_broken(std::move(a), 13);
+  a = sound_copies();
+  a.bow_tie_copies[2].v = Vertex(1000);
+  expect_broken(std::move(a), 13);
+  a = sound_copies();
+  a.bow_tie_copies[2].first = a.bow_tie_copies[1].v;
+  expect_broken(std::move(a), 13);
+  a = sound_copies();
+  a.bow_tie_copies.resize(1);
+  expect_broken(std::move(a), 13);
+  a = sound_copies();
+  for (BowTieCopy& copy : a.bow_tie_copies)
+    copy.first = Vertex(1000);
+  expect_broken(std::move(a), 13);
+
+  // A copy that no face uses.
+  a = MeshArrays::take(
+      std::move(build_mesh(soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}}, {0, 1, 2}),
+                           {.keep_isolated_vertices = true})
+                    .mesh));
+  a.bow_tie_copies.assign({{Vertex(0), Vertex(0)}, {Vertex(3), Vertex(0)}});
+  expect_broken(std::move(a), 13);
+
+  a = sound_copies();
+  a.position[a.bow_tie_copies[1].v.index()].x += 1.0F;
+  expect_broken(std::move(a), 14);
+}
+
 TEST(Validate, StopsAtTheLimit) {
   MeshArrays a = sound(torus(20, 20));
   for (float& s : a.sharpness)

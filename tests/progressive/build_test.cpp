@@ -5,6 +5,7 @@
 #include <glm/trigonometric.hpp>
 #include <optional>
 #include <random>
+#include <set>
 
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
@@ -79,6 +80,43 @@ TEST(BuildProgressive, RandomSoupsMakeProgressiveMeshes) {
     SCOPED_TRACE(seed);
     examine(build_mesh(random_soup(seed)).mesh, {.target_faces = 1});
     ASSERT_FALSE(HasFailure());
+  }
+}
+
+TEST(BuildProgressive, EveryLevelListsTheCopiesOfBowTies) {
+  const Mesh input = built(bow_tie({torus(20, 12), grid(12), cube(), grid(5)})).mesh;
+  examine(input, {.target_faces = 1});
+  Progressive progressive = make_progressive(input, {.target_faces = 1});
+  ProgressiveMesh& mesh = progressive.mesh;
+  std::set<Vertex> names;
+  for (std::uint32_t level = 0; level <= mesh.split_count(); ++level) {
+    mesh.go_to(level);
+    expect_valid(mesh.mesh());
+    ASSERT_EQ(mesh.mesh().bow_tie_copies().size(), 4U) << level;
+    for (const BowTieCopy& copy : mesh.mesh().bow_tie_copies()) {
+      ASSERT_EQ(mesh.mesh().position(copy.v), glm::vec3(0.0F));
+      names.insert(copy.v);
+    }
+  }
+  EXPECT_GT(names.size(), 4U) << "no copy was ever merged into another vertex";
+  for (const BowTieCopy& copy : mesh.mesh().bow_tie_copies())
+    EXPECT_TRUE(input.is_bow_tie_copy(progressive.vertex_source[copy.v.index()]));
+}
+
+TEST(BuildProgressive, CopiesThatACollapseMovesAreNotListed) {
+  const Mesh input = built(bow_tie({cube(), cube(), cube()})).mesh;
+  ASSERT_EQ(input.bow_tie_copies().size(), 3U);
+  const Halfedge h = input.find_halfedge(Vertex(4), Vertex(0));
+  const CollapseRecord moved{.halfedge = h,
+                             .twin = input.twin(h),
+                             .removed = Vertex(4),
+                             .kept = Vertex(0),
+                             .position = {0, 0, 0.5F}};
+  Progressive progressive = build_progressive(input, {&moved, 1});
+  for (const std::uint32_t level : {0U, 1U, 0U}) {
+    progressive.mesh.go_to(level);
+    expect_valid(progressive.mesh.mesh());
+    EXPECT_EQ(progressive.mesh.mesh().bow_tie_copies().size(), 2U);
   }
 }
 

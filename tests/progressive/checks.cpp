@@ -30,6 +30,12 @@ void expect_moved(const ProgressiveMesh& mesh) {
 
 }  // namespace
 
+Mesh without_copies(const Mesh& mesh) {
+  MeshArrays arrays = MeshArrays::take(Mesh(mesh));
+  arrays.bow_tie_copies.clear();
+  return std::move(arrays).finish();
+}
+
 void expect_valid_level(const ProgressiveMesh& mesh) {
   expect_valid(mesh.mesh());
   EXPECT_EQ(mesh.mesh().vertex_count(), mesh.base_vertex_count() + mesh.level());
@@ -84,7 +90,8 @@ void expect_same(ProgressiveMesh& a, ProgressiveMesh& b) {
   for (const std::uint32_t level : {0U, a.split_count()}) {
     a.go_to(level);
     b.go_to(level);
-    EXPECT_TRUE(is_identical(a.mesh(), b.mesh())) << "level " << level;
+    EXPECT_TRUE(is_identical(without_copies(a.mesh()), without_copies(b.mesh())))
+        << "level " << level;
   }
 }
 

@@ -62,6 +62,15 @@ TEST(Reorder, IsTheSameMeshUnderOtherNames) {
   }
 }
 
+TEST(Reorder, BowTieCopiesAreListedUnderTheirNewNames) {
+  const Mesh mesh = built(bow_tie({torus(20, 13), grid(9), cube()})).mesh;
+  const Reordered order = reorder_by_place(mesh);
+  expect_valid(order.mesh);
+  ASSERT_EQ(order.mesh.bow_tie_copies().size(), 3U);
+  for (const BowTieCopy& copy : order.mesh.bow_tie_copies())
+    EXPECT_TRUE(mesh.is_bow_tie_copy(order.vertex_source[copy.v.index()]));
+}
+
 TEST(ResultOrder, SourcesNameWhereEachPartComesFrom) {
   const Mesh mesh = built(join(torus(30, 20), grid(12), {9, 0, 0})).mesh;
   for (const ResultOrder order : {ResultOrder::input, ResultOrder::fill_holes}) {

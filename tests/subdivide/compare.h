@@ -22,7 +22,7 @@ std::vector<Triangle> triangles_of(const Mesh& mesh);
 void expect_same(const Mesh& ours, const PlainMesh& reference, double tolerance);
 
 /// Fails where an edge inside or a vertex has another sharpness. What is sharp by rule, as the
-/// boundary is, need not be written down.
+/// boundary and bow ties are, need not be written down.
 void expect_same_sharpness(const Mesh& ours, const PlainMesh& reference);
 
 bool has_boundary(const Mesh& mesh);

@@ -62,6 +62,7 @@ Mesh with_sharpness(const Mesh& coarse, const Level& level, CreaseDecay decay) {
     for (std::uint32_t v = 0; v < coarse.vertex_count(); ++v)
       arrays.vertex_sharpness[v] = decayed(coarse.sharpness(Vertex(v)));
   }
+  arrays.bow_tie_copies.assign(coarse.bow_tie_copies().begin(), coarse.bow_tie_copies().end());
   return std::move(arrays).finish();
 }
 
@@ -220,6 +221,20 @@ TEST(Features, AVertexIsACornerWhileItsOwnSharpnessLasts) {
   const Level last = midpoint_step(level.view(), {}, false);
   features = next_features(features, last, {});
   EXPECT_EQ(vertex_facts(features), (VertexFacts{{7, {kInfinitelySharp, VertexKind::corner, {}}}}));
+}
+
+TEST(Features, CopiesOfABowTieAreCornersForEver) {
+  const Mesh mesh = built(bow_tie({icosahedron(), grid(2)})).mesh;
+  ASSERT_EQ(mesh.bow_tie_copies().size(), 2U);
+  Features features = features_of(mesh, {});
+  const Level level = midpoint_step(view_of(mesh), {}, false);
+  for (const bool is_next : {false, true}) {
+    if (is_next) features = next_features(features, level, {});
+    for (const BowTieCopy& copy : mesh.bow_tie_copies()) {
+      EXPECT_EQ(vertex_facts(features).at(copy.v.index()).own, kInfinitelySharp);
+      EXPECT_EQ(vertex_facts(features).at(copy.v.index()).kind, VertexKind::corner);
+    }
+  }
 }
 
 }  // namespace

@@ -60,6 +60,14 @@ Soup with_isolated(Soup soup) {
   return soup;
 }
 
+/// Two octahedra that touch at two vertices.
+Soup octahedra_that_touch_twice() {
+  Soup soup = join(octahedron(), octahedron(), {0, 3, 0});
+  for (std::uint32_t& v : soup.corners)
+    v = v == 6 ? 0 : v == 8 ? 2 : v;
+  return soup;
+}
+
 void add_smooth_ones(Collector& all) {
   all.add("tetrahedron", tetrahedron());
   all.add("octahedron", octahedron());
@@ -171,6 +179,20 @@ void add_soft_ones(Collector& all) {
   sharpen(sheet, {0, 1, 2, 3}, 0.5F);
 }
 
+void add_bow_ties(Collector& all) {
+  all.add("two tetrahedra that touch", bow_tie({tetrahedron(), tetrahedron()}));
+  all.add("two cubes that touch", bow_tie({cube(), cube()}));
+  all.add("three fans at a vertex", bow_tie({cube(), fan(5, true), tetrahedron()}));
+  all.add("open fans at a vertex", bow_tie({fan(4, false), fan(1, false), fan(2, false)}));
+  all.add("grid corners that touch", bow_tie({grid(2), grid(3), cube()}));
+  Model& creased = all.add("creased cubes that touch", bow_tie({cube(), cube()}));
+  sharpen(creased, {0, 1, 2, 3, 0});
+  sharpen(creased, {8, 15, 11}, 2.5F);
+  creased.mesh.set_sharpness(Vertex(15), 0.7F);
+  Model& both = all.add("two bow ties", octahedra_that_touch_twice());
+  EXPECT_EQ(both.mesh.bow_tie_copies().size(), 4U);
+}
+
 void add_random_ones(Collector& all) {
   const std::vector<float> soft{0.25F, 0.5F, 1.0F, 1.5F, 2.75F, 3.3F, 9.9F, kInfinitelySharp};
   for (std::uint32_t seed = 0; seed < 16; ++seed) {
@@ -206,6 +228,7 @@ const std::vector<Model>& models() {
     add_corners(collector);
     add_soft_ones(collector);
     add_random_ones(collector);
+    add_bow_ties(collector);
     return collector.take();
   }();
   return all;
@@ -219,7 +242,7 @@ bool is_settled(const Mesh& mesh) {
 
 bool is_untagged(const Mesh& mesh) {
   const auto zero = [](float s) { return s == 0.0F; };
-  return std::ranges::all_of(mesh.sharpnesses(), zero) &&
+  return mesh.bow_tie_copies().empty() && std::ranges::all_of(mesh.sharpnesses(), zero) &&
          std::ranges::all_of(mesh.vertex_sharpnesses(), zero);
 }
 

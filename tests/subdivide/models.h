@@ -22,7 +22,7 @@ const std::vector<Model>& models();
 /// Whether every sharpness is 0 or for ever.
 bool is_settled(const Mesh& mesh);
 
-/// Whether no edge inside and no vertex is sharp.
+/// Whether no edge inside and no vertex is sharp, be it by a tag or as a bow tie.
 bool is_untagged(const Mesh& mesh);
 
 /// Two caps of `valence` triangles over one ring.

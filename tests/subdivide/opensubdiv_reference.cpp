@@ -30,6 +30,14 @@ struct Lists {
   std::vector<float> vertex_sharpness;
 };
 
+/// The lowest copy of a bow-tie vertex; of all others the vertex itself.
+Vertex first_copy(const Mesh& mesh, Vertex v) {
+  for (const BowTieCopy& copy : mesh.bow_tie_copies()) {
+    if (copy.v == v) return copy.first;
+  }
+  return v;
+}
+
 Lists lists_of(const Mesh& mesh, const std::vector<std::uint32_t>& number) {
   constexpr float kInfinite = 10.0F;
   Lists lists;
@@ -46,6 +54,7 @@ Lists lists_of(const Mesh& mesh, const std::vector<std::uint32_t>& number) {
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
     const float sharpness = mesh.sharpness(Vertex(v));
     if (sharpness == 0.0F || mesh.is_isolated(Vertex(v))) continue;
+    if (first_copy(mesh, Vertex(v)) != Vertex(v)) continue;
     lists.sharp_vertices.push_back(int(number[v]));
     lists.vertex_sharpness.push_back(std::min(sharpness, kInfinite));
   }
@@ -174,7 +183,7 @@ Level base_level(const Mesh& mesh, const std::vector<std::uint32_t>& used) {
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
     Triangle triangle{};
     for (std::uint32_t k = 0; k < 3; ++k)
-      triangle[k] = mesh.origin(Mesh::halfedge(Face(f), k)).index();
+      triangle[k] = first_copy(mesh, mesh.origin(Mesh::halfedge(Face(f), k))).index();
     base.mesh.triangles.push_back(triangle);
     base.their_face.push_back(int(f));
   }
@@ -183,11 +192,41 @@ Level base_level(const Mesh& mesh, const std::vector<std::uint32_t>& used) {
   return base;
 }
 
+/// Gives copies of bow-tie vertices, which OpenSubdiv knows as one vertex, what their first has.
+void tell_copies_apart(const Mesh& mesh, std::vector<Level>& levels) {
+  for (std::size_t l = 0; l < levels.size() && !mesh.bow_tie_copies().empty(); ++l) {
+    PlainMesh& level = levels[l].mesh;
+    const std::vector<Triangle> merged = level.triangles;
+    for (std::uint32_t h = 0; h < 3 * level.triangles.size(); ++h) {
+      if (level.triangles[h / 3][h % 3] >= mesh.vertex_count()) continue;
+      // The child at a corner has it in the same place.
+      std::uint32_t base = h / 3;
+      for (std::size_t up = 0; up < l; ++up)
+        base /= 4;
+      level.triangles[h / 3][h % 3] = mesh.origin(Halfedge(3 * base + h % 3)).index();
+    }
+    std::map<VertexPair, double> sharpness;
+    for (std::size_t f = 0; f < merged.size(); ++f) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double s = sharpness_of(level, merged[f][k], merged[f][(k + 1) % 3]);
+        const Triangle& t = level.triangles[f];
+        if (s > 0.0) sharpness[pair_of(t[k], t[(k + 1) % 3])] = s;
+      }
+    }
+    level.sharpness = std::move(sharpness);
+    for (const auto& [v, first] : mesh.bow_tie_copies()) {
+      level.positions[v.index()] = level.positions[first.index()];
+      level.vertex_sharpness[v.index()] = level.vertex_sharpness[first.index()];
+    }
+  }
+}
+
 }  // namespace
 
 struct OpenSubdivReference::Implementation {
   std::unique_ptr<Far::TopologyRefiner> refiner;
   std::vector<Level> levels;
+  Array<BowTieCopy> copies;
 };
 
 OpenSubdivReference::OpenSubdivReference(const Mesh& mesh, BoundaryRounding boundary,
@@ -197,8 +236,13 @@ OpenSubdivReference::OpenSubdivReference(const Mesh& mesh, BoundaryRounding boun
   std::vector<std::uint32_t> used;
   std::vector<std::uint32_t> number(mesh.vertex_count());
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    const Vertex first = first_copy(mesh, Vertex(v));
     number[v] = static_cast<std::uint32_t>(used.size());
-    if (!mesh.is_isolated(Vertex(v))) used.push_back(v);
+    if (first != Vertex(v)) {
+      number[v] = number[first.index()];
+    } else if (!mesh.is_isolated(first)) {
+      used.push_back(v);
+    }
   }
   Implementation& it = *implementation_;
   it.refiner.reset(make_refiner(lists_of(mesh, number), used.size(), boundary, decay));
@@ -219,6 +263,8 @@ OpenSubdivReference::OpenSubdivReference(const Mesh& mesh, BoundaryRounding boun
     note_sharpness(topology, child);
     it.levels.push_back(std::move(child));
   }
+  it.copies.assign(mesh.bow_tie_copies().begin(), mesh.bow_tie_copies().end());
+  tell_copies_apart(mesh, it.levels);
 }
 
 OpenSubdivReference::~OpenSubdivReference() = default;
@@ -234,6 +280,8 @@ std::vector<Point> OpenSubdivReference::limit_positions() const {
   std::vector<Point> positions = last.mesh.positions;
   for (std::size_t v = 0; v < limit.size(); ++v)
     positions[last.ours[v]] = limit[v].point;
+  for (const auto& [v, first] : implementation_->copies)
+    positions[v.index()] = positions[first.index()];
   return positions;
 }
 

@@ -7,7 +7,8 @@
 
 namespace mesher::test {
 
-/// OpenSubdiv's opinion of a mesh, level by level, in our numbering.
+/// OpenSubdiv's opinion of a mesh, level by level, in our numbering. It is given bow-tie vertices
+/// as the input had them: their copies as one vertex.
 class OpenSubdivReference {
  public:
   OpenSubdivReference(const Mesh& mesh, BoundaryRounding boundary, CreaseDecay decay,

@@ -35,6 +35,8 @@ PlainMesh plain_mesh(const Mesh& mesh, BoundaryRounding boundary) {
   plain.positions = points_of(mesh.positions());
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
     plain.vertex_sharpness.push_back(settled(mesh.sharpness(Vertex(v))));
+  for (const BowTieCopy& copy : mesh.bow_tie_copies())
+    plain.vertex_sharpness[copy.v.index()] = kForEver;
   std::map<VertexPair, int> faces_of;
   std::vector<int> faces_at(mesh.vertex_count());
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {

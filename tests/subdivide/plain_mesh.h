@@ -36,7 +36,7 @@ struct PlainMesh {
 };
 
 /// With everything that is sharp by rule written down: boundary edges for ever, from kSharpForEver
-/// on for ever, and vertices with one face where `boundary` says so.
+/// on for ever, copies of bow-tie vertices, and vertices with one face where `boundary` says so.
 PlainMesh plain_mesh(const Mesh& mesh, BoundaryRounding boundary);
 
 /// Diagonal of the bounding box; 1 where there is none.

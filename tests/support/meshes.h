@@ -118,6 +118,22 @@ inline Soup join(Soup first, const Soup& second, const glm::vec3& offset = glm::
   return first;
 }
 
+/// Up to four soups that touch in a bow-tie vertex, at the origin: the first vertex of each. Every
+/// part is turned into octants of its own if it lies in the octant beyond its first vertex.
+inline Soup bow_tie(const std::vector<Soup>& parts) {
+  constexpr glm::vec3 kTurns[] = {{1, 1, 1}, {-1, -1, 1}, {1, -1, -1}, {-1, 1, -1}};
+  Soup soup = soup_of({{0, 0, 0}}, {});
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto base = static_cast<std::uint32_t>(soup.positions.size()) - 1;
+    const auto& positions = parts[i].positions;
+    for (std::size_t v = 1; v < positions.size(); ++v)
+      soup.positions.push_back(kTurns[i] * (positions[v] - positions[0]));
+    for (const std::uint32_t v : parts[i].corners)
+      soup.corners.push_back(v == 0 ? 0 : base + v);
+  }
+  return soup;
+}
+
 /// Random triangles over a few points, of which every defect may come.
 inline Soup random_soup(std::uint32_t seed) {
   std::mt19937 random(seed);
@@ -164,7 +180,8 @@ inline bool is_identical(const Mesh& a, const Mesh& b) {
   return is_equal(a.positions(), b.positions()) && is_equal(a.origins(), b.origins()) &&
          is_equal(a.twins(), b.twins()) && is_equal(a.outgoings(), b.outgoings()) &&
          is_equal(a.sharpnesses(), b.sharpnesses()) &&
-         is_equal(a.vertex_sharpnesses(), b.vertex_sharpnesses());
+         is_equal(a.vertex_sharpnesses(), b.vertex_sharpnesses()) &&
+         is_equal(a.bow_tie_copies(), b.bow_tie_copies());
 }
 
 /// Builds and validates.

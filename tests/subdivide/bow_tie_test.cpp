@@ -1,0 +1,117 @@
+// Copies of a bow-tie vertex under subdivision. That OpenSubdiv and the oracles agree is tested
+// with all other models.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "engine/subdivide/level.h"
+#include "engine/subdivide/subdivide.h"
+#include "tests/subdivide/compare.h"
+#include "tests/subdivide/models.h"
+#include "tests/subdivide/opensubdiv_reference.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+std::vector<const Model*> models_with_bow_ties() {
+  std::vector<const Model*> found;
+  for (const Model& model : models()) {
+    if (!model.mesh.bow_tie_copies().empty()) found.push_back(&model);
+  }
+  return found;
+}
+
+std::vector<SubdivideOptions> every_rule(std::uint32_t levels) {
+  std::vector<SubdivideOptions> all{{.levels = levels, .scheme = Scheme::butterfly},
+                                    {.levels = levels, .scheme = Scheme::midpoint}};
+  for (const CreaseRules creases : {CreaseRules::hoppe94, CreaseRules::derose98}) {
+    for (const BoundaryRounding boundary : kBoundaries) {
+      for (const CreaseDecay decay : kDecays) {
+        for (const bool limit : {false, true}) {
+          all.push_back({.levels = levels,
+                         .creases = creases,
+                         .boundary = boundary,
+                         .decay = decay,
+                         .limit = limit});
+        }
+      }
+    }
+  }
+  return all;
+}
+
+Mesh without_copies(const Mesh& mesh) {
+  MeshArrays arrays = MeshArrays::take(Mesh(mesh));
+  arrays.bow_tie_copies.clear();
+  return std::move(arrays).finish();
+}
+
+TEST(BowTies, ModelsHaveThem) {
+  EXPECT_GE(models_with_bow_ties().size(), 7U);
+}
+
+TEST(BowTies, CopiesStayAtTheirPositionOnEveryLevelAndAtTheLimit) {
+  for (std::uint32_t levels = 0; levels <= 3; ++levels) {
+    for (const SubdivideOptions& options : every_rule(levels)) {
+      for (const Model* model : models_with_bow_ties()) {
+        SCOPED_TRACE(model->name);
+        const Mesh fine = subdivide(model->mesh, options).mesh;
+        expect_valid(fine);
+        ASSERT_TRUE(is_equal(fine.bow_tie_copies(), model->mesh.bow_tie_copies()));
+        for (const BowTieCopy& copy : fine.bow_tie_copies())
+          EXPECT_EQ(fine.position(copy.v), model->mesh.position(copy.v));
+      }
+    }
+  }
+}
+
+TEST(BowTies, CopiesWouldDriftApartUnderLoopIfTheyWereNotPinned) {
+  const Mesh cubes = built(bow_tie({cube(), cube()})).mesh;
+  const auto [first, second] = std::pair(cubes.bow_tie_copies()[0].v, cubes.bow_tie_copies()[1].v);
+  const Mesh fine = subdivide(without_copies(cubes), {.levels = 3}).mesh;
+  EXPECT_GT(glm::distance(fine.position(first), fine.position(second)), 0.3F);
+}
+
+TEST(BowTies, CopiesCountAsInfinitelySharpCorners) {
+  for (const SubdivideOptions& options : every_rule(3)) {
+    for (const Model* model : models_with_bow_ties()) {
+      SCOPED_TRACE(model->name);
+      Mesh tagged = without_copies(model->mesh);
+      for (const BowTieCopy& copy : model->mesh.bow_tie_copies())
+        tagged.set_sharpness(copy.v, kInfinitelySharp);
+      const Subdivided expected = subdivide(tagged, options);
+      const Subdivided found = subdivide(model->mesh, options);
+      EXPECT_TRUE(is_equal(found.mesh.positions(), expected.mesh.positions()));
+      EXPECT_TRUE(is_equal(found.mesh.sharpnesses(), expected.mesh.sharpnesses()));
+      EXPECT_TRUE(is_equal(std::span<const glm::vec3>(found.limit_normal),
+                           std::span<const glm::vec3>(expected.limit_normal)));
+    }
+  }
+}
+
+// The one difference to OpenSubdiv, which averages over the edges of both fans.
+TEST(BowTies, ChaikinAveragesTheEdgesOfEachFanByItself) {
+  Mesh mesh = built(bow_tie({cube(), cube()})).mesh;
+  mesh.set_sharpness(mesh.find_edge(Vertex(0), Vertex(4)), 1.5F);
+  mesh.set_sharpness(mesh.find_edge(Vertex(15), Vertex(11)), 2.5F);
+  const OpenSubdivReference reference(mesh, BoundaryRounding::edge_only, CreaseDecay::chaikin, 1);
+  const Mesh fine =
+      subdivide(mesh, {.creases = CreaseRules::derose98, .decay = CreaseDecay::chaikin}).mesh;
+  const Halfedge half = first_half(mesh.find_halfedge(Vertex(0), Vertex(4)));
+  EXPECT_EQ(fine.sharpness(half), 0.5F);
+  const std::uint32_t middle = fine.target(half).index();
+  EXPECT_EQ(sharpness_of(reference.level(1), 0, middle), 0.75);
+}
+
+TEST(BowTies, PinningLeavesNoSharpnessBehind) {
+  for (const SubdivideOptions& options : every_rule(2)) {
+    const Mesh fine = subdivide(built(bow_tie({cube(), tetrahedron()})).mesh, options).mesh;
+    EXPECT_TRUE(fine.vertex_sharpnesses().empty());
+    EXPECT_TRUE(std::ranges::all_of(fine.sharpnesses(), [](float s) { return s == 0.0F; }));
+  }
+}
+
+}  // namespace
+}  // namespace mesher::test
