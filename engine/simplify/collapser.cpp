@@ -15,6 +15,10 @@ static_assert(CollapseRecord::kRanks == BucketQueue::kBuckets);
 
 namespace {
 
+// A single face may be removed for so many times what the next collapse costs, which removes two:
+// four times the distance.
+constexpr float kMostForOneFace = 16.0F;
+
 /// Calls `visit` for the half-edges out of `v`, at most `limit` of them.
 template <class Visit>
 void visit_spokes(const Mesh& mesh, Vertex v, std::size_t limit, const Visit& visit) {
@@ -86,9 +90,11 @@ CollapseOutcome Collapser::run(std::span<const Vertex> vertices) {
   outcome_.records.reserve(std::min<std::size_t>(vertices.size(), limits_.faces / 2 + 1));
   fill_queue(vertices);
   take_turns();
+  const Vertex next = queue_.front();
+  const float next_cost = next.is_valid() ? state(next).cost : kNever;
   empty_queue(vertices);
   if (outcome_.removed_faces + 1 == limits_.faces) {
-    if (!remove_one_face(vertices)) {
+    if (!remove_one_face(vertices, kMostForOneFace * next_cost)) {
       ++limits_.faces;  // no boundary edge will do: two faces or none
       fill_queue(vertices);
       take_turns();
@@ -178,14 +184,30 @@ void Collapser::take_turn(Vertex v) {
   }
   const std::optional<Rejection> cause = check(h, candidate);
   if (!cause) return;
-  if (*cause == Fan::kLegal) return collapse(h, candidate);
-  refuse(h, *cause);
+  if (*cause == Fan::kLegal) {
+    const Appraisal appraisal = appraise(h, candidate);
+    if (BucketQueue::bucket_of(appraisal.cost) <= bucket + limits_.tolerance) {
+      return collapse(h, candidate, appraisal);
+    }
+    // Back into the queue at what it really costs.
+    surface.set_cost(h, appraisal.cost);
+  } else {
+    refuse(h, *cause);
+  }
   choose_cheapest_edge(v);
 }
 
-/// Where one face is left to remove: the cheapest legal collapse at the boundary. False where there
-/// is none.
-bool Collapser::remove_one_face(std::span<const Vertex> vertices) {
+/// Pre: `check` has found the collapse legal.
+Appraisal Collapser::appraise(Halfedge h, const Candidate& candidate) const {
+  if (context_.policy.costs_are_errors()) {
+    return mesher::appraise(context_.surface, h, fan_, candidate);
+  }
+  return {candidate.cost, 0.0F};
+}
+
+/// Where one face is left to remove: the cheapest legal collapse at the boundary that costs no more
+/// than `most`. False where there is none.
+bool Collapser::remove_one_face(std::span<const Vertex> vertices, float most) {
   const Mesh& mesh = context_.surface.mesh();
   std::vector<std::pair<float, Halfedge>> edges;
   for (const Vertex v : vertices) {
@@ -199,7 +221,9 @@ bool Collapser::remove_one_face(std::span<const Vertex> vertices) {
   for (const auto& [cost, h] : edges) {
     const Candidate candidate = evaluate(h);
     if (check(h, candidate) != Fan::kLegal) continue;
-    collapse(h, candidate);
+    const Appraisal appraisal = appraise(h, candidate);
+    if (!(appraisal.cost <= most)) continue;
+    collapse(h, candidate, appraisal);
     return true;
   }
   return false;
@@ -288,6 +312,9 @@ std::optional<Rejection> Collapser::check(Halfedge h, const Candidate& candidate
     cause = Rejection::crease;
   }
   if (cause == Fan::kLegal) cause = fan_.check_shape(surface, candidate.position);
+  if (cause == Fan::kLegal && fan_.turned_area() > 0.0F && !context_.policy.costs_are_errors()) {
+    cause = Rejection::fold_over;
+  }
   if (cause != Fan::kLegal || context_.bound == nullptr) return cause;
   const Mesh& mesh = surface.mesh();
   const bool is_near =
@@ -309,7 +336,7 @@ void Collapser::survey_ring() {
   for (const Vertex v : fan_.ring()) {
     const VertexState& s = state(v);
     ring_.has_refused |= s.has_refused;
-    ring_.rank = std::max(ring_.rank, s.rank);
+    ring_.rank = std::max<std::uint16_t>(ring_.rank, s.rank);
   }
 }
 
@@ -330,16 +357,17 @@ bool Collapser::makes_feature_triangle(Halfedge h) const {
 /// The rank of the collapse that is about to be done, noted where later ones will look for it.
 std::uint16_t Collapser::take_rank(Halfedge h, float cost) {
   const Mesh& mesh = context_.surface.mesh();
-  std::uint16_t& at_kept = state(mesh.target(h)).rank;
-  const auto of_cost = static_cast<std::uint16_t>(BucketQueue::bucket_of(cost));
-  const std::uint16_t rank = std::max({of_cost, at_kept, state(mesh.origin(h)).rank, ring_.rank});
+  VertexState& kept = state(mesh.target(h));
+  const std::uint32_t of_ends = std::max(kept.rank, state(mesh.origin(h)).rank);
+  const std::uint32_t rank =
+      std::max({BucketQueue::bucket_of(cost), of_ends, std::uint32_t{ring_.rank}});
   for (const Vertex v : fan_.ring())
-    state(v).rank = rank;
-  at_kept = rank;
-  return rank;
+    state(v).set_rank(rank);
+  kept.set_rank(rank);
+  return static_cast<std::uint16_t>(rank);
 }
 
-void Collapser::collapse(Halfedge h, const Candidate& candidate) {
+void Collapser::collapse(Halfedge h, const Candidate& candidate, const Appraisal& appraisal) {
   Surface& surface = context_.surface;
   const Mesh& mesh = surface.mesh();
   const Halfedge t = mesh.twin(h);
@@ -347,11 +375,12 @@ void Collapser::collapse(Halfedge h, const Candidate& candidate) {
   const Vertex kept = mesh.target(h);
   MESHER_ASSERT(check_collapse(mesh, h).is_legal());
   outcome_.records.push_back(
-      {h, t, removed, kept, candidate.position, take_rank(h, candidate.cost)});
+      {h, t, removed, kept, candidate.position, take_rank(h, appraisal.cost)});
   outcome_.paid += double{candidate.error};
   queue_.remove(removed);
   queue_.remove(kept);
-  state(removed).region = VertexState::kGone;
+  state(removed).remove(kept);
+  state(kept).set_retreat(appraisal.retreat);
   if (fan_.is_smooth()) {
     merge_smooth(h, candidate.position);
   } else {
@@ -362,6 +391,36 @@ void Collapser::collapse(Halfedge h, const Candidate& candidate) {
   outcome_.removed_faces += t.is_valid() ? 2 : 1;
   evaluate_fan(kept);
   wake_ring();
+  if (outcome_.removed_faces > limits_.fresh_after) refresh_ring(kept);
+}
+
+/// Evaluates the edges of the neighbors again, whose quadrics the collapse has changed; those of
+/// the merged vertex are fresh.
+void Collapser::refresh_ring(Vertex kept) {
+  Surface& surface = context_.surface;
+  const Mesh& mesh = surface.mesh();
+  const auto is_in_ring = [&](Vertex v) { return std::ranges::count(fan_.ring(), v) > 0; };
+  stale_.clear();
+  for (const Vertex v : fan_.ring()) {
+    visit_spokes(mesh, v, limits_.valence, [&](Halfedge h) {
+      if (surface.cost(h) != kNever) stale_.push_back(h);
+      const Halfedge t = mesh.twin(h);
+      if (!t.is_valid() || surface.cost(t) == kNever) return;
+      if (mesh.origin(t) != kept && !is_in_ring(mesh.origin(t))) stale_.push_back(t);
+    });
+  }
+  costs_.resize(stale_.size());
+  context_.policy.evaluate_costs(surface, stale_, Care::exact, costs_.data());
+  for (std::size_t i = 0; i < stale_.size(); ++i)
+    surface.set_cost(stale_[i], costs_[i]);
+  Vertex last;
+  for (const Halfedge h : stale_) {
+    const Vertex v = mesh.origin(h);
+    if (v == last) continue;
+    last = v;
+    queue_.remove(v);
+    choose_cheapest_edge(v);
+  }
 }
 
 /// What was refused near a collapse may be allowed after it.

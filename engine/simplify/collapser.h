@@ -11,6 +11,7 @@
 
 #include "engine/core/array.h"
 #include "engine/core/progress.h"
+#include "engine/simplify/appraisal.h"
 #include "engine/simplify/bucket_queue.h"
 #include "engine/simplify/cost_policy.h"
 #include "engine/simplify/error_bound.h"
@@ -83,8 +84,11 @@ class Collapser {
     float cost = kNever;          ///< nothing dearer is collapsed
     std::uint32_t tolerance = 0;  ///< buckets that an edge may be dearer than was thought
     /// At most so many are removed, or one more: a collapse inside the surface removes two. Where
-    /// one is left to remove, a legal collapse at the boundary is preferred.
+    /// one is left to remove, a legal collapse at the boundary is preferred, unless it is far
+    /// dearer.
     std::uint32_t faces = 0;
+    /// After so many the edges of a collapse's neighbors are evaluated again, too.
+    std::uint32_t fresh_after = kNone;
     std::size_t valence = 0;  ///< no vertex of more faces is made
   };
 
@@ -109,7 +113,7 @@ class Collapser {
   void take_turns();
   void look_ahead(Vertex v);
   void take_turn(Vertex v);
-  bool remove_one_face(std::span<const Vertex> vertices);
+  bool remove_one_face(std::span<const Vertex> vertices, float most);
   Candidate evaluate(Halfedge h);
   void choose_cheapest_edge(Vertex v);
   void wait_for(Vertex v, const Cheapest& cheapest);
@@ -117,7 +121,8 @@ class Collapser {
   void evaluate_refused(Vertex v);
   void refuse(Halfedge h, Rejection cause);
   std::optional<Rejection> check(Halfedge h, const Candidate& candidate);
-  void collapse(Halfedge h, const Candidate& candidate);
+  Appraisal appraise(Halfedge h, const Candidate& candidate) const;
+  void collapse(Halfedge h, const Candidate& candidate, const Appraisal& appraisal);
   std::uint16_t take_rank(Halfedge h, float cost);
   bool is_ring_ours() const;
   void survey_ring();
@@ -127,13 +132,15 @@ class Collapser {
   void merge_near_feature(Halfedge h, const glm::vec3& p);
   void merge_smooth(Halfedge h, const glm::vec3& p);
   void wake_ring();
+  void refresh_ring(Vertex kept);
 
   CollapseContext& context_;
   Limits limits_;
   BucketQueue queue_;
   Fan fan_;
-  std::vector<float> costs_;  ///< scratch of evaluate_fan
-  RingSurvey ring_;           ///< of the fan, from a check that got so far to its collapse
+  std::vector<float> costs_;     ///< scratch of evaluate_fan and refresh_ring
+  std::vector<Halfedge> stale_;  ///< scratch of refresh_ring
+  RingSurvey ring_;              ///< of the fan, from a check that got so far to its collapse
   CollapseOutcome outcome_;
 };
 

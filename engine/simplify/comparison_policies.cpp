@@ -134,6 +134,8 @@ class AccumulatedPolicy : public CollapsePolicy {
     });
   }
 
+  bool costs_are_errors() const override { return true; }
+
   Candidate evaluate(const Surface& surface, Halfedge h, Fit fit) const override {
     const Mesh& mesh = surface.mesh();
     const glm::dvec3 from = glm::dvec3(mesh.position(mesh.origin(h))) - origin_;
@@ -144,7 +146,7 @@ class AccumulatedPolicy : public CollapsePolicy {
     const auto error = static_cast<float>(q.cost(x));
     const auto length = static_cast<float>(glm::dot(to - from, to - from));
     const auto area = static_cast<float>(q.a[0][0] + q.a[1][1] + q.a[2][2]);
-    return {error + kLengthWeight * area * length, error, position};
+    return {error + kTieBreak * area * length, error, position};
   }
 
   void collapsed(Vertex removed, Vertex kept) override {

@@ -41,6 +41,11 @@ class CollapsePolicy {
   virtual void evaluate_around(const Surface& surface, Vertex v, const Fan& fan, Care care,
                                float* costs) const;
 
+  /// Whether costs are areas times squared distances, so that other harm compares with them
+  /// (appraisal.h). For a policy whose costs are something else, a collapse that turns or folds a
+  /// face is refused.
+  virtual bool costs_are_errors() const { return false; }
+
   /// `removed` has become one with `kept`.
   virtual void collapsed(Vertex removed, Vertex kept);
 };

@@ -9,15 +9,23 @@ namespace {
 
 // Two faces count as folded together where their normals differ by more than 150 degrees.
 constexpr float kFoldedCosine = -0.8660254F;
-// How far a face may turn in one collapse: about 78 degrees.
-constexpr float kLeastCosineOfStep = 0.2F;
-// How far it may be from what it was in the input: the right angle, so that many steps cannot turn
-// it over; the rounding of packed normals allowed for.
-constexpr float kLeastCosineOfAll = -0.002F;
+// A face counts as turned where it turns by more than about 78 degrees in one collapse, and a
+// collapse that turns one by more than 120 is refused.
+constexpr float kTurnedCosine = 0.2F;
+constexpr float kLeastCosine = -0.5F;
+// It also counts as turned where it comes to lie at more than a right angle to what it was in the
+// input, so that many steps do not turn it over for nothing; the rounding of packed normals is
+// allowed for.
+constexpr float kTurnedCosineOfAll = -0.002F;
 // A face without area in floats: its height is lost against its longest side.
 constexpr float kLeastAspect = 1e-5F;
 // Room past the last face, for whole lanes.
 constexpr std::size_t kLanes = 16;
+
+/// The area over which two neighbors are folded together: that of the smaller one, or none.
+float folded_area(const FaceShape& a, const FaceShape& b) {
+  return glm::dot(a.normal, b.normal) < kFoldedCosine ? std::min(a.area, b.area) : 0.0F;
+}
 
 /// Turns around the merged fan as if the edge's faces were gone: what lies beyond them on either
 /// side is next to one another.
@@ -225,7 +233,9 @@ Fan::Block Fan::load(const Surface& surface, std::size_t i) const {
 
 Rejection Fan::check_shape(const Surface& surface, const glm::vec3& p) {
   const auto all = [](float x) { return broadcast<Float4>(x); };
+  const auto any = [](Int4 lanes) { return (lanes[0] | lanes[1] | lanes[2] | lanes[3]) != 0; };
   const Vec3<Float4> center{all(p.x), all(p.y), all(p.z)};
+  turned_area_ = 0.0F;
   Int4 is_bad{};
   Int4 is_folded{};
   for (std::size_t i = 0; i < size_; i += 4) {
@@ -241,17 +251,21 @@ Rejection Fan::check_shape(const Surface& surface, const glm::vec3& p) {
     const Float4 longest = greater_of(greater_of(dot(a, a), dot(b, b)), dot(c, c));
     const Int4 is_thin =
         (after.area <= longest * all(kLeastAspect)) & (after.area < block.before.area);
-    const Int4 is_turned = (dot(after.unit, block.before.normal) < all(kLeastCosineOfStep)) |
-                           (dot(after.unit, block.original) < all(kLeastCosineOfAll));
     // A face that has no area now is free to get some, any way around.
-    is_bad |= (is_thin | is_turned) & (block.before.area > all(0.0F));
+    const Int4 has_area = block.before.area > all(0.0F);
+    const Float4 step = dot(after.unit, block.before.normal);
+    is_bad |= (is_thin | (step < all(kLeastCosine))) & has_area;
+    const Float4 limit = all(kTurnedCosineOfAll);
+    const Int4 is_turned_at_last = (dot(after.unit, block.original) < limit) &
+                                   ~(dot(block.before.normal, block.original) < limit);
+    const Int4 is_turned = ((step < all(kTurnedCosine)) | is_turned_at_last) & has_area;
+    if (any(is_turned)) add_turned(is_turned, after.area, i);
     // Next to one another within the block; the seams between blocks are looked at below.
     const auto onward = [](Float4 v) { return __builtin_shufflevector(v, v, 1, 2, 3, 3); };
     const Vec3<Float4> next{onward(after.unit.x), onward(after.unit.y), onward(after.unit.z)};
     is_folded |= (dot(after.unit, block.beyond.normal) < all(kFoldedCosine)) |
                  (dot(after.unit, next) < all(kFoldedCosine));
   }
-  const auto any = [](Int4 lanes) { return (lanes[0] | lanes[1] | lanes[2] | lanes[3]) != 0; };
   if (any(is_bad)) return Rejection::fold_over;
   x_[0] = x_[size_];
   y_[0] = y_[size_];
@@ -260,47 +274,48 @@ Rejection Fan::check_shape(const Surface& surface, const glm::vec3& p) {
   bool may_fold = any(is_folded);
   for (std::size_t i = is_closed_ ? 0 : 4; i < size_; i += 4)
     may_fold |= glm::dot(shape(i).normal, shape_before(i).normal) < kFoldedCosine;
-  if (may_fold && count_folds_after(surface) > count_folds_before(surface)) {
-    return Rejection::fold_over;
+  if (may_fold) {
+    turned_area_ += std::max(folded_area_after(surface) - folded_area_before(surface), 0.0F);
   }
   return kLegal;
 }
 
-std::size_t Fan::count_folds_after(const Surface& surface) const {
-  const Mesh& mesh = surface.mesh();
-  std::size_t folds = 0;
-  for (std::size_t i = 0; i < size_; ++i) {
-    const glm::vec3 normal = shape(i).normal;
-    const Halfedge beyond = mesh.twin(Mesh::next(spokes_[i]));
-    if (beyond.is_valid() &&
-        glm::dot(normal, surface.shape(Mesh::face(beyond)).normal) < kFoldedCosine) {
-      ++folds;
-    }
-    if ((is_closed_ || i > 0) && glm::dot(normal, shape_before(i).normal) < kFoldedCosine) ++folds;
+/// Faces past the last of the fan, in the last block, do not count.
+void Fan::add_turned(Int4 is_turned, Float4 area, std::size_t first) {
+  for (std::size_t lane = 0; lane < 4 && first + lane < size_; ++lane) {
+    if (is_turned[lane] != 0) turned_area_ += area[lane];
   }
-  return folds;
 }
 
-std::size_t Fan::count_folds_before(const Surface& surface) const {
+float Fan::folded_area_after(const Surface& surface) const {
   const Mesh& mesh = surface.mesh();
-  std::size_t folds = 0;
-  const auto count = [&](Halfedge h) {
+  float area = 0.0F;
+  for (std::size_t i = 0; i < size_; ++i) {
+    const Halfedge beyond = mesh.twin(Mesh::next(spokes_[i]));
+    if (beyond.is_valid()) area += folded_area(shape(i), surface.shape(Mesh::face(beyond)));
+    if (is_closed_ || i > 0) area += folded_area(shape(i), shape_before(i));
+  }
+  return area;
+}
+
+float Fan::folded_area_before(const Surface& surface) const {
+  const Mesh& mesh = surface.mesh();
+  float area = 0.0F;
+  const auto add = [&](Halfedge h) {
     const Halfedge t = mesh.twin(h);
-    folds += t.is_valid() && glm::dot(surface.shape(Mesh::face(h)).normal,
-                                      surface.shape(Mesh::face(t)).normal) < kFoldedCosine
-                 ? 1
-                 : 0;
+    if (!t.is_valid()) return;
+    area += folded_area(surface.shape(Mesh::face(h)), surface.shape(Mesh::face(t)));
   };
   for (const Halfedge spoke : spokes()) {
-    count(Mesh::next(spoke));
-    count(spoke);
+    add(Mesh::next(spoke));
+    add(spoke);
   }
   // What no surviving face's spoke names: the edge, and the spokes clockwise of it.
   const Halfedge t = mesh.twin(edge_);
-  count(edge_);
-  count(Mesh::next(edge_));
-  if (t.is_valid()) count(Mesh::next(t));
-  return folds;
+  add(edge_);
+  add(Mesh::next(edge_));
+  if (t.is_valid()) add(Mesh::next(t));
+  return area;
 }
 
 }  // namespace mesher

@@ -42,9 +42,14 @@ class Fan {
   /// Whether the collapse keeps a manifold of the same topology; agrees with `check_collapse`.
   /// O(valence) for few neighbours, O(valence log valence) for many. Pre: gathered.
   Rejection check_topology(const Surface& surface) const;
-  /// Whether the faces, with the vertex at `p`, turn over against what they are or what they were
-  /// in the input, lose their area, or fold an edge that was not folded. O(valence). Pre: gathered.
+  /// Whether a face, with the vertex at `p`, turns over (by more than 120 degrees) or loses its
+  /// area. Smaller turns and folds are a matter of degree: see turned_area. O(valence). Pre:
+  /// gathered.
   Rejection check_shape(const Surface& surface, const glm::vec3& p);
+  /// The area of the faces that `check_shape` found to turn far (by more than 78 degrees, or past a
+  /// right angle to what they were in the input), and the area that is newly folded together with a
+  /// neighbor.
+  float turned_area() const { return turned_area_; }
 
   /// The shape of face i with the vertex where `check_shape` was last asked about.
   FaceShape shape(std::size_t i) const { return {{x_[i + 1], y_[i + 1], z_[i + 1]}, area_[i + 1]}; }
@@ -78,14 +83,16 @@ class Fan {
   bool keeps_boundary(const Mesh& mesh) const;
   bool has_repeated_neighbour() const;
   Block load(const Surface& surface, std::size_t i) const;
-  std::size_t count_folds_after(const Surface& surface) const;
-  std::size_t count_folds_before(const Surface& surface) const;
+  void add_turned(Int4 is_turned, Float4 area, std::size_t first);
+  float folded_area_after(const Surface& surface) const;
+  float folded_area_before(const Surface& surface) const;
 
   Halfedge edge_;
   std::size_t size_ = 0;
   bool is_closed_ = false;
   bool is_smooth_ = false;
   bool has_smooth_ends_ = false;
+  float turned_area_ = 0.0F;
   std::vector<Halfedge> spokes_;
   std::vector<Vertex> ring_;
   // Of the faces, one place further than in spokes_: the place before is the last face's.

@@ -59,10 +59,17 @@ Quadric<F> plane_quadric(const Vec3<F>& n, F weight) {
 /// How far directions count in which the quadric is weak: `best_offset` damps it by this part of
 /// its trace toward the midpoint, so that on flat and straight neighbourhoods, where it leaves
 /// directions free, the vertex stays in the middle.
-inline constexpr float kPlacementDamping = 3e-4F;
-/// Of two equally good edges the shorter goes first: its squared length by the area around it
-/// counts so much. It decides on flat surfaces, where all edges cost nothing.
-inline constexpr float kLengthWeight = 1e-5F;
+inline constexpr float kPlacementDamping = 1e-4F;
+/// Breaks ties: of two equally good edges the shorter goes first. The weight of the squared length
+/// by the area around it. It stands for a distance of 3e-7 of the edge's length, which is what
+/// single precision resolves, so it competes with no real error.
+inline constexpr float kTieBreak = 1e-13F;
+/// The rounding of the quadric's six sums, as a part of area times squared length. Costs that are
+/// this small say nothing, so they are lowered by it until the edge's turn comes.
+inline constexpr float kQuadricNoise = 1e-6F;
+/// Below this part the rounding shows, and `plane_cost` finds the cost when the edge's turn comes:
+/// a slope of 0.003.
+inline constexpr float kQuadricDoubt = 1e-5F;
 
 /// An edge whose ends are merged at midpoint + y:
 /// cost(y) = constant - 2 linear.y + y^T a y, and the volume is kept where g.y == volume.
@@ -94,12 +101,17 @@ struct EdgeQuadric {
   F cost(const Vec3<F>& y) const {
     return constant - dot(linear, y) * broadcast<F>(2.0F) + dot(y, both.times(y));
   }
-  /// What orders collapses: never negative.
+  /// Area times squared length of the edge. Not negative: a quadric that a much larger face has
+  /// left may have lost its own digits.
+  F scale() const {
+    return greater_of(both.trace(), broadcast<F>(0.0F)) * dot(half, half) * broadcast<F>(4.0F);
+  }
+  /// Orders collapses until an edge's turn comes: the least that the cost may be, whatever was
+  /// rounded. Never negative.
   F ranked_cost(const Vec3<F>& y) const {
-    const F zero = broadcast<F>(0.0F);
-    // A quadric that a much larger face has left may have lost its own digits, and be negative.
-    return greater_of(cost(y), zero) +
-           greater_of(both.trace(), zero) * dot(half, half) * broadcast<F>(4.0F * kLengthWeight);
+    const F size = scale();
+    return greater_of(cost(y) - size * broadcast<F>(kQuadricNoise), broadcast<F>(0.0F)) +
+           size * broadcast<F>(kTieBreak);
   }
 };
 
@@ -109,10 +121,10 @@ struct EdgeQuadric {
 template <class F>
 F guessed_cost(const Quadric<F>& from, const Quadric<F>& to, const Vec3<F>& edge) {
   const Quadric<F> both = from + to;
-  const F length = dot(edge, edge);
   const F zero = broadcast<F>(0.0F);
-  return greater_of(dot(edge, both.times(edge)), zero) * broadcast<F>(0.125F) +
-         greater_of(both.trace(), zero) * length * broadcast<F>(kLengthWeight);
+  const F size = greater_of(both.trace(), zero) * dot(edge, edge);
+  const F beyond_noise = dot(edge, both.times(edge)) - size * broadcast<F>(8.0F * kQuadricNoise);
+  return greater_of(beyond_noise, zero) * broadcast<F>(0.125F) + size * broadcast<F>(kTieBreak);
 }
 
 /// L D L^T of the matrix of a quadric with `damping` added to its diagonal. Pivots stay at least

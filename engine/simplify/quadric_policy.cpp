@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/simplify/plane_cost.h"
+
 namespace mesher {
 namespace {
+
+// By how many tie-breaks an end has to be cheaper than the optimum to take its place.
+constexpr float kClearlyCheaper = 10.0F;
 
 template <class F>
 StateLanes<F> broadcast_state(const VertexState& s) {
@@ -67,8 +72,24 @@ class EightEdges {
 Candidate QuadricPolicy::evaluate(const Surface& surface, Halfedge h, Fit fit) const {
   const EdgeQuadric<float> edge = surface.edge_quadric(h);
   const Placed placed = place(surface, h, edge, placement_, fit);
-  return {edge.ranked_cost(placed.offset), std::max(edge.cost(placed.offset), 0.0F),
-          placed.position};
+  float cost = edge.cost(placed.offset);
+  const float size = edge.scale();
+  glm::vec3 position = placed.position;
+  if (cost < kQuadricDoubt * size) {
+    cost = plane_cost(surface, h, position);
+    const float least = kClearlyCheaper * kTieBreak * size;
+    if (cost > least && fit == Fit::anywhere && placement_ == Placement::optimal) {
+      // Damping moves the optimum off a corner of flat parts: an end that costs less is exact.
+      const Mesh& mesh = surface.mesh();
+      for (const Vertex end : {mesh.origin(h), mesh.target(h)}) {
+        const float at_end = plane_cost(surface, h, mesh.position(end));
+        if (at_end + least >= cost) continue;
+        cost = at_end;
+        position = mesh.position(end);
+      }
+    }
+  }
+  return {cost + kTieBreak * size, cost, position};
 }
 
 void QuadricPolicy::evaluate_costs(const Surface& surface, std::span<const Halfedge> edges,

@@ -11,6 +11,7 @@ class QuadricPolicy : public CollapsePolicy {
  public:
   explicit QuadricPolicy(Placement placement) : placement_(placement) {}
 
+  bool costs_are_errors() const override { return true; }
   Candidate evaluate(const Surface& surface, Halfedge h, Fit fit) const override;
   void evaluate_costs(const Surface& surface, std::span<const Halfedge> edges, Care care,
                       float* costs) const override;

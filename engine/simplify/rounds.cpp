@@ -36,6 +36,18 @@ constexpr std::uint32_t kFarFromTarget = 8;
 // that no hub makes the work quadratic; beyond the second limit it is refused.
 constexpr std::size_t kUsualValence = 64;
 constexpr std::size_t kLargestValence = 4096;
+// In the last steps, of the largest errors, all costs around a collapse are fresh: where fewer
+// faces are left than this part of the input, within limits.
+constexpr std::uint32_t kFacesPerFresh = 64;
+constexpr std::uint32_t kLeastFresh = 256;
+constexpr std::uint32_t kMostFresh = 2048;
+// The distance from the input is measured at one point for so many faces, within limits.
+constexpr std::size_t kFacesPerSample = 32;
+constexpr std::size_t kLeastSamples = 256;
+constexpr std::size_t kMostSamples = 2048;
+// How much the uncertainty of what was measured speaks for what was paid: as much as the samples
+// where the mean square is known to a quarter.
+constexpr double kTrustInPaid = 16.0;
 
 // What all collapses pay, by area, against the mean square distance that is measured in the
 // end: 13.0 to 14.1 on the bunny and the armadillo at 10 and 1 %.
@@ -55,6 +67,8 @@ Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, Transla
       scale_(scale),
       bound_(make_bound(mesh, scale, options)),
       surface_(std::move(mesh), options),
+      samples_(surface_, std::clamp(surface_.mesh().face_count() / kFacesPerSample, kLeastSamples,
+                                    kMostSamples)),
       policy_(make_policy(options, surface_)),
       queue_(surface_.mesh().vertex_count(), QueueEntry{}),
       context_{.surface = surface_,
@@ -62,7 +76,8 @@ Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, Transla
                .queue = queue_,
                .bound = bound_.get(),
                .progress = options.progress},
-      faces_(surface_.mesh().face_count()) {
+      faces_(surface_.mesh().face_count()),
+      faces_before_(faces_) {
   for (std::uint32_t v = 0; v < surface_.mesh().vertex_count(); ++v)
     (surface_.mesh().is_isolated(Vertex(v)) ? isolated_ : live_).emplace_back(v);
   if (faces_to_remove() == 0) return;
@@ -163,7 +178,10 @@ void Rounds::run_to_the_end() {
   context_.care = Care::exact;
   for (const Vertex v : live_)
     surface_.state(v).region = 0;
-  Collapser collapser(context_, {.faces = faces_to_remove(), .valence = kUsualValence});
+  const std::uint32_t fresh = std::clamp(faces_before_ / kFacesPerFresh, kLeastFresh, kMostFresh);
+  Collapser collapser(context_, {.faces = faces_to_remove(),
+                                 .fresh_after = faces_ > fresh ? faces_ - fresh : 0,
+                                 .valence = kUsualValence});
   note(translated(collapser.run(live_)));
   while (faces_to_remove() > 0 && try_refused_again(kLargestValence)) {
   }
@@ -188,7 +206,7 @@ void Rounds::count_constrained() {
 /// Looks at everything that was refused once more. False where nothing came of it.
 bool Rounds::try_refused_again(std::size_t valence) {
   drop_removed();
-  Collapser collapser(context_, {.faces = faces_to_remove(), .valence = valence});
+  Collapser collapser(context_, {.faces = faces_to_remove(), .fresh_after = 0, .valence = valence});
   const CollapseOutcome outcome = translated(collapser.run_refused(live_));
   note(outcome);
   return outcome.removed_faces > 0;
@@ -224,11 +242,23 @@ StopReason Rounds::reason() const {
   return is_bounded ? StopReason::error_bound : StopReason::no_legal_collapse;
 }
 
-/// The errors of successive collapses add up as if they were independent.
-double Rounds::estimated_error() const {
+/// What all collapses have paid, as a distance: right where the errors of successive collapses are
+/// independent, too low where a part is eaten bite by bite.
+double Rounds::paid_error() const {
   const double area = surface_.area_before();
-  if (!(area > 0.0)) return 0.0;
-  return std::sqrt(paid_ / (kTimesCounted * area)) / double{scale_};
+  return area > 0.0 ? std::sqrt(paid_ / (kTimesCounted * area)) : 0.0;
+}
+
+/// From the input to the result the distance is measured, as well as some samples can. That from
+/// the result to the input is mostly the same; where a part has been eaten it is what was paid. So
+/// the middle of both stands for it, which is at most a quarter off.
+double Rounds::estimated_error() const {
+  const ErrorSamples::Measured measured = samples_.measure(surface_);
+  const double paid = paid_error();
+  const double doubt = kTrustInPaid * measured.uncertainty;
+  const double forward = (std::sqrt(measured.mean_square) + doubt * paid) / (1.0 + doubt);
+  const double backward = 0.5 * (forward + paid);
+  return std::sqrt(0.5 * (forward * forward + backward * backward)) / double{scale_};
 }
 
 }  // namespace mesher

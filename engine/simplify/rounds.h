@@ -7,6 +7,7 @@
 #include "engine/core/array.h"
 #include "engine/simplify/collapser.h"
 #include "engine/simplify/error_bound.h"
+#include "engine/simplify/error_samples.h"
 #include "engine/simplify/observer.h"
 #include "engine/simplify/options.h"
 #include "engine/simplify/report.h"
@@ -57,6 +58,7 @@ class Rounds {
   void note(const CollapseOutcome& outcome);
   void drop_removed();
   StopReason reason() const;
+  double paid_error() const;
   double estimated_error() const;
 
   const SimplifyOptions& options_;
@@ -64,12 +66,14 @@ class Rounds {
   float scale_;
   std::unique_ptr<ErrorBound> bound_;
   Surface surface_;
+  ErrorSamples samples_;
   std::unique_ptr<CollapsePolicy> policy_;
   Array<QueueEntry> queue_;
   CollapseContext context_;
   Array<Vertex> live_;      ///< that have faces
   Array<Vertex> isolated_;  ///< that never had any
   std::uint32_t faces_;
+  std::uint32_t faces_before_;
   std::uint64_t collapses_ = 0;
   double paid_ = 0.0;
   std::array<std::uint64_t, kRejectionCount> rejected_{};

@@ -117,7 +117,8 @@ void Surface::find_states() {
   parallel_for_each(mesh_.vertex_count(), kGrain, [&](std::uint32_t i) {
     const Vertex v(i);
     const glm::vec3& p = mesh_.position(v);
-    state(v) = {.position = {p.x, p.y, p.z}};
+    state(v) = VertexState{};
+    state(v).position = {p.x, p.y, p.z};
     QuadricRows sum{};
     for (const Halfedge h : halfedges_around(mesh_, v)) {
       const Face f = Mesh::face(h);
@@ -132,15 +133,19 @@ void Surface::find_states() {
 void Surface::add_features(Halfedge h) {
   Quadric<float>& sum = state(mesh_.origin(h)).quadric;
   for (const Halfedge side : {h, Mesh::prev(h)}) {
-    if (is_feature(side)) sum = sum + across(side);
+    if (is_feature(side)) sum = sum + across_quadric(side);
   }
 }
 
-/// A plane through a feature edge, at right angles to the face of `h`; it sweeps no volume.
-Quadric<float> Surface::across(Halfedge h) const {
+glm::vec3 Surface::across(Halfedge h) const {
   const glm::vec3 edge = mesh_.position(mesh_.target(h)) - mesh_.position(mesh_.origin(h));
   // The normal is a unit and at right angles to the edge, so the product is as long as the edge.
-  const glm::vec3 out = glm::cross(edge, shape(Mesh::face(h)).normal);
+  return glm::cross(edge, shape(Mesh::face(h)).normal);
+}
+
+/// A plane through a feature edge, at right angles to the face of `h`; it sweeps no volume.
+Quadric<float> Surface::across_quadric(Halfedge h) const {
+  const glm::vec3 out = across(h);
   Quadric<float> q = plane_quadric(Vec3<float>{out.x, out.y, out.z}, kFeatureWeight);
   q.g = {};
   return q;
@@ -153,7 +158,7 @@ std::array<Quadric<float>, 3> Surface::contributions(Face f) const {
   for (std::uint32_t c = 0; c < 3; ++c) {
     const Halfedge h = Mesh::halfedge(f, c);
     if (!is_feature(h)) continue;
-    const Quadric<float> q = across(h);
+    const Quadric<float> q = across_quadric(h);
     result[c] = result[c] + q;
     result[(c + 1) % 3] = result[(c + 1) % 3] + q;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -62,13 +63,29 @@ struct alignas(64) VertexState {
 
   Quadric<float> quadric{};
   Vec3<float> position{};
-  float cost = kNever;       ///< of `best` when it was chosen
-  Halfedge best;             ///< the cheapest of the half-edges out of the vertex
+  float cost = kNever;  ///< of `best` when it was chosen
+  /// The cheapest of the half-edges out of the vertex; of a removed vertex see merged_into.
+  Halfedge best;
   std::uint32_t region = 0;  ///< whose turn it is to change the vertex; kGone: it is removed
   /// The highest CollapseRecord::rank of the collapses in whose one-rings the vertex was.
-  std::uint16_t rank = 0;
-  bool has_refused = false;  ///< an edge of the vertex was refused for its surroundings
-  Freedom freedom = Freedom::free;
+  std::uint16_t rank : 13 = 0;
+  Freedom freedom : 2 = Freedom::free;
+  bool has_refused : 1 = false;  ///< an edge of the vertex was refused for its surroundings
+  std::uint16_t retreat_bits = 0;
+
+  /// How far the surface around has retreated from parts of the input that stuck out, model units
+  /// (see appraisal.h). Stored with 8 significant bits, rounded down.
+  float retreat() const { return std::bit_cast<float>(std::uint32_t{retreat_bits} << 16U); }
+  void set_retreat(float distance) {
+    retreat_bits = static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(distance) >> 16U);
+  }
+  void set_rank(std::uint32_t new_rank) { rank = new_rank & 0x1FFFU; }
+  /// The vertex with which a removed vertex has become one; it may be gone itself by now.
+  Vertex merged_into() const { return Vertex(best.index()); }
+  void remove(Vertex into) {
+    region = kGone;
+    best = Halfedge(into.index());
+  }
 };
 
 /// Both are written whole, in parallel, before they are read.
@@ -260,6 +277,9 @@ class Surface {
   /// order: its plane by area, and for each feature edge a plane across it, so that features hold
   /// their place. O(1).
   std::array<Quadric<float>, 3> contributions(Face f) const;
+  /// At right angles to the feature edge of `h`, in the plane of its face, as long as the edge: its
+  /// product with a move of an end is how far that leaves the edge's course, times its length.
+  glm::vec3 across(Halfedge h) const;
   bool has_feature(Face f) const {
     const std::uint32_t h = 3 * f.index();
     return has_features_ && (feature_[h] | feature_[h + 1] | feature_[h + 2]) != 0;
@@ -267,7 +287,7 @@ class Surface {
 
  private:
   Fit constrained_fit(Halfedge h, Freedom from, Freedom to) const;
-  Quadric<float> across(Halfedge h) const;
+  Quadric<float> across_quadric(Halfedge h) const;
   void add_features(Halfedge h);
   void find_shapes();
   void find_features(const SimplifyOptions& options);
