@@ -204,7 +204,8 @@ class CommandLine {
                         "diagonal; with --faces or --ratio, what comes first ends it");
     add_policies(command, simplify_);
     command->add_flag("--measure", simplify_.measure,
-                      "measure the distance between input and result, too");
+                      "measure the distance between input and result, and count intersecting pairs "
+                      "of faces in both");
   }
 
   void add_policies(CLI::App* command, SimplifyWords& words) {
