@@ -222,6 +222,8 @@ class CommandLine {
                      "degrees: edges whose faces turn by more are creases, too (default: 180)")
         ->check(CLI::Validator(check_angle, "0 TO 180"));
     command->add_option("--seed", words.seed, "of the random policy (default: 1)");
+    command->add_flag("--no-intersections", words.no_intersections,
+                      "refuse collapses that make faces intersect");
   }
 
   void add_progressive() {

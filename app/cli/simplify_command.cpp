@@ -106,7 +106,8 @@ SimplifyOptions simplify_options(const SimplifyWords& words, std::uint32_t faces
       .placement = enum_value<Placement, kPlacementCount>(words.placement),
       .boundary = words.boundary == "lock" ? BoundaryRule::lock : BoundaryRule::preserve,
       .crease_angle_deg = words.crease_angle_deg,
-      .seed = words.seed};
+      .seed = words.seed,
+      .no_intersections = words.no_intersections};
   if (words.faces) options.target_faces = *words.faces;
   if (words.ratio) {
     if (!(*words.ratio > 0.0 && *words.ratio <= 1.0)) {

@@ -38,7 +38,7 @@ class Projection {
  public:
   /// Pre: `t` is not degenerate.
   explicit Projection(const ExactTriangle& t) {
-    while (orientation_without(t, axis_) == 0)
+    while (axis_ < 2 && orientation_without(t, axis_) == 0)
       ++axis_;
   }
 

@@ -63,6 +63,7 @@ class Rounds {
   TranslateRecords translate_;
   float scale_;
   std::unique_ptr<ErrorBound> bound_;
+  std::unique_ptr<GuardedSpace> space_;
   Surface surface_;
   std::unique_ptr<CollapsePolicy> policy_;
   Array<QueueEntry> queue_;

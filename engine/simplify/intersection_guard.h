@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "engine/analysis/triangle_pair.h"
+#include "engine/core/array.h"
+#include "engine/simplify/face_tree.h"
+#include "engine/simplify/fan.h"
+#include "engine/simplify/surface.h"
+#include "engine/simplify/territory.h"
+
+namespace mesher {
+
+/// What guards of all regions share.
+struct GuardedSpace {
+  explicit GuardedSpace(std::uint32_t faces) : leaf_of(faces) {}
+
+  Array<std::uint32_t> leaf_of;  ///< by face: see FaceTree
+  Territory territory;
+  bool has_regions = false;  ///< the territory counts
+};
+
+/// Keeps collapses from making faces intersect (after S. Gumhold, P. Borodin, R. Klein,
+/// "Intersection-free simplification", 2003): the faces around the merged vertex are tested, as
+/// they would be, with all faces near them, exactly. Pairs that intersect already may go on doing
+/// so. One for each region, which sees no faces but the region's: where regions work side by side,
+/// what leaves the region's territory waits for another round.
+class IntersectionGuard {
+ public:
+  enum class Verdict : std::uint8_t { legal, intersects, outside_territory };
+
+  /// For the faces all of whose corners are of the region. O(faces).
+  IntersectionGuard(const Surface& surface, GuardedSpace& space, std::uint32_t region,
+                    std::span<const Vertex> vertices);
+
+  /// What stands against merging the edge of the fan at `p`. O(valence (near faces + valence) + log
+  /// faces) expected. Pre: no face of the fan would lose its area.
+  Verdict check(const Surface& surface, const Fan& fan, Vertex removed, Vertex kept,
+                const glm::vec3& p);
+  /// Notes the collapse that was last checked. Call once it is done.
+  void collapsed(const Surface& surface, const Fan& fan);
+
+ private:
+  void place_faces(const Surface& surface, const Fan& fan, const glm::vec3& p);
+  bool is_graph(const Fan& fan) const;
+  bool has_new_pair(const Surface& surface, const Fan& fan) const;
+  bool has_new_pair(const Surface& surface, const Fan& fan, Face other) const;
+
+  GuardedSpace& space_;
+  std::uint32_t region_;
+  FaceTree tree_;
+  std::size_t removed_ = 0;  ///< faces, since the tree was built
+  // Of the fan that was last checked: its faces as they would be.
+  std::vector<ExactTriangle> triangles_;
+  std::vector<Box> boxes_;
+  Box all_;
+};
+
+}  // namespace mesher
