@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <span>
@@ -12,26 +13,53 @@
 #include "engine/core/array.h"
 #include "engine/mesh/ids.h"
 #include "engine/mesh/statistics.h"
+#include "engine/simplify/lanes.h"
 #include "engine/simplify/surface.h"
 
 namespace mesher {
 
-inline bool do_overlap(const Box& a, const Box& b) {
-  // One value instead of six branches that nobody can predict.
-  return (static_cast<unsigned>(a.min.x <= b.max.x) & static_cast<unsigned>(b.min.x <= a.max.x) &
-          static_cast<unsigned>(a.min.y <= b.max.y) & static_cast<unsigned>(b.min.y <= a.max.y) &
-          static_cast<unsigned>(a.min.z <= b.max.z) & static_cast<unsigned>(b.min.z <= a.max.z)) !=
-         0;
+/// A box as two rows of lanes, so that one comparison of each decides whether two boxes overlap.
+struct alignas(32) LaneBox {
+  LaneBox() = default;
+  explicit LaneBox(const Box& b)
+      : min{b.min.x, b.min.y, b.min.z, 0.0F}, max{b.max.x, b.max.y, b.max.z, 0.0F} {}
+
+  Float4 min;
+  Float4 max;
+};
+
+template <>
+inline constexpr bool kLeftAsItWas<LaneBox> = true;
+
+inline bool do_overlap(const LaneBox& a, const LaneBox& b) {
+  const auto apart = (a.min > b.max) | (b.min > a.max);
+  std::array<std::uint64_t, 2> halves;
+  std::memcpy(halves.data(), &apart, sizeof(halves));
+  return (halves[0] | halves[1]) == 0;
 }
 
-/// A binary tree of boxes over faces that move and vanish. The faces keep their leaves; a box grows
-/// with what moves in it and never shrinks. A tree that has lost half of its faces should be built
+inline bool contains(const LaneBox& outer, const LaneBox& inner) {
+  const auto outside = (inner.min < outer.min) | (inner.max > outer.max);
+  std::array<std::uint64_t, 2> halves;
+  std::memcpy(halves.data(), &outside, sizeof(halves));
+  return (halves[0] | halves[1]) == 0;
+}
+
+inline LaneBox join(const LaneBox& a, const LaneBox& b) {
+  LaneBox sum;
+  sum.min = a.min < b.min ? a.min : b.min;
+  sum.max = a.max > b.max ? a.max : b.max;
+  return sum;
+}
+
+/// A binary tree of boxes over faces that move and vanish. Faces have their exact boxes and keep
+/// their leaves; the boxes above grow with what moves in them and never shrink. A tree that has lost half of its faces should be built
 /// again.
 class FaceTree {
  public:
-  /// `leaf_of`: by face, written for the faces of this tree alone, so that trees of different
+  /// `place_of`: by face, written for the faces of this tree alone, so that trees of different
   /// regions can share it.
-  explicit FaceTree(std::span<std::uint32_t> leaf_of) : leaf_of_(leaf_of) {}
+  explicit FaceTree(std::span<std::uint32_t> place_of) : place_of_(place_of) {}
 
   /// Pre: faces that are near in space are near in the order. O(faces).
   void build(const Surface& surface, std::vector<Face> faces);
@@ -39,12 +67,12 @@ class FaceTree {
   const std::vector<Face>& faces() const { return faces_; }
 
   /// Notes that a face has moved into `box`. O(log faces), mostly O(1).
-  void grow(Face f, const Box& box);
+  void move(Face f, const LaneBox& box);
 
-  /// Calls `visit(face)` for each face whose leaf's box overlaps `box` (removed ones, too) until it
-  /// returns true; returns whether it did. O(log faces) expected for small boxes.
+  /// Calls `visit(face, its box)` for each face whose box overlaps `box` (removed ones, too) until
+  /// it returns true; returns whether it did. O(log faces) expected for small boxes.
   template <class Visit>
-  bool any_of(const Box& box, const Visit& visit) const {
+  bool any_of(const LaneBox& box, const Visit& visit) const {
     if (levels_.empty()) return false;
     struct Node {
       std::uint32_t level;
@@ -64,7 +92,7 @@ class FaceTree {
       }
       const std::size_t end = std::min(kLeafFaces * (index + 1), faces_.size());
       for (std::size_t i = kLeafFaces * index; i < end; ++i) {
-        if (visit(faces_[i])) return true;
+        if (do_overlap(boxes_[i], box) && visit(faces_[i], boxes_[i])) return true;
       }
     }
     return false;
@@ -73,9 +101,10 @@ class FaceTree {
  private:
   static constexpr std::size_t kLeafFaces = 4;
 
-  std::span<std::uint32_t> leaf_of_;
+  std::span<std::uint32_t> place_of_;
   std::vector<Face> faces_;
-  std::vector<Array<Box>> levels_;  ///< from leaves to the root
+  std::vector<LaneBox> boxes_;                ///< of the faces
+  std::vector<std::vector<LaneBox>> levels_;  ///< from leaves to the root
 };
 
 }  // namespace mesher

@@ -51,7 +51,7 @@ std::vector<Face> faces_of(const Surface& surface, std::uint32_t region,
 
 IntersectionGuard::IntersectionGuard(const Surface& surface, GuardedSpace& space,
                                      std::uint32_t region, std::span<const Vertex> vertices)
-    : space_(space), region_(region), tree_(space.leaf_of) {
+    : space_(space), region_(region), tree_(space.place_of) {
   tree_.build(surface, faces_of(surface, region, vertices));
 }
 
@@ -66,23 +66,20 @@ void IntersectionGuard::place_faces(const Surface& surface, const Fan& fan, cons
     const glm::vec3& a = mesh.position(fan.ring()[i]);
     const glm::vec3& b = mesh.position(fan.ring()[i + 1]);
     triangles_[i] = {center, a, b};
-    boxes_[i] = {glm::min(glm::min(a, b), p), glm::max(glm::max(a, b), p)};
-    all_.min = glm::min(all_.min, boxes_[i].min);
-    all_.max = glm::max(all_.max, boxes_[i].max);
+    const Box box{glm::min(glm::min(a, b), p), glm::max(glm::max(a, b), p)};
+    boxes_[i] = LaneBox(box);
+    all_.min = glm::min(all_.min, box.min);
+    all_.max = glm::max(all_.max, box.max);
   }
 }
 
 /// Whether the new faces certainly do not intersect one another: along the mean of their normals
 /// all of them are seen from the front, and they go around their vertex no more than once. The
 /// margin is far above what rounding may do, so that this need not be exact.
-bool IntersectionGuard::is_graph(const Fan& fan) const {
+bool IntersectionGuard::is_graph(const Fan& fan, const glm::dvec3& mean) const {
   constexpr double kMargin = 1e-6;
-  glm::dvec3 mean(0.0);
-  for (const ExactTriangle& t : triangles_)
-    mean += glm::cross(t[1] - t[0], t[2] - t[0]);
   const double least = kMargin * glm::dot(mean, mean) / static_cast<double>(triangles_.size());
-  const bool is_side_x = std::abs(mean.x) < std::abs(mean.y);
-  const glm::dvec3 up = glm::cross(mean, is_side_x ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
+  const glm::dvec3& up = axes_[1];
   const auto is_below = [&](const ExactTriangle& t, std::size_t corner) {
     return glm::dot(up, t[corner] - t[0]) < 0.0;
   };
@@ -96,6 +93,60 @@ bool IntersectionGuard::is_graph(const Fan& fan) const {
   return rounds <= (fan.is_closed() ? 1U : 0U);
 }
 
+/// Projects the new faces along the mean of their normals, their vertex to the origin.
+void IntersectionGuard::flatten(const Fan& fan) {
+  glm::dvec3 mean(0.0);
+  for (const ExactTriangle& t : triangles_)
+    mean += glm::cross(t[1] - t[0], t[2] - t[0]);
+  mean /= std::sqrt(glm::dot(mean, mean));
+  const bool is_x_across = std::abs(mean.x) < std::abs(mean.y);
+  axes_[0] = glm::cross(is_x_across ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), mean);
+  axes_[1] = glm::cross(mean, axes_[0]);
+  is_graph_ = is_graph(fan, mean);
+  if (!is_graph_) return;
+  flat_.resize(triangles_.size());
+  for (std::size_t i = 0; i < triangles_.size(); ++i)
+    flat_[i] = flattened(triangles_[i]);
+}
+
+IntersectionGuard::FlatTriangle IntersectionGuard::flattened(const ExactTriangle& t) const {
+  const glm::dvec3& origin = triangles_[0][0];
+  FlatTriangle flat;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const glm::dvec3 q = t[c] - origin;
+    flat[c] = {glm::dot(q, axes_[0]), glm::dot(q, axes_[1])};
+  }
+  return flat;
+}
+
+/// Whether a side of a new face certainly separates it from a triangle, seen along the mean of the
+/// normals: then a wall on that side does so in space, and the two meet in the corners on the side
+/// that they share, at most.
+bool IntersectionGuard::is_apart(std::size_t i, const ExactTriangle& other,
+                                 const FlatTriangle& flat) const {
+  constexpr double kMargin = 1e-12;
+  const ExactTriangle& triangle = triangles_[i];
+  const FlatTriangle& face = flat_[i];
+  // The side across from the vertex first: mostly that one.
+  for (const auto& [from, to] : {std::array{1U, 2U}, {2U, 0U}, {0U, 1U}}) {
+    const glm::dvec2& a = face[from];
+    const glm::dvec2 side = face[to] - a;
+    bool is_beyond = true;
+    for (std::size_t c = 0; c < 3 && is_beyond; ++c) {
+      if (other[c] == triangle[from] || other[c] == triangle[to]) continue;
+      const glm::dvec2& q = flat[c];
+      const glm::dvec2 way = q - a;
+      const double left = side.x * way.y;
+      const double right = side.y * way.x;
+      const double reach = std::abs(a.x) + std::abs(a.y) + std::abs(q.x) + std::abs(q.y);
+      const double margin = kMargin * (std::abs(side.x) + std::abs(side.y)) * reach;
+      is_beyond = left - right < -margin;
+    }
+    if (is_beyond) return true;
+  }
+  return false;
+}
+
 IntersectionGuard::Verdict IntersectionGuard::check(const Surface& surface, const Fan& fan,
                                                     Vertex removed, Vertex kept,
                                                     const glm::vec3& p) {
@@ -104,9 +155,10 @@ IntersectionGuard::Verdict IntersectionGuard::check(const Surface& surface, cons
   if (space_.has_regions && !space_.territory.owns(region_, all_)) {
     return Verdict::outside_territory;
   }
-  if (!is_graph(fan) && has_new_pair(surface, fan)) return Verdict::intersects;
+  flatten(fan);
+  if (!is_graph_ && has_new_pair(surface, fan)) return Verdict::intersects;
   const Mesh& mesh = surface.mesh();
-  const bool is_met = tree_.any_of(all_, [&](Face f) {
+  const bool is_met = tree_.any_of(LaneBox(all_), [&](Face f, const LaneBox& box) {
     const Halfedge h = Mesh::halfedge(f);
     const std::array<Vertex, 3> v{mesh.origin(h), mesh.origin(Mesh::next(h)),
                                   mesh.origin(Mesh::prev(h))};
@@ -114,7 +166,7 @@ IntersectionGuard::Verdict IntersectionGuard::check(const Surface& surface, cons
     for (const Vertex corner : v) {
       if (corner == removed || corner == kept) return false;
     }
-    return has_new_pair(surface, fan, f);
+    return has_new_pair(surface, fan, f, box);
   });
   return is_met ? Verdict::intersects : Verdict::legal;
 }
@@ -135,14 +187,15 @@ bool IntersectionGuard::has_new_pair(const Surface& surface, const Fan& fan) con
 }
 
 /// Whether a face of the fan would intersect `other`, and does not yet.
-bool IntersectionGuard::has_new_pair(const Surface& surface, const Fan& fan, Face other) const {
+bool IntersectionGuard::has_new_pair(const Surface& surface, const Fan& fan, Face other,
+                                     const LaneBox& box) const {
   const Mesh& mesh = surface.mesh();
-  const Box box = face_box(mesh, other);
-  if (!do_overlap(box, all_)) return false;
   const ExactTriangle t = triangle(mesh, other);
-  if (is_degenerate(t)) return false;
+  const FlatTriangle flat = flattened(t);
   for (std::size_t i = 0; i < fan.size(); ++i) {
     if (!do_overlap(boxes_[i], box)) continue;
+    if (is_graph_ && is_apart(i, t, flat)) continue;
+    if (is_degenerate(t)) return false;
     if (is_new_pair(triangles_[i], t, triangle(mesh, Mesh::face(fan.spokes()[i])), t)) return true;
   }
   return false;
@@ -150,7 +203,7 @@ bool IntersectionGuard::has_new_pair(const Surface& surface, const Fan& fan, Fac
 
 void IntersectionGuard::collapsed(const Surface& surface, const Fan& fan) {
   for (std::size_t i = 0; i < fan.size(); ++i)
-    tree_.grow(Mesh::face(fan.spokes()[i]), boxes_[i]);
+    tree_.move(Mesh::face(fan.spokes()[i]), boxes_[i]);
   removed_ += 2;
   if (2 * removed_ < tree_.faces().size()) return;
   std::vector<Face> left;

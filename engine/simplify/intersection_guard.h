@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -16,9 +18,9 @@ namespace mesher {
 
 /// What guards of all regions share.
 struct GuardedSpace {
-  explicit GuardedSpace(std::uint32_t faces) : leaf_of(faces) {}
+  explicit GuardedSpace(std::uint32_t faces) : place_of(faces) {}
 
-  Array<std::uint32_t> leaf_of;  ///< by face: see FaceTree
+  Array<std::uint32_t> place_of;  ///< by face: see FaceTree
   Territory territory;
   bool has_regions = false;  ///< the territory counts
 };
@@ -44,10 +46,15 @@ class IntersectionGuard {
   void collapsed(const Surface& surface, const Fan& fan);
 
  private:
+  using FlatTriangle = std::array<glm::dvec2, 3>;
+
   void place_faces(const Surface& surface, const Fan& fan, const glm::vec3& p);
-  bool is_graph(const Fan& fan) const;
+  bool is_graph(const Fan& fan, const glm::dvec3& mean) const;
+  void flatten(const Fan& fan);
+  FlatTriangle flattened(const ExactTriangle& t) const;
+  bool is_apart(std::size_t i, const ExactTriangle& other, const FlatTriangle& flat) const;
   bool has_new_pair(const Surface& surface, const Fan& fan) const;
-  bool has_new_pair(const Surface& surface, const Fan& fan, Face other) const;
+  bool has_new_pair(const Surface& surface, const Fan& fan, Face other, const LaneBox& box) const;
 
   GuardedSpace& space_;
   std::uint32_t region_;
@@ -55,8 +62,12 @@ class IntersectionGuard {
   std::size_t removed_ = 0;  ///< faces, since the tree was built
   // Of the fan that was last checked: its faces as they would be.
   std::vector<ExactTriangle> triangles_;
-  std::vector<Box> boxes_;
+  std::vector<LaneBox> boxes_;
   Box all_;
+  // The same along the mean of their normals, where they are a graph over its plane.
+  bool is_graph_ = false;
+  std::array<glm::dvec3, 2> axes_{};
+  std::vector<FlatTriangle> flat_;
 };
 
 }  // namespace mesher
