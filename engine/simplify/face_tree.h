@@ -53,8 +53,8 @@ inline LaneBox join(const LaneBox& a, const LaneBox& b) {
 }
 
 /// A binary tree of boxes over faces that move and vanish. Faces have their exact boxes and keep
-/// their leaves; the boxes above grow with what moves in them and never shrink. A tree that has lost half of its faces should be built
-/// again.
+/// their leaves; the boxes above grow with what moves in them and never shrink. A tree that has
+/// lost half of its faces should be built again.
 class FaceTree {
  public:
   /// `place_of`: by face, written for the faces of this tree alone, so that trees of different

@@ -18,7 +18,7 @@ constexpr std::uint32_t kShared = kNone - 1;
 constexpr std::size_t kFacesPerChunk = 8192;
 // Cells of about two faces: fewer make the strips that regions may not enter wider, more make
 // filling the grid slower.
-constexpr float kFacesAcrossCell = 2.0F;
+constexpr float kFacesAcrossCell = 3.0F;
 constexpr std::size_t kMostCellsPerFace = 8;
 // Where faces touch more cells than this on average, a few large ones fill the grid: it gets
 // coarser.
