@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <utility>
 
 namespace mesher {
@@ -73,78 +75,84 @@ void IntersectionGuard::place_faces(const Surface& surface, const Fan& fan, cons
   }
 }
 
-/// Whether the new faces certainly do not intersect one another: along the mean of their normals
-/// all of them are seen from the front, and they go around their vertex no more than once. The
+/// Projects the new faces along the mean of their normals, their vertex to the origin, and finds
+/// out whether they are a graph over that plane: all of them are seen from the front, and they go
+/// around their vertex no more than once. Then they certainly do not intersect one another. The
 /// margin is far above what rounding may do, so that this need not be exact.
-bool IntersectionGuard::is_graph(const Fan& fan, const glm::dvec3& mean) const {
-  constexpr double kMargin = 1e-6;
-  const double least = kMargin * glm::dot(mean, mean) / static_cast<double>(triangles_.size());
-  const glm::dvec3& up = axes_[1];
-  const auto is_below = [&](const ExactTriangle& t, std::size_t corner) {
-    return glm::dot(up, t[corner] - t[0]) < 0.0;
-  };
-  // From below to above: as often as the faces go around.
-  std::size_t rounds = 0;
-  for (const ExactTriangle& t : triangles_) {
-    const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
-    if (!(glm::dot(normal, mean) > least)) return false;
-    rounds += static_cast<std::size_t>(is_below(t, 1) && !is_below(t, 2));
-  }
-  return rounds <= (fan.is_closed() ? 1U : 0U);
-}
-
-/// Projects the new faces along the mean of their normals, their vertex to the origin.
 void IntersectionGuard::flatten(const Fan& fan) {
-  glm::dvec3 mean(0.0);
+  constexpr double kMargin = 1e-6;
+  glm::dvec3 sum(0.0);
   for (const ExactTriangle& t : triangles_)
-    mean += glm::cross(t[1] - t[0], t[2] - t[0]);
-  mean /= std::sqrt(glm::dot(mean, mean));
+    sum += glm::cross(t[1] - t[0], t[2] - t[0]);
+  const double length = std::sqrt(glm::dot(sum, sum));
+  const glm::dvec3 mean = sum / length;
   const bool is_x_across = std::abs(mean.x) < std::abs(mean.y);
   axes_[0] = glm::cross(is_x_across ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), mean);
   axes_[1] = glm::cross(mean, axes_[0]);
-  is_graph_ = is_graph(fan, mean);
-  if (!is_graph_) return;
-  flat_.resize(triangles_.size());
-  for (std::size_t i = 0; i < triangles_.size(); ++i)
-    flat_[i] = flattened(triangles_[i]);
+  const double least =
+      kMargin * length * glm::dot(axes_[0], axes_[0]) / static_cast<double>(triangles_.size());
+  for (std::vector<float>* numbers :
+       {&sides_[0].x, &sides_[1].x, &sides_[2].x, &sides_[0].y, &sides_[1].y, &sides_[2].y,
+        &sides_[0].shift, &sides_[1].shift, &sides_[2].shift}) {
+    if (numbers->size() < triangles_.size() + 4) numbers->resize(2 * triangles_.size() + 4);
+  }
+  reach_ = 0.0F;
+  is_graph_ = false;
+  std::size_t rounds = 0;
+  glm::dvec2 a = flattened(triangles_[0][1]);
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    const glm::dvec2 b = flattened(triangles_[i][2]);
+    const double turn = a.x * b.y - a.y * b.x;
+    if (!(turn > least)) return;
+    // From below to above: as often as the faces go around.
+    rounds += static_cast<std::size_t>(a.y < 0.0 && b.y >= 0.0);
+    sides_[0].set(i, b - a, turn);
+    sides_[1].set(i, -b, 0.0);
+    sides_[2].set(i, a, 0.0);
+    reach_ = std::max(reach_, static_cast<float>(std::abs(b.x) + std::abs(b.y)));
+    reach_ = std::max(reach_, static_cast<float>(std::abs(a.x) + std::abs(a.y)));
+    a = b;
+  }
+  is_graph_ = rounds <= (fan.is_closed() ? 1U : 0U);
 }
 
-IntersectionGuard::FlatTriangle IntersectionGuard::flattened(const ExactTriangle& t) const {
-  const glm::dvec3& origin = triangles_[0][0];
-  FlatTriangle flat;
+glm::dvec2 IntersectionGuard::flattened(const glm::dvec3& p) const {
+  const glm::dvec3 q = p - triangles_[0][0];
+  return {glm::dot(q, axes_[0]), glm::dot(q, axes_[1])};
+}
+
+/// Of new faces i to i + 3, those that a side certainly separates from a triangle, seen along the
+/// mean of the normals: then a wall on that side does so in space, and the two meet in no more than
+/// the corners on that side that they share. Lanes past the last face hold anything.
+Int4 IntersectionGuard::find_apart(const Fan& fan, std::size_t i, const FlatTriangle& other) const {
+  // Rounding in float is a hundredth of it.
+  constexpr float kMargin = 1e-5F;
+  Int4 begins;
+  Int4 ends;
+  std::memcpy(&begins, &fan.ring()[i], sizeof(begins));
+  const std::size_t last = std::min(i + 4, fan.size());
+  for (std::size_t lane = 0; lane < 4; ++lane)
+    ends[lane] = static_cast<std::int32_t>(fan.ring()[std::min(i + lane + 1, last)].index());
+  const Float4 zero{};
+  const Float4 away = zero - std::numeric_limits<float>::infinity();
+  std::array<Float4, 3> nearest{away, away, away};
+  float reach = reach_;
+  for (std::size_t c = 0; c < 3; ++c)
+    reach = std::max(reach, std::abs(other.x[c]) + std::abs(other.y[c]));
   for (std::size_t c = 0; c < 3; ++c) {
-    const glm::dvec3 q = t[c] - origin;
-    flat[c] = {glm::dot(q, axes_[0]), glm::dot(q, axes_[1])};
-  }
-  return flat;
-}
-
-/// Whether a side of a new face certainly separates it from a triangle, seen along the mean of the
-/// normals: then a wall on that side does so in space, and the two meet in the corners on the side
-/// that they share, at most.
-bool IntersectionGuard::is_apart(std::size_t i, const ExactTriangle& other,
-                                 const FlatTriangle& flat) const {
-  constexpr double kMargin = 1e-12;
-  const ExactTriangle& triangle = triangles_[i];
-  const FlatTriangle& face = flat_[i];
-  // The side across from the vertex first: mostly that one.
-  for (const auto& [from, to] : {std::array{1U, 2U}, {2U, 0U}, {0U, 1U}}) {
-    const glm::dvec2& a = face[from];
-    const glm::dvec2 side = face[to] - a;
-    bool is_beyond = true;
-    for (std::size_t c = 0; c < 3 && is_beyond; ++c) {
-      if (other[c] == triangle[from] || other[c] == triangle[to]) continue;
-      const glm::dvec2& q = flat[c];
-      const glm::dvec2 way = q - a;
-      const double left = side.x * way.y;
-      const double right = side.y * way.x;
-      const double reach = std::abs(a.x) + std::abs(a.y) + std::abs(q.x) + std::abs(q.y);
-      const double margin = kMargin * (std::abs(side.x) + std::abs(side.y)) * reach;
-      is_beyond = left - right < -margin;
+    const Int4 id = Int4{} + static_cast<std::int32_t>(other.corner[c].index());
+    const Int4 is_begin = begins == id;
+    const Int4 is_end = ends == id;
+    const std::array<Int4, 3> is_shared{is_begin | is_end, is_end, is_begin};
+    for (std::size_t side = 0; side < 3; ++side) {
+      const Float4 inside = sides_[side].distances(i, other.x[c], other.y[c]);
+      nearest[side] = greater_of(nearest[side], select(is_shared[side], away, inside));
     }
-    if (is_beyond) return true;
   }
-  return false;
+  Int4 is_apart{};
+  for (std::size_t side = 0; side < 3; ++side)
+    is_apart |= nearest[side] < sides_[side].lengths(i) * (zero - kMargin * reach);
+  return is_apart;
 }
 
 IntersectionGuard::Verdict IntersectionGuard::check(const Surface& surface, const Fan& fan,
@@ -190,13 +198,24 @@ bool IntersectionGuard::has_new_pair(const Surface& surface, const Fan& fan) con
 bool IntersectionGuard::has_new_pair(const Surface& surface, const Fan& fan, Face other,
                                      const LaneBox& box) const {
   const Mesh& mesh = surface.mesh();
-  const ExactTriangle t = triangle(mesh, other);
-  const FlatTriangle flat = flattened(t);
-  for (std::size_t i = 0; i < fan.size(); ++i) {
-    if (!do_overlap(boxes_[i], box)) continue;
-    if (is_graph_ && is_apart(i, t, flat)) continue;
-    if (is_degenerate(t)) return false;
-    if (is_new_pair(triangles_[i], t, triangle(mesh, Mesh::face(fan.spokes()[i])), t)) return true;
+  FlatTriangle flat;
+  ExactTriangle t;
+  for (std::uint32_t c = 0; c < 3; ++c) {
+    flat.corner[c] = mesh.origin(Mesh::halfedge(other, c));
+    t[c] = mesh.position(flat.corner[c]);
+    const glm::dvec2 q = flattened(t[c]);
+    flat.x[c] = static_cast<float>(q.x);
+    flat.y[c] = static_cast<float>(q.y);
+  }
+  for (std::size_t i = 0; i < fan.size(); i += 4) {
+    const Int4 is_apart = is_graph_ ? find_apart(fan, i, flat) : Int4{};
+    for (std::size_t lane = 0; lane < 4 && i + lane < fan.size(); ++lane) {
+      const std::size_t k = i + lane;
+      if (is_apart[lane] != 0 || !do_overlap(boxes_[k], box)) continue;
+      if (is_degenerate(t)) return false;
+      const ExactTriangle before = triangle(mesh, Mesh::face(fan.spokes()[k]));
+      if (is_new_pair(triangles_[k], t, before, t)) return true;
+    }
   }
   return false;
 }

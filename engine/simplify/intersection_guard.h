@@ -46,13 +46,38 @@ class IntersectionGuard {
   void collapsed(const Surface& surface, const Fan& fan);
 
  private:
-  using FlatTriangle = std::array<glm::dvec2, 3>;
+  /// A triangle projected along the mean of the normals of the new faces.
+  struct FlatTriangle {
+    std::array<Vertex, 3> corner;
+    std::array<float, 3> x;
+    std::array<float, 3> y;
+  };
+  /// One side of each new face, projected: its direction, and what makes the distance of the
+  /// vertex's projection, which is the origin, right.
+  struct Sides {
+    std::vector<float> x, y, shift;
+
+    void set(std::size_t i, const glm::dvec2& direction, double distance) {
+      x[i] = static_cast<float>(direction.x);
+      y[i] = static_cast<float>(direction.y);
+      shift[i] = static_cast<float>(distance);
+    }
+    /// Of a point from the sides of faces i to i + 3, times their lengths; positive inside.
+    Float4 distances(std::size_t i, float px, float py) const {
+      return load4(&x[i]) * (Float4{} + py) - load4(&y[i]) * (Float4{} + px) + load4(&shift[i]);
+    }
+    /// By the sum of both coordinates.
+    Float4 lengths(std::size_t i) const {
+      const Float4 dx = load4(&x[i]);
+      const Float4 dy = load4(&y[i]);
+      return greater_of(dx, -dx) + greater_of(dy, -dy);
+    }
+  };
 
   void place_faces(const Surface& surface, const Fan& fan, const glm::vec3& p);
-  bool is_graph(const Fan& fan, const glm::dvec3& mean) const;
   void flatten(const Fan& fan);
-  FlatTriangle flattened(const ExactTriangle& t) const;
-  bool is_apart(std::size_t i, const ExactTriangle& other, const FlatTriangle& flat) const;
+  glm::dvec2 flattened(const glm::dvec3& p) const;
+  Int4 find_apart(const Fan& fan, std::size_t i, const FlatTriangle& other) const;
   bool has_new_pair(const Surface& surface, const Fan& fan) const;
   bool has_new_pair(const Surface& surface, const Fan& fan, Face other, const LaneBox& box) const;
 
@@ -67,7 +92,8 @@ class IntersectionGuard {
   // The same along the mean of their normals, where they are a graph over its plane.
   bool is_graph_ = false;
   std::array<glm::dvec3, 2> axes_{};
-  std::vector<FlatTriangle> flat_;
+  std::array<Sides, 3> sides_;
+  float reach_ = 0.0F;  ///< of the neighbors from the vertex
 };
 
 }  // namespace mesher
