@@ -35,7 +35,6 @@ bool do_overlap(const Box& a, const Box& b) {
          0;
 }
 
-/// Two zero bits before each of the lowest ten.
 std::uint32_t spread(std::uint32_t x) {
   x = (x | x << 16U) & 0x030000FFU;
   x = (x | x << 8U) & 0x0300F00FU;
@@ -50,8 +49,10 @@ class SortedFaces {
   explicit SortedFaces(const Mesh& mesh) {
     sort(mesh);
     corners_.resize(order_.size());
+    boxes_.resize(order_.size());
     parallel_for_each(order_.size(), 4096, [&](std::uint32_t i) {
       corners_[i] = corners(mesh, Face(static_cast<std::uint32_t>(order_[i])));
+      boxes_[i] = box_of(corners_[i]);
     });
     build_tree();
   }
@@ -83,7 +84,7 @@ class SortedFaces {
   }
 
  private:
-  static constexpr std::size_t kLeafFaces = 4;
+  static constexpr std::size_t kLeafFaces = 8;
 
   static Corners corners(const Mesh& mesh, Face f) {
     Corners result;
@@ -118,9 +119,9 @@ class SortedFaces {
     levels_.emplace_back(chunk_count(order_.size(), kLeafFaces));
     parallel_for_each(leaf_count(), 1024, [&](std::uint32_t leaf) {
       const auto [begin, end] = faces(leaf);
-      Box box = box_of(corners_[begin]);
+      Box box = boxes_[begin];
       for (std::size_t i = begin + 1; i < end; ++i)
-        box = join(box, box_of(corners_[i]));
+        box = join(box, boxes_[i]);
       levels_.front()[leaf] = box;
     });
     while (levels_.back().size() > 1) {
@@ -140,9 +141,10 @@ class SortedFaces {
   template <class Visit>
   void visit_leaves(std::size_t leaf, std::size_t other, const Visit& visit) const {
     for (std::size_t i = faces(leaf).begin; i < faces(leaf).end; ++i) {
-      const Box box = box_of(corners_[i]);
+      const Box& box = boxes_[i];
+      if (!do_overlap(box, levels_.front()[other])) continue;
       for (std::size_t k = std::max(i + 1, faces(other).begin); k < faces(other).end; ++k) {
-        if (!do_overlap(box, box_of(corners_[k]))) continue;
+        if (!do_overlap(box, boxes_[k])) continue;
         if (do_intersect(exact(corners_[i]), exact(corners_[k]))) visit(face(i), face(k));
       }
     }
@@ -152,10 +154,12 @@ class SortedFaces {
 
   Array<std::uint64_t> order_;      ///< place on the curve in the upper half, face in the lower
   Array<Corners> corners_;          ///< in that order
+  Array<Box> boxes_;                ///< in that order
+                                    //          ///< in that order
   std::vector<Array<Box>> levels_;  ///< from leaves to the root
 };
 
-constexpr std::size_t kLeavesPerChunk = 256;
+constexpr std::size_t kLeavesPerChunk = 128;
 
 }  // namespace
 

@@ -99,7 +99,7 @@ class FaceTree {
   }
 
  private:
-  static constexpr std::size_t kLeafFaces = 4;
+  static constexpr std::size_t kLeafFaces = 8;
 
   std::span<std::uint32_t> place_of_;
   std::vector<Face> faces_;
