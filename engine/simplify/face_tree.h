@@ -73,25 +73,23 @@ class FaceTree {
   /// it returns true; returns whether it did. O(log faces) expected for small boxes.
   template <class Visit>
   bool any_of(const LaneBox& box, const Visit& visit) const {
-    if (levels_.empty()) return false;
-    struct Node {
-      std::uint32_t level;
-      std::uint32_t index;
-    };
-    std::array<Node, 2 * std::numeric_limits<std::uint32_t>::digits> stack;
+    if (faces_.empty() || !do_overlap(nodes_[1], box)) return false;
+    std::array<std::uint32_t, 2 * std::numeric_limits<std::uint32_t>::digits> stack;
     std::size_t size = 0;
-    stack[size++] = {static_cast<std::uint32_t>(levels_.size() - 1), 0};
+    stack[size++] = 1;
     while (size > 0) {
-      const auto [level, index] = stack[--size];
-      if (!do_overlap(levels_[level][index], box)) continue;
-      if (level > 0) {
-        const bool has_two = 2 * index + 1 < levels_[level - 1].size();
-        if (has_two) stack[size++] = {level - 1, 2 * index + 1};
-        stack[size++] = {level - 1, 2 * index};
+      const std::uint32_t node = stack[--size];
+      if (node < first_leaf_) {
+        // Which child overlaps cannot be guessed, so there is no branch.
+        for (const std::uint32_t child : {2 * node + 1, 2 * node}) {
+          stack[size] = child;
+          size += static_cast<std::size_t>(do_overlap(nodes_[child], box));
+        }
         continue;
       }
-      const std::size_t end = std::min(kLeafFaces * (index + 1), faces_.size());
-      for (std::size_t i = kLeafFaces * index; i < end; ++i) {
+      const std::size_t begin = kLeafFaces * (node - first_leaf_);
+      const std::size_t end = std::min(begin + kLeafFaces, faces_.size());
+      for (std::size_t i = begin; i < end; ++i) {
         if (do_overlap(boxes_[i], box) && visit(faces_[i], boxes_[i])) return true;
       }
     }
@@ -103,8 +101,11 @@ class FaceTree {
 
   std::span<std::uint32_t> place_of_;
   std::vector<Face> faces_;
-  std::vector<LaneBox> boxes_;                ///< of the faces
-  std::vector<std::vector<LaneBox>> levels_;  ///< from leaves to the root
+  std::vector<LaneBox> boxes_;  ///< of the faces
+  /// The root is 1, the children of i are 2 i and 2 i + 1. Leaves are filled up to a power of two
+  /// with boxes that overlap nothing.
+  std::vector<LaneBox> nodes_;
+  std::uint32_t first_leaf_ = 1;
 };
 
 }  // namespace mesher
