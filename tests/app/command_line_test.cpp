@@ -175,6 +175,17 @@ TEST_F(CommandLine, SimplifyTakesARatioOrTheLimitOfWhatIsLegal) {
   EXPECT_NE(cube.err.find("no legal collapse is left"), std::string::npos) << cube.err;
 }
 
+TEST_F(CommandLine, SimplifyMakesNoIntersectionsWhereAsked) {
+  const Finished run = mesher({"simplify", "knot", "-o", "k.obj", "--faces", "4",
+                               "--no-intersections", "--measure", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["stop_reason"], "no_legal_collapse");
+  EXPECT_EQ(json["self_intersections_after"], 0);
+  EXPECT_GT(json["rejected"]["intersection"], 0);
+  EXPECT_NE(run.err.find("by self-intersection"), std::string::npos) << run.err;
+}
+
 TEST_F(CommandLine, SimplifyKeepsWhatItCanOfAttributesAndSaysTheRest) {
   // A bumpy sheet whose faces have texture coordinates of their own: seams everywhere.
   std::string text = "vt 0 0\nvt 1 1\n";
