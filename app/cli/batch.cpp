@@ -7,6 +7,7 @@
 #include "app/cli/progress_line.h"
 #include "app/paths.h"
 #include "app/words.h"
+#include "engine/analysis/self_intersections.h"
 #include "engine/core/error.h"
 #include "engine/io/atomic_file.h"
 #include "engine/io/format.h"
@@ -199,16 +200,22 @@ void run_compare(const InputOptions& first, const InputOptions& second, std::uin
     }
   }
   SurfaceDistance distance;
+  std::uint64_t first_pairs = 0;
+  std::uint64_t second_pairs = 0;
   {
     ProgressLine line(!common.quiet);
     distance = surface_distance(a.model.mesh, b.model.mesh,
                                 {.samples = samples, .progress = line.progress()});
+    first_pairs = count_self_intersections(a.model.mesh, line.progress());
+    second_pairs = count_self_intersections(b.model.mesh, line.progress());
   }
   if (common.json) {
     Json json = to_json(distance);
     json["first"] = a.file.string();
     json["second"] = b.file.string();
     json["samples"] = samples;
+    json["first_self_intersections"] = first_pairs;
+    json["second_self_intersections"] = second_pairs;
     add_pm(json, a.pm, "first_pm");
     add_pm(json, b.pm, "second_pm");
     return print_json(json);
@@ -221,6 +228,8 @@ void run_compare(const InputOptions& first, const InputOptions& second, std::uin
   row("first to second", distance.forward);
   row("second to first", distance.backward);
   row("two-sided", distance.two_sided());
+  print("self-intersections", with_commas(first_pairs) + " pairs of faces in the first, " +
+                                  with_commas(second_pairs) + " in the second");
 }
 
 }  // namespace mesher::app

@@ -204,7 +204,8 @@ class CommandLine {
                         "diagonal; with --faces or --ratio, what comes first ends it");
     add_policies(command, simplify_);
     command->add_flag("--measure", simplify_.measure,
-                      "measure the distance between input and result, too");
+                      "measure the distance between input and result, and count intersecting pairs "
+                      "of faces in both");
   }
 
   void add_policies(CLI::App* command, SimplifyWords& words) {
@@ -221,6 +222,8 @@ class CommandLine {
                      "degrees: edges whose faces turn by more are creases, too (default: 180)")
         ->check(CLI::Validator(check_angle, "0 TO 180"));
     command->add_option("--seed", words.seed, "of the random policy (default: 1)");
+    command->add_flag("--no-intersections", words.no_intersections,
+                      "refuse collapses that make faces intersect");
   }
 
   void add_progressive() {

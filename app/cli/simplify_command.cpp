@@ -10,6 +10,7 @@
 #include "app/json.h"
 #include "app/words.h"
 #include "engine/analysis/distance.h"
+#include "engine/analysis/self_intersections.h"
 #include "engine/core/error.h"
 #include "engine/io/format.h"
 #include "engine/io/losses.h"
@@ -75,6 +76,14 @@ std::optional<SurfaceDistance> measured(const Mesh& before, const Mesh& after,
   return surface_distance(before, after, {.progress = line.progress()});
 }
 
+/// Empty unless it is wanted.
+std::optional<std::uint64_t> counted(const Mesh& mesh, const SimplifyWords& words,
+                                     const CommonOptions& common) {
+  if (!words.measure) return std::nullopt;
+  ProgressLine line(!common.quiet);
+  return count_self_intersections(mesh, line.progress());
+}
+
 }  // namespace
 
 std::vector<std::string> cost_words() {
@@ -97,7 +106,8 @@ SimplifyOptions simplify_options(const SimplifyWords& words, std::uint32_t faces
       .placement = enum_value<Placement, kPlacementCount>(words.placement),
       .boundary = words.boundary == "lock" ? BoundaryRule::lock : BoundaryRule::preserve,
       .crease_angle_deg = words.crease_angle_deg,
-      .seed = words.seed};
+      .seed = words.seed,
+      .no_intersections = words.no_intersections};
   if (words.faces) options.target_faces = *words.faces;
   if (words.ratio) {
     if (!(*words.ratio > 0.0 && *words.ratio <= 1.0)) {
@@ -148,11 +158,19 @@ void run_simplify(const InputOptions& input, const std::string& output, const Si
   const SimplifyOutcome outcome = simplify_model(loaded, options, common);
   const std::vector<std::string> losses = write_result(output, loaded.model, common);
   const auto distance = measured(before, mesh, common);
+  const auto intersections_before = counted(before, words, common);
+  const auto intersections_after = counted(mesh, words, common);
   if (distance && !common.quiet) say_distance(*distance);
+  if (intersections_before && !common.quiet) {
+    say("self-intersections (pairs of faces): " + with_commas(*intersections_before) + " before, " +
+        with_commas(*intersections_after) + " after");
+  }
   if (!common.json) return;
   Json json{{"input", loaded.file.string()}, {"output", output}};
   json.update(to_json(outcome));
   json["distance"] = distance ? to_json(*distance) : Json();
+  json["self_intersections_before"] = intersections_before ? Json(*intersections_before) : Json();
+  json["self_intersections_after"] = intersections_after ? Json(*intersections_after) : Json();
   json["lost"] = losses;
   json["repairs"] = to_json(loaded.model.report);
   add_pm(json, loaded.pm);

@@ -21,6 +21,7 @@ struct SimplifyWords {
   std::string boundary = "preserve";
   float crease_angle_deg = 180.0F;
   std::uint64_t seed = 1;
+  bool no_intersections = false;
   bool measure = false;
 };
 

@@ -84,10 +84,13 @@ void evaluate_all(const CollapseContext& context) {
 }
 
 Collapser::Collapser(CollapseContext& context, const Limits& limits)
-    : context_(context), limits_(limits), queue_(context.queue) {}
+    : context_(context), limits_(limits), queue_(context.queue), least_rank_(context.least_rank) {}
 
 CollapseOutcome Collapser::run(std::span<const Vertex> vertices) {
   outcome_.records.reserve(std::min<std::size_t>(vertices.size(), limits_.faces / 2 + 1));
+  if (context_.space != nullptr) {
+    guard_.emplace(context_.surface, *context_.space, limits_.region, vertices);
+  }
   fill_queue(vertices);
   take_turns();
   const Vertex next = queue_.front();
@@ -315,11 +318,27 @@ std::optional<Rejection> Collapser::check(Halfedge h, const Candidate& candidate
   if (cause == Fan::kLegal && fan_.turned_area() > 0.0F && !context_.policy.costs_are_errors()) {
     cause = Rejection::fold_over;
   }
-  if (cause != Fan::kLegal || context_.bound == nullptr) return cause;
-  const Mesh& mesh = surface.mesh();
-  const bool is_near =
-      context_.bound->allows(surface, mesh.origin(h), mesh.target(h), fan_, candidate.position);
-  return is_near ? Fan::kLegal : Rejection::error_bound;
+  if (cause == Fan::kLegal && context_.bound != nullptr) {
+    const Mesh& mesh = surface.mesh();
+    const bool is_near =
+        context_.bound->allows(surface, mesh.origin(h), mesh.target(h), fan_, candidate.position);
+    if (!is_near) cause = Rejection::error_bound;
+  }
+  if (cause != Fan::kLegal || !guard_) return cause;
+  return check_intersections(h, candidate.position);
+}
+
+std::optional<Rejection> Collapser::check_intersections(Halfedge h, const glm::vec3& p) {
+  const Mesh& mesh = context_.surface.mesh();
+  switch (guard_->check(context_.surface, fan_, mesh.origin(h), mesh.target(h), p)) {
+    case IntersectionGuard::Verdict::legal:
+      return Fan::kLegal;
+    case IntersectionGuard::Verdict::intersects:
+      return Rejection::intersection;
+    case IntersectionGuard::Verdict::outside_territory:
+      break;
+  }
+  return std::nullopt;
 }
 
 /// By itself, since of other regions' vertices nothing may be read but whose they are.
@@ -359,8 +378,9 @@ std::uint16_t Collapser::take_rank(Halfedge h, float cost) {
   const Mesh& mesh = context_.surface.mesh();
   VertexState& kept = state(mesh.target(h));
   const std::uint32_t of_ends = std::max(kept.rank, state(mesh.origin(h)).rank);
-  const std::uint32_t rank =
-      std::max({BucketQueue::bucket_of(cost), of_ends, std::uint32_t{ring_.rank}});
+  const std::uint32_t rank = std::max({BucketQueue::bucket_of(cost), of_ends,
+                                       std::uint32_t{ring_.rank}, std::uint32_t{least_rank_}});
+  if (guard_) least_rank_ = static_cast<std::uint16_t>(rank);
   for (const Vertex v : fan_.ring())
     state(v).set_rank(rank);
   kept.set_rank(rank);
@@ -388,6 +408,7 @@ void Collapser::collapse(Halfedge h, const Candidate& candidate, const Appraisal
   }
   context_.policy.collapsed(removed, kept);
   if (context_.bound != nullptr) context_.bound->collapsed(removed, kept);
+  if (guard_) guard_->collapsed(surface, fan_);
   outcome_.removed_faces += t.is_valid() ? 2 : 1;
   evaluate_fan(kept);
   wake_ring();

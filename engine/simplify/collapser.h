@@ -16,6 +16,7 @@
 #include "engine/simplify/cost_policy.h"
 #include "engine/simplify/error_bound.h"
 #include "engine/simplify/fan.h"
+#include "engine/simplify/intersection_guard.h"
 #include "engine/simplify/observer.h"
 #include "engine/simplify/report.h"
 #include "engine/simplify/surface.h"
@@ -28,6 +29,11 @@ struct CollapseContext {
   CollapsePolicy& policy;
   std::span<QueueEntry> queue;  ///< by vertex
   ErrorBound* bound = nullptr;
+  GuardedSpace* space = nullptr;  ///< none where faces may come to intersect
+  /// With it: no collapse gets a lower rank. Each then also comes after those before it in its
+  /// region, and after all of earlier rounds, since what is far on the surface may be near in
+  /// space.
+  std::uint16_t least_rank = 0;
   Care care = Care::exact;  ///< with which edges are looked at before their turn
   Progress* progress = nullptr;
   std::uint32_t faces_to_remove = 0;            ///< in all
@@ -121,6 +127,7 @@ class Collapser {
   void evaluate_refused(Vertex v);
   void refuse(Halfedge h, Rejection cause);
   std::optional<Rejection> check(Halfedge h, const Candidate& candidate);
+  std::optional<Rejection> check_intersections(Halfedge h, const glm::vec3& p);
   Appraisal appraise(Halfedge h, const Candidate& candidate) const;
   void collapse(Halfedge h, const Candidate& candidate, const Appraisal& appraisal);
   std::uint16_t take_rank(Halfedge h, float cost);
@@ -141,6 +148,8 @@ class Collapser {
   std::vector<float> costs_;     ///< scratch of evaluate_fan and refresh_ring
   std::vector<Halfedge> stale_;  ///< scratch of refresh_ring
   RingSurvey ring_;              ///< of the fan, from a check that got so far to its collapse
+  std::optional<IntersectionGuard> guard_;
+  std::uint16_t least_rank_;
   CollapseOutcome outcome_;
 };
 

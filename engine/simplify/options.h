@@ -65,6 +65,9 @@ struct SimplifyOptions {
   /// Edges whose faces turn by more count as creases, besides those that are tagged. 180: none.
   float crease_angle_deg = 180.0F;
   std::uint64_t seed = 1;  ///< of the random policy
+  /// Refuses collapses that would make two faces intersect that do not yet (`do_intersect` in
+  /// engine/analysis/triangle_pair.h says what counts).
+  bool no_intersections = false;
 
   ResultOrder order = ResultOrder::input;
   CollapseObserver* observer = nullptr;  ///< told of every collapse

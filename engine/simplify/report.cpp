@@ -42,6 +42,8 @@ std::string_view key(Rejection rejection) {
       return "fold_over";
     case Rejection::error_bound:
       return "error_bound";
+    case Rejection::intersection:
+      return "intersection";
   }
   return "";
 }
@@ -58,6 +60,8 @@ std::string_view describe(Rejection rejection) {
       return "fold-over";
     case Rejection::error_bound:
       return "error bound";
+    case Rejection::intersection:
+      return "self-intersection";
   }
   return "";
 }

@@ -21,8 +21,9 @@ enum class Rejection : std::uint8_t {
   crease,          ///< would bend a crease or take a corner
   fold_over,       ///< a face would turn over, against its neighbours or its original
   error_bound,     ///< would go further from the input than allowed
+  intersection,    ///< would make two faces intersect
 };
-inline constexpr std::size_t kRejectionCount = 5;
+inline constexpr std::size_t kRejectionCount = 6;
 
 /// snake_case key for JSON.
 std::string_view key(StopReason reason);

@@ -66,6 +66,8 @@ Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, Transla
       translate_(std::move(translate)),
       scale_(scale),
       bound_(make_bound(mesh, scale, options)),
+      space_(options.no_intersections ? std::make_unique<GuardedSpace>(mesh.face_count())
+                                      : nullptr),
       surface_(std::move(mesh), options),
       samples_(surface_, std::clamp(surface_.mesh().face_count() / kFacesPerSample, kLeastSamples,
                                     kMostSamples)),
@@ -75,6 +77,7 @@ Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, Transla
                .policy = *policy_,
                .queue = queue_,
                .bound = bound_.get(),
+               .space = space_.get(),
                .progress = options.progress},
       faces_(surface_.mesh().face_count()),
       faces_before_(faces_) {
@@ -153,6 +156,10 @@ void Rounds::run_regions(std::uint32_t round) {
     }
   });
   const Share share = this->share(costs);
+  if (space_ != nullptr) {
+    space_->territory.claim(surface_);
+    space_->has_regions = true;
+  }
   std::vector<CollapseOutcome> outcomes(count);
   parallel_for(count, 1, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
@@ -176,6 +183,7 @@ void Rounds::run_regions(std::uint32_t round) {
 
 void Rounds::run_to_the_end() {
   context_.care = Care::exact;
+  if (space_ != nullptr) space_->has_regions = false;
   for (const Vertex v : live_)
     surface_.state(v).region = 0;
   const std::uint32_t fresh = std::clamp(faces_before_ / kFacesPerFresh, kLeastFresh, kMostFresh);
@@ -222,6 +230,10 @@ void Rounds::note(const CollapseOutcome& outcome) {
   collapses_ += outcome.records.size();
   faces_ -= outcome.removed_faces;
   paid_ += outcome.paid;
+  if (space_ != nullptr) {
+    for (const CollapseRecord& record : outcome.records)
+      context_.least_rank = std::max(context_.least_rank, static_cast<std::uint16_t>(record.rank));
+  }
   for (std::size_t i = 0; i < kRejectionCount; ++i)
     rejected_[i] += outcome.rejected[i];
 }

@@ -65,6 +65,7 @@ class Rounds {
   TranslateRecords translate_;
   float scale_;
   std::unique_ptr<ErrorBound> bound_;
+  std::unique_ptr<GuardedSpace> space_;
   Surface surface_;
   ErrorSamples samples_;
   std::unique_ptr<CollapsePolicy> policy_;

@@ -145,6 +145,7 @@ TEST_F(CommandLine, SimplifyReachesItsTargetAndReports) {
   EXPECT_EQ(json["collapses"], 440);
   EXPECT_TRUE(json["measured_error"].is_null());
   EXPECT_TRUE(json["distance"].is_null());
+  EXPECT_TRUE(json["self_intersections_before"].is_null());
   for (const char* phase : {"prepare", "collapse", "finish", "measure", "total"})
     EXPECT_GE(json["seconds"][phase], 0.0);
   EXPECT_TRUE(json["rejected"].contains("fold_over"));
@@ -167,9 +168,22 @@ TEST_F(CommandLine, SimplifyTakesARatioOrTheLimitOfWhatIsLegal) {
   const auto json = nlohmann::json::parse(half.out);
   EXPECT_EQ(json["asked_faces"], 1440);
   EXPECT_GT(json["distance"]["two_sided"]["rms"], 0.0);
+  EXPECT_EQ(json["self_intersections_before"], 0);
+  EXPECT_EQ(json["self_intersections_after"], 0);
   const Finished cube = mesher({"simplify", "cube", "-o", "c.stl", "--faces", "2"});
   EXPECT_EQ(cube.exit_code, 0);
   EXPECT_NE(cube.err.find("no legal collapse is left"), std::string::npos) << cube.err;
+}
+
+TEST_F(CommandLine, SimplifyMakesNoIntersectionsWhereAsked) {
+  const Finished run = mesher({"simplify", "knot", "-o", "k.obj", "--faces", "4",
+                               "--no-intersections", "--measure", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["stop_reason"], "no_legal_collapse");
+  EXPECT_EQ(json["self_intersections_after"], 0);
+  EXPECT_GT(json["rejected"]["intersection"], 0);
+  EXPECT_NE(run.err.find("by self-intersection"), std::string::npos) << run.err;
 }
 
 TEST_F(CommandLine, SimplifyKeepsWhatItCanOfAttributesAndSaysTheRest) {

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+
+namespace mesher {
+
+/// Three corners. Each coordinate is the value of a finite float, kept in double because that is
+/// what the predicates compute in.
+using ExactTriangle = std::array<glm::dvec3, 3>;
+
+/// Whether the corners are collinear (or fewer than three points). Exact. O(1).
+bool is_degenerate(const ExactTriangle& t);
+
+/// Whether two triangles, sides and inside included, meet in more than the corners and sides that
+/// they share. Corners are shared if their positions are equal, so that vertices that were cut
+/// apart at the same position count as one. Exact. O(1). Pre: neither is degenerate.
+///
+/// - No shared corner: whether they have a point in common, a touch included (P. Guigue,
+///   O. Devillers, "Fast and robust triangle-triangle overlap test using orientation predicates",
+///   2003).
+/// - One: whether they meet in more than that corner.
+/// - Two: whether they overlap, one folded onto the other.
+/// - Three: always.
+bool do_intersect(const ExactTriangle& a, const ExactTriangle& b);
+
+}  // namespace mesher

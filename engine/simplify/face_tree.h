@@ -1,0 +1,111 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "engine/core/array.h"
+#include "engine/mesh/ids.h"
+#include "engine/mesh/statistics.h"
+#include "engine/simplify/lanes.h"
+#include "engine/simplify/surface.h"
+
+namespace mesher {
+
+/// A box as two rows of lanes, so that one comparison of each decides whether two boxes overlap.
+struct alignas(32) LaneBox {
+  LaneBox() = default;
+  explicit LaneBox(const Box& b)
+      : min{b.min.x, b.min.y, b.min.z, 0.0F}, max{b.max.x, b.max.y, b.max.z, 0.0F} {}
+
+  Float4 min;
+  Float4 max;
+};
+
+template <>
+inline constexpr bool kLeftAsItWas<LaneBox> = true;
+
+inline bool do_overlap(const LaneBox& a, const LaneBox& b) {
+  const auto apart = (a.min > b.max) | (b.min > a.max);
+  std::array<std::uint64_t, 2> halves;
+  std::memcpy(halves.data(), &apart, sizeof(halves));
+  return (halves[0] | halves[1]) == 0;
+}
+
+inline bool contains(const LaneBox& outer, const LaneBox& inner) {
+  const auto outside = (inner.min < outer.min) | (inner.max > outer.max);
+  std::array<std::uint64_t, 2> halves;
+  std::memcpy(halves.data(), &outside, sizeof(halves));
+  return (halves[0] | halves[1]) == 0;
+}
+
+inline LaneBox join(const LaneBox& a, const LaneBox& b) {
+  LaneBox sum;
+  sum.min = a.min < b.min ? a.min : b.min;
+  sum.max = a.max > b.max ? a.max : b.max;
+  return sum;
+}
+
+/// A binary tree of boxes over faces that move and vanish. Faces have their exact boxes and keep
+/// their leaves; the boxes above grow with what moves in them and never shrink. A tree that has
+/// lost half of its faces should be built again.
+class FaceTree {
+ public:
+  /// `place_of`: by face, written for the faces of this tree alone, so that trees of different
+  /// regions can share it.
+  explicit FaceTree(std::span<std::uint32_t> place_of) : place_of_(place_of) {}
+
+  /// Pre: faces that are near in space are near in the order. O(faces).
+  void build(const Surface& surface, std::vector<Face> faces);
+  /// The faces it was built from; some may have been removed.
+  const std::vector<Face>& faces() const { return faces_; }
+
+  /// Notes that a face has moved into `box`. O(log faces), mostly O(1).
+  void move(Face f, const LaneBox& box);
+
+  /// Calls `visit(face, its box)` for each face whose box overlaps `box` (removed ones, too) until
+  /// it returns true; returns whether it did. O(log faces) expected for small boxes.
+  template <class Visit>
+  bool any_of(const LaneBox& box, const Visit& visit) const {
+    if (faces_.empty() || !do_overlap(nodes_[1], box)) return false;
+    std::array<std::uint32_t, 2 * std::numeric_limits<std::uint32_t>::digits> stack;
+    std::size_t size = 0;
+    stack[size++] = 1;
+    while (size > 0) {
+      const std::uint32_t node = stack[--size];
+      if (node < first_leaf_) {
+        // Which child overlaps cannot be guessed, so there is no branch.
+        for (const std::uint32_t child : {2 * node + 1, 2 * node}) {
+          stack[size] = child;
+          size += static_cast<std::size_t>(do_overlap(nodes_[child], box));
+        }
+        continue;
+      }
+      const std::size_t begin = kLeafFaces * (node - first_leaf_);
+      const std::size_t end = std::min(begin + kLeafFaces, faces_.size());
+      for (std::size_t i = begin; i < end; ++i) {
+        if (do_overlap(boxes_[i], box) && visit(faces_[i], boxes_[i])) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  static constexpr std::size_t kLeafFaces = 8;
+
+  std::span<std::uint32_t> place_of_;
+  std::vector<Face> faces_;
+  std::vector<LaneBox> boxes_;  ///< of the faces
+  /// The root is 1, the children of i are 2 i and 2 i + 1. Leaves are filled up to a power of two
+  /// with boxes that overlap nothing.
+  std::vector<LaneBox> nodes_;
+  std::uint32_t first_leaf_ = 1;
+};
+
+}  // namespace mesher

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "engine/analysis/triangle_pair.h"
+#include "engine/core/array.h"
+#include "engine/simplify/face_tree.h"
+#include "engine/simplify/fan.h"
+#include "engine/simplify/surface.h"
+#include "engine/simplify/territory.h"
+
+namespace mesher {
+
+/// What guards of all regions share.
+struct GuardedSpace {
+  explicit GuardedSpace(std::uint32_t faces) : place_of(faces) {}
+
+  Array<std::uint32_t> place_of;  ///< by face: see FaceTree
+  Territory territory;
+  bool has_regions = false;  ///< the territory counts
+};
+
+/// Keeps collapses from making faces intersect (after S. Gumhold, P. Borodin, R. Klein,
+/// "Intersection-free simplification", 2003): the faces around the merged vertex are tested, as
+/// they would be, with all faces near them, exactly. Pairs that intersect already may go on doing
+/// so. One for each region, which sees no faces but the region's: where regions work side by side,
+/// what leaves the region's territory waits for another round.
+class IntersectionGuard {
+ public:
+  enum class Verdict : std::uint8_t { legal, intersects, outside_territory };
+
+  /// For the faces all of whose corners are of the region. O(faces).
+  IntersectionGuard(const Surface& surface, GuardedSpace& space, std::uint32_t region,
+                    std::span<const Vertex> vertices);
+
+  /// What stands against merging the edge of the fan at `p`. O(valence (near faces + valence) + log
+  /// faces) expected. Pre: no face of the fan would lose its area.
+  Verdict check(const Surface& surface, const Fan& fan, Vertex removed, Vertex kept,
+                const glm::vec3& p);
+  /// Notes the collapse that was last checked. Call once it is done.
+  void collapsed(const Surface& surface, const Fan& fan);
+
+ private:
+  /// A triangle projected along the mean of the normals of the new faces.
+  struct FlatTriangle {
+    std::array<Vertex, 3> corner;
+    std::array<float, 3> x;
+    std::array<float, 3> y;
+  };
+  /// One side of each new face, projected: its direction, and what makes the distance of the
+  /// vertex's projection, which is the origin, right.
+  struct Sides {
+    std::vector<float> x, y, shift;
+
+    void set(std::size_t i, const glm::dvec2& direction, double distance) {
+      x[i] = static_cast<float>(direction.x);
+      y[i] = static_cast<float>(direction.y);
+      shift[i] = static_cast<float>(distance);
+    }
+    /// Of a point from the sides of faces i to i + 3, times their lengths; positive inside.
+    Float4 distances(std::size_t i, float px, float py) const {
+      return load4(&x[i]) * (Float4{} + py) - load4(&y[i]) * (Float4{} + px) + load4(&shift[i]);
+    }
+    /// By the sum of both coordinates.
+    Float4 lengths(std::size_t i) const {
+      const Float4 dx = load4(&x[i]);
+      const Float4 dy = load4(&y[i]);
+      return greater_of(dx, -dx) + greater_of(dy, -dy);
+    }
+  };
+
+  void place_faces(const Surface& surface, const Fan& fan, const glm::vec3& p);
+  void flatten(const Fan& fan);
+  glm::dvec2 flattened(const glm::dvec3& p) const;
+  Int4 find_apart(const Fan& fan, std::size_t i, const FlatTriangle& other) const;
+  bool has_new_pair(const Surface& surface, const Fan& fan) const;
+  bool has_new_pair(const Surface& surface, const Fan& fan, Face other, const LaneBox& box) const;
+
+  GuardedSpace& space_;
+  std::uint32_t region_;
+  FaceTree tree_;
+  std::size_t removed_ = 0;  ///< faces, since the tree was built
+  // Of the fan that was last checked: its faces as they would be.
+  std::vector<ExactTriangle> triangles_;
+  std::vector<LaneBox> boxes_;
+  Box all_;
+  // The same along the mean of their normals, where they are a graph over its plane.
+  bool is_graph_ = false;
+  std::array<glm::dvec3, 2> axes_{};
+  std::array<Sides, 3> sides_;
+  float reach_ = 0.0F;  ///< of the neighbors from the vertex
+};
+
+}  // namespace mesher

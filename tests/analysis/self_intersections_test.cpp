@@ -1,0 +1,154 @@
+#include "engine/analysis/self_intersections.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "engine/analysis/triangle_pair.h"
+#include "engine/core/parallel.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+ExactTriangle triangle(const Mesh& mesh, std::uint32_t f) {
+  ExactTriangle t;
+  for (std::uint32_t c = 0; c < 3; ++c)
+    t[c] = mesh.position(mesh.origin(Mesh::halfedge(Face(f), c)));
+  return t;
+}
+
+std::vector<FacePair> by_brute_force(const Mesh& mesh) {
+  std::vector<FacePair> pairs;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    if (is_degenerate(triangle(mesh, f))) continue;
+    for (std::uint32_t g = f + 1; g < mesh.face_count(); ++g) {
+      if (is_degenerate(triangle(mesh, g))) continue;
+      if (do_intersect(triangle(mesh, f), triangle(mesh, g))) pairs.push_back({Face(f), Face(g)});
+    }
+  }
+  return pairs;
+}
+
+std::uint64_t count(Soup soup) {
+  return count_self_intersections(built(std::move(soup)).mesh);
+}
+
+/// Triangles of a size, anywhere in the unit cube.
+Soup scattered(std::uint32_t faces, float size, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  const auto number = [&] { return static_cast<float>(random() % 1'000'003U) / 1'000'003.0F; };
+  Soup soup;
+  for (std::uint32_t i = 0; i < faces; ++i) {
+    const glm::vec3 middle(number(), number(), number());
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      soup.corners.push_back(static_cast<std::uint32_t>(soup.positions.size()));
+      soup.positions.push_back(middle + size * glm::vec3(number(), number(), number()));
+    }
+  }
+  return soup;
+}
+
+TEST(SelfIntersections, OfCleanMeshesAreNone) {
+  EXPECT_EQ(count_self_intersections(Mesh()), 0U);
+  EXPECT_EQ(count(tetrahedron()), 0U);
+  EXPECT_EQ(count(cube()), 0U);
+  EXPECT_EQ(count(grid(20)), 0U);
+  EXPECT_EQ(count(torus(31, 17)), 0U);
+  EXPECT_EQ(count(moebius(20)), 0U);
+}
+
+TEST(SelfIntersections, OfTwoTetrahedraThatPierceEachOther) {
+  const Mesh mesh = built(join(tetrahedron(), tetrahedron(), {0.1F, 0.1F, 0.1F})).mesh;
+  const auto pairs = self_intersections(mesh);
+  EXPECT_EQ(pairs, by_brute_force(mesh));
+  EXPECT_FALSE(pairs.empty());
+  for (const auto& [a, b] : pairs) {
+    EXPECT_LT(a.index(), 4U);
+    EXPECT_GE(b.index(), 4U);
+  }
+}
+
+TEST(SelfIntersections, CopiesOfACutVertexShareIt) {
+  // Two tetrahedra that meet at a corner: a vertex that is not manifold, cut into two.
+  Soup soup = join(tetrahedron(), tetrahedron());
+  for (std::size_t i = 4; i < 8; ++i)
+    soup.positions[i] = -soup.positions[i];
+  for (std::size_t i = 12; i < 24; i += 3)
+    std::swap(soup.corners[i + 1], soup.corners[i + 2]);
+  EXPECT_EQ(count(soup), 0U);
+}
+
+TEST(SelfIntersections, TwoSheetsOnTheSameCornersOverlap) {
+  EXPECT_EQ(count(join(grid(1), grid(1))), 2U);
+}
+
+TEST(SelfIntersections, FacesWithoutAreaAreLeftOut) {
+  Soup soup = soup_of({{0, 0, 0},
+                       {2, 0, 0},
+                       {1, 0, 0},
+                       {1, 1, 0},
+                       {1, 0, -1},
+                       {1, 0, 1},
+                       {9, 0.25F, -1},
+                       {9, 0.25F, 1}},
+                      {0, 2, 1});
+  EXPECT_EQ(count(soup), 0U);
+  // It lies in the plane y = 0 of this face: a touch, if it had area.
+  for (const std::uint32_t v : {4U, 5U, 6U})
+    soup.corners.push_back(v);
+  EXPECT_EQ(count(soup), 0U);
+}
+
+TEST(SelfIntersections, AgreeWithBruteForceOnScatteredTriangles) {
+  for (const float size : {0.1F, 0.3F, 1.0F}) {
+    const Mesh mesh = built(scattered(700, size, 5)).mesh;
+    const auto pairs = self_intersections(mesh);
+    EXPECT_EQ(pairs, by_brute_force(mesh)) << size;
+    EXPECT_EQ(count_self_intersections(mesh), pairs.size());
+    EXPECT_GT(pairs.size(), 10U);
+  }
+}
+
+TEST(SelfIntersections, AgreeWithBruteForceOnRandomSoups) {
+  for (std::uint32_t seed = 0; seed < 500; ++seed) {
+    const Mesh mesh = built(random_soup(seed)).mesh;
+    ASSERT_EQ(self_intersections(mesh), by_brute_force(mesh)) << seed;
+  }
+}
+
+TEST(SelfIntersections, AreTheSameOnAnyNumberOfThreads) {
+  const Mesh mesh = built(scattered(20'000, 0.05F, 6)).mesh;
+  const auto pairs = self_intersections(mesh);
+  EXPECT_GT(pairs.size(), 1'000U);
+  for (const unsigned threads : {1U, 2U, 5U}) {
+    const ThreadLimit limit(threads);
+    EXPECT_EQ(self_intersections(mesh), pairs);
+    EXPECT_EQ(count_self_intersections(mesh), pairs.size());
+  }
+}
+
+TEST(SelfIntersections, AtTheEndsOfTheRangeOfFloats) {
+  for (const float scale : {0x1p-140F, 0x1p126F}) {
+    Soup soup = join(torus(12, 8), torus(12, 8), {1.0F, 0.5F, 0.25F});
+    const std::uint64_t expected = count(soup);
+    EXPECT_GT(expected, 0U);
+    // Multiples of 1/256, so that no bit is lost.
+    for (glm::vec3& p : soup.positions)
+      p = glm::round(p * 128.0F) / 128.0F;
+    const std::uint64_t rounded = count(soup);
+    for (glm::vec3& p : soup.positions)
+      p *= scale;
+    EXPECT_EQ(count(soup), rounded) << scale;
+  }
+}
+
+TEST(SelfIntersections, CanBeCancelled) {
+  Progress progress;
+  progress.cancel();
+  const Mesh mesh = built(grid(60)).mesh;
+  EXPECT_THROW(static_cast<void>(count_self_intersections(mesh, &progress)), std::exception);
+}
+
+}  // namespace
+}  // namespace mesher::test

@@ -1,0 +1,212 @@
+#include "engine/analysis/triangle_pair.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "engine/analysis/predicates.h"
+
+namespace mesher::test {
+namespace {
+
+using Point = glm::dvec3;
+
+const ExactTriangle kFlat{Point(0, 0, 0), Point(4, 0, 0), Point(0, 4, 0)};
+
+/// The answer must not depend on the order of corners or triangles, or on the axes.
+bool agree(const ExactTriangle& first, const ExactTriangle& second) {
+  const bool expected = do_intersect(first, second);
+  const auto check = [&](ExactTriangle a, ExactTriangle b) {
+    std::array<std::size_t, 3> i{0, 1, 2};
+    do {
+      std::array<std::size_t, 3> k{0, 1, 2};
+      do {
+        const ExactTriangle p{a[i[0]], a[i[1]], a[i[2]]};
+        const ExactTriangle q{b[k[0]], b[k[1]], b[k[2]]};
+        EXPECT_EQ(do_intersect(p, q), expected);
+        EXPECT_EQ(do_intersect(q, p), expected);
+      } while (std::next_permutation(k.begin(), k.end()));
+    } while (std::next_permutation(i.begin(), i.end()));
+  };
+  const auto turned = [](ExactTriangle t) {
+    for (Point& p : t)
+      p = {p.y, p.z, p.x};
+    return t;
+  };
+  check(first, second);
+  check(turned(first), turned(second));
+  check(turned(turned(first)), turned(turned(second)));
+  return expected;
+}
+
+bool meets_flat(const Point& a, const Point& b, const Point& c) {
+  return agree(kFlat, {a, b, c});
+}
+
+TEST(TrianglePair, ThatCrosses) {
+  EXPECT_TRUE(meets_flat({1, 1, -1}, {1, 1, 1}, {9, 9, 1}));
+  EXPECT_TRUE(meets_flat({-1, 1, -1}, {-1, 1, 1}, {9, 1, 0.5}));
+}
+
+TEST(TrianglePair, ThatIsApart) {
+  EXPECT_FALSE(meets_flat({1, 1, 1}, {2, 1, 1}, {1, 2, 3}));
+  EXPECT_FALSE(meets_flat({5, 5, -1}, {5, 5, 1}, {9, 9, 1}));
+  // Both reach the other's plane, one beside the other on the line in which the planes meet.
+  EXPECT_FALSE(meets_flat({5, 1, -1}, {5, 1, 1}, {9, 1, 0.5}));
+  EXPECT_FALSE(meets_flat({-1, 1, -1}, {-1, 1, 1}, {-9, 1, 0.5}));
+}
+
+TEST(TrianglePair, ThatTouches) {
+  EXPECT_TRUE(meets_flat({1, 1, 0}, {1, 2, 1}, {2, 1, 1})) << "corner on the inside";
+  EXPECT_TRUE(meets_flat({2, 0, 0}, {2, -1, 1}, {3, -1, 1})) << "corner on a side";
+  EXPECT_TRUE(meets_flat({-1, -1, 0}, {1, 1, 0}, {0, 0, 5})) << "side through a corner";
+  EXPECT_TRUE(meets_flat({2, -1, -1}, {2, 1, 1}, {9, -9, 0})) << "sides cross";
+  EXPECT_TRUE(meets_flat({1, 0, 0}, {2, 0, 0}, {1, 0, 1})) << "side within a side";
+  EXPECT_TRUE(meets_flat({-1, 0, 0}, {9, 0, 0}, {1, 0, 1})) << "side within a longer side";
+  EXPECT_FALSE(meets_flat({2, -0x1p-20, 0}, {2, -1, 1}, {3, -1, 1})) << "not quite";
+}
+
+TEST(TrianglePair, ThatIsCoplanar) {
+  EXPECT_TRUE(meets_flat({1, 1, 0}, {2, 1, 0}, {1, 2, 0})) << "inside";
+  EXPECT_TRUE(meets_flat({-9, -9, 0}, {30, -9, 0}, {-9, 30, 0})) << "around";
+  EXPECT_TRUE(meets_flat({-1, 1, 0}, {9, 1, 0}, {9, 2, 0})) << "across";
+  EXPECT_TRUE(meets_flat({2, 2, 0}, {5, 5, 0}, {2, 5, 0})) << "corner on a side";
+  EXPECT_FALSE(meets_flat({3, 3, 0}, {5, 5, 0}, {2, 5, 0}));
+  EXPECT_FALSE(meets_flat({-1, 0, 0}, {-1, 5, 0}, {-5, 0, 0}));
+}
+
+TEST(TrianglePair, WithASharedCorner) {
+  EXPECT_FALSE(meets_flat({0, 0, 0}, {-1, 0, 0}, {0, -1, 0})) << "coplanar, across the corner";
+  EXPECT_FALSE(meets_flat({0, 0, 0}, {1, 1, 1}, {2, 1, 1})) << "on one side of the plane";
+  EXPECT_FALSE(meets_flat({0, 0, 0}, {-1, -1, 1}, {-1, -1, -1})) << "through the plane, outside";
+  EXPECT_TRUE(meets_flat({0, 0, 0}, {1, 1, 1}, {1, 1, -1})) << "through the inside";
+  EXPECT_TRUE(meets_flat({0, 0, 0}, {9, 9, 1}, {9, 9, -1})) << "through the opposite side";
+  EXPECT_TRUE(meets_flat({0, 0, 0}, {1, 1, 0}, {1, 1, 1})) << "a side on the inside";
+  EXPECT_TRUE(meets_flat({0, 0, 0}, {2, 0, 0}, {2, 0, 1})) << "a side along a side";
+  EXPECT_TRUE(meets_flat({0, 0, 0}, {1, 1, 0}, {-1, 1, 0})) << "coplanar, overlapping";
+  EXPECT_TRUE(meets_flat({0, 0, 0}, {2, 0, 0}, {0, -2, 0})) << "coplanar, along a side";
+}
+
+TEST(TrianglePair, WithASharedSide) {
+  EXPECT_FALSE(meets_flat({0, 0, 0}, {4, 0, 0}, {1, -1, 0})) << "flat";
+  EXPECT_FALSE(meets_flat({0, 0, 0}, {4, 0, 0}, {1, 1, 1})) << "bent";
+  EXPECT_FALSE(meets_flat({0, 0, 0}, {4, 0, 0}, {1, 1, 0x1p-40})) << "almost folded";
+  EXPECT_TRUE(meets_flat({0, 0, 0}, {4, 0, 0}, {1, 1, 0})) << "folded";
+  EXPECT_TRUE(meets_flat({0, 0, 0}, {4, 0, 0}, {-9, 1, 0})) << "folded and sheared";
+}
+
+TEST(TrianglePair, WithAllCornersShared) {
+  EXPECT_TRUE(agree(kFlat, kFlat));
+}
+
+TEST(TrianglePair, DegenerateTriangles) {
+  EXPECT_FALSE(is_degenerate(kFlat));
+  EXPECT_TRUE(is_degenerate({Point(1, 2, 3), Point(1, 2, 3), Point(4, 5, 6)}));
+  EXPECT_TRUE(is_degenerate({Point(1, 2, 3), Point(2, 4, 6), Point(3, 6, 9)}));
+  EXPECT_FALSE(is_degenerate({Point(1, 2, 3), Point(2, 4, 6), Point(3, 6, 9 + 0x1p-20)}));
+  for (int axis = 0; axis < 3; ++axis) {
+    ExactTriangle t{Point(1), Point(1), Point(1)};
+    t[1][axis] = 2;
+    t[2][(axis + 1) % 3] = 2;
+    EXPECT_FALSE(is_degenerate(t)) << axis;
+  }
+}
+
+/// Independent of the code under test but for the sign of four points: two triangles without a
+/// shared corner and not in one plane intersect exactly if a side of one meets the other.
+bool side_meets(const Point& p, const Point& q, const ExactTriangle& t) {
+  const int from = orientation(t[0], t[1], t[2], p);
+  const int to = orientation(t[0], t[1], t[2], q);
+  if (from * to > 0) return false;
+  if (from == 0 && to == 0) {
+    // A point above the plane makes walls of the sides; the segment is outside if it is outside
+    // one, or if all corners are on one side of its own wall.
+    for (const Point& apex :
+         {t[0] + Point(1, 0, 0), t[0] + Point(0, 1, 0), t[0] + Point(0, 0, 1)}) {
+      if (orientation(t[0], t[1], t[2], apex) == 0) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Point& a = t[i];
+        const Point& b = t[(i + 1) % 3];
+        const int inside = orientation(a, b, apex, t[(i + 2) % 3]);
+        if (inside * orientation(a, b, apex, p) < 0 && inside * orientation(a, b, apex, q) < 0) {
+          return false;
+        }
+      }
+      const Point up = p + (apex - t[0]);
+      const int a = orientation(p, q, up, t[0]);
+      const int b = orientation(p, q, up, t[1]);
+      const int c = orientation(p, q, up, t[2]);
+      return !(a == b && b == c && a != 0);
+    }
+  }
+  const int a = orientation(p, q, t[0], t[1]);
+  const int b = orientation(p, q, t[1], t[2]);
+  const int c = orientation(p, q, t[2], t[0]);
+  return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+}
+
+bool any_side_meets(const ExactTriangle& a, const ExactTriangle& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (side_meets(a[i], a[(i + 1) % 3], b) || side_meets(b[i], b[(i + 1) % 3], a)) return true;
+  }
+  return false;
+}
+
+TEST(TrianglePair, AgreesWithItsSidesOnSmallGrids) {
+  // Few places for the corners: every kind of contact comes up often.
+  std::mt19937 random(7);
+  std::array<int, 2> met{};
+  for (int i = 0; i < 300'000; ++i) {
+    const int size = 2 + i % 4;
+    const auto coordinate = [&] { return static_cast<double>(random() % size); };
+    ExactTriangle a;
+    ExactTriangle b;
+    for (ExactTriangle* t : {&a, &b}) {
+      for (Point& p : *t)
+        p = {coordinate(), coordinate(), coordinate()};
+    }
+    if (is_degenerate(a) || is_degenerate(b)) continue;
+    bool is_shared = false;
+    for (const Point& p : a)
+      is_shared |= std::find(b.begin(), b.end(), p) != b.end();
+    if (is_shared) continue;
+    // Of coplanar triangles one may be inside the other, but then its sides are, too.
+    const bool expected = any_side_meets(a, b);
+    ASSERT_EQ(do_intersect(a, b), expected);
+    ++met[expected ? 1 : 0];
+  }
+  EXPECT_GT(met[0], 20'000);
+  EXPECT_GT(met[1], 20'000);
+}
+
+TEST(TrianglePair, WithASharedCornerAgreesWithCutCorners) {
+  // The triangles meet in more than the shared corner exactly if what is left of one, after a small
+  // piece at that corner is cut off, meets the other. On a grid of integers no meeting point is so
+  // near the corner.
+  std::mt19937 random(11);
+  std::array<int, 2> met{};
+  for (int i = 0; i < 100'000; ++i) {
+    const int size = 3 + i % 4;
+    const auto point = [&] {
+      return 1024.0 *
+             Point(static_cast<double>(random() % size) - 1, random() % size, random() % size);
+    };
+    const ExactTriangle a{Point(0), point(), point()};
+    const ExactTriangle b{Point(0), point(), point()};
+    if (is_degenerate(a) || is_degenerate(b)) continue;
+    if (a[1] == b[1] || a[1] == b[2] || a[2] == b[1] || a[2] == b[2]) continue;
+    const Point near1 = a[1] / 1024.0;
+    const Point near2 = a[2] / 1024.0;
+    const bool expected =
+        any_side_meets({near1, a[1], a[2]}, b) || any_side_meets({near1, a[2], near2}, b);
+    ASSERT_EQ(do_intersect(a, b), expected);
+    ++met[expected ? 1 : 0];
+  }
+  EXPECT_GT(met[0], 5'000);
+  EXPECT_GT(met[1], 5'000);
+}
+
+}  // namespace
+}  // namespace mesher::test

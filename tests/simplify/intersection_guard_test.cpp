@@ -1,0 +1,177 @@
+#include "engine/simplify/intersection_guard.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+#include "engine/analysis/self_intersections.h"
+#include "engine/core/parallel.h"
+#include "engine/io/read.h"
+#include "engine/simplify/simplify.h"
+#include "tests/simplify/replay.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+const std::filesystem::path kAssets = std::filesystem::path(MESHER_SOURCE_DIR) / "assets";
+
+Mesh asset(const char* name) {
+  return read_model(kAssets / name, {}).mesh;
+}
+
+/// Pairs that intersect in the result and did not in the input.
+std::size_t count_new_pairs(const Mesh& input, const Simplified& result) {
+  const auto before = self_intersections(input);
+  std::size_t count = 0;
+  for (const auto& [a, b] : self_intersections(result.mesh)) {
+    const Face first = result.face_source[a.index()];
+    const Face second = result.face_source[b.index()];
+    const FacePair pair{std::min(first, second), std::max(first, second)};
+    count += std::binary_search(before.begin(), before.end(), pair) ? 0U : 1U;
+  }
+  return count;
+}
+
+void expect_no_new_pair(const Mesh& mesh, SimplifyOptions options) {
+  options.no_intersections = true;
+  const Simplified result = simplify(Mesh(mesh), options);
+  expect_valid(result.mesh);
+  EXPECT_EQ(topology(result.mesh), topology(mesh));
+  EXPECT_EQ(count_new_pairs(mesh, result), 0U)
+      << key(options.cost) << " to " << options.target_faces;
+}
+
+/// Two tori, one just inside the other: far on the surface, near in space.
+Soup shells(std::uint32_t n, std::uint32_t m, float gap) {
+  Soup outer = torus(n, m);
+  Soup inner = outer;
+  for (std::size_t i = 0; i < inner.positions.size(); ++i) {
+    glm::vec3& p = inner.positions[i];
+    const float around = std::sqrt(p.x * p.x + p.y * p.y);
+    const glm::vec3 middle(2.0F * p.x / around, 2.0F * p.y / around, 0.0F);
+    p = middle + (1.0F - gap) * (p - middle);
+  }
+  return join(outer, inner);
+}
+
+Soup with_noise(Soup soup, float size, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  for (glm::vec3& p : soup.positions) {
+    for (int i = 0; i < 3; ++i)
+      p[i] += size * (static_cast<float>(random() % 2001) / 1000.0F - 1.0F);
+  }
+  return soup;
+}
+
+TEST(NoIntersections, OfTheKnotAppearToTheLastLegalCollapse) {
+  const Mesh knot = asset("knot.obj");
+  const Simplified free = simplify(Mesh(knot), {.target_faces = 4});
+  EXPECT_GT(count_self_intersections(free.mesh), 10U) << "this model tests nothing any more";
+  const Simplified kept = simplify(Mesh(knot), {.target_faces = 4, .no_intersections = true});
+  EXPECT_EQ(count_self_intersections(kept.mesh), 0U);
+  EXPECT_EQ(kept.report.reason, StopReason::no_legal_collapse);
+  EXPECT_GT(kept.report[Rejection::intersection], 0U);
+  EXPECT_LT(kept.report.faces_reached, 80U);
+}
+
+TEST(NoIntersections, AppearOnTheWay) {
+  const Mesh knot = asset("knot.obj");
+  CollapseRecorder recorder;
+  const Simplified result =
+      simplify(Mesh(knot), {.target_faces = 4, .no_intersections = true, .observer = &recorder});
+  const std::size_t steps = recorder.records().size();
+  replay(Mesh(knot), recorder.records(), [&](const Mesh& step, std::size_t i) {
+    if (i % 50 != 0 && i + 100 <= steps) return;
+    ASSERT_EQ(count_self_intersections(step), 0U) << i;
+  });
+}
+
+TEST(NoIntersections, AppearAtAnyTarget) {
+  for (const char* name : {"knot.obj", "bunny.obj", "bunny_1k.obj", "cactus.obj"}) {
+    SCOPED_TRACE(name);
+    const Mesh mesh = asset(name);
+    for (const double ratio : {0.7, 0.3, 0.1, 0.03, 0.001}) {
+      const auto target = static_cast<std::uint32_t>(ratio * mesh.face_count());
+      expect_no_new_pair(mesh, {.target_faces = std::max(target, 4U)});
+    }
+  }
+}
+
+TEST(NoIntersections, AppearForAnyCost) {
+  const Mesh mesh = built(with_noise(shells(40, 24, 0.02F), 0.004F, 3)).mesh;
+  for (std::size_t p = 0; p < kCostPolicyCount; ++p) {
+    for (const std::uint32_t target : {1'000U, 200U, 4U})
+      expect_no_new_pair(mesh, {.target_faces = target, .cost = static_cast<CostPolicy>(p)});
+  }
+}
+
+TEST(NoIntersections, AppearOnRandomClosedShapes) {
+  std::size_t with_pairs = 0;
+  for (std::uint32_t seed = 0; seed < 30; ++seed) {
+    const float noise = 0.02F * static_cast<float>(seed % 10);
+    const Mesh mesh = built(with_noise(torus(16 + seed, 12), noise, seed)).mesh;
+    with_pairs += self_intersections(mesh).empty() ? 0U : 1U;
+    expect_no_new_pair(mesh, {.target_faces = seed % 3 == 0 ? 4U : 100U});
+  }
+  EXPECT_GT(with_pairs, 5U) << "no input that intersects itself";
+}
+
+TEST(NoIntersections, AppearOnMeshesWithBoundary) {
+  for (std::uint32_t seed = 0; seed < 10; ++seed) {
+    Soup sheets = join(grid(20), grid(20), {0.0F, 0.0F, 0.1F});
+    expect_no_new_pair(built(with_noise(std::move(sheets), 0.045F, seed)).mesh,
+                       {.target_faces = 50});
+  }
+}
+
+TEST(NoIntersections, AppearBetweenRegions) {
+  const Mesh mesh = built(with_noise(shells(300, 100, 0.002F), 0.0003F, 1)).mesh;
+  ASSERT_EQ(count_self_intersections(mesh), 0U);
+  const Simplified free = simplify(Mesh(mesh), {.target_faces = 20'000});
+  EXPECT_GT(count_self_intersections(free.mesh), 10U) << "this model tests nothing any more";
+  CollapseRecorder recorder;
+  const Simplified kept = simplify(
+      Mesh(mesh), {.target_faces = 20'000, .no_intersections = true, .observer = &recorder});
+  EXPECT_EQ(count_self_intersections(kept.mesh), 0U);
+  // By rank, as progressive meshes order them, regions alternate.
+  auto records = recorder.records();
+  std::ranges::stable_sort(records, {}, &CollapseRecord::rank);
+  const std::size_t steps = records.size();
+  replay(Mesh(mesh), records, [&](const Mesh& step, std::size_t i) {
+    if (i % (steps / 8) != 0) return;
+    ASSERT_EQ(count_self_intersections(step), 0U) << i;
+  });
+}
+
+TEST(NoIntersections, GiveTheSameBytesOnAnyNumberOfThreads) {
+  const Mesh mesh = built(with_noise(shells(200, 100, 0.02F), 0.001F, 2)).mesh;
+  const SimplifyOptions options{.target_faces = 2'000, .no_intersections = true};
+  const Simplified first = simplify(Mesh(mesh), options);
+  for (const unsigned threads : {1U, 2U, 4U}) {
+    const ThreadLimit limit(threads);
+    EXPECT_TRUE(is_identical(simplify(Mesh(mesh), options).mesh, first.mesh));
+  }
+}
+
+TEST(NoIntersections, CombineWithAnErrorBound) {
+  const Mesh mesh = built(shells(40, 24, 0.05F)).mesh;
+  const Simplified result = simplify(Mesh(mesh), {.max_error = 0.1, .no_intersections = true});
+  EXPECT_LE(result.report.measured_error, 0.1);
+  EXPECT_LT(result.report.faces_reached, mesh.face_count() / 2);
+  EXPECT_EQ(count_self_intersections(result.mesh), 0U);
+}
+
+TEST(NoIntersections, PairsOfTheInputMayStay) {
+  const Mesh mesh = built(join(torus(40, 24), torus(40, 24), {1.0F, 0.5F, 0.25F})).mesh;
+  EXPECT_GT(count_self_intersections(mesh), 0U);
+  const Simplified result = simplify(Mesh(mesh), {.target_faces = 1'000, .no_intersections = true});
+  EXPECT_EQ(result.report.reason, StopReason::target_reached);
+  EXPECT_EQ(count_new_pairs(mesh, result), 0U);
+}
+
+}  // namespace
+}  // namespace mesher::test
