@@ -158,6 +158,15 @@ Json to_json(const SurfaceDistance& distance) {
           {"backward", figures(distance.backward)}};
 }
 
+Json to_json(const SurfaceDistance& distance, const DistanceInterval& certified) {
+  Json json = to_json(distance);
+  json["certified_max"] = {{"lower", certified.lower},
+                           {"upper", certified.upper},
+                           {"lower_percent", distance.percent(certified.lower)},
+                           {"upper_percent", distance.percent(certified.upper)}};
+  return json;
+}
+
 Json to_json(const SimplifyOutcome& outcome) {
   const SimplifyReport& r = outcome.report;
   Json rejected = Json::object();

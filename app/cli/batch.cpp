@@ -199,13 +199,16 @@ void run_compare(const InputOptions& first, const InputOptions& second, std::uin
     }
   }
   SurfaceDistance distance;
+  DistanceInterval certified;
   {
     ProgressLine line(!common.quiet);
+    certified =
+        hausdorff_bounds(a.model.mesh, b.model.mesh, {.progress = line.progress()}).two_sided();
     distance = surface_distance(a.model.mesh, b.model.mesh,
                                 {.samples = samples, .progress = line.progress()});
   }
   if (common.json) {
-    Json json = to_json(distance);
+    Json json = to_json(distance, certified);
     json["first"] = a.file.string();
     json["second"] = b.file.string();
     json["samples"] = samples;
@@ -221,6 +224,9 @@ void run_compare(const InputOptions& first, const InputOptions& second, std::uin
   row("first to second", distance.forward);
   row("second to first", distance.backward);
   row("two-sided", distance.two_sided());
+  print("certified max", short_number(certified.lower) + " to " + short_number(certified.upper) +
+                             " (" + short_number(distance.percent(certified.lower)) + " to " +
+                             short_number(distance.percent(certified.upper)) + " %)");
 }
 
 }  // namespace mesher::app

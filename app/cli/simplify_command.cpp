@@ -10,6 +10,7 @@
 #include "app/json.h"
 #include "app/words.h"
 #include "engine/analysis/distance.h"
+#include "engine/analysis/hausdorff.h"
 #include "engine/core/error.h"
 #include "engine/io/format.h"
 #include "engine/io/losses.h"
@@ -60,19 +61,29 @@ void say_outcome(const SimplifyOutcome& outcome) {
     say("dropped " + dropped);
 }
 
-void say_distance(const SurfaceDistance& distance) {
-  const OneSidedDistance both = distance.two_sided();
-  say("distance, both ways: rms " + short_number(both.rms) + " (" +
-      short_number(distance.percent(both.rms)) + " %), max " + short_number(both.max) + " (" +
-      short_number(distance.percent(both.max)) + " %)");
+/// What `--measure` finds.
+struct Measured {
+  SurfaceDistance sampled;
+  DistanceInterval certified;
+};
+
+void say_distance(const Measured& measured) {
+  const auto text = [&](double distance) {
+    return short_number(distance) + " (" + short_number(measured.sampled.percent(distance)) + " %)";
+  };
+  const OneSidedDistance both = measured.sampled.two_sided();
+  say("distance, both ways: rms " + text(both.rms) + ", max " + text(both.max) +
+      ", certainly at most " + text(measured.certified.upper));
 }
 
 /// Empty unless it is wanted and both meshes have faces.
-std::optional<SurfaceDistance> measured(const Mesh& before, const Mesh& after,
-                                        const CommonOptions& common) {
+std::optional<Measured> measured(const Mesh& before, const Mesh& after,
+                                 const CommonOptions& common) {
   if (before.face_count() == 0 || after.face_count() == 0) return std::nullopt;
   ProgressLine line(!common.quiet);
-  return surface_distance(before, after, {.progress = line.progress()});
+  return Measured{
+      .sampled = surface_distance(before, after, {.progress = line.progress()}),
+      .certified = hausdorff_bounds(before, after, {.progress = line.progress()}).two_sided()};
 }
 
 }  // namespace
@@ -152,7 +163,7 @@ void run_simplify(const InputOptions& input, const std::string& output, const Si
   if (!common.json) return;
   Json json{{"input", loaded.file.string()}, {"output", output}};
   json.update(to_json(outcome));
-  json["distance"] = distance ? to_json(*distance) : Json();
+  json["distance"] = distance ? to_json(distance->sampled, distance->certified) : Json();
   json["lost"] = losses;
   json["repairs"] = to_json(loaded.model.report);
   add_pm(json, loaded.pm);
