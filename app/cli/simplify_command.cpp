@@ -57,6 +57,9 @@ void say_outcome(const SimplifyOutcome& outcome) {
   if (r.measured_error >= 0.0) {
     say("measured error (max): " + with_percent(outcome, r.measured_error));
   }
+  if (r.certified_bound >= 0.0) {
+    say("certified bound (max): " + with_percent(outcome, r.certified_bound));
+  }
   for (const std::string& dropped : outcome.dropped)
     say("dropped " + dropped);
 }
@@ -109,6 +112,7 @@ SimplifyOptions simplify_options(const SimplifyWords& words, std::uint32_t faces
       .boundary = words.boundary == "lock" ? BoundaryRule::lock : BoundaryRule::preserve,
       .crease_angle_deg = words.crease_angle_deg,
       .seed = words.seed};
+  options.certifies = words.bound;
   if (words.faces) options.target_faces = *words.faces;
   if (words.ratio) {
     if (!(*words.ratio > 0.0 && *words.ratio <= 1.0)) {

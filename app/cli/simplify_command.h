@@ -22,6 +22,7 @@ struct SimplifyWords {
   float crease_angle_deg = 180.0F;
   std::uint64_t seed = 1;
   bool measure = false;
+  bool bound = false;  ///< certify how far the result is from the input
 };
 
 /// The words for --cost and --placement. "qem" is another name of "quadric".

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "engine/core/array.h"
@@ -21,6 +22,8 @@ constexpr std::size_t kPiecesPerWave = 1U << 15U;
 constexpr std::size_t kMostOpen = 1U << 20U;  // 140 bytes each
 constexpr int kSplitsOfFace = 3;
 constexpr int kSplitsOfPiece = 16;
+constexpr std::uint8_t kMostCuts = 12;
+constexpr double kFlat = 32.0;
 /// Vertices of which the first guess at the distance is taken.
 constexpr std::size_t kProbes = 512;
 /// Where something is known to be nearer than that part of the largest distance found so far, it
@@ -30,6 +33,13 @@ constexpr double kNearEnough = 0.25;
 using Triangle = std::array<glm::dvec3, 3>;
 using Sides = std::array<double, 3>;
 
+/// Where a side of a piece is split.
+struct Split {
+  std::size_t from;  ///< corner
+  std::size_t to;
+  double part;  ///< of the way
+};
+
 /// A triangle within a face.
 struct Piece {
   Triangle corners;
@@ -37,6 +47,8 @@ struct Piece {
   std::array<Face, 3> near;        ///< a face of the other surface that is so far from it
   Face below;                      ///< one that is near the middle of the face, if one is known
   double upper = 0.0;              ///< bound for all points, where it is open
+  std::uint8_t cuts = 0;           ///< along triangles that made it
+  Face face;                       ///< of which it is a part
 };
 
 /// What came of some of the work.
@@ -44,13 +56,15 @@ struct Outcome {
   double lower = 0.0;  ///< the largest distance that was found
   double upper = 0.0;  ///< of what is done with
   std::uint64_t queries = 0;
-  std::vector<Piece> open;  ///< what is not
+  std::vector<Piece> open;    ///< what is not
+  std::vector<Piece> beyond;  ///< what is known to be too far away
 };
 
 /// What decides whether a piece is done with; the same for all of a wave.
 struct Limits {
   double near;     ///< distances below are not told apart
   double allowed;  ///< upper bounds up to here are good enough
+  double beyond = std::numeric_limits<double>::infinity();  ///< distances at which to give up
 };
 
 double longest_coordinate(const Mesh& mesh) {
@@ -85,6 +99,27 @@ Sides squared_sides(const Triangle& t) {
   return sides;
 }
 
+/// Where the piece crosses a plane through a side of the triangle and its normal, if it does.
+std::optional<Split> crossing(const Triangle& piece, const Triangle& t) {
+  constexpr double kOnIt = 1e-9;  // of the length of the side
+  const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+  for (std::size_t side = 0; side < 3; ++side) {
+    const glm::dvec3 along = t[(side + 1) % 3] - t[side];
+    const glm::dvec3 inward = glm::cross(normal, along);
+    const double least = kOnIt * glm::length(inward) * glm::length(along);
+    std::array<double, 3> inside;
+    for (std::size_t c = 0; c < 3; ++c)
+      inside[c] = glm::dot(inward, piece[c] - t[side]);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t next = (c + 1) % 3;
+      if (std::max(inside[c], inside[next]) > least && std::min(inside[c], inside[next]) < -least) {
+        return Split{c, next, inside[c] / (inside[c] - inside[next])};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 /// One direction: from a surface to another.
 class OneSide {
  public:
@@ -94,6 +129,14 @@ class OneSide {
   double lower() const { return lower_; }
   /// Of what is done with, and of what is not.
   double upper() const;
+  /// Calls `visit` for what is too far away, or may be.
+  template <class Visit>
+  void visit_beyond(const Visit& visit) const {
+    for (const std::vector<Piece>* pieces : {&open_, &beyond_}) {
+      for (const Piece& piece : *pieces)
+        visit(piece);
+    }
+  }
   bool has_open() const { return !is_begun_ || !open_.empty(); }
   std::uint64_t queries() const { return queries_; }
 
@@ -122,6 +165,7 @@ class OneSide {
   Array<double> distance_;  ///< of each vertex, at most
   Array<Face> near_;        ///< and which face is so far away
   std::vector<Piece> open_;
+  std::vector<Piece> beyond_;
   double lower_ = 0.0;
   double upper_ = 0.0;
   std::uint64_t queries_ = 0;
@@ -146,6 +190,7 @@ void OneSide::note(const Outcome& outcome) {
   upper_ = std::max(upper_, outcome.upper);
   queries_ += outcome.queries;
   open_.insert(open_.end(), outcome.open.begin(), outcome.open.end());
+  beyond_.insert(beyond_.end(), outcome.beyond.begin(), outcome.beyond.end());
 }
 
 void OneSide::probe() {
@@ -182,6 +227,7 @@ void OneSide::measure_vertices(const Limits& limits, Progress* progress) {
 
 Piece OneSide::piece_of(std::uint32_t face) const {
   Piece piece;
+  piece.face = Face(face);
   for (std::uint32_t c = 0; c < 3; ++c) {
     const std::uint32_t v = mesh_.origin(Mesh::halfedge(Face(face), c)).index();
     piece.corners[c] = corner(mesh_, face, c);
@@ -240,18 +286,29 @@ void OneSide::split_up(const Piece& whole, int splits, const Limits& limits,
     Piece& piece = stack[size - 1];
     const Sides sides = squared_sides(piece.corners);
     piece.upper = bound(piece, sides);
+    const double farthest = std::max({piece.distance[0], piece.distance[1], piece.distance[2]});
+    const double longest_side = std::sqrt(std::max({sides[0], sides[1], sides[2]}));
+    // Flat: halving would follow the sides of the triangles below down to the distance allowed.
+    // Cut along them, what lies over one of them is bounded exactly. Not too often, though: slivers
+    // would follow.
+    const bool is_cut = piece.upper > limits.allowed && piece.cuts < kMostCuts &&
+                        farthest < limits.allowed && longest_side > kFlat * limits.allowed;
     // The triangle below the middle bounds it exactly where it covers the whole piece. (It may be
     // the same one, and the distance no more than rounding.)
     const bool is_unclear = piece.upper > limits.allowed || piece.upper <= 2.0 * rounding_;
-    if (is_unclear && piece.upper > 0.0 && !piece.below.is_valid()) {
+    if (is_cut || (is_unclear && piece.upper > 0.0 && !piece.below.is_valid())) {
       const glm::dvec3 middle = (piece.corners[0] + piece.corners[1] + piece.corners[2]) / 3.0;
       piece.below = query(middle, piece.near[0], limits, outcome, rounding_).face;
       piece.upper = std::min(piece.upper, bound(piece, sides));
     }
     // Smaller ones than that cannot be told apart.
-    if (piece.upper <= limits.allowed ||
-        std::max({sides[0], sides[1], sides[2]}) <= rounding_ * rounding_) {
+    if (piece.upper <= limits.allowed || longest_side <= rounding_) {
       outcome.upper = std::max(outcome.upper, piece.upper);
+      --size;
+      continue;
+    }
+    if (farthest > limits.beyond) {
+      outcome.beyond.push_back(piece);
       --size;
       continue;
     }
@@ -262,9 +319,13 @@ void OneSide::split_up(const Piece& whole, int splits, const Limits& limits,
     }
     const auto longest =
         static_cast<std::size_t>(std::max_element(sides.begin(), sides.end()) - sides.begin());
-    const std::size_t from = longest;
-    const std::size_t to = (longest + 1) % 3;
-    const glm::dvec3 p = 0.5 * (piece.corners[from] + piece.corners[to]);
+    Split split{longest, (longest + 1) % 3, 0.5};
+    if (is_cut) {
+      split = crossing(piece.corners, to_.triangle(piece.below)).value_or(split);
+      ++piece.cuts;
+    }
+    const auto [from, to, part] = split;
+    const glm::dvec3 p = piece.corners[from] + part * (piece.corners[to] - piece.corners[from]);
     const TriangleTree::Nearest hit = query(p, piece.near[from], limits, outcome, rounding_);
     Piece& other = stack[size++];
     other = piece;
@@ -308,8 +369,10 @@ void OneSide::begin_faces(const Limits& limits, Progress* progress) {
 double OneSide::upper() const {
   if (!is_begun_) return std::numeric_limits<double>::infinity();
   double most = std::max(lower_, upper_);
-  for (const Piece& piece : open_)
-    most = std::max(most, piece.upper);
+  for (const std::vector<Piece>* pieces : {&open_, &beyond_}) {
+    for (const Piece& piece : *pieces)
+      most = std::max(most, piece.upper);
+  }
   return most;
 }
 
@@ -333,19 +396,35 @@ class BothSides {
         if (side->has_open() && is_open()) side->refine(limits(), options_.progress);
       }
     }
-    return {{forward_.lower(), forward_.upper()}, {backward_.lower(), backward_.upper()}};
+    return {.forward = {forward_.lower(), forward_.upper()},
+            .backward = {backward_.lower(), backward_.upper()},
+            .beyond = options_.finds_all ? beyond() : std::vector<Face>{}};
   }
 
  private:
   double lower() const { return std::max(forward_.lower(), backward_.lower()); }
+  std::vector<Face> beyond() const {
+    std::vector<Face> faces;
+    forward_.visit_beyond([&](const Piece& piece) { faces.push_back(piece.face); });
+    backward_.visit_beyond([&](const Piece& piece) {
+      faces.insert(faces.end(), piece.near.begin(), piece.near.end());
+      if (piece.below.is_valid()) faces.push_back(piece.below);
+    });
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return faces;
+  }
   Limits limits() const {
     const double known = options_.is_decision ? 0.0 : options_.ratio * lower();
-    return {.near = kNearEnough * std::max(lower(), options_.enough),
-            .allowed = std::max({known, options_.enough, 2.0 * rounding_})};
+    const double allowed = std::max({known, options_.enough, 2.0 * rounding_});
+    if (!options_.finds_all) return {.near = kNearEnough * lower(), .allowed = allowed};
+    return {.near = kNearEnough * std::min(lower(), options_.enough),
+            .allowed = allowed,
+            .beyond = options_.enough};
   }
   bool is_open() const {
     if (!forward_.has_open() && !backward_.has_open()) return false;
-    if (options_.is_decision && lower() > options_.enough) return false;
+    if (options_.is_decision && !options_.finds_all && lower() > options_.enough) return false;
     return forward_.queries() + backward_.queries() < options_.most_queries;
   }
 

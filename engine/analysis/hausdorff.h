@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "engine/analysis/triangle_tree.h"
 #include "engine/core/progress.h"
@@ -21,6 +22,10 @@ struct HausdorffBounds {
   DistanceInterval forward;   ///< from any point of the first surface to the second
   DistanceInterval backward;  ///< from any point of the second to the first
 
+  /// Faces of the first surface where a point is, or may be, farther than enough from the second or
+  /// where one of the second is, or may be, farther from them. Ascending; where `finds_all` alone.
+  std::vector<Face> beyond;
+
   /// The larger of the two.
   DistanceInterval two_sided() const;
 };
@@ -36,6 +41,8 @@ struct HausdorffOptions {
   bool is_decision = false;
   /// After about so many nearest-point queries the bounds are returned as they are.
   std::uint64_t most_queries = 4'000'000;
+  /// A decision that does not end at the first point beyond, but finds out where they all are.
+  bool finds_all = false;
   Progress* progress = nullptr;
 };
 
