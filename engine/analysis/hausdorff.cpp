@@ -153,7 +153,7 @@ class OneSide {
   TriangleTree::Nearest query(const glm::dvec3& p, Face hint, const Limits& limits,
                               Outcome& outcome, double off = 0.0) const;
   double certified(const Piece& piece, double computed) const;
-  double bound(const Piece& piece, const Sides& sides) const;
+  double bound(const Piece& piece, const Sides& sides, double allowed) const;
   double bound_by_triangles(const Piece& piece, double least) const;
   void split_up(const Piece& piece, int splits, const Limits& limits, Outcome& outcome) const;
   Piece piece_of(std::uint32_t face) const;
@@ -272,9 +272,13 @@ double OneSide::certified(const Piece& piece, double computed) const {
   return computed * (1.0 + 1e-12) + rounding_;
 }
 
-double OneSide::bound(const Piece& piece, const Sides& sides) const {
+/// A bound for all points of a piece; not the best, where a simpler one is good enough.
+double OneSide::bound(const Piece& piece, const Sides& sides, double allowed) const {
   const double farthest = std::max({piece.distance[0], piece.distance[1], piece.distance[2]});
-  return certified(piece, bound_by_triangles(piece, farthest + reach(sides)));
+  const double by_corners = farthest + reach(sides);
+  const double simple = certified(piece, by_corners);
+  if (simple <= allowed) return simple;
+  return certified(piece, bound_by_triangles(piece, by_corners));
 }
 
 /// Splits a piece, and its parts, until all are done with or the number of splits is used up.
@@ -285,7 +289,7 @@ void OneSide::split_up(const Piece& whole, int splits, const Limits& limits,
   for (std::size_t size = 1; size > 0;) {
     Piece& piece = stack[size - 1];
     const Sides sides = squared_sides(piece.corners);
-    piece.upper = bound(piece, sides);
+    piece.upper = bound(piece, sides, limits.allowed);
     const double farthest = std::max({piece.distance[0], piece.distance[1], piece.distance[2]});
     const double longest_side = std::sqrt(std::max({sides[0], sides[1], sides[2]}));
     // Flat: halving would follow the sides of the triangles below down to the distance allowed.
@@ -299,7 +303,7 @@ void OneSide::split_up(const Piece& whole, int splits, const Limits& limits,
     if (is_cut || (is_unclear && piece.upper > 0.0 && !piece.below.is_valid())) {
       const glm::dvec3 middle = (piece.corners[0] + piece.corners[1] + piece.corners[2]) / 3.0;
       piece.below = query(middle, piece.near[0], limits, outcome, rounding_).face;
-      piece.upper = std::min(piece.upper, bound(piece, sides));
+      piece.upper = std::min(piece.upper, bound(piece, sides, limits.allowed));
     }
     // Smaller ones than that cannot be told apart.
     if (piece.upper <= limits.allowed || longest_side <= rounding_) {

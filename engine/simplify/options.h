@@ -52,7 +52,7 @@ std::string_view key(CostPolicy policy);
 std::string_view key(Placement placement);
 
 /// How many times the true distance a certified bound may be.
-inline constexpr double kBoundRatio = 3.0;
+inline constexpr double kBoundRatio = 5.0;
 
 /// What to simplify to, and by which rules. The first target reached ends the work.
 struct SimplifyOptions {
