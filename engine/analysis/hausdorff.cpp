@@ -325,8 +325,13 @@ void OneSide::split_up(const Piece& whole, int splits, const Limits& limits,
         static_cast<std::size_t>(std::max_element(sides.begin(), sides.end()) - sides.begin());
     Split split{longest, (longest + 1) % 3, 0.5};
     if (is_cut) {
-      split = crossing(piece.corners, to_.triangle(piece.below)).value_or(split);
-      ++piece.cuts;
+      const Triangle below = to_.triangle(piece.below);
+      const Sides there = squared_sides(below);
+      // A piece over many triangles is halved first.
+      if (sides[longest] < 4.0 * std::max({there[0], there[1], there[2]})) {
+        split = crossing(piece.corners, below).value_or(split);
+        ++piece.cuts;
+      }
     }
     const auto [from, to, part] = split;
     const glm::dvec3 p = piece.corners[from] + part * (piece.corners[to] - piece.corners[from]);
