@@ -158,6 +158,15 @@ Json to_json(const SurfaceDistance& distance) {
           {"backward", figures(distance.backward)}};
 }
 
+Json to_json(const SurfaceDistance& distance, const DistanceInterval& certified) {
+  Json json = to_json(distance);
+  json["certified_max"] = {{"lower", certified.lower},
+                           {"upper", certified.upper},
+                           {"lower_percent", distance.percent(certified.lower)},
+                           {"upper_percent", distance.percent(certified.upper)}};
+  return json;
+}
+
 Json to_json(const SimplifyOutcome& outcome) {
   const SimplifyReport& r = outcome.report;
   Json rejected = Json::object();
@@ -179,6 +188,9 @@ Json to_json(const SimplifyOutcome& outcome) {
           {"estimated_error_percent", outcome.percent(r.estimated_error)},
           {"measured_error", if_any(is_measured, r.measured_error)},
           {"measured_error_percent", if_any(is_measured, outcome.percent(r.measured_error))},
+          {"certified_bound", if_any(r.certified_bound >= 0.0, r.certified_bound)},
+          {"certified_bound_percent",
+           if_any(r.certified_bound >= 0.0, outcome.percent(r.certified_bound))},
           {"seconds",
            {{"prepare", r.seconds.prepare},
             {"collapse", r.seconds.collapse},

@@ -5,6 +5,7 @@
 #include "app/pm_file.h"
 #include "app/session.h"
 #include "engine/analysis/distance.h"
+#include "engine/analysis/hausdorff.h"
 
 namespace mesher::app {
 
@@ -20,6 +21,8 @@ Json to_json(const Model& model, const Statistics& statistics, const std::filesy
 Json to_json(const PmSummary& summary);
 /// Both directions and the larger of them, each in units and percent.
 Json to_json(const SurfaceDistance& distance);
+/// The same, and the interval in which the largest distance lies, both ways.
+Json to_json(const SurfaceDistance& distance, const DistanceInterval& certified);
 /// The ledger of a simplification: asked, reached, why it ended, refusals, errors, seconds.
 Json to_json(const SimplifyOutcome& outcome);
 /// What a session shows: for `--json` and the state log.

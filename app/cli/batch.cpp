@@ -202,15 +202,18 @@ void run_compare(const InputOptions& first, const InputOptions& second, std::uin
   SurfaceDistance distance;
   std::uint64_t first_pairs = 0;
   std::uint64_t second_pairs = 0;
+  DistanceInterval certified;
   {
     ProgressLine line(!common.quiet);
+    certified =
+        hausdorff_bounds(a.model.mesh, b.model.mesh, {.progress = line.progress()}).two_sided();
     distance = surface_distance(a.model.mesh, b.model.mesh,
                                 {.samples = samples, .progress = line.progress()});
     first_pairs = count_self_intersections(a.model.mesh, line.progress());
     second_pairs = count_self_intersections(b.model.mesh, line.progress());
   }
   if (common.json) {
-    Json json = to_json(distance);
+    Json json = to_json(distance, certified);
     json["first"] = a.file.string();
     json["second"] = b.file.string();
     json["samples"] = samples;
@@ -230,6 +233,9 @@ void run_compare(const InputOptions& first, const InputOptions& second, std::uin
   row("two-sided", distance.two_sided());
   print("self-intersections", with_commas(first_pairs) + " pairs of faces in the first, " +
                                   with_commas(second_pairs) + " in the second");
+  print("certified max", short_number(certified.lower) + " to " + short_number(certified.upper) +
+                             " (" + short_number(distance.percent(certified.lower)) + " to " +
+                             short_number(distance.percent(certified.upper)) + " %)");
 }
 
 }  // namespace mesher::app

@@ -203,6 +203,8 @@ class CommandLine {
                         "how far the result may be from the input: model units, or 0.5% of the "
                         "diagonal; with --faces or --ratio, what comes first ends it");
     add_policies(command, simplify_);
+    command->add_flag("--bound", simplify_.bound,
+                      "print a certified upper bound on the distance between input and result");
     command->add_flag("--measure", simplify_.measure,
                       "measure the distance between input and result, and count intersecting pairs "
                       "of faces in both");

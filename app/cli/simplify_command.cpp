@@ -10,6 +10,7 @@
 #include "app/json.h"
 #include "app/words.h"
 #include "engine/analysis/distance.h"
+#include "engine/analysis/hausdorff.h"
 #include "engine/analysis/self_intersections.h"
 #include "engine/core/error.h"
 #include "engine/io/format.h"
@@ -57,23 +58,36 @@ void say_outcome(const SimplifyOutcome& outcome) {
   if (r.measured_error >= 0.0) {
     say("measured error (max): " + with_percent(outcome, r.measured_error));
   }
+  if (r.certified_bound >= 0.0) {
+    say("certified bound (max): " + with_percent(outcome, r.certified_bound));
+  }
   for (const std::string& dropped : outcome.dropped)
     say("dropped " + dropped);
 }
 
-void say_distance(const SurfaceDistance& distance) {
-  const OneSidedDistance both = distance.two_sided();
-  say("distance, both ways: rms " + short_number(both.rms) + " (" +
-      short_number(distance.percent(both.rms)) + " %), max " + short_number(both.max) + " (" +
-      short_number(distance.percent(both.max)) + " %)");
+/// What `--measure` finds.
+struct Measured {
+  SurfaceDistance sampled;
+  DistanceInterval certified;
+};
+
+void say_distance(const Measured& measured) {
+  const auto text = [&](double distance) {
+    return short_number(distance) + " (" + short_number(measured.sampled.percent(distance)) + " %)";
+  };
+  const OneSidedDistance both = measured.sampled.two_sided();
+  say("distance, both ways: rms " + text(both.rms) + ", max " + text(both.max) +
+      ", certainly at most " + text(measured.certified.upper));
 }
 
 /// Empty unless it is wanted and both meshes have faces.
-std::optional<SurfaceDistance> measured(const Mesh& before, const Mesh& after,
-                                        const CommonOptions& common) {
+std::optional<Measured> measured(const Mesh& before, const Mesh& after,
+                                 const CommonOptions& common) {
   if (before.face_count() == 0 || after.face_count() == 0) return std::nullopt;
   ProgressLine line(!common.quiet);
-  return surface_distance(before, after, {.progress = line.progress()});
+  return Measured{
+      .sampled = surface_distance(before, after, {.progress = line.progress()}),
+      .certified = hausdorff_bounds(before, after, {.progress = line.progress()}).two_sided()};
 }
 
 /// Empty unless it is wanted.
@@ -108,6 +122,7 @@ SimplifyOptions simplify_options(const SimplifyWords& words, std::uint32_t faces
       .crease_angle_deg = words.crease_angle_deg,
       .seed = words.seed,
       .no_intersections = words.no_intersections};
+  options.certifies = words.bound;
   if (words.faces) options.target_faces = *words.faces;
   if (words.ratio) {
     if (!(*words.ratio > 0.0 && *words.ratio <= 1.0)) {
@@ -168,7 +183,7 @@ void run_simplify(const InputOptions& input, const std::string& output, const Si
   if (!common.json) return;
   Json json{{"input", loaded.file.string()}, {"output", output}};
   json.update(to_json(outcome));
-  json["distance"] = distance ? to_json(*distance) : Json();
+  json["distance"] = distance ? to_json(distance->sampled, distance->certified) : Json();
   json["self_intersections_before"] = intersections_before ? Json(*intersections_before) : Json();
   json["self_intersections_after"] = intersections_after ? Json(*intersections_after) : Json();
   json["lost"] = losses;

@@ -23,6 +23,7 @@ struct SimplifyWords {
   std::uint64_t seed = 1;
   bool no_intersections = false;
   bool measure = false;
+  bool bound = false;  ///< certify how far the result is from the input
 };
 
 /// The words for --cost and --placement. "qem" is another name of "quadric".

@@ -407,7 +407,7 @@ void Collapser::collapse(Halfedge h, const Candidate& candidate, const Appraisal
     merge_near_feature(h, candidate.position);
   }
   context_.policy.collapsed(removed, kept);
-  if (context_.bound != nullptr) context_.bound->collapsed(removed, kept);
+  if (context_.bound != nullptr) context_.bound->collapsed(removed, kept, candidate.position);
   if (guard_) guard_->collapsed(surface, fan_);
   outcome_.removed_faces += t.is_valid() ? 2 : 1;
   evaluate_fan(kept);

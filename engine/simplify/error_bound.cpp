@@ -1,51 +1,73 @@
 #include "engine/simplify/error_bound.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <utility>
+#include <vector>
+
+#include "engine/core/parallel.h"
 
 namespace mesher {
 
-ErrorBound::ErrorBound(const Mesh& input, double bound)
-    : tree_(input),
+ErrorBound::ErrorBound(const Mesh& input, double bound, Array<float> shares)
+    : tree_(input, TriangleOrder::by_place),
       squared_bound_(bound * bound),
       input_(input.positions().begin(), input.positions().end()),
-      next_(input.vertex_count()) {
-  std::iota(next_.begin(), next_.end(), 0U);
-}
-
-bool ErrorBound::is_near_input(const glm::dvec3& p) const {
-  return tree_.nearest(p).squared_distance <= squared_bound_;
+      next_(input.vertex_count()),
+      shares_(std::move(shares)),
+      near_(input.vertex_count(), Face(0)) {
+  constexpr std::size_t kGrain = 1U << 13U;
+  parallel_for_each(next_.size(), kGrain, [&](std::uint32_t v) {
+    next_[v] = v;
+    if (!input.is_isolated(Vertex(v))) near_[v] = Mesh::face(input.outgoing(Vertex(v)));
+  });
 }
 
 bool ErrorBound::allows(const Surface& surface, Vertex removed, Vertex kept, const Fan& fan,
                         const glm::vec3& p) const {
   const Mesh& mesh = surface.mesh();
+  const double share = this->share(removed, kept);
+  const double squared_bound = share * share * squared_bound_;
   const glm::dvec3 center(p);
-  if (!is_near_input(center)) return false;
-  if (!reaches_all(mesh, removed, fan, center) || !reaches_all(mesh, kept, fan, center)) {
+  const auto near_input = [&](const glm::dvec3& q, Face hint) {
+    return tree_.nearest_beyond(q, hint, squared_bound);
+  };
+  const TriangleTree::Nearest below = near_input(center, near_[kept.index()]);
+  if (below.squared_distance > squared_bound) return false;
+  thread_local std::vector<std::array<glm::dvec3, 3>> faces;
+  faces.resize(fan.size());
+  for (std::size_t i = 0; i < fan.size(); ++i)
+    faces[i] = {center, mesh.position(fan.ring()[i]), mesh.position(fan.ring()[i + 1])};
+  std::size_t likely = 0;
+  if (!reaches_all(removed, faces, squared_bound, likely) ||
+      !reaches_all(kept, faces, squared_bound, likely)) {
     return false;
   }
-  for (std::size_t i = 0; i < fan.size(); ++i) {
-    const glm::dvec3 a(mesh.position(fan.ring()[i]));
-    const glm::dvec3 b(mesh.position(fan.ring()[i + 1]));
-    if (!is_near_input(0.5 * (center + a)) || !is_near_input((center + a + b) / 3.0)) return false;
+  Face hint = below.face;
+  const auto is_near = [&](const glm::dvec3& q) {
+    const TriangleTree::Nearest hit = near_input(q, hint);
+    hint = hit.face;
+    return hit.squared_distance <= squared_bound;
+  };
+  for (const auto& [c, a, b] : faces) {
+    if (!is_near(0.5 * (c + a)) || !is_near((c + a + b) / 3.0)) return false;
   }
   // An open fan ends with one edge more than it has faces: at the boundary, where it may cut across
   // a hole.
   if (fan.is_closed() || fan.size() == 0) return true;
-  return is_near_input(0.5 * (center + glm::dvec3(mesh.position(fan.ring().back()))));
+  return is_near(0.5 * (center + glm::dvec3(mesh.position(fan.ring().back()))));
 }
 
-/// Whether the new faces pass near every input vertex for which `v` answers.
-bool ErrorBound::reaches_all(const Mesh& mesh, Vertex v, const Fan& fan,
-                             const glm::dvec3& center) const {
+/// Whether the faces pass near every input vertex for which `v` answers. Neighbors in the ring are
+/// mostly near the same face: `likely` is where the search begins.
+bool ErrorBound::reaches_all(Vertex v, std::span<const std::array<glm::dvec3, 3>> faces,
+                             double squared_bound, std::size_t& likely) const {
   const auto is_reached = [&](const glm::dvec3& q) {
-    for (std::size_t i = 0; i < fan.size(); ++i) {
-      const std::array<glm::dvec3, 3> face{center, mesh.position(fan.ring()[i]),
-                                           mesh.position(fan.ring()[i + 1])};
-      if (squared_distance(q, face) <= squared_bound_) return true;
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+      const std::size_t i = likely + k < faces.size() ? likely + k : likely + k - faces.size();
+      if (squared_distance(q, faces[i]) > squared_bound) continue;
+      likely = i;
+      return true;
     }
     return false;
   };
@@ -57,9 +79,13 @@ bool ErrorBound::reaches_all(const Mesh& mesh, Vertex v, const Fan& fan,
   return true;
 }
 
-void ErrorBound::collapsed(Vertex removed, Vertex kept) {
+void ErrorBound::collapsed(Vertex removed, Vertex kept, const glm::vec3& p) {
   // Two rings become one.
   std::swap(next_[removed.index()], next_[kept.index()]);
+  near_[kept.index()] = tree_.nearest_beyond(p, near_[kept.index()], squared_bound_).face;
+  if (!shares_.empty()) {
+    shares_[kept.index()] = std::min(shares_[removed.index()], shares_[kept.index()]);
+  }
 }
 
 }  // namespace mesher

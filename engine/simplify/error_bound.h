@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "engine/analysis/triangle_tree.h"
 #include "engine/core/array.h"
@@ -20,24 +23,32 @@ namespace mesher {
 /// at the end.
 class ErrorBound {
  public:
-  /// `input`: the mesh before any collapse, with the surface's ids. O(F log F).
-  ErrorBound(const Mesh& input, double bound);
+  /// `input`: the mesh before any collapse, with the surface's ids. `shares`: for each vertex which
+  /// part of the bound holds where it is; empty: all of it. O(F).
+  ErrorBound(const Mesh& input, double bound, Array<float> shares = {});
 
   /// Whether the edge of the fan may be merged at `p`. O((answered for + 1) valence + valence log
   /// F) expected. For different regions at once.
   bool allows(const Surface& surface, Vertex removed, Vertex kept, const Fan& fan,
               const glm::vec3& p) const;
-  /// `kept` answers for what `removed` did. O(1).
-  void collapsed(Vertex removed, Vertex kept);
+  /// `kept`, which went to `p`, answers for what `removed` did. O(log F) expected.
+  void collapsed(Vertex removed, Vertex kept, const glm::vec3& p);
 
  private:
-  bool is_near_input(const glm::dvec3& p) const;
-  bool reaches_all(const Mesh& mesh, Vertex v, const Fan& fan, const glm::dvec3& center) const;
+  /// Which part of the bound holds for what becomes of an edge.
+  double share(Vertex removed, Vertex kept) const {
+    return shares_.empty() ? 1.0
+                           : double{std::min(shares_[removed.index()], shares_[kept.index()])};
+  }
+  bool reaches_all(Vertex v, std::span<const std::array<glm::dvec3, 3>> faces, double squared_bound,
+                   std::size_t& likely) const;
 
   TriangleTree tree_;
   double squared_bound_;
   Array<glm::vec3> input_;     ///< positions
-  Array<std::uint32_t> next_;  ///< the next that is answered for by the same vertex; around
+  Array<std::uint32_t> next_;  ///< around the ring of vertices that one vertex answers for
+  Array<float> shares_;        ///< of the bound, of all that a vertex answers for
+  Array<Face> near_;  ///< of the input: within the bound of the vertex, or likely to be near
 };
 
 }  // namespace mesher

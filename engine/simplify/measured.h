@@ -1,18 +1,24 @@
 #pragma once
 
+#include <span>
+
 #include "engine/simplify/simplify.h"
 
 namespace mesher {
 
 /// One run, with the bound of the options kept step by step (if there is one) but not measured.
-Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options);
+/// `shares`: for each vertex which part of that bound holds around it; empty: all of it.
+Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options,
+                               std::span<const float> shares = {});
 
-/// Runs, measures the distance between input and result both ways (`surface_distance`, samples and
-/// vertices), and runs again with a tighter bound until what is measured keeps the bound that was
-/// asked for. At most kMaxRuns; if none keeps it, the result is the input.
-/// The observer is told of the run that counts alone.
+/// One run, and a certified bound for the distance between input and result.
+Simplified simplify_certified(Mesh&& mesh, const SimplifyOptions& options);
+
+/// Runs, decides whether input and result are within the bound, both ways (`hausdorff_bounds`), and
+/// runs again with a tighter bound around the places that are not. At most kMaxRuns; if none keeps
+/// the bound, the result is the input. The observer is told of the run that counts alone.
 Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options);
 
-inline constexpr int kMaxRuns = 6;
+inline constexpr int kMaxRuns = 12;
 
 }  // namespace mesher

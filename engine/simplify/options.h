@@ -51,13 +51,18 @@ enum class ResultOrder : std::uint8_t {
 std::string_view key(CostPolicy policy);
 std::string_view key(Placement placement);
 
+/// How many times the true distance a certified bound may be.
+inline constexpr double kBoundRatio = 5.0;
+
 /// What to simplify to, and by which rules. The first target reached ends the work.
 struct SimplifyOptions {
   std::uint32_t target_faces = 0;  ///< 0: as far as it goes
   /// Upper bound for the distance between input and result, both ways, in model units; infinite:
-  /// none. Costs thirty to sixty times the time (bunny to 1 %). Pre: not
-  /// negative.
+  /// none. Pre: not negative.
   double max_error = std::numeric_limits<double>::infinity();
+  /// Find an upper bound for that distance (SimplifyReport::certified_bound), at most kBoundRatio
+  /// times the distance itself. Always found where there is a max_error.
+  bool certifies = false;
 
   CostPolicy cost = CostPolicy::quadric;
   Placement placement = Placement::optimal;

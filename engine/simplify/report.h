@@ -37,7 +37,7 @@ struct SimplifyTimes {
   double prepare = 0.0;  ///< vertex order, quadrics, first costs
   double collapse = 0.0;
   double finish = 0.0;   ///< the result's order
-  double measure = 0.0;  ///< of the error, where a bound was asked for
+  double measure = 0.0;  ///< of the error, where a bound was asked for or certified
   double total() const { return prepare + collapse + finish + measure; }
 };
 
@@ -58,6 +58,9 @@ struct SimplifyReport {
   /// The largest distance between input and result that was measured, both ways, model units;
   /// negative where no bound was asked for.
   double measured_error = -1.0;
+  /// No point of the input or of the result is farther from the other, model units; negative where
+  /// that was not asked for.
+  double certified_bound = -1.0;
   SimplifyTimes seconds;
 
   std::uint64_t& operator[](Rejection cause) { return rejected[static_cast<std::size_t>(cause)]; }

@@ -54,18 +54,19 @@ constexpr double kTrustInPaid = 16.0;
 constexpr double kTimesCounted = 13.4;
 
 std::unique_ptr<ErrorBound> make_bound(const Mesh& mesh, float scale,
-                                       const SimplifyOptions& options) {
+                                       const SimplifyOptions& options, Array<float> shares) {
   if (!std::isfinite(options.max_error) || mesh.face_count() == 0) return nullptr;
-  return std::make_unique<ErrorBound>(mesh, double{scale} * options.max_error);
+  return std::make_unique<ErrorBound>(mesh, double{scale} * options.max_error, std::move(shares));
 }
 
 }  // namespace
 
-Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, TranslateRecords translate)
+Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, TranslateRecords translate,
+               Array<float> shares)
     : options_(options),
       translate_(std::move(translate)),
       scale_(scale),
-      bound_(make_bound(mesh, scale, options)),
+      bound_(make_bound(mesh, scale, options, std::move(shares))),
       space_(options.no_intersections ? std::make_unique<GuardedSpace>(mesh.face_count())
                                       : nullptr),
       surface_(std::move(mesh), options),

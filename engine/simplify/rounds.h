@@ -27,8 +27,9 @@ using TranslateRecords = std::function<void(std::span<CollapseRecord>)>;
 class Rounds {
  public:
   /// `scale`: what the mesh's units have been multiplied by. `translate`: records go through it on
-  /// their way to the observer, some on each thread.
-  Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, TranslateRecords translate);
+  /// their way to the observer, some on each thread. `shares`: of the error bound, as ErrorBound.
+  Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, TranslateRecords translate,
+         Array<float> shares = {});
 
   /// Collapses down to the target and fills in what the report says of it. Throws Cancelled.
   void run(SimplifyReport& report);

@@ -186,7 +186,8 @@ Simplified finish(const Rounds& rounds, const Reordered& order, const Units& uni
 
 }  // namespace
 
-Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options) {
+Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options,
+                               std::span<const float> shares) {
   Stopwatch watch;
   SimplifyTimes seconds;
   begin_stage(options.progress, "preparing");
@@ -199,7 +200,11 @@ Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options) {
   Reordered order = reorder_by_place(mesh);
   mesh = Mesh{};
   const Units units(order.mesh);
-  Rounds rounds(std::move(order.mesh), units.scale(), observed, Translator(order, units));
+  Array<float> shares_in_order;
+  for (std::size_t v = 0; v < shares.size(); ++v)
+    shares_in_order.push_back(shares[order.vertex_source[v].index()]);
+  Rounds rounds(std::move(order.mesh), units.scale(), observed, Translator(order, units),
+                std::move(shares_in_order));
   seconds.prepare = watch.lap();
   begin_stage(options.progress, "simplifying");
   rounds.run(report);
@@ -215,8 +220,9 @@ Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options) {
 }
 
 Simplified simplify(Mesh&& mesh, const SimplifyOptions& options) {
-  return std::isfinite(options.max_error) ? simplify_measured(std::move(mesh), options)
-                                          : simplify_unmeasured(std::move(mesh), options);
+  if (std::isfinite(options.max_error)) return simplify_measured(std::move(mesh), options);
+  return options.certifies ? simplify_certified(std::move(mesh), options)
+                           : simplify_unmeasured(std::move(mesh), options);
 }
 
 }  // namespace mesher

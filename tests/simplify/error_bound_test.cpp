@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "engine/analysis/distance.h"
+#include "engine/analysis/hausdorff.h"
+#include "engine/core/parallel.h"
 #include "engine/mesh/statistics.h"
 #include "engine/simplify/simplify.h"
 #include "tests/simplify/replay.h"
@@ -30,6 +33,7 @@ TEST(MaxError, IsHonouredBothWaysAndMeasured) {
       expect_valid(result.mesh);
       EXPECT_EQ(topology(result.mesh), topology(mesh));
       EXPECT_LE(result.report.measured_error, bound);
+      EXPECT_LE(result.report.certified_bound, bound);
       // Measured again, with other samples.
       const SurfaceDistance d = surface_distance(mesh, result.mesh, {.samples = 77'777});
       EXPECT_LE(d.two_sided().max, bound * 1.02);
@@ -91,6 +95,48 @@ TEST(MaxError, OfZeroRemovesWhatIsFlat) {
   EXPECT_EQ(none.mesh.face_count(), 800U);
   EXPECT_EQ(none.report.reason, StopReason::error_bound);
   EXPECT_EQ(none.report.measured_error, 0.0);
+}
+
+TEST(MaxError, IsCertifiedByBoundsFoundAnew) {
+  const Mesh mesh = wavy_sheet(40);
+  for (const double bound : {0.01, 0.05, 0.2}) {
+    const Simplified result = simplify(Mesh(mesh), {.max_error = bound});
+    EXPECT_LT(result.mesh.face_count(), mesh.face_count()) << bound;
+    const DistanceInterval found = hausdorff_bounds(mesh, result.mesh, {.ratio = 1.01}).two_sided();
+    EXPECT_LE(found.lower, bound);
+  }
+}
+
+TEST(MaxError, IsTheSameForAnyNumberOfThreads) {
+  const Mesh mesh = built(torus(120, 60)).mesh;
+  std::vector<Simplified> results;
+  for (const unsigned threads : {1U, 2U}) {
+    const ThreadLimit limit(threads);
+    results.push_back(simplify(Mesh(mesh), {.max_error = 0.01}));
+  }
+  EXPECT_TRUE(is_same_surface(results[0].mesh, results[1].mesh));
+  EXPECT_EQ(results[0].report.certified_bound, results[1].report.certified_bound);
+}
+
+TEST(CertifiedBound, LiesBetweenSamplesAndItsRatioTimesTheDistance) {
+  for (const Mesh& mesh : {wavy_sheet(60), built(torus(90, 45)).mesh}) {
+    for (const double part : {0.5, 0.1, 0.02}) {
+      const auto target = static_cast<std::uint32_t>(part * mesh.face_count());
+      const Simplified result = simplify(Mesh(mesh), {.target_faces = target, .certifies = true});
+      const double sampled =
+          surface_distance(mesh, result.mesh, {.samples = 100'000}).two_sided().max;
+      EXPECT_GE(result.report.certified_bound, sampled) << part;
+      const DistanceInterval distance =
+          hausdorff_bounds(mesh, result.mesh, {.ratio = 1.05}).two_sided();
+      EXPECT_LE(result.report.certified_bound, kBoundRatio * distance.upper) << part;
+      EXPECT_LT(result.report.measured_error, 0.0);
+    }
+  }
+}
+
+TEST(CertifiedBound, IsNotFoundUnlessAskedFor) {
+  const Mesh mesh = wavy_sheet(10);
+  EXPECT_LT(simplify(Mesh(mesh), {.target_faces = 50}).report.certified_bound, 0.0);
 }
 
 TEST(MaxError, TheObserverIsToldOfTheRunThatCounts) {

@@ -1,0 +1,51 @@
+// The certified bound against dense samples, on every model and what simplifying makes of it.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+#include "engine/analysis/distance.h"
+#include "engine/analysis/hausdorff.h"
+#include "engine/io/read.h"
+#include "engine/simplify/simplify.h"
+#include "tests/support/meshes.h"
+#include "tests/support/obj_files.h"
+
+namespace mesher::test {
+namespace {
+
+void examine(const std::filesystem::path& file) {
+  const Mesh mesh = read_model(file, {}).mesh;
+  for (const double part : {0.5, 0.1, 0.01}) {
+    SCOPED_TRACE(file.filename().string() + " to " + std::to_string(part));
+    const auto target = static_cast<std::uint32_t>(part * mesh.face_count());
+    const Mesh after = simplify(Mesh(mesh), {.target_faces = std::max(target, 4U)}).mesh;
+    const SurfaceDistance sampled = surface_distance(mesh, after, {.samples = 200'000});
+    const double diagonal = bounding_box(mesh).diagonal();
+    for (const double ratio : {1.1, 3.0}) {
+      const HausdorffBounds bounds = hausdorff_bounds(mesh, after, {.ratio = ratio});
+      // Samples are rounded, too.
+      EXPECT_GE(bounds.forward.upper, sampled.forward.max - 1e-12 * diagonal);
+      EXPECT_GE(bounds.backward.upper, sampled.backward.max - 1e-12 * diagonal);
+      const auto [lower, upper] = bounds.two_sided();
+      EXPECT_LE(upper, ratio * lower * (1.0 + 1e-9) + 1e-12 * diagonal);
+      EXPECT_LE(lower, 1.1 * sampled.two_sided().max + 1e-12 * diagonal);
+    }
+  }
+}
+
+TEST(HausdorffOfModels, HoldsForEveryAsset) {
+  for (const std::filesystem::path& file : files_in(MESHER_SOURCE_DIR "/assets"))
+    examine(file);
+}
+
+TEST(HausdorffOfModels, HoldsForEverySharedModel) {
+  const auto files = files_in(MESHER_SHARED_MODELS);
+  if (files.empty()) std::cerr << "*** NOT TESTED: no models in " MESHER_SHARED_MODELS " ***\n";
+  for (const std::filesystem::path& file : files)
+    examine(file);
+}
+
+}  // namespace
+}  // namespace mesher::test

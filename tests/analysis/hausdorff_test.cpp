@@ -1,0 +1,200 @@
+#include "engine/analysis/hausdorff.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "engine/analysis/distance.h"
+#include "engine/core/error.h"
+#include "engine/core/parallel.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+Soup moved(Soup soup, const glm::vec3& by, float scale = 1.0F) {
+  for (glm::vec3& p : soup.positions)
+    p = p * scale + by;
+  return soup;
+}
+
+/// Neither bound may contradict the samples, and the two must be as close as was asked for.
+void expect_bounds(const Mesh& a, const Mesh& b, double ratio) {
+  const HausdorffBounds bounds = hausdorff_bounds(a, b, {.ratio = ratio});
+  const SurfaceDistance sampled = surface_distance(a, b, {.samples = 20'000});
+  EXPECT_GE(bounds.forward.upper, sampled.forward.max);
+  EXPECT_GE(bounds.backward.upper, sampled.backward.max);
+  const auto [lower, upper] = bounds.two_sided();
+  EXPECT_LE(lower, upper);
+  EXPECT_GE(lower, 0.5 * sampled.two_sided().max);
+  // Rounding is what bounds the distance of surfaces that coincide.
+  const double diagonal = bounding_box(a).diagonal() + bounding_box(b).diagonal();
+  EXPECT_LE(upper, ratio * lower * (1.0 + 1e-9) + 1e-12 * diagonal);
+}
+
+TEST(HausdorffBounds, ParallelSheetsAreTheirGapApart) {
+  const Mesh a = built(grid(4)).mesh;
+  const Mesh b = built(moved(grid(3), {0, 0, 0.25F}, 4.0F / 3.0F)).mesh;
+  const DistanceInterval gap = hausdorff_bounds(a, b).two_sided();
+  EXPECT_NEAR(gap.lower, 0.25, 1e-6);
+  EXPECT_GE(gap.upper, gap.lower);
+  EXPECT_LE(gap.upper, 1.1 * 0.25 + 1e-6);
+}
+
+TEST(HausdorffBounds, FindSpikeOnOneSurface) {
+  Soup spiked = grid(8);
+  spiked.positions[40].z = 3.0F;  // the middle one
+  const HausdorffBounds bounds =
+      hausdorff_bounds(built(std::move(spiked)).mesh, built(grid(8)).mesh, {.ratio = 1.01});
+  EXPECT_DOUBLE_EQ(bounds.forward.lower, 3.0);
+  EXPECT_LE(bounds.forward.upper, 3.0 * 1.01);
+  EXPECT_LT(bounds.backward.lower, 1.5);  // the sheet's middle is near the spike's flanks
+}
+
+TEST(HausdorffBounds, CountMissingPartInOneDirection) {
+  const Mesh part = built(grid(2)).mesh;
+  const Mesh whole = built(join(grid(2), moved(grid(2), {10, 0, 0}))).mesh;
+  const HausdorffBounds bounds = hausdorff_bounds(part, whole, {.ratio = 1.05});
+  EXPECT_EQ(bounds.forward.lower, 0.0);
+  EXPECT_DOUBLE_EQ(bounds.backward.lower, 10.0);
+  EXPECT_LE(bounds.backward.upper, 10.5);
+}
+
+// The corners of the flat side all lie on the other surface: only points within its faces tell.
+TEST(HausdorffBounds, SeeBumpBetweenTheCorners) {
+  Soup bump = grid(2);
+  bump.positions[4].z = 1.0F;
+  const Soup flat = soup_of({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, {0, 1, 2, 0, 2, 3});
+  const Mesh a = built(Soup(flat)).mesh;
+  const Mesh b = built(std::move(bump)).mesh;
+  const HausdorffBounds bounds = hausdorff_bounds(a, b, {.ratio = 1.01});
+  EXPECT_DOUBLE_EQ(bounds.backward.lower, 1.0);
+  const HausdorffBounds swapped = hausdorff_bounds(b, a, {.ratio = 1.01});
+  EXPECT_EQ(swapped.forward.upper, bounds.backward.upper);
+  // The middle of the flat side is nearest to the bump's flank, 45 degrees steep.
+  EXPECT_GE(bounds.forward.upper, std::sqrt(0.5) * (1.0 - 1e-9));
+}
+
+TEST(HausdorffBounds, HoldForRandomSoups) {
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    const Mesh a = built(random_soup(seed)).mesh;
+    const Mesh b = built(random_soup(seed + 1000)).mesh;
+    if (a.face_count() == 0 || b.face_count() == 0) continue;
+    for (const double ratio : {1.01, 1.1, 3.0})
+      expect_bounds(a, b, ratio);
+  }
+}
+
+TEST(HausdorffBounds, HoldForSurfacesOfDifferentResolution) {
+  const Mesh fine = built(torus(90, 45)).mesh;
+  for (const std::uint32_t n : {5U, 12U, 40U, 89U}) {
+    SCOPED_TRACE(n);
+    const Mesh coarse = built(torus(n, n / 2 + 1)).mesh;
+    for (const double ratio : {1.01, 1.1, 3.0})
+      expect_bounds(fine, coarse, ratio);
+  }
+}
+
+TEST(HausdorffBounds, HoldFarFromTheOrigin) {
+  const auto far = [](Soup soup) { return moved(std::move(soup), {1e6F, -1e6F, 1e6F}, 8.0F); };
+  expect_bounds(built(far(torus(30, 20))).mesh, built(far(torus(20, 10))).mesh, 1.1);
+}
+
+TEST(HausdorffBounds, HoldForTrianglesWithoutArea) {
+  const Mesh line = built(soup_of({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}, {0, 1, 2})).mesh;
+  const Mesh other = built(soup_of({{0, 2, 0}, {1, 2, 0}, {3, 2, 0}}, {0, 1, 2})).mesh;
+  EXPECT_EQ(hausdorff_bounds(line, line).two_sided().upper, 0.0);
+  const DistanceInterval apart = hausdorff_bounds(line, other, {.ratio = 1.01}).two_sided();
+  EXPECT_DOUBLE_EQ(apart.lower, 2.0);
+  EXPECT_LE(apart.upper, 2.02);
+  expect_bounds(line, built(torus(10, 6)).mesh, 1.1);
+}
+
+TEST(HausdorffBounds, AreZeroForTheSameMesh) {
+  const Mesh mesh = built(torus(20, 12)).mesh;
+  EXPECT_EQ(hausdorff_bounds(mesh, mesh).two_sided().upper, 0.0);
+}
+
+// No distance to be a multiple of: the limit of the work ends it.
+TEST(HausdorffBounds, EndWhereSurfacesCoincideButNotTheirTriangles) {
+  const Mesh a = built(moved(grid(7), {0.1F, 0.2F, 0.0F}, 1.0F / 7.0F)).mesh;
+  const Mesh b = built(moved(grid(1), {0.1F, 0.2F, 0.0F})).mesh;
+  const DistanceInterval both = hausdorff_bounds(a, b, {.most_queries = 200'000}).two_sided();
+  EXPECT_LE(both.lower, 1e-6);
+  EXPECT_LE(both.upper, 0.2);
+}
+
+TEST(HausdorffBounds, IgnoreIsolatedVertices) {
+  Soup soup = cube();
+  soup.positions.push_back({1e9F, 0, 0});
+  const Mesh with = built(std::move(soup)).mesh;
+  EXPECT_EQ(hausdorff_bounds(with, built(cube()).mesh).two_sided().upper, 0.0);
+}
+
+TEST(HausdorffBounds, AreTheSameForAnyNumberOfThreads) {
+  const Mesh a = built(torus(120, 60)).mesh;
+  const Mesh b = built(moved(torus(31, 20), {0.01F, 0.02F, 0.0F})).mesh;
+  std::vector<HausdorffBounds> all;
+  for (const unsigned threads : {1U, 2U, 4U}) {
+    const ThreadLimit limit(threads);
+    all.push_back(hausdorff_bounds(a, b, {.ratio = 1.02}));
+  }
+  for (const HausdorffBounds& bounds : all) {
+    EXPECT_EQ(bounds.forward.lower, all[0].forward.lower);
+    EXPECT_EQ(bounds.forward.upper, all[0].forward.upper);
+    EXPECT_EQ(bounds.backward.lower, all[0].backward.lower);
+    EXPECT_EQ(bounds.backward.upper, all[0].backward.upper);
+  }
+}
+
+TEST(HausdorffBounds, DecideWhetherDistanceIsEnough) {
+  const Mesh a = built(torus(60, 30)).mesh;
+  const Mesh b = built(torus(20, 10)).mesh;
+  const DistanceInterval distance = hausdorff_bounds(a, b, {.ratio = 1.001}).two_sided();
+  for (const double factor : {1.002, 1.1, 2.0, 10.0}) {
+    const double enough = factor * distance.upper;
+    const HausdorffBounds within = hausdorff_bounds(a, b, {.enough = enough, .is_decision = true});
+    EXPECT_LE(within.two_sided().upper, enough) << factor;
+  }
+  for (const double factor : {0.998, 0.9, 0.1, 0.0}) {
+    const double enough = factor * distance.lower;
+    const HausdorffBounds beyond = hausdorff_bounds(a, b, {.enough = enough, .is_decision = true});
+    EXPECT_GT(beyond.two_sided().lower, enough) << factor;
+  }
+}
+
+TEST(HausdorffBounds, StayHonestWhereTheWorkIsLimited) {
+  const Mesh a = built(torus(60, 30)).mesh;
+  const Mesh b = built(torus(20, 10)).mesh;
+  const DistanceInterval limited =
+      hausdorff_bounds(a, b, {.ratio = 1.0001, .most_queries = 8'000}).two_sided();
+  const DistanceInterval distance = hausdorff_bounds(a, b, {.ratio = 1.001}).two_sided();
+  EXPECT_LE(limited.lower, distance.upper);
+  EXPECT_GE(limited.upper, distance.lower);
+  EXPECT_GT(limited.upper, 1.0001 * limited.lower);
+}
+
+TEST(HausdorffBounds, UseHintsWithoutDependingOnThem) {
+  const Mesh a = built(torus(60, 30)).mesh;
+  const Mesh b = built(torus(20, 10)).mesh;
+  const TriangleTree tree_a(a);
+  const TriangleTree tree_b(b);
+  const std::vector<Face> hints(a.vertex_count(), Face(7));  // far from most
+  const HausdorffBounds with = hausdorff_bounds({a, tree_a, hints}, {b, tree_b}, {.ratio = 1.05});
+  const HausdorffBounds without = hausdorff_bounds(a, b, {.ratio = 1.05});
+  EXPECT_NEAR(with.two_sided().lower, without.two_sided().lower, 0.05 * with.two_sided().lower);
+  EXPECT_LE(with.two_sided().upper, 1.05 * with.two_sided().lower * (1 + 1e-9));
+}
+
+TEST(HausdorffBounds, StopWhenCancelled) {
+  const Mesh mesh = built(cube()).mesh;
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW((void)hausdorff_bounds(mesh, mesh, {.progress = &progress}), Cancelled);
+}
+
+}  // namespace
+}  // namespace mesher::test
