@@ -22,6 +22,9 @@
 namespace mesher::app {
 namespace {
 
+// Where the error passes this part of the diagonal a model is hard to recognize.
+constexpr double kRuinPercent = 5.0;
+
 double parse_max_error(const std::string& text, double diagonal) {
   const bool is_percent = text.ends_with('%');
   const char* end = text.data() + text.size() - (is_percent ? 1 : 0);
@@ -55,6 +58,9 @@ void say_outcome(const SimplifyOutcome& outcome) {
   }
   if (!refused.empty()) say("collapses refused: " + refused);
   say("estimated error (RMS): " + with_percent(outcome, r.estimated_error));
+  if (outcome.percent(r.estimated_error) > kRuinPercent) {
+    say("warning: the result is far from the input; ask for more faces to keep its shape");
+  }
   if (r.measured_error >= 0.0) {
     say("measured error (max): " + with_percent(outcome, r.measured_error));
   }

@@ -18,6 +18,8 @@ namespace {
 // A single face may be removed for so many times what the next collapse costs, which removes two:
 // four times the distance.
 constexpr float kMostForOneFace = 16.0F;
+// Of a hub no more edges are evaluated again.
+constexpr std::size_t kFreshSpokes = 64;
 
 /// Calls `visit` for the half-edges out of `v`, at most `limit` of them.
 template <class Visit>
@@ -94,10 +96,11 @@ CollapseOutcome Collapser::run(std::span<const Vertex> vertices) {
   fill_queue(vertices);
   take_turns();
   const Vertex next = queue_.front();
-  const float next_cost = next.is_valid() ? state(next).cost : kNever;
+  const bool compares = next.is_valid() && context_.policy.costs_are_errors();
+  const float most = compares ? kMostForOneFace * state(next).cost : kNever;
   empty_queue(vertices);
   if (outcome_.removed_faces + 1 == limits_.faces) {
-    if (!remove_one_face(vertices, kMostForOneFace * next_cost)) {
+    if (!remove_one_face(vertices, most)) {
       ++limits_.faces;  // no boundary edge will do: two faces or none
       fill_queue(vertices);
       take_turns();
@@ -423,7 +426,7 @@ void Collapser::refresh_ring(Vertex kept) {
   const auto is_in_ring = [&](Vertex v) { return std::ranges::count(fan_.ring(), v) > 0; };
   stale_.clear();
   for (const Vertex v : fan_.ring()) {
-    visit_spokes(mesh, v, limits_.valence, [&](Halfedge h) {
+    visit_spokes(mesh, v, kFreshSpokes, [&](Halfedge h) {
       if (surface.cost(h) != kNever) stale_.push_back(h);
       const Halfedge t = mesh.twin(h);
       if (!t.is_valid() || surface.cost(t) == kNever) return;

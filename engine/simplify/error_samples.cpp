@@ -14,6 +14,8 @@ namespace {
 constexpr std::size_t kGrain = 64;
 // A walk that is longer has gone astray.
 constexpr int kMostSteps = 64;
+// Of a hub no more faces are looked at.
+constexpr int kMostFaces = 256;
 
 double fraction(double x) {
   return x - std::floor(x);
@@ -43,7 +45,9 @@ double squared_distance_from(const Surface& surface, Vertex start, const glm::dv
   double least = std::numeric_limits<double>::infinity();
   Face nearest;
   const auto visit = [&](Vertex v) {
+    int faces = 0;
     for (const Halfedge h : halfedges_around(mesh, v)) {
+      if (++faces > kMostFaces) break;
       const auto corner = [&](Halfedge s) { return glm::dvec3(mesh.position(mesh.origin(s))); };
       const double d =
           squared_distance(p, {corner(h), corner(Mesh::next(h)), corner(Mesh::prev(h))});

@@ -17,6 +17,8 @@ constexpr float kLeastCosine = -0.5F;
 // input, so that many steps do not turn it over for nothing; the rounding of packed normals is
 // allowed for.
 constexpr float kTurnedCosineOfAll = -0.002F;
+// A fold is harm of its own kind, seen from everywhere: its area counts so many times.
+constexpr float kFoldWeight = 4.0F;
 // A face without area in floats: its height is lost against its longest side.
 constexpr float kLeastAspect = 1e-5F;
 // Room past the last face, for whole lanes.
@@ -275,7 +277,8 @@ Rejection Fan::check_shape(const Surface& surface, const glm::vec3& p) {
   for (std::size_t i = is_closed_ ? 0 : 4; i < size_; i += 4)
     may_fold |= glm::dot(shape(i).normal, shape_before(i).normal) < kFoldedCosine;
   if (may_fold) {
-    turned_area_ += std::max(folded_area_after(surface) - folded_area_before(surface), 0.0F);
+    const float folded = folded_area_after(surface) - folded_area_before(surface);
+    turned_area_ += kFoldWeight * std::max(folded, 0.0F);
   }
   return kLegal;
 }

@@ -47,8 +47,8 @@ class Fan {
   /// gathered.
   Rejection check_shape(const Surface& surface, const glm::vec3& p);
   /// The area of the faces that `check_shape` found to turn far (by more than 78 degrees, or past a
-  /// right angle to what they were in the input), and the area that is newly folded together with a
-  /// neighbor.
+  /// right angle to what they were in the input), and four times the area that is newly folded
+  /// together with a neighbor.
   float turned_area() const { return turned_area_; }
 
   /// The shape of face i with the vertex where `check_shape` was last asked about.

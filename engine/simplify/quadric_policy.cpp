@@ -67,29 +67,34 @@ class EightEdges {
   std::size_t count_ = 0;
 };
 
+/// Damping moves the optimum off a corner of flat parts: an end that costs less is exact.
+void move_to_cheaper_end(const Surface& surface, Halfedge h, float least, Candidate& candidate) {
+  const Mesh& mesh = surface.mesh();
+  for (const Vertex end : {mesh.origin(h), mesh.target(h)}) {
+    const std::optional<float> at_end = plane_cost(surface, h, mesh.position(end));
+    if (!at_end || *at_end + least >= candidate.error) continue;
+    candidate.error = *at_end;
+    candidate.position = mesh.position(end);
+  }
+}
+
 }  // namespace
 
 Candidate QuadricPolicy::evaluate(const Surface& surface, Halfedge h, Fit fit) const {
   const EdgeQuadric<float> edge = surface.edge_quadric(h);
   const Placed placed = place(surface, h, edge, placement_, fit);
-  float cost = edge.cost(placed.offset);
   const float size = edge.scale();
-  glm::vec3 position = placed.position;
-  if (cost < kQuadricDoubt * size) {
-    cost = plane_cost(surface, h, position);
-    const float least = kClearlyCheaper * kTieBreak * size;
-    if (cost > least && fit == Fit::anywhere && placement_ == Placement::optimal) {
-      // Damping moves the optimum off a corner of flat parts: an end that costs less is exact.
-      const Mesh& mesh = surface.mesh();
-      for (const Vertex end : {mesh.origin(h), mesh.target(h)}) {
-        const float at_end = plane_cost(surface, h, mesh.position(end));
-        if (at_end + least >= cost) continue;
-        cost = at_end;
-        position = mesh.position(end);
-      }
+  const float tie_break = kTieBreak * size;
+  Candidate candidate{0.0F, std::max(edge.cost(placed.offset), 0.0F), placed.position};
+  if (candidate.error < kQuadricDoubt * size) {
+    candidate.error = plane_cost(surface, h, candidate.position).value_or(candidate.error);
+    const bool may_move = fit == Fit::anywhere && placement_ == Placement::optimal;
+    if (may_move && candidate.error > kClearlyCheaper * tie_break) {
+      move_to_cheaper_end(surface, h, kClearlyCheaper * tie_break, candidate);
     }
   }
-  return {cost + kTieBreak * size, cost, position};
+  candidate.cost = candidate.error + tie_break;
+  return candidate;
 }
 
 void QuadricPolicy::evaluate_costs(const Surface& surface, std::span<const Halfedge> edges,

@@ -53,7 +53,8 @@ struct SimplifyReport {
   /// Refusals by cause: how many times an edge was tried and refused; where the target was missed,
   /// also the edges left that features forbid, which are never tried.
   std::array<std::uint64_t, kRejectionCount> rejected{};
-  /// Estimate of the root mean square distance to the input, model units, from the costs paid.
+  /// The root mean square distance between input and result, both ways, model units: measured at
+  /// some points of the input, and estimated from the costs paid for the other way. Within a fifth.
   double estimated_error = 0.0;
   /// The largest distance between input and result that was measured, both ways, model units;
   /// negative where no bound was asked for.

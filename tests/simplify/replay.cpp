@@ -68,6 +68,37 @@ std::uint64_t count_folds(const Mesh& mesh) {
   return folds;
 }
 
+double folded_share(const Mesh& mesh) {
+  const Array<glm::vec3> normals = face_normals(mesh);
+  const auto area = [&](std::uint32_t f) {
+    const auto corner = [&](std::uint32_t c) {
+      return glm::dvec3(mesh.position(mesh.origin(Mesh::halfedge(Face(f), c))));
+    };
+    return 0.5 * glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+  };
+  double folded = 0.0;
+  double all = 0.0;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
+    all += area(f);
+  for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
+    const Halfedge t = mesh.twin(Halfedge(i));
+    if (!t.is_valid() || t.index() < i) continue;
+    if (glm::dot(normals[i / 3], normals[t.index() / 3]) >= -0.866026F) continue;
+    folded += std::min(area(i / 3), area(t.index() / 3));
+  }
+  return all > 0.0 ? folded / all : 0.0;
+}
+
+void expect_no_harmful_folds(const Mesh& before, const Mesh& after, CostPolicy policy) {
+  if (policy != CostPolicy::quadric && policy != CostPolicy::accumulated_quadric) {
+    EXPECT_LE(count_folds(after), count_folds(before));
+    return;
+  }
+  constexpr std::uint32_t kFewFaces = 64;
+  if (after.face_count() < kFewFaces) return;
+  EXPECT_LE(folded_share(after), folded_share(before) + 0.02);
+}
+
 Mesh replay(Mesh mesh, std::span<const CollapseRecord> records,
             const std::function<void(const Mesh&, std::size_t)>& after_each) {
   IdTracker vertices(mesh.vertex_count());

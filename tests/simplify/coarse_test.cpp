@@ -1,0 +1,128 @@
+// The coarse end: nothing is eaten, flat parts cost nothing, the printed error is true.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "engine/analysis/distance.h"
+#include "engine/io/read.h"
+#include "engine/simplify/simplify.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+struct Quality {
+  double rms_percent = 0.0;
+  double max_percent = 0.0;
+  double printed_percent = 0.0;
+  std::uint32_t faces = 0;
+};
+
+Quality simplified_to(const Mesh& mesh, std::uint32_t faces) {
+  const Simplified result = simplify(Mesh(mesh), {.target_faces = faces});
+  const SurfaceDistance d = surface_distance(mesh, result.mesh, {.samples = 50'000});
+  const double square = d.forward.rms * d.forward.rms + d.backward.rms * d.backward.rms;
+  return {d.percent(std::sqrt(0.5 * square)), d.percent(d.two_sided().max),
+          d.percent(result.report.estimated_error), result.mesh.face_count()};
+}
+
+Mesh shared(const char* name) {
+  const auto file = std::filesystem::path(MESHER_SHARED_MODELS) / name;
+  return std::filesystem::exists(file) ? read_model(file, {}).mesh : Mesh();
+}
+
+/// RMS and maximum in percent of the diagonal; what other tools reach is in docs/simplification.md.
+struct Expected {
+  const char* model;
+  std::uint32_t faces;
+  double most_rms;
+  double most_max;
+};
+
+class Coarse : public testing::TestWithParam<Expected> {};
+
+TEST_P(Coarse, KeepsTheModel) {
+  const Expected& expected = GetParam();
+  const Mesh mesh = shared(expected.model);
+  if (mesh.face_count() == 0) GTEST_SKIP() << "SKIPPED: no shared model " << expected.model;
+  const Quality quality = simplified_to(mesh, expected.faces);
+  EXPECT_LE(quality.faces, expected.faces);
+  EXPECT_LE(quality.rms_percent, expected.most_rms);
+  EXPECT_LE(quality.max_percent, expected.most_max);
+  EXPECT_NEAR(quality.printed_percent / quality.rms_percent, 1.0, 0.2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, Coarse,
+                         testing::Values(Expected{"beast.obj", 64, 1.3, 7.2},
+                                         Expected{"horse.obj", 96, 0.75, 4.27},
+                                         Expected{"cessna.obj", 200, 0.12, 1.98},
+                                         Expected{"bunny.obj", 64, 1.6, 10.0},
+                                         Expected{"armadillo.obj", 64, 1.6, 10.0}));
+
+/// A sheet of 2 n n faces with a small dome in its middle.
+Mesh plate_with_dome(std::uint32_t n) {
+  Soup soup = grid(n);
+  const float middle = 0.5F * static_cast<float>(n);
+  for (glm::vec3& p : soup.positions) {
+    const float away = std::hypot(p.x - middle, p.y - middle) / (0.15F * static_cast<float>(n));
+    if (away < 1.0F)
+      p.z = 0.05F * static_cast<float>(n) * (1.0F - away * away) * (1.0F - away * away);
+  }
+  return built(std::move(soup)).mesh;
+}
+
+std::uint32_t flat_faces(const Mesh& mesh) {
+  std::uint32_t count = 0;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    bool is_flat = true;
+    for (std::uint32_t c = 0; c < 3; ++c)
+      is_flat &= mesh.position(mesh.origin(Mesh::halfedge(Face(f), c))).z == 0.0F;
+    count += is_flat ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(Flat, TheBudgetGoesToTheDome) {
+  const Mesh plate = plate_with_dome(100);
+  const Simplified result = simplify(Mesh(plate), {.target_faces = 1000});
+  EXPECT_LT(flat_faces(result.mesh), 150U) << "of a thousand";
+  const SurfaceDistance d = surface_distance(plate, result.mesh, {.samples = 50'000});
+  EXPECT_LT(d.percent(d.two_sided().rms), 0.001);
+}
+
+TEST(Flat, CornersOfAPlateStayWhereTheyAre) {
+  const Mesh plate = built(grid(20)).mesh;
+  const Simplified result = simplify(Mesh(plate), {.target_faces = 2});
+  ASSERT_EQ(result.mesh.face_count(), 2U);
+  for (std::uint32_t v = 0; v < result.mesh.vertex_count(); ++v) {
+    const glm::vec3 p = result.mesh.position(Vertex(v));
+    EXPECT_TRUE((p.x == 0.0F || p.x == 20.0F) && (p.y == 0.0F || p.y == 20.0F) && p.z == 0.0F)
+        << p.x << ' ' << p.y << ' ' << p.z;
+  }
+}
+
+TEST(Flat, ASingleFaceIsNotBoughtWithACorner) {
+  // An odd number of boundary collapses would have to take a corner of the plate.
+  const Mesh plate = plate_with_dome(40);
+  const Simplified result = simplify(Mesh(plate), {.target_faces = 801});
+  const SurfaceDistance d = surface_distance(plate, result.mesh, {.samples = 20'000});
+  EXPECT_LT(d.percent(d.two_sided().max), 1.0);
+  EXPECT_NEAR(result.mesh.face_count(), 801.0, 1.0);
+}
+
+TEST(PrintedError, IsWithinAFifthOfTheMeasured) {
+  for (const auto& [name, mesh] :
+       {std::pair{"torus", built(torus(120, 60)).mesh}, {"plate", plate_with_dome(80)}}) {
+    for (const double ratio : {0.3, 0.1, 0.03, 0.01}) {
+      const auto target = static_cast<std::uint32_t>(ratio * mesh.face_count());
+      const Quality quality = simplified_to(mesh, target);
+      if (quality.rms_percent < 1e-5) continue;
+      EXPECT_NEAR(quality.printed_percent / quality.rms_percent, 1.0, 0.2)
+          << name << " to " << target << " faces: " << quality.rms_percent;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mesher::test
