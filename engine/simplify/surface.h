@@ -63,24 +63,19 @@ struct alignas(64) VertexState {
 
   Quadric<float> quadric{};
   Vec3<float> position{};
-  float cost = kNever;  ///< of `best` when it was chosen
-  /// The cheapest of the half-edges out of the vertex; of a removed vertex see merged_into.
-  Halfedge best;
+  float cost = kNever;       ///< of `best` when it was chosen
+  Halfedge best;             ///< the cheapest out of the vertex; if removed: see merged_into
   std::uint32_t region = 0;  ///< whose turn it is to change the vertex; kGone: it is removed
   /// The highest CollapseRecord::rank of the collapses in whose one-rings the vertex was.
   std::uint16_t rank : 13 = 0;
   Freedom freedom : 2 = Freedom::free;
   bool has_refused : 1 = false;  ///< an edge of the vertex was refused for its surroundings
   std::uint16_t retreat_bits = 0;
-
-  /// How far the surface around has retreated from parts of the input that stuck out, model units
-  /// (see appraisal.h). Stored with 8 significant bits, rounded down.
+  /// How far the surface around has retreated (appraisal.h): 8 significant bits, rounded down.
   float retreat() const { return std::bit_cast<float>(std::uint32_t{retreat_bits} << 16U); }
-  void set_retreat(float distance) {
-    retreat_bits = static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(distance) >> 16U);
-  }
+  void set_retreat(float d) { retreat_bits = std::bit_cast<std::uint32_t>(d) >> 16U & 0xFFFFU; }
   void set_rank(std::uint32_t new_rank) { rank = new_rank & 0x1FFFU; }
-  /// The vertex with which a removed vertex has become one; it may be gone itself by now.
+  /// With which a removed vertex has become one.
   Vertex merged_into() const { return Vertex(best.index()); }
   void remove(Vertex into) {
     region = kGone;
@@ -277,8 +272,7 @@ class Surface {
   /// order: its plane by area, and for each feature edge a plane across it, so that features hold
   /// their place. O(1).
   std::array<Quadric<float>, 3> contributions(Face f) const;
-  /// At right angles to the feature edge of `h`, in the plane of its face, as long as the edge: its
-  /// product with a move of an end is how far that leaves the edge's course, times its length.
+  /// At right angles to the feature edge of `h`, in the plane of its face, as long as the edge.
   glm::vec3 across(Halfedge h) const;
   bool has_feature(Face f) const {
     const std::uint32_t h = 3 * f.index();

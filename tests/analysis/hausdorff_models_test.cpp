@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <iostream>
 #include <string>
 
 #include "engine/analysis/distance.h"
@@ -30,7 +29,9 @@ void examine(const std::filesystem::path& file) {
       EXPECT_GE(bounds.backward.upper, sampled.backward.max - 1e-12 * diagonal);
       const auto [lower, upper] = bounds.two_sided();
       EXPECT_LE(upper, ratio * lower * (1.0 + 1e-9) + 1e-12 * diagonal);
-      EXPECT_LE(lower, 1.1 * sampled.two_sided().max + 1e-12 * diagonal);
+      // Samples miss the worst point: of beast to 50 % they find 0.25 and, twelve million of them,
+      // 0.29 of 0.32.
+      EXPECT_LE(lower, 1.5 * sampled.two_sided().max + 1e-12 * diagonal);
     }
   }
 }
@@ -40,12 +41,19 @@ TEST(HausdorffOfModels, HoldsForEveryAsset) {
     examine(file);
 }
 
-TEST(HausdorffOfModels, HoldsForEverySharedModel) {
-  const auto files = files_in(MESHER_SHARED_MODELS);
-  if (files.empty()) std::cerr << "*** NOT TESTED: no models in " MESHER_SHARED_MODELS " ***\n";
-  for (const std::filesystem::path& file : files)
-    examine(file);
+class HausdorffOfSharedModel : public testing::TestWithParam<const char*> {};
+
+TEST_P(HausdorffOfSharedModel, Holds) {
+  const auto file =
+      std::filesystem::path(MESHER_SHARED_MODELS) / (std::string(GetParam()) + ".obj");
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "SKIPPED: no shared model " << file;
+  examine(file);
 }
+
+INSTANTIATE_TEST_SUITE_P(Shared, HausdorffOfSharedModel,
+                         testing::Values("armadillo", "beast", "bunny", "cactus", "cessna",
+                                         "fandisk", "horse", "rocker-arm", "spot", "suzanne",
+                                         "teapot"));
 
 }  // namespace
 }  // namespace mesher::test

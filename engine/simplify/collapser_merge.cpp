@@ -1,0 +1,102 @@
+// The part of Collapser that does a collapse: changes the mesh, and brings shapes and quadrics up
+// to date.
+#include <algorithm>
+#include <array>
+
+#include "engine/mesh/mesh_editor.h"
+#include "engine/simplify/collapser.h"
+
+namespace mesher {
+
+/// Adds (+1) or removes (-1) the face's quadric at its three corners.
+void Collapser::add_contributions(Face f, float sign) {
+  Surface& surface = context_.surface;
+  const auto q = surface.contributions(f);
+  for (std::uint32_t c = 0; c < 3; ++c) {
+    Quadric<float>& sum = surface.state(surface.mesh().origin(Mesh::halfedge(f, c))).quadric;
+    sum = sign > 0.0F ? sum + q[c] : sum - q[c];
+  }
+}
+
+/// Merges, and brings shapes and quadrics up to date, whatever the faces contribute.
+void Collapser::merge_near_feature(Halfedge h, const glm::vec3& p) {
+  Surface& surface = context_.surface;
+  const Mesh& mesh = surface.mesh();
+  const Vertex kept = mesh.target(h);
+  for (const Halfedge spoke : fan_.spokes())
+    add_contributions(Mesh::face(spoke), -1.0F);
+  for (const Halfedge side : {h, mesh.twin(h)}) {
+    if (side.is_valid()) add_contributions(Mesh::face(side), -1.0F);
+  }
+  merge(h, p);
+  surface.place_anew(kept, p);
+  for (std::size_t i = 0; i < fan_.size(); ++i)
+    surface.set_shape(Mesh::face(fan_.spokes()[i]), fan_.four_shapes(i)[0]);
+  for (const Halfedge spoke : fan_.spokes())
+    add_contributions(Mesh::face(spoke), 1.0F);
+}
+
+/// The same where faces contribute their planes alone: each neighbour is written once.
+void Collapser::merge_smooth(Halfedge h, const glm::vec3& p) {
+  Surface& surface = context_.surface;
+  const Mesh& mesh = surface.mesh();
+  const Vertex kept = mesh.target(h);
+  for (const Halfedge side : {h, mesh.twin(h)}) {
+    surface.add(mesh.origin(Mesh::prev(side)),
+                QuadricRows{} - plane_rows(surface.shape_row(Mesh::face(side))));
+  }
+  QuadricRows total{};
+  QuadricRows previous{};
+  for (std::size_t i = 0; i < fan_.size(); i += 4) {
+    const std::array<Float4, 4> shapes = fan_.four_shapes(i);
+    for (std::size_t k = 0; k < 4 && i + k < fan_.size(); ++k) {
+      const Face f = Mesh::face(fan_.spokes()[i + k]);
+      const QuadricRows after = plane_rows(shapes[k]);
+      const QuadricRows change = after - plane_rows(surface.shape_row(f));
+      surface.add(fan_.ring()[i + k], previous + change);
+      surface.set_shape(f, shapes[k]);
+      total = total + after;
+      previous = change;
+    }
+  }
+  surface.add(fan_.ring().back(), previous);
+  merge(h, p);
+  surface.place_anew(kept, p);
+  surface.add(kept, total);
+}
+
+void Collapser::merge(Halfedge h, const glm::vec3& p) {
+  Surface& surface = context_.surface;
+  MeshEditor edit(surface.mesh());
+  const Mesh& mesh = surface.mesh();
+  const Halfedge t = mesh.twin(h);
+  const Vertex removed = mesh.origin(h);
+  const Vertex kept = mesh.target(h);
+  surface.state(kept).freedom = std::max(surface.freedom(kept), surface.freedom(removed));
+  if (!fan_.is_smooth()) {
+    edit.join_sharpness(h);
+    // Two edges become one: a feature if either was.
+    for (const Halfedge side : {h, t}) {
+      if (!side.is_valid()) continue;
+      const bool is_feature =
+          surface.is_feature(Mesh::next(side)) || surface.is_feature(Mesh::prev(side));
+      for (const Halfedge inner : {Mesh::next(side), Mesh::prev(side)}) {
+        if (mesh.twin(inner).is_valid()) surface.set_feature(mesh.twin(inner), is_feature);
+      }
+    }
+  }
+  edit.close_edge(h);
+  for (const Halfedge spoke : fan_.spokes())
+    edit.set_origin(spoke, kept);
+  surface.mesh().set_position(kept, p);
+  edit.take_over(removed, kept);
+  edit.set_outgoing(kept, fan_.spokes().front());
+  edit.set_outgoing(removed, {});
+  for (const Halfedge side : {h, t}) {
+    if (!side.is_valid()) continue;
+    for (std::uint32_t c = 0; c < 3; ++c)
+      edit.set_origin(Mesh::halfedge(Mesh::face(side), c), {});
+  }
+}
+
+}  // namespace mesher
