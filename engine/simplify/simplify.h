@@ -20,7 +20,7 @@ struct Simplified {
 /// with the components, Euler characteristic and boundary loops of the input. Faces that turn or
 /// fold and parts that retreat count as errors (appraisal.h). The same input and options give the
 /// same bytes for any number of threads. O(F log F) time; takes the mesh over, so that its memory
-/// is used again (at most 160 bytes a face in all). Throws Cancelled. Pre: the mesh is valid.
+/// is used again (at most 160 bytes per face in all). Throws Cancelled. Pre: the mesh is valid.
 [[nodiscard]] Simplified simplify(Mesh&& mesh, const SimplifyOptions& options);
 
 }  // namespace mesher
