@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 
-#include "engine/analysis/triangle_tree.h"
+#include "engine/simplify/triangle_lanes.h"
 
 namespace mesher {
 namespace {
@@ -19,40 +18,68 @@ bool is_pointed(const Surface& surface, Vertex v) {
   return dot(q.g, q.g) < kPointed * q.trace() * q.trace();
 }
 
-/// The squared distance of an end of the edge to the faces that will be there.
-double squared_distance_to_new(const Mesh& mesh, Vertex end, const Fan& fan,
-                               const glm::dvec3& center) {
-  const glm::dvec3 q(mesh.position(end));
-  double least = glm::dot(q - center, q - center);
-  for (std::size_t i = 0; i < fan.size(); ++i) {
-    const glm::dvec3 a(mesh.position(fan.ring()[i]));
-    const glm::dvec3 b(mesh.position(fan.ring()[i + 1]));
-    least = std::min(least, squared_distance(q, {center, a, b}));
+/// How far the ends of an edge are from the faces that will be there, and the merged vertex from
+/// those that are there now. All of it relative to the merged vertex, so that nothing is lost far
+/// from the model's origin.
+class DistanceMoved {
+ public:
+  DistanceMoved(const Surface& surface, Halfedge h, const Fan& fan, const glm::vec3& p)
+      : surface_(surface), fan_(fan), h_(h), center_{p.x, p.y, p.z} {}
+
+  float find() const {
+    const Mesh& mesh = surface_.mesh();
+    const Vec3<Float4> from = in_all_lanes(place(mesh.origin(h_)));
+    const Vec3<Float4> to = in_all_lanes(place(mesh.target(h_)));
+    const Vec3<Float4> center = in_all_lanes({0.0F, 0.0F, 0.0F});
+    // As far as the merged vertex is from the ends, no more.
+    Float4 of_from = dot(from, from);
+    Float4 of_to = dot(to, to);
+    Float4 of_center = smaller_of(of_from, of_to);
+    for (std::size_t i = 0; i < fan_.size(); i += 4) {
+      const Vec3<Float4> first = fan_.four_places(i) - in_all_lanes(center_);
+      const Vec3<Float4> second = fan_.four_places(i + 1) - in_all_lanes(center_);
+      const TriangleLanes after{center, first, second};
+      of_from = smaller_of(of_from, squared_distances(from, after));
+      of_to = smaller_of(of_to, squared_distances(to, after));
+      of_center =
+          smaller_of(of_center, squared_distances(center, {apexes(i, from, to), first, second}));
+    }
+    of_center = smaller_of(of_center, squared_distances(center, faces_at_edge()));
+    return std::sqrt(std::max({least_of(of_from), least_of(of_to), least_of(of_center)}));
   }
-  return least;
-}
 
-/// That of the new vertex to the faces that are there now.
-double squared_distance_to_old(const Mesh& mesh, Halfedge h, const Fan& fan,
-                               const glm::dvec3& center) {
-  const auto to_face = [&](Halfedge side) {
-    const auto corner = [&](Halfedge s) { return glm::dvec3(mesh.position(mesh.origin(s))); };
-    return squared_distance(center,
-                            {corner(side), corner(Mesh::next(side)), corner(Mesh::prev(side))});
-  };
-  double least = to_face(h);
-  if (mesh.twin(h).is_valid()) least = std::min(least, to_face(mesh.twin(h)));
-  for (const Halfedge spoke : fan.spokes())
-    least = std::min(least, to_face(spoke));
-  return least;
-}
+ private:
+  Vec3<float> place(Vertex v) const { return surface_.state(v).position - center_; }
 
-float distance_moved(const Mesh& mesh, Halfedge h, const Fan& fan, const glm::dvec3& center) {
-  return static_cast<float>(
-      std::sqrt(std::max({squared_distance_to_new(mesh, mesh.origin(h), fan, center),
-                          squared_distance_to_new(mesh, mesh.target(h), fan, center),
-                          squared_distance_to_old(mesh, h, fan, center)})));
-}
+  /// The end of the edge at which each of faces i to i + 3 is now.
+  Vec3<Float4> apexes(std::size_t i, const Vec3<Float4>& from, const Vec3<Float4>& to) const {
+    const Mesh& mesh = surface_.mesh();
+    const Vertex origin = mesh.origin(h_);
+    Int4 is_from;
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      const Halfedge spoke = fan_.spokes()[std::min(i + lane, fan_.size() - 1)];
+      is_from[lane] = mesh.origin(spoke) == origin ? -1 : 0;
+    }
+    return {select(is_from, from.x, to.x), select(is_from, from.y, to.y),
+            select(is_from, from.z, to.z)};
+  }
+
+  TriangleLanes faces_at_edge() const {
+    const Mesh& mesh = surface_.mesh();
+    const Halfedge t = mesh.twin(h_);
+    const Vec3<float> left = place(mesh.origin(Mesh::prev(h_)));
+    const Vec3<float> right = t.is_valid() ? place(mesh.origin(Mesh::prev(t))) : left;
+    const auto two = [](float a, float b) { return Float4{a, b, a, b}; };
+    return {in_all_lanes(place(mesh.origin(h_))),
+            in_all_lanes(place(mesh.target(h_))),
+            {two(left.x, right.x), two(left.y, right.y), two(left.z, right.z)}};
+  }
+
+  const Surface& surface_;
+  const Fan& fan_;
+  Halfedge h_;
+  Vec3<float> center_;
+};
 
 }  // namespace
 
@@ -63,7 +90,7 @@ Appraisal appraise(const Surface& surface, Halfedge h, const Fan& fan, const Can
   Appraisal result{candidate.cost + fan.turned_area() * fan.turned_area(),
                    std::max(surface.state(from).retreat(), surface.state(to).retreat())};
   if (!is_pointed(surface, from) && !is_pointed(surface, to)) return result;
-  result.retreat += distance_moved(mesh, h, fan, glm::dvec3(candidate.position));
+  result.retreat += DistanceMoved(surface, h, fan, candidate.position).find();
   const float worth = result.retreat * result.retreat;
   result.cost += worth * worth;
   return result;

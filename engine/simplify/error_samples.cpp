@@ -1,12 +1,14 @@
 #include "engine/simplify/error_samples.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "engine/analysis/triangle_tree.h"
 #include "engine/core/parallel.h"
 #include "engine/mesh/circulators.h"
+#include "engine/simplify/triangle_lanes.h"
 
 namespace mesher {
 namespace {
@@ -39,33 +41,66 @@ Vertex survivor(const Surface& surface, Vertex v) {
   return v;
 }
 
-/// Walks from vertex to vertex as long as the faces around come nearer to the point.
-double squared_distance_from(const Surface& surface, Vertex start, const glm::dvec3& p) {
-  const Mesh& mesh = surface.mesh();
-  double least = std::numeric_limits<double>::infinity();
-  Face nearest;
-  const auto visit = [&](Vertex v) {
-    int faces = 0;
-    for (const Halfedge h : halfedges_around(mesh, v)) {
-      if (++faces > kMostFaces) break;
-      const auto corner = [&](Halfedge s) { return glm::dvec3(mesh.position(mesh.origin(s))); };
-      const double d =
-          squared_distance(p, {corner(h), corner(Mesh::next(h)), corner(Mesh::prev(h))});
-      if (d >= least) continue;
-      least = d;
-      nearest = Mesh::face(h);
+/// Walks from vertex to vertex as long as the faces around come nearer to a point.
+class Walk {
+ public:
+  Walk(const Surface& surface, const glm::dvec3& p) : mesh_(surface.mesh()), p_(p) {}
+
+  double squared_distance_from(Vertex start) {
+    visit(start);
+    Vertex last = start;
+    for (int step = 0; step < kMostSteps && nearest_.is_valid(); ++step) {
+      const float before = least_;
+      const Halfedge from = nearest_;
+      for (const Halfedge corner : {from, Mesh::next(from), Mesh::prev(from)}) {
+        if (mesh_.origin(corner) != last) visit(mesh_.origin(corner));
+      }
+      // The half-edge of the nearest face starts at the vertex around which it was found.
+      last = mesh_.origin(nearest_);
+      if (least_ >= before) break;
     }
-  };
-  visit(start);
-  for (int step = 0; step < kMostSteps && nearest.is_valid(); ++step) {
-    const double before = least;
-    const Face from = nearest;
-    for (std::uint32_t c = 0; c < 3; ++c)
-      visit(mesh.origin(Mesh::halfedge(from, c)));
-    if (least >= before) break;
+    return double{least_};
   }
-  return least;
-}
+
+ private:
+  Vec3<float> from_point(Vertex v) const {
+    const glm::vec3 d(glm::dvec3(mesh_.position(v)) - p_);
+    return {d.x, d.y, d.z};
+  }
+
+  /// Looks at the faces around a vertex, four at a time.
+  void visit(Vertex v) {
+    std::array<Halfedge, 4> four;
+    std::size_t count = 0;
+    int faces = 0;
+    for (const Halfedge h : halfedges_around(mesh_, v)) {
+      if (++faces > kMostFaces) break;
+      four[count++] = h;
+      if (count == 4) look_at(v, four, std::exchange(count, 0));
+    }
+    if (count > 0) look_at(v, four, count);
+  }
+
+  void look_at(Vertex v, const std::array<Halfedge, 4>& faces, std::size_t count) {
+    TriangleLanes triangles{in_all_lanes(from_point(v)), {}, {}};
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      const Halfedge h = faces[std::min(lane, count - 1)];
+      set_lane(triangles.b, lane, from_point(mesh_.target(h)));
+      set_lane(triangles.c, lane, from_point(mesh_.origin(Mesh::prev(h))));
+    }
+    const Float4 squares = squared_distances(in_all_lanes({0.0F, 0.0F, 0.0F}), triangles);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      if (!(squares[lane] < least_)) continue;
+      least_ = squares[lane];
+      nearest_ = faces[lane];
+    }
+  }
+
+  const Mesh& mesh_;
+  glm::dvec3 p_;
+  float least_ = std::numeric_limits<float>::infinity();
+  Halfedge nearest_;
+};
 
 }  // namespace
 
@@ -100,7 +135,7 @@ ErrorSamples::Measured ErrorSamples::measure(const Surface& surface) const {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const Vertex start = survivor(surface, samples_[i].corner);
       if (surface.mesh().is_isolated(start)) continue;
-      const double square = squared_distance_from(surface, start, samples_[i].point);
+      const double square = Walk(surface, samples_[i].point).squared_distance_from(start);
       part += {square, square * square};
     }
     return part;

@@ -73,7 +73,7 @@ Fan::Fan() {
 void Fan::reserve(std::size_t faces) {
   spokes_.resize(faces + kLanes);
   ring_.resize(faces + kLanes);
-  for (std::vector<float>* numbers : {&x_, &y_, &z_, &area_})
+  for (std::vector<float>* numbers : {&x_, &y_, &z_, &area_, &place_x_, &place_y_, &place_z_})
     numbers->resize(faces + kLanes, 0.0F);
 }
 
@@ -235,13 +235,19 @@ Fan::Block Fan::load(const Surface& surface, std::size_t i) const {
 
 Rejection Fan::check_shape(const Surface& surface, const glm::vec3& p) {
   const auto all = [](float x) { return broadcast<Float4>(x); };
-  const auto any = [](Int4 lanes) { return (lanes[0] | lanes[1] | lanes[2] | lanes[3]) != 0; };
   const Vec3<Float4> center{all(p.x), all(p.y), all(p.z)};
-  turned_area_ = 0.0F;
+  // Faces past the last one do not count.
+  const auto is_in_fan = [&](std::size_t i) {
+    return Int4{0, 1, 2, 3} < static_cast<std::int32_t>(size_ - i);
+  };
+  Float4 turned{};
   Int4 is_bad{};
   Int4 is_folded{};
   for (std::size_t i = 0; i < size_; i += 4) {
     const Block block = load(surface, i);
+    store4(&place_x_[i], block.first.x);
+    store4(&place_y_[i], block.first.y);
+    store4(&place_z_[i], block.first.z);
     const Vec3<Float4> a = block.first - center;
     const Vec3<Float4> b = block.second - center;
     const Vec3<Float4> c = b - a;
@@ -261,7 +267,7 @@ Rejection Fan::check_shape(const Surface& surface, const glm::vec3& p) {
     const Int4 is_turned_at_last = (dot(after.unit, block.original) < limit) &
                                    ~(dot(block.before.normal, block.original) < limit);
     const Int4 is_turned = ((step < all(kTurnedCosine)) | is_turned_at_last) & has_area;
-    if (any(is_turned)) add_turned(is_turned, after.area, i);
+    turned = turned + select(is_turned & is_in_fan(i), after.area, all(0.0F));
     // Next to one another within the block; the seams between blocks are looked at below.
     const auto onward = [](Float4 v) { return __builtin_shufflevector(v, v, 1, 2, 3, 3); };
     const Vec3<Float4> next{onward(after.unit.x), onward(after.unit.y), onward(after.unit.z)};
@@ -269,6 +275,8 @@ Rejection Fan::check_shape(const Surface& surface, const glm::vec3& p) {
                  (dot(after.unit, next) < all(kFoldedCosine));
   }
   if (any(is_bad)) return Rejection::fold_over;
+  end_places(surface);
+  turned_area_ = turned[0] + turned[1] + turned[2] + turned[3];
   x_[0] = x_[size_];
   y_[0] = y_[size_];
   z_[0] = z_[size_];
@@ -283,10 +291,14 @@ Rejection Fan::check_shape(const Surface& surface, const glm::vec3& p) {
   return kLegal;
 }
 
-/// Faces past the last of the fan, in the last block, do not count.
-void Fan::add_turned(Int4 is_turned, Float4 area, std::size_t first) {
-  for (std::size_t lane = 0; lane < 4 && first + lane < size_; ++lane) {
-    if (is_turned[lane] != 0) turned_area_ += area[lane];
+/// The last neighbor's place, and again for lanes past the last face.
+void Fan::end_places(const Surface& surface) {
+  if (size_ == 0) return;
+  const Vec3<float>& last = surface.state(ring_[size_]).position;
+  for (std::size_t i = size_; i < size_ + 5; ++i) {
+    place_x_[i] = last.x;
+    place_y_[i] = last.y;
+    place_z_[i] = last.z;
   }
 }
 

@@ -51,6 +51,12 @@ class Fan {
   /// together with a neighbor.
   float turned_area() const { return turned_area_; }
 
+  /// Where the neighbors are between which faces i to i + 3 lie: at their first ones and, one
+  /// further, at their second ones. Past the last neighbor they repeat it. Pre: `check_shape` was
+  /// asked.
+  Vec3<Float4> four_places(std::size_t i) const {
+    return {load4(&place_x_[i]), load4(&place_y_[i]), load4(&place_z_[i])};
+  }
   /// The shape of face i with the vertex where `check_shape` was last asked about.
   FaceShape shape(std::size_t i) const { return {{x_[i + 1], y_[i + 1], z_[i + 1]}, area_[i + 1]}; }
   /// Those of faces i to i + 3, each as it lies in memory. Past the last face they hold anything.
@@ -83,7 +89,7 @@ class Fan {
   bool keeps_boundary(const Mesh& mesh) const;
   bool has_repeated_neighbour() const;
   Block load(const Surface& surface, std::size_t i) const;
-  void add_turned(Int4 is_turned, Float4 area, std::size_t first);
+  void end_places(const Surface& surface);
   float folded_area_after(const Surface& surface) const;
   float folded_area_before(const Surface& surface) const;
 
@@ -97,6 +103,7 @@ class Fan {
   std::vector<Vertex> ring_;
   // Of the faces, one place further than in spokes_: the place before is the last face's.
   std::vector<float> x_, y_, z_, area_;
+  std::vector<float> place_x_, place_y_, place_z_;  ///< of the neighbors, as four_places
 };
 
 }  // namespace mesher

@@ -62,6 +62,11 @@ F greater_of(F a, F b) {
   return select(a > b, a, b);
 }
 
+template <class F>
+F smaller_of(F a, F b) {
+  return select(a > b, b, a);
+}
+
 inline float square_root(float x) {
   return std::sqrt(x);
 }
@@ -88,6 +93,14 @@ F broadcast(float x) {
 
 inline Float4 to_float(Int4 lanes) {
   return __builtin_convertvector(lanes, Float4);
+}
+
+/// Whether the condition holds in some lane.
+inline bool any(Int4 condition) {
+  using Long2 = std::int64_t __attribute__((vector_size(16)));
+  Long2 halves;
+  __builtin_memcpy(&halves, &condition, sizeof halves);
+  return (halves[0] | halves[1]) != 0;
 }
 
 inline Float4 load4(const float* from) {

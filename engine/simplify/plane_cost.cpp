@@ -9,20 +9,33 @@ namespace {
 
 constexpr int kMostFaces = 64;
 
-std::optional<float> star_cost(const Surface& surface, Vertex v, const glm::vec3& p) {
+/// What the planes of one end say of two places.
+struct StarCost {
+  float at_point = 0.0F;
+  float at_other_end = 0.0F;
+};
+
+std::optional<StarCost> star_cost(const Surface& surface, Vertex v, Vertex other,
+                                  const glm::vec3& p) {
   const Mesh& mesh = surface.mesh();
-  const glm::vec3 moved = p - mesh.position(v);
-  float sum = 0.0F;
+  const glm::vec3 to_point = p - mesh.position(v);
+  const glm::vec3 to_other = mesh.position(other) - mesh.position(v);
+  const bool has_features = surface.freedom(v) != Freedom::free;
+  StarCost sum;
+  const auto add = [&](const glm::vec3& normal, float weight) {
+    const float point = glm::dot(normal, to_point);
+    const float other_end = glm::dot(normal, to_other);
+    sum.at_point += weight * point * point;
+    sum.at_other_end += weight * other_end * other_end;
+  };
   int faces = 0;
   for (const Halfedge h : halfedges_around(mesh, v)) {
     if (++faces > kMostFaces) return std::nullopt;
     const FaceShape& face = surface.shape(Mesh::face(h));
-    const float distance = glm::dot(face.normal, moved);
-    sum += face.area * distance * distance;
+    add(face.normal, face.area);
+    if (!has_features) continue;
     for (const Halfedge side : {h, Mesh::prev(h)}) {
-      if (!surface.is_feature(side)) continue;
-      const float off_course = glm::dot(surface.across(side), moved);
-      sum += off_course * off_course;
+      if (surface.is_feature(side)) add(surface.across(side), 1.0F);
     }
   }
   return sum;
@@ -30,12 +43,16 @@ std::optional<float> star_cost(const Surface& surface, Vertex v, const glm::vec3
 
 }  // namespace
 
-std::optional<float> plane_cost(const Surface& surface, Halfedge h, const glm::vec3& p) {
-  const Mesh& mesh = surface.mesh();
-  const std::optional<float> at_origin = star_cost(surface, mesh.origin(h), p);
-  if (!at_origin) return std::nullopt;
-  const std::optional<float> at_target = star_cost(surface, mesh.target(h), p);
-  return at_target ? std::optional(*at_origin + *at_target) : std::nullopt;
+std::optional<PlaneCosts> plane_costs(const Surface& surface, Halfedge h, const glm::vec3& p) {
+  const Vertex origin = surface.mesh().origin(h);
+  const Vertex target = surface.mesh().target(h);
+  const std::optional<StarCost> of_origin = star_cost(surface, origin, target, p);
+  if (!of_origin) return std::nullopt;
+  const std::optional<StarCost> of_target = star_cost(surface, target, origin, p);
+  if (!of_target) return std::nullopt;
+  // The planes of an end all go through it.
+  return PlaneCosts{of_origin->at_point + of_target->at_point, of_target->at_other_end,
+                    of_origin->at_other_end};
 }
 
 }  // namespace mesher

@@ -67,15 +67,19 @@ class EightEdges {
   std::size_t count_ = 0;
 };
 
-/// Damping moves the optimum off a corner of flat parts: an end that costs less is exact.
-void move_to_cheaper_end(const Surface& surface, Halfedge h, float least, Candidate& candidate) {
-  const Mesh& mesh = surface.mesh();
-  for (const Vertex end : {mesh.origin(h), mesh.target(h)}) {
-    const std::optional<float> at_end = plane_cost(surface, h, mesh.position(end));
-    if (!at_end || *at_end + least >= candidate.error) continue;
-    candidate.error = *at_end;
-    candidate.position = mesh.position(end);
-  }
+/// Finds the cost without rounding. Damping moves the optimum off a corner of flat parts, so an end
+/// that is cheaper by more than `clearly` takes its place.
+void evaluate_planes(const Surface& surface, Halfedge h, float clearly, Candidate& candidate) {
+  const std::optional<PlaneCosts> costs = plane_costs(surface, h, candidate.position);
+  if (!costs) return;
+  candidate.error = costs->at_point;
+  const auto offer = [&](Vertex end, float cost) {
+    if (!(cost + clearly < candidate.error)) return;
+    candidate.error = cost;
+    candidate.position = surface.mesh().position(end);
+  };
+  offer(surface.mesh().origin(h), costs->at_origin);
+  offer(surface.mesh().target(h), costs->at_target);
 }
 
 }  // namespace
@@ -87,11 +91,8 @@ Candidate QuadricPolicy::evaluate(const Surface& surface, Halfedge h, Fit fit) c
   const float tie_break = kTieBreak * size;
   Candidate candidate{0.0F, std::max(edge.cost(placed.offset), 0.0F), placed.position};
   if (candidate.error < kQuadricDoubt * size) {
-    candidate.error = plane_cost(surface, h, candidate.position).value_or(candidate.error);
     const bool may_move = fit == Fit::anywhere && placement_ == Placement::optimal;
-    if (may_move && candidate.error > kClearlyCheaper * tie_break) {
-      move_to_cheaper_end(surface, h, kClearlyCheaper * tie_break, candidate);
-    }
+    evaluate_planes(surface, h, may_move ? kClearlyCheaper * tie_break : kNever, candidate);
   }
   candidate.cost = candidate.error + tie_break;
   return candidate;

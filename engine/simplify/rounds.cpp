@@ -44,7 +44,7 @@ constexpr std::uint32_t kMostFresh = 2048;
 // The distance from the input is measured at one point for so many faces, within limits.
 constexpr std::size_t kFacesPerSample = 32;
 constexpr std::size_t kLeastSamples = 256;
-constexpr std::size_t kMostSamples = 2048;
+constexpr std::size_t kMostSamples = 1024;
 // How much the uncertainty of what was measured speaks for what was paid: as much as the samples
 // where the mean square is known to a quarter.
 constexpr double kTrustInPaid = 16.0;
