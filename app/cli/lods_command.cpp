@@ -83,7 +83,7 @@ Source read_source(const InputOptions& input, double least_ratio, const LodWords
   SimplifyWords simplify = words.simplify;
   simplify.faces = faces_for(least_ratio, mesh.face_count());
   SimplifyOptions options = simplify_options(simplify, mesh.face_count(), 1.0);
-  if (words.ratios.empty()) options.stop_before_error = kFarFromInput * source.diagonal();
+  if (!words.ratios) options.stop_before_error = kFarFromInput * source.diagonal();
   ProgressLine line(!common.quiet);
   begin_stage(line.progress(), "simplifying");
   options.progress = line.progress();
@@ -157,7 +157,7 @@ std::vector<Level> make_pruned_levels(const Source& source, const std::vector<do
     level.asked_faces = faces_for(ratios[i], full.mesh.face_count());
     simplify.faces = level.asked_faces;
     SimplifyOptions options = simplify_options(simplify, full.mesh.face_count(), 1.0);
-    if (words.ratios.empty()) options.stop_before_error = kFarFromInput * source.diagonal();
+    if (!words.ratios) options.stop_before_error = kFarFromInput * source.diagonal();
     ProgressLine line(!common.quiet);
     begin_stage(line.progress(), "simplifying");
     options.progress = line.progress();
@@ -308,7 +308,7 @@ fs::path level_file(const fs::path& output, std::size_t level) {
 void run_lods(const InputOptions& input, const std::string& output, const LodWords& words,
               const CommonOptions& common) {
   const std::vector<double> ratios =
-      parse_ratios(words.ratios.empty() ? kUsualRatios : words.ratios);
+      parse_ratios(words.ratios.value_or(kUsualRatios));
   const std::vector<double> coverage = words.coverage.empty()
                                            ? default_coverage(ratios)
                                            : parse_coverage(words.coverage, ratios.size());

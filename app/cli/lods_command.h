@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@ inline constexpr const char* kUsualRatios = "1,0.5,0.25";
 
 /// What `lods` was told, in words.
 struct LodWords {
-  std::string ratios;      ///< empty: kUsualRatios, but no level that is far from the model
+  /// None: kUsualRatios, but no level that is far from the model.
+  std::optional<std::string> ratios;
   std::string coverage;    ///< empty: see default_coverage
   SimplifyWords simplify;  ///< of which targets are not taken
 };
