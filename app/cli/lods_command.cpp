@@ -307,8 +307,7 @@ fs::path level_file(const fs::path& output, std::size_t level) {
 
 void run_lods(const InputOptions& input, const std::string& output, const LodWords& words,
               const CommonOptions& common) {
-  const std::vector<double> ratios =
-      parse_ratios(words.ratios.value_or(kUsualRatios));
+  const std::vector<double> ratios = parse_ratios(words.ratios.value_or(kUsualRatios));
   const std::vector<double> coverage = words.coverage.empty()
                                            ? default_coverage(ratios)
                                            : parse_coverage(words.coverage, ratios.size());

@@ -138,6 +138,33 @@ TEST(Edits, TheSliderBringsDetailBack) {
   EXPECT_TRUE(is_same(s.model.mesh, opened));
 }
 
+TEST(Edits, FarFromWhatWasOpenedIsSaid) {
+  Session s = session_with(test::torus(24, 16));
+  simplify_to(s, 200);
+  EXPECT_FALSE(s.edits.last->is_far());
+  EXPECT_EQ(s.notice, "");
+  simplify_to(s, 16);
+  EXPECT_TRUE(s.edits.last->is_far());
+  EXPECT_NE(s.notice.find("far from what was opened: "), std::string::npos) << s.notice;
+}
+
+/// No single step is far from the one before it.
+TEST(Edits, DAddsUpTheDistanceFromWhatWasOpened) {
+  Session s = session_with(test::torus(24, 16));
+  press(s, "d");
+  EXPECT_FALSE(s.edits.last->error_from_opened.has_value()) << "it starts from what was opened";
+  bool was_near = false;
+  for (int i = 0; i < 60 && s.notice.empty(); ++i) {
+    was_near = !s.edits.last->is_far();
+    press(s, "d");
+  }
+  EXPECT_TRUE(was_near);
+  ASSERT_TRUE(s.edits.last->error_from_opened.has_value());
+  EXPECT_TRUE(s.edits.last->is_far());
+  EXPECT_LT(s.edits.last->percent(s.edits.last->report.estimated_error), 5.0);
+  EXPECT_TRUE(s.notice.starts_with("far from what was opened: ")) << s.notice;
+}
+
 TEST(Edits, TheSliderStartsFromWhatWasOpenedNotFromWhatIsShown) {
   Session by_detour = session_with(test::torus(12, 10));
   press(by_detour, "d d shift+d");

@@ -30,8 +30,7 @@ TEST(ErrorStop, KeepsTheLimitAndSaysSo) {
   const Mesh mesh = asset("bunny.obj");
   for (const double percent : {0.2, 1.0, 3.0}) {
     const double limit = percent_of_diagonal(mesh, percent);
-    const Simplified result =
-        simplify(Mesh(mesh), {.target_faces = 4, .stop_before_error = limit});
+    const Simplified result = simplify(Mesh(mesh), {.target_faces = 4, .stop_before_error = limit});
     const SimplifyReport& report = result.report;
     EXPECT_EQ(report.reason, StopReason::far_from_input) << percent;
     EXPECT_LE(report.estimated_error, limit) << percent;
@@ -105,8 +104,8 @@ TEST(ErrorStop, CountsOnlyBelowTheGivenFaces) {
       Mesh(mesh), {.target_faces = 20, .stop_before_error = limit, .stop_below_faces = 300});
   EXPECT_EQ(result.report.reason, StopReason::far_from_input);
   EXPECT_EQ(result.mesh.face_count(), 300U);
-  const Simplified free = simplify(
-      Mesh(mesh), {.target_faces = 20, .stop_before_error = limit, .stop_below_faces = 1});
+  const Simplified free =
+      simplify(Mesh(mesh), {.target_faces = 20, .stop_before_error = limit, .stop_below_faces = 1});
   EXPECT_EQ(free.mesh.face_count(), 20U);
 }
 

@@ -13,23 +13,6 @@
 namespace mesher::test {
 namespace {
 
-Soup scaled(Soup soup, float factor) {
-  for (glm::vec3& p : soup.positions)
-    p *= factor;
-  return soup;
-}
-
-/// A torus, and cubes of that edge length in its hole.
-Soup torus_with_specks(std::uint32_t specks, float size) {
-  Soup soup = torus(60, 40);
-  for (std::uint32_t i = 0; i < specks; ++i) {
-    const float x = 0.08F * static_cast<float>(i % 8) - 0.3F;
-    const float y = 0.08F * static_cast<float>(i / 8) - 0.3F;
-    soup = join(std::move(soup), scaled(cube(), size), {x, y, 0.0F});
-  }
-  return soup;
-}
-
 /// Forty tiny cubes (480 faces, 320 vertices), then a torus of 4,800 faces: to get to those alone
 /// without pruning costs an error larger than the cubes.
 Soup specks_before_torus() {
