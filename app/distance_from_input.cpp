@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "engine/analysis/triangle_tree.h"
+#include "engine/simplify/options.h"
 
 namespace mesher::app {
 namespace {
@@ -34,6 +35,13 @@ double distance_from_input(const Mesh& input, const Mesh& result) {
     area_sum += area;
   }
   return area_sum > 0.0 ? std::sqrt(sum / area_sum) : 0.0;
+}
+
+std::optional<double> far_percent(const Mesh& input, const Mesh& result, double diagonal) {
+  if (result.face_count() > kManyFaces) return std::nullopt;
+  const double distance = distance_from_input(input, result);
+  if (!(distance > kFarFromInput * diagonal)) return std::nullopt;
+  return 100.0 * distance / diagonal;
 }
 
 }  // namespace mesher::app

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "engine/mesh/mesh.h"
 
 namespace mesher::app {
@@ -8,5 +11,12 @@ namespace mesher::app {
 /// the surface of `result`, in model units; 0 where one of them has no faces. O(F log F) of the
 /// result, O(F) of the input.
 double distance_from_input(const Mesh& input, const Mesh& result);
+
+/// A result of more faces than this is near its input, so that it need not be measured.
+inline constexpr std::uint32_t kManyFaces = 20'000;
+
+/// That distance in percent of `diagonal`, where it passes kFarFromInput and the result has few
+/// faces; else none.
+std::optional<double> far_percent(const Mesh& input, const Mesh& result, double diagonal);
 
 }  // namespace mesher::app

@@ -15,9 +15,6 @@
 namespace mesher::app {
 namespace {
 
-// With more faces than this a model is near what was opened.
-constexpr std::uint32_t kManyFaces = 20'000;
-
 /// Faces that are left to ask for. One that does not divide evenly counts: at least one goes.
 std::uint32_t target_of(const EditRequest& request, std::uint32_t faces) {
   switch (request.kind) {
@@ -264,6 +261,10 @@ EditResult perform_work(const EditTask& task, const KeptLevel& kept, Progress*) 
   EditResult result;
   result.edit.name = task.name;
   take_difference(task, *kept.shape, result.edit);
+  const double diagonal = task.statistics.box.diagonal();
+  if (const auto percent = far_percent(task.shown->mesh, kept.shape->mesh, diagonal)) {
+    result.notice = far_from("the model", *percent);
+  }
   return result;
 }
 
@@ -312,6 +313,7 @@ void finish_edit(Session& session, EditResult&& result) {
     session.notice = notice_for(*result.simplified);
     edits.last = std::move(result.simplified);
   }
+  if (!result.notice.empty()) session.notice = result.notice;
   if (result.subdivided) edits.last_subdivision = result.subdivided;
   if (result.edit.changes_anything()) {
     record_edit(session, std::move(result.edit));

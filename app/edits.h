@@ -116,6 +116,7 @@ struct EditResult {
   std::optional<SimplifyOutcome> simplified;
   std::optional<SubdivideOutcome> subdivided;
   std::optional<DetailLevels> levels;
+  std::string notice;  ///< what a person should know besides
 };
 
 /// Lets a request wait for its turn, by the rules that the session has now.

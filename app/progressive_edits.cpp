@@ -25,14 +25,14 @@ Simplified as_simplified(const ProgressiveMesh& mesh, const DetailLevels& levels
   return result;
 }
 
-/// What a person should know of the base: " (...)", or nothing.
+/// What a person should know of the base: "; ...", or nothing.
 std::string words_on_base(const Session& session) {
   const std::optional<SimplifyReport>& report = session.progressive.levels().report;
   if (!report) return {};
   const SimplifyOutcome base{*report, session.statistics.box.diagonal(), {}};
-  if (base.is_far()) return " (the base is " + far_from("the model", base.error_percent()) + ")";
+  if (base.is_far()) return "; the base is " + far_from("the model", base.error_percent());
   if (report->reason == StopReason::target_reached) return {};
-  return " (" + stop_text(report->reason) + ")";
+  return "; the base: " + stop_text(report->reason);
 }
 
 }  // namespace
@@ -114,8 +114,8 @@ void finish_progressive(Session& session, DetailLevels&& levels) {
   if (!is_new) return;
   const ProgressiveMesh& mesh = view.mesh();
   session.notice = with_commas(mesh.base_face_count()) + " to " +
-                   with_commas(mesh.full_face_count()) + " faces" + words_on_base(session) +
-                   ": Space plays, PageUp and PageDown refine";
+                   with_commas(mesh.full_face_count()) +
+                   " faces: Space plays, PageUp and PageDown refine" + words_on_base(session);
 }
 
 const Mesh& shown_mesh(const Session& session) {

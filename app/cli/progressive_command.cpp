@@ -6,6 +6,7 @@
 
 #include "app/cli/batch.h"
 #include "app/cli/progress_line.h"
+#include "app/distance_from_input.h"
 #include "app/json.h"
 #include "app/words.h"
 #include "engine/core/error.h"
@@ -172,9 +173,13 @@ void run_extract(const InputOptions& input, const std::string& output, const Det
   }
   levels->go_to(level_for(words, *levels));
   Model& model = loaded.model;
+  const auto percent = far_percent(model.mesh, levels->mesh(), loaded.statistics.box.diagonal());
   model.mesh = levels->mesh();
   if (model.mesh.face_count() == 0) throw InputError(loaded.file.string(), 0, "has no faces");
   if (!common.quiet) say_level(*levels, words);
+  if (!common.quiet && percent) {
+    say("warning: this level is " + far_from("the full detail", *percent));
+  }
   const std::vector<std::string> losses = write_result(output, model, common);
   if (!common.json) return;
   Json json{{"input", loaded.file.string()},
@@ -184,6 +189,7 @@ void run_extract(const InputOptions& input, const std::string& output, const Det
             {"level", levels->level()},
             {"vertices", model.mesh.vertex_count()},
             {"faces", model.mesh.face_count()},
+            {"far_from_input", percent.has_value()},
             {"lost", losses}};
   add_pm(json, loaded.pm);
   print_json(json);

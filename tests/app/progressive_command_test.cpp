@@ -112,6 +112,16 @@ TEST_F(ProgressiveCommand, ABaseThatIsAskedForIsMadeWhateverItsError) {
       << "no split makes a part";
 }
 
+TEST_F(ProgressiveCommand, ExtractSaysWhereALevelIsFarFromTheFullDetail) {
+  make("cactus", {"--base-faces", "24"});
+  const Finished run = mesher({"extract", "p.pm", "-o", "e.obj", "--lod", "0", "--json"});
+  EXPECT_EQ(nlohmann::json::parse(run.out)["far_from_input"], true);
+  EXPECT_TRUE(holds(run.err, "warning: this level is far from the full detail: ")) << run.err;
+  const Finished fine = mesher({"extract", "p.pm", "-o", "e.obj", "--faces", "100", "--json"});
+  EXPECT_EQ(nlohmann::json::parse(fine.out)["far_from_input"], false);
+  EXPECT_FALSE(holds(fine.err, "warning")) << fine.err;
+}
+
 TEST_F(ProgressiveCommand, SaysWhyABaseIsNotReached) {
   const Finished run = mesher({"progressive", "cube", "-o", "c.pm", "--base-faces", "2"});
   EXPECT_EQ(run.exit_code, 0);

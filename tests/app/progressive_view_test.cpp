@@ -332,7 +332,8 @@ TEST_F(ProgressiveViewTest, TheNoticeSaysWhatIsToBeKnownOfTheBase) {
   show(test::cube());
   press(session_, "p");
   EXPECT_LT(view().mesh().base_face_count(), 12U) << "there is something to refine";
-  EXPECT_TRUE(session_.notice.starts_with("4 to 12 faces (the base is far from the model: "))
+  EXPECT_TRUE(session_.notice.starts_with("4 to 12 faces: ") &&
+              session_.notice.find("; the base is far from the model: ") != std::string::npos)
       << session_.notice;
   // A base that a person asks for, however far.
   show(test::cube());
@@ -340,6 +341,17 @@ TEST_F(ProgressiveViewTest, TheNoticeSaysWhatIsToBeKnownOfTheBase) {
   press(session_, "p");
   EXPECT_EQ(view().mesh().base_face_count(), 4U);
   EXPECT_NE(session_.notice.find("far from the model"), std::string::npos) << session_.notice;
+}
+
+TEST_F(ProgressiveViewTest, KeepingALevelFarFromTheModelIsSaid) {
+  show(test::cube());
+  press(session_, "p home k");
+  EXPECT_EQ(session_.model.mesh.face_count(), 4U);
+  EXPECT_TRUE(session_.notice.starts_with("far from the model: ")) << session_.notice;
+  show(test::torus(40, 30));
+  press(session_, "p home k");
+  EXPECT_EQ(session_.model.mesh.face_count(), 200U);
+  EXPECT_EQ(session_.notice.find("far from"), std::string::npos) << session_.notice;
 }
 
 TEST_F(ProgressiveViewTest, AnotherModelEndsIt) {

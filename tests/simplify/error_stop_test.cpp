@@ -73,7 +73,7 @@ TEST(ErrorStop, TakenBackCollapsesLeaveASoundMeshThatTheRecordLeadsTo) {
   }
 }
 
-TEST(ErrorStop, IsSharpnessOfVerticesKept) {
+TEST(ErrorStop, SharpnessOfVerticesStays) {
   Mesh mesh = asset("bunny_1k.obj");
   for (std::uint32_t v = 0; v < mesh.vertex_count(); v += 20)
     mesh.set_sharpness(Vertex(v), 1.0F + float(v));
