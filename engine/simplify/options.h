@@ -68,8 +68,8 @@ struct SimplifyOptions {
   /// times the distance itself. Always found where there is a max_error.
   bool certifies = false;
   /// Stop before the estimated error (SimplifyReport::estimated_error) passes this, in model units;
-  /// infinite: do not. It is looked at in steps, so more faces may be left than must be: a tenth as a
-  /// rule, four times as many where the error jumps. Pre: not negative.
+  /// infinite: do not. It is estimated in steps, so more faces may be left than must be: a tenth as
+  /// a rule, four times as many where the error jumps. Pre: not negative.
   double stop_before_error = std::numeric_limits<double>::infinity();
   /// The error ends the work only where fewer faces than this are left.
   std::uint32_t stop_below_faces = std::numeric_limits<std::uint32_t>::max();
