@@ -5,8 +5,10 @@
 #include <limits>
 #include <utility>
 
+#include "app/distance_from_input.h"
 #include "app/session.h"
 #include "app/words.h"
+#include "engine/progressive/base.h"
 #include "engine/simplify/attributes.h"
 #include "engine/simplify/simplify.h"
 
@@ -125,7 +127,7 @@ EditTask simplify_task(Session& session, const EditRequest& request) {
   Edits& edits = session.edits;
   EditTask task = task_for_shown(session);
   const bool is_from_opened = request.kind == EditRequest::Kind::simplify_to;
-  Simplification work{is_from_opened ? edits.opened : task.shown,
+  Simplification work{is_from_opened ? edits.opened : task.shown, edits.opened,
                       options_of(request.simplify, session.statistics.box.diagonal())};
   const std::uint32_t target = target_of(request, work.start->mesh.face_count());
   work.options.target_faces = target;
@@ -143,7 +145,12 @@ EditTask progressive_task(const Session& session, const EditRequest& request) {
   ProgressiveWork work{copy_of(session.model),
                        options_of(request.simplify, session.statistics.box.diagonal())};
   work.options.max_error = std::numeric_limits<double>::infinity();
-  work.options.target_faces = session.progressive.settings().base_faces;
+  const std::uint32_t base_faces = session.progressive.settings().base_faces;
+  if (base_faces > 0) {
+    work.options.target_faces = base_faces;
+  } else {
+    choose_base(work.options, work.start->mesh.face_count(), session.statistics.box.diagonal());
+  }
   EditTask task;
   task.title = "Making a progressive mesh";
   task.work = std::move(work);
@@ -171,7 +178,7 @@ EditTask keep_task(Session& session) {
 std::optional<EditTask> detail_task(Session& session, const EditRequest& request) {
   const ProgressiveView& view = session.progressive;
   if (request.kind == EditRequest::Kind::progressive) {
-    if (view.has_mesh() && request.target_faces == 0) return std::nullopt;
+    if (view.has_mesh() && !request.rebuilds) return std::nullopt;
     return progressive_task(session, request);
   }
   if (!view.is_on() || view.is_arriving()) return std::nullopt;
@@ -190,6 +197,9 @@ std::string notice_for(const SimplifyOutcome& outcome) {
   }
   for (const std::string& dropped : outcome.dropped)
     notice += (notice.empty() ? "dropped " : "; dropped ") + dropped;
+  if (outcome.is_far()) {
+    notice += (notice.empty() ? "" : "; ") + far_from("what was opened", outcome.error_percent());
+  }
   return notice;
 }
 
@@ -212,9 +222,12 @@ EditResult perform_work(const EditTask& task, const Simplification& work, Progre
   result.edit.name = task.name.empty()
                          ? "simplify to " + with_commas(simplified.report.faces_reached) + " faces"
                          : task.name;
-  take_difference(task, {std::move(simplified.mesh), std::move(carried.attributes)}, result.edit);
   result.simplified = {simplified.report, task.statistics.box.diagonal(),
                        std::move(carried.dropped)};
+  if (work.opened != work.start && simplified.mesh.face_count() <= kManyFaces) {
+    result.simplified->error_from_opened = distance_from_input(work.opened->mesh, simplified.mesh);
+  }
+  take_difference(task, {std::move(simplified.mesh), std::move(carried.attributes)}, result.edit);
   return result;
 }
 
@@ -248,6 +261,10 @@ EditResult perform_work(const EditTask& task, const KeptLevel& kept, Progress*) 
   EditResult result;
   result.edit.name = task.name;
   take_difference(task, *kept.shape, result.edit);
+  const double diagonal = task.statistics.box.diagonal();
+  if (const auto percent = far_percent(task.shown->mesh, kept.shape->mesh, diagonal)) {
+    result.notice = far_from("the model", *percent);
+  }
   return result;
 }
 
@@ -296,6 +313,7 @@ void finish_edit(Session& session, EditResult&& result) {
     session.notice = notice_for(*result.simplified);
     edits.last = std::move(result.simplified);
   }
+  if (!result.notice.empty()) session.notice = result.notice;
   if (result.subdivided) edits.last_subdivision = result.subdivided;
   if (result.edit.changes_anything()) {
     record_edit(session, std::move(result.edit));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -43,13 +44,14 @@ struct EditRequest {
     coarser,     ///< one less, down to what was subdivided
     same_level,  ///< what is shown, by the rules that now hold
     /// No edit: a progressive mesh of the model, and the mode that shows it. Where there is one
-    /// already, another one only where `target_faces` is said (and means nothing more).
+    /// already, another one only where `rebuilds` is set.
     progressive,
     geomorph,    ///< no edit: what a progressive mesh from a file lacks
     keep_level,  ///< the level of the progressive mesh that is shown becomes the model
   };
   Kind kind = Kind::remove_tenth;
   std::uint32_t target_faces = 0;
+  bool rebuilds = false;
   CreaseRequest creases{};
   // The rules that held when it was asked for: until it is done, those of the session may change.
   SimplifySettings simplify{};
@@ -61,7 +63,16 @@ struct SimplifyOutcome {
   SimplifyReport report;
   double diagonal = 0.0;             ///< of the input's box: what percentages refer to
   std::vector<std::string> dropped;  ///< attributes that could not be carried
+  /// RMS distance from the model as it was opened (distance_from_input), model units; none where
+  /// that is what the simplification started from, or where so many faces are left that it is
+  /// small.
+  std::optional<double> error_from_opened{};
   double percent(double distance) const { return diagonal > 0.0 ? 100.0 * distance / diagonal : 0; }
+  /// The larger of what this step did and of what all of them did, in percent of the diagonal.
+  double error_percent() const {
+    return percent(std::max(report.estimated_error, error_from_opened.value_or(0.0)));
+  }
+  bool is_far() const { return error_percent() > 100.0 * kFarFromInput; }
 };
 
 /// What has been done to the model that is shown, and what is to be done.
@@ -85,7 +96,8 @@ struct Session;
 
 /// A simplification in the background: what of, and how.
 struct Simplification {
-  std::shared_ptr<const Shape> start;  ///< what is shown, or what was opened
+  std::shared_ptr<const Shape> start;   ///< what is shown, or what was opened
+  std::shared_ptr<const Shape> opened;  ///< may be the same
   SimplifyOptions options;
 };
 
@@ -104,6 +116,7 @@ struct EditResult {
   std::optional<SimplifyOutcome> simplified;
   std::optional<SubdivideOutcome> subdivided;
   std::optional<DetailLevels> levels;
+  std::string notice;  ///< what a person should know besides
 };
 
 /// Lets a request wait for its turn, by the rules that the session has now.

@@ -64,12 +64,24 @@ Json to_json(const CreaseMode& creases, const SelectedSharpness& sharpness) {
           {"tag_angle_deg", creases.tag_angle_deg}};
 }
 
+/// Null where nothing was pruned.
+Json pruned_json(const SimplifyOutcome& outcome) {
+  const SimplifyReport& r = outcome.report;
+  if (r.pruned_parts == 0) return {};
+  return {{"parts", r.pruned_parts},
+          {"faces", r.pruned_faces},
+          {"largest", r.largest_pruned},
+          {"largest_percent", outcome.percent(r.largest_pruned)},
+          {"unpruned_error", r.error_unpruned},
+          {"unpruned_error_percent", outcome.percent(r.error_unpruned)}};
+}
+
 Json to_json(const ProgressiveView& view) {
   const ProgressiveSettings& s = view.settings();
   const ProgressiveMesh* mesh = view.has_mesh() ? &view.mesh() : nullptr;
   const auto if_any = [mesh](auto value) { return mesh != nullptr ? Json(value()) : Json(); };
   return {{"on", view.is_on()},
-          {"base_faces", s.base_faces},
+          {"base_faces", s.base_faces > 0 ? Json(s.base_faces) : Json()},
           {"geomorphs", s.geomorphs},
           {"window", s.window},
           {"births", s.colors_births},
@@ -186,11 +198,13 @@ Json to_json(const SimplifyOutcome& outcome) {
           {"collapses", r.collapses},
           {"estimated_error", r.estimated_error},
           {"estimated_error_percent", outcome.percent(r.estimated_error)},
+          {"far_from_input", outcome.is_far()},
           {"measured_error", if_any(is_measured, r.measured_error)},
           {"measured_error_percent", if_any(is_measured, outcome.percent(r.measured_error))},
           {"certified_bound", if_any(r.certified_bound >= 0.0, r.certified_bound)},
           {"certified_bound_percent",
            if_any(r.certified_bound >= 0.0, outcome.percent(r.certified_bound))},
+          {"pruned", pruned_json(outcome)},
           {"seconds",
            {{"prepare", r.seconds.prepare},
             {"collapse", r.seconds.collapse},

@@ -25,6 +25,16 @@ Simplified as_simplified(const ProgressiveMesh& mesh, const DetailLevels& levels
   return result;
 }
 
+/// What a person should know of the base: "; ...", or nothing.
+std::string words_on_base(const Session& session) {
+  const std::optional<SimplifyReport>& report = session.progressive.levels().report;
+  if (!report) return {};
+  const SimplifyOutcome base{*report, session.statistics.box.diagonal(), {}};
+  if (base.is_far()) return "; the base is " + far_from("the model", base.error_percent());
+  if (report->reason == StopReason::target_reached) return {};
+  return "; the base: " + stop_text(report->reason);
+}
+
 }  // namespace
 
 void toggle_progressive(Session& session) {
@@ -87,7 +97,11 @@ DetailLevels perform_progressive(const ProgressiveWork& work, Progress* progress
   begin_stage(progress, "simplifying");
   SimplifyOptions options = work.options;
   options.progress = progress;
-  return detail_levels(make_progressive(work.start->mesh, options), progress);
+  Progressive made = make_progressive(work.start->mesh, options);
+  const SimplifyReport report = made.report;
+  DetailLevels levels = detail_levels(std::move(made), progress);
+  levels.report = report;
+  return levels;
 }
 
 void finish_progressive(Session& session, DetailLevels&& levels) {
@@ -101,7 +115,7 @@ void finish_progressive(Session& session, DetailLevels&& levels) {
   const ProgressiveMesh& mesh = view.mesh();
   session.notice = with_commas(mesh.base_face_count()) + " to " +
                    with_commas(mesh.full_face_count()) +
-                   " faces: Space plays, PageUp and PageDown refine";
+                   " faces: Space plays, PageUp and PageDown refine" + words_on_base(session);
 }
 
 const Mesh& shown_mesh(const Session& session) {

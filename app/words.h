@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "engine/simplify/report.h"
+
 namespace mesher::app {
 
 /// "1,234,567"
@@ -10,5 +12,14 @@ std::string with_commas(std::uint64_t number);
 
 /// Six digits at most: "0.00123457".
 std::string short_number(double value);
+
+/// "12.3 %", three digits.
+std::string percent_text(double percent);
+
+/// "far from the input: 12.3 % of the diagonal (RMS)", the input being `what`.
+std::string far_from(const std::string& what, double percent);
+
+/// Why a simplification ended, where the error that ends it is kFarFromInput of the diagonal.
+std::string stop_text(StopReason reason);
 
 }  // namespace mesher::app

@@ -6,6 +6,7 @@
 
 #include "app/cli/batch.h"
 #include "app/cli/progress_line.h"
+#include "app/distance_from_input.h"
 #include "app/json.h"
 #include "app/words.h"
 #include "engine/core/error.h"
@@ -15,6 +16,7 @@
 #include "engine/mesh/normals.h"
 #include "engine/progressive/build.h"
 #include "engine/simplify/attributes.h"
+#include "engine/simplify/prune.h"
 
 namespace mesher::app {
 namespace {
@@ -24,17 +26,21 @@ namespace fs = std::filesystem;
 /// The input in all its levels.
 struct Source {
   LoadedModel loaded;       ///< in full detail
-  Progressive progressive;  ///< sources are empty where it was read
+  Progressive progressive;  ///< sources are empty where it was read; none where parts are pruned
+  double diagonal() const { return loaded.statistics.box.diagonal(); }
 };
 
 struct Level {
   double ratio = 1.0;
   double coverage = 0.0;
   std::uint32_t asked_faces = 0;
-  std::uint32_t level = 0;  ///< of the progressive mesh
+  std::uint32_t level = 0;  ///< of the progressive mesh; else the first that has the same mesh
   Mesh mesh;
   Attributes attributes;
   std::vector<std::string> dropped;
+  std::optional<SimplifyOutcome> pruned;  ///< where parts may be
+  /// RMS distance from the model, model units; negative where a coarser level is near enough.
+  double error = -1.0;
 };
 
 /// A target that is out of reach gives the level before once more.
@@ -62,19 +68,22 @@ std::vector<fs::path> files_for(const fs::path& output, std::size_t levels) {
   return files;
 }
 
-Source read_source(const InputOptions& input, double least_ratio, const SimplifyWords& words,
+/// Levels of a person's choice are made whatever their error is.
+Source read_source(const InputOptions& input, double least_ratio, const LodWords& words,
                    const CommonOptions& common) {
   LoadedLevels opened = load_levels(input, common);
   Source source{std::move(opened.loaded), {}};
   const Mesh& mesh = source.loaded.model.mesh;
   if (mesh.face_count() == 0) throw InputError(source.loaded.file.string(), 0, "has no faces");
+  if (words.simplify.prune) return source;
   if (opened.levels) {
     source.progressive.mesh = std::move(*opened.levels);
     return source;
   }
-  SimplifyWords simplify = words;
+  SimplifyWords simplify = words.simplify;
   simplify.faces = faces_for(least_ratio, mesh.face_count());
   SimplifyOptions options = simplify_options(simplify, mesh.face_count(), 1.0);
+  if (!words.ratios) options.stop_before_error = kFarFromInput * source.diagonal();
   ProgressLine line(!common.quiet);
   begin_stage(line.progress(), "simplifying");
   options.progress = line.progress();
@@ -82,7 +91,16 @@ Source read_source(const InputOptions& input, double least_ratio, const Simplify
   return source;
 }
 
-/// What can be carried to a level that `mesh` shows; normals that cannot are computed.
+/// Normals that could not be carried are computed.
+void complete_normals(const Model& full, const Mesh& mesh, CarriedAttributes& carried) {
+  if (full.attributes.normal.empty() || !carried.attributes.normal.empty()) return;
+  carried.attributes.normal = corner_normals(mesh, {});
+  for (std::string& dropped : carried.dropped) {
+    if (dropped.starts_with("normals")) dropped += ": computed anew";
+  }
+}
+
+/// What can be carried to a level that `mesh` shows.
 CarriedAttributes attributes_of(const Source& source, const Mesh& mesh) {
   const Model& full = source.loaded.model;
   if (full.attributes.is_empty()) return {};
@@ -94,12 +112,7 @@ CarriedAttributes attributes_of(const Source& source, const Mesh& mesh) {
       carry_attributes(full.attributes, full.mesh.origins(),
                        Survivors{mesh, vertex_source.first(mesh.vertex_count()), face_source,
                                  full.mesh.vertex_count()});
-  if (!full.attributes.normal.empty() && carried.attributes.normal.empty()) {
-    carried.attributes.normal = corner_normals(mesh, {});
-    for (std::string& dropped : carried.dropped) {
-      if (dropped.starts_with("normals")) dropped += ": computed anew";
-    }
-  }
+  complete_normals(full, mesh, carried);
   return carried;
 }
 
@@ -125,6 +138,50 @@ std::vector<Level> make_levels(Source& source, const std::vector<double>& ratios
     levels.push_back(std::move(level));
   }
   return levels;
+}
+
+bool is_same(const Mesh& a, const Mesh& b) {
+  return std::ranges::equal(a.origins(), b.origins()) &&
+         std::ranges::equal(a.positions(), b.positions());
+}
+
+/// Each by a simplification of its own: no progressive mesh loses a part on the way.
+std::vector<Level> make_pruned_levels(const Source& source, const std::vector<double>& ratios,
+                                      const std::vector<double>& coverage, const LodWords& words,
+                                      const CommonOptions& common) {
+  const Model& full = source.loaded.model;
+  SimplifyWords simplify = words.simplify;
+  std::vector<Level> levels;
+  for (std::size_t i = 0; i < ratios.size(); ++i) {
+    Level level{.ratio = ratios[i], .coverage = coverage[i]};
+    level.asked_faces = faces_for(ratios[i], full.mesh.face_count());
+    simplify.faces = level.asked_faces;
+    SimplifyOptions options = simplify_options(simplify, full.mesh.face_count(), 1.0);
+    if (!words.ratios) options.stop_before_error = kFarFromInput * source.diagonal();
+    ProgressLine line(!common.quiet);
+    begin_stage(line.progress(), "simplifying");
+    options.progress = line.progress();
+    Simplified simplified = simplify_pruned(Mesh(full.mesh), options);
+    CarriedAttributes carried = carry_attributes(full.attributes, full.mesh.origins(), simplified);
+    complete_normals(full, simplified.mesh, carried);
+    level.pruned = SimplifyOutcome{simplified.report, source.diagonal(), {}};
+    level.mesh = std::move(simplified.mesh);
+    level.attributes = std::move(carried.attributes);
+    level.dropped = std::move(carried.dropped);
+    const bool repeats = i > 0 && is_same(level.mesh, levels.back().mesh);
+    level.level = repeats ? levels.back().level : static_cast<std::uint32_t>(i);
+    levels.push_back(std::move(level));
+  }
+  return levels;
+}
+
+/// The coarsest first: where one is near the model, so are the finer ones.
+void measure_coarse_levels(const Source& source, std::vector<Level>& levels) {
+  for (std::size_t i = levels.size(); i-- > 0;) {
+    const double error = distance_from_input(source.loaded.model.mesh, levels[i].mesh);
+    if (error <= kFarFromInput * source.diagonal()) return;
+    levels[i].error = error;
+  }
 }
 
 /// All of them or none.
@@ -154,8 +211,9 @@ void say_levels(const Source& source, const std::vector<Level>& levels,
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const Level& level = levels[i];
     const std::uint32_t faces = level.mesh.face_count();
-    const std::string why = source.loaded.pm ? "it is the base of the progressive mesh"
-                                             : std::string(describe(report.reason));
+    const StopReason reason = level.pruned ? level.pruned->report.reason : report.reason;
+    const bool is_read = source.loaded.pm && !level.pruned;
+    const std::string why = is_read ? "it is the base of the progressive mesh" : stop_text(reason);
     say("level " + std::to_string(i) + ": " + with_commas(level.mesh.vertex_count()) +
         " vertices, " + with_commas(faces) + " faces, for a coverage of " +
         short_number(level.coverage) + " and more" +
@@ -163,8 +221,14 @@ void say_levels(const Source& source, const std::vector<Level>& levels,
              ? "; asked for " + with_commas(level.asked_faces) + " faces: " + why
              : "") +
         (repeats(levels, i) ? "; the same mesh as level " + std::to_string(i - 1) : ""));
+    const std::string name = "level " + std::to_string(i) + ": ";
+    if (level.pruned) say(name + pruned_words(*level.pruned));
+    if (level.error >= 0.0) {
+      say("warning: level " + std::to_string(i) + " is " +
+          far_from("the input", 100.0 * level.error / source.diagonal()));
+    }
     for (const std::string& dropped : level.dropped)
-      say("level " + std::to_string(i) + ": dropped " + dropped);
+      say(name + "dropped " + dropped);
   }
   for (const fs::path& file : files)
     say("wrote " + file.string());
@@ -176,17 +240,24 @@ Json level_json(const Level& level) {
           {"vertices", level.mesh.vertex_count()},
           {"faces", level.mesh.face_count()},
           {"coverage", level.coverage},
+          {"far_from_input", level.error >= 0.0},
+          {"pruned", level.pruned ? to_json(*level.pruned)["pruned"] : Json()},
           {"dropped", level.dropped}};
+}
+
+/// Null where the coarsest level follows from the file.
+Json stop_reason(const Source& source, const Level& coarsest) {
+  if (coarsest.pruned) return key(coarsest.pruned->report.reason);
+  return source.loaded.pm ? Json() : Json(key(source.progressive.report.reason));
 }
 
 void print_levels(const Source& source, const std::string& output, const std::vector<Level>& levels,
                   const std::vector<fs::path>& files, const std::vector<std::string>& losses) {
-  const SimplifyReport& report = source.progressive.report;
   Json json{{"input", source.loaded.file.string()},
             {"output", output},
             {"files", Json::array()},
-            {"faces_before", source.progressive.mesh.full_face_count()},
-            {"stop_reason", source.loaded.pm ? Json() : Json(key(report.reason))},
+            {"faces_before", source.loaded.model.mesh.face_count()},
+            {"stop_reason", stop_reason(source, levels.back())},
             {"levels", Json::array()}};
   for (const fs::path& file : files)
     json["files"].push_back(file.string());
@@ -236,7 +307,7 @@ fs::path level_file(const fs::path& output, std::size_t level) {
 
 void run_lods(const InputOptions& input, const std::string& output, const LodWords& words,
               const CommonOptions& common) {
-  const std::vector<double> ratios = parse_ratios(words.ratios);
+  const std::vector<double> ratios = parse_ratios(words.ratios.value_or(kUsualRatios));
   const std::vector<double> coverage = words.coverage.empty()
                                            ? default_coverage(ratios)
                                            : parse_coverage(words.coverage, ratios.size());
@@ -244,8 +315,11 @@ void run_lods(const InputOptions& input, const std::string& output, const LodWor
   const std::vector<fs::path> files = files_for(output, ratios.size());
   for (const fs::path& file : files)
     AtomicFile::check(file);
-  Source source = read_source(input, ratios.back(), words.simplify, common);
-  const std::vector<Level> levels = make_levels(source, ratios, coverage);
+  Source source = read_source(input, ratios.back(), words, common);
+  std::vector<Level> levels = words.simplify.prune
+                                  ? make_pruned_levels(source, ratios, coverage, words, common)
+                                  : make_levels(source, ratios, coverage);
+  measure_coarse_levels(source, levels);
   write_levels(files, levels);
   const std::vector<std::string> losses =
       losses_in_format(output, levels.front().mesh, levels.front().attributes);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,12 @@
 
 namespace mesher::app {
 
+inline constexpr const char* kUsualRatios = "1,0.5,0.25";
+
 /// What `lods` was told, in words.
 struct LodWords {
-  std::string ratios = "1,0.5,0.25";
+  /// None: kUsualRatios, but no level that is far from the model.
+  std::optional<std::string> ratios;
   std::string coverage;    ///< empty: see default_coverage
   SimplifyWords simplify;  ///< of which targets are not taken
 };
@@ -33,7 +37,8 @@ std::vector<double> default_coverage(const std::vector<double>& ratios);
 std::filesystem::path level_file(const std::filesystem::path& output, std::size_t level);
 
 /// Reads a model and writes it in several levels of detail, all from one simplification (or from
-/// the progressive mesh that was read): glTF in one file, by MSFT_lod; other formats in one each.
+/// the progressive mesh that was read; where parts may be pruned, from one of its own for each
+/// level): glTF in one file, by MSFT_lod; other formats in one each.
 void run_lods(const InputOptions& input, const std::string& output, const LodWords& words,
               const CommonOptions& common);
 

@@ -6,9 +6,11 @@
 
 #include "app/cli/batch.h"
 #include "app/cli/progress_line.h"
+#include "app/distance_from_input.h"
 #include "app/json.h"
 #include "app/words.h"
 #include "engine/core/error.h"
+#include "engine/progressive/base.h"
 #include "engine/progressive/build.h"
 
 namespace mesher::app {
@@ -89,10 +91,17 @@ double share_of_indexed(const PmSummary& pm) {
 void say_written(const std::string& output, const Written& written) {
   const SimplifyReport& r = written.outcome.report;
   const PmSummary& pm = written.summary;
-  say("base of " + with_commas(pm.base_faces) + " of " + with_commas(r.faces_before) +
-      " faces, asked for " + with_commas(r.faces_asked) + ": " + std::string(describe(r.reason)) +
-      "; " + with_commas(pm.splits) + " splits, in " +
+  say("base of " + with_commas(pm.base_faces) + " of " + with_commas(r.faces_before) + " faces, " +
+      (r.faces_asked > 0 ? "asked for " + with_commas(r.faces_asked) : "chosen by size and error") +
+      ": " + stop_text(r.reason) + "; " + with_commas(pm.splits) + " splits, in " +
       short_number(r.seconds.total() + written.build_s) + " s");
+  say("estimated error of the base (RMS): " + percent_text(written.outcome.error_percent()) +
+      " of the diagonal");
+  if (written.outcome.is_far()) {
+    say(r.faces_asked > 0 ? "warning: the base is far from the input; give a larger --base-faces "
+                            "to keep its shape"
+                          : "warning: the base is far from the input, which has few faces");
+  }
   say(output + ": " + with_commas(pm.bytes) + " bytes in " + short_number(written.write_s) +
       " s, " + short_number(pm.bytes_a_vertex()) + " a vertex (" +
       (pm.coordinate_bits == 0 ? "lossless"
@@ -141,10 +150,12 @@ void run_progressive(const InputOptions& input, const std::string& output,
   const std::uint32_t faces = loaded.model.mesh.face_count();
   if (faces == 0) throw InputError(loaded.file.string(), 0, "has no faces");
   SimplifyWords simplify = words.simplify;
-  simplify.faces = words.base_faces;
-  const SimplifyOptions options =
-      simplify_options(simplify, faces, loaded.statistics.box.diagonal());
-  const Written written = make_and_write(loaded, output, options, words.coordinate_bits, common);
+  simplify.faces = words.base_faces.value_or(1);
+  const double diagonal = loaded.statistics.box.diagonal();
+  SimplifyOptions options = simplify_options(simplify, faces, diagonal);
+  if (!words.base_faces) choose_base(options, faces, diagonal);
+  Written written = make_and_write(loaded, output, options, words.coordinate_bits, common);
+  if (!words.base_faces) written.outcome.report.faces_asked = 0;
   if (!common.quiet) say_written(output, written);
   if (common.json) print_written(loaded, output, written);
 }
@@ -162,9 +173,13 @@ void run_extract(const InputOptions& input, const std::string& output, const Det
   }
   levels->go_to(level_for(words, *levels));
   Model& model = loaded.model;
+  const auto percent = far_percent(model.mesh, levels->mesh(), loaded.statistics.box.diagonal());
   model.mesh = levels->mesh();
   if (model.mesh.face_count() == 0) throw InputError(loaded.file.string(), 0, "has no faces");
   if (!common.quiet) say_level(*levels, words);
+  if (!common.quiet && percent) {
+    say("warning: this level is " + far_from("the full detail", *percent));
+  }
   const std::vector<std::string> losses = write_result(output, model, common);
   if (!common.json) return;
   Json json{{"input", loaded.file.string()},
@@ -174,6 +189,7 @@ void run_extract(const InputOptions& input, const std::string& output, const Det
             {"level", levels->level()},
             {"vertices", model.mesh.vertex_count()},
             {"faces", model.mesh.face_count()},
+            {"far_from_input", percent.has_value()},
             {"lost", losses}};
   add_pm(json, loaded.pm);
   print_json(json);

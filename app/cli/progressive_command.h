@@ -11,9 +11,9 @@ namespace mesher::app {
 
 /// What `progressive` was told, in words.
 struct ProgressiveWords {
-  std::uint32_t base_faces = 200;
-  unsigned coordinate_bits = 0;  ///< 0: lossless
-  SimplifyWords simplify;        ///< of which targets are not taken
+  std::optional<std::uint32_t> base_faces;  ///< none: choose_base
+  unsigned coordinate_bits = 0;             ///< 0: lossless
+  SimplifyWords simplify;                   ///< of which targets are not taken
 };
 
 /// How much detail was asked for: one of the two.

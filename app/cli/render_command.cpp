@@ -9,6 +9,7 @@
 #include "app/scripted_session.h"
 #include "engine/core/error.h"
 #include "engine/io/png.h"
+#include "engine/progressive/base.h"
 #include "engine/progressive/build.h"
 #include "engine/progressive/geomorph.h"
 #include "engine/render/offscreen.h"
@@ -25,8 +26,8 @@ struct Detail {
 
 ProgressiveMesh progressive_of(const LoadedModel& loaded, Progress* progress) {
   begin_stage(progress, "simplifying");
-  SimplifyOptions options{.target_faces = ProgressiveWords{}.base_faces};
-  options.progress = progress;
+  SimplifyOptions options{.progress = progress};
+  choose_base(options, loaded.model.mesh.face_count(), loaded.statistics.box.diagonal());
   return make_progressive(loaded.model.mesh, options).mesh;
 }
 

@@ -159,7 +159,7 @@ class CommandLine {
     add_input(command)->required();
     command->add_option("-o,--output", output_, "PNG to write")->required();
     add_detail(command, "simplify to so many faces first",
-               "how much detail, 0 (200 faces) to 1 (all): vertices in between are on their way");
+               "how much detail, 0 (the base that `progressive` would choose) to 1 (all)");
     add_look(command);
   }
 
@@ -203,6 +203,7 @@ class CommandLine {
                         "how far the result may be from the input: model units, or 0.5% of the "
                         "diagonal; with --faces or --ratio, what comes first ends it");
     add_policies(command, simplify_);
+    add_prune(command, simplify_);
     command->add_flag("--bound", simplify_.bound,
                       "print a certified upper bound on the distance between input and result");
     command->add_flag("--measure", simplify_.measure,
@@ -228,6 +229,11 @@ class CommandLine {
                       "refuse collapses that make faces intersect");
   }
 
+  void add_prune(CLI::App* command, SimplifyWords& words) {
+    command->add_flag("--prune", words.prune,
+                      "leave out parts that are smaller than the error, for the sake of the rest");
+  }
+
   void add_progressive() {
     CLI::App* command =
         add_command("progressive", "a progressive mesh: every level of detail in one file",
@@ -235,8 +241,10 @@ class CommandLine {
     add_input(command)->required();
     command->add_option("OUT,-o,--output", output_, "file to write: .pm, or a pipe")->required();
     command
-        ->add_option("--base-faces", progressive_.base_faces,
-                     "how many faces the coarsest level has (default: 200)")
+        ->add_option(
+            "--base-faces", progressive_.base_faces,
+            "faces of the coarsest level (default: 200, or an eighth of a small model; more "
+            "where it would be further than 5 % of the diagonal from the model)")
         ->check(CLI::Range(1U, std::numeric_limits<std::uint32_t>::max()));
     command
         ->add_option("--bits", progressive_.coordinate_bits,
@@ -262,11 +270,13 @@ class CommandLine {
     add_input(command)->required();
     command->add_option("OUT,-o,--output", output_, "file to write")->required();
     command->add_option("--ratios", lods_.ratios,
-                        "share of the faces of each level, falling (default: 1,0.5,0.25)");
+                        "share of the faces of each level, falling (default: 1,0.5,0.25, but no "
+                        "level that is further than 5 % of the diagonal from the model)");
     command->add_option("--coverage", lods_.coverage,
                         "share of the screen down to which each level is for, falling (default: "
                         "the next level's ratio; the last: 0)");
     add_policies(command, lods_.simplify);
+    add_prune(command, lods_.simplify);
   }
 
   void add_subdivide() {

@@ -17,13 +17,11 @@
 #include "engine/io/losses.h"
 #include "engine/io/write.h"
 #include "engine/simplify/attributes.h"
+#include "engine/simplify/prune.h"
 #include "engine/simplify/simplify.h"
 
 namespace mesher::app {
 namespace {
-
-// Where the error passes this part of the diagonal a model is hard to recognize.
-constexpr double kRuinPercent = 5.0;
 
 double parse_max_error(const std::string& text, double diagonal) {
   const bool is_percent = text.ends_with('%');
@@ -41,7 +39,7 @@ std::string with_percent(const SimplifyOutcome& outcome, double error) {
   return short_number(error) + " (" + short_number(outcome.percent(error)) + " % of the diagonal)";
 }
 
-void say_outcome(const SimplifyOutcome& outcome) {
+void say_outcome(const SimplifyOutcome& outcome, bool prunes) {
   const SimplifyReport& r = outcome.report;
   say((r.faces_asked > 0 ? "asked for " + with_commas(r.faces_asked) + " faces, " : std::string()) +
       "reached " + with_commas(r.faces_reached) + " of " + with_commas(r.faces_before) + " in " +
@@ -57,8 +55,9 @@ void say_outcome(const SimplifyOutcome& outcome) {
                std::string(describe(cause));
   }
   if (!refused.empty()) say("collapses refused: " + refused);
+  if (prunes) say(pruned_words(outcome));
   say("estimated error (RMS): " + with_percent(outcome, r.estimated_error));
-  if (outcome.percent(r.estimated_error) > kRuinPercent) {
+  if (outcome.is_far()) {
     say("warning: the result is far from the input; ask for more faces to keep its shape");
   }
   if (r.measured_error >= 0.0) {
@@ -137,12 +136,17 @@ SimplifyOptions simplify_options(const SimplifyWords& words, std::uint32_t faces
     options.target_faces =
         std::max(1U, static_cast<std::uint32_t>(std::llround(*words.ratio * faces)));
   }
+  if (words.prune && !words.max_error.empty()) {
+    throw UsageError(
+        "--prune: cannot be combined with --max-error, since a part that is left out may be "
+        "further than that from the result; give --faces or --ratio instead");
+  }
   if (!words.max_error.empty()) options.max_error = parse_max_error(words.max_error, diagonal);
   return options;
 }
 
 SimplifyOutcome simplify_model(LoadedModel& loaded, SimplifyOptions options,
-                               const CommonOptions& common) {
+                               const CommonOptions& common, bool prunes) {
   Model& model = loaded.model;
   SimplifyOutcome outcome;
   outcome.diagonal = loaded.statistics.box.diagonal();
@@ -154,7 +158,8 @@ SimplifyOutcome simplify_model(LoadedModel& loaded, SimplifyOptions options,
     if (!model.attributes.is_empty()) {
       origins.assign(model.mesh.origins().begin(), model.mesh.origins().end());
     }
-    Simplified simplified = simplify(std::move(model.mesh), options);
+    Simplified simplified = prunes ? simplify_pruned(std::move(model.mesh), options)
+                                   : simplify(std::move(model.mesh), options);
     CarriedAttributes carried = carry_attributes(model.attributes, origins, simplified);
     outcome.report = simplified.report;
     outcome.dropped = std::move(carried.dropped);
@@ -162,8 +167,18 @@ SimplifyOutcome simplify_model(LoadedModel& loaded, SimplifyOptions options,
     model.mesh = std::move(simplified.mesh);
     loaded.statistics = statistics(model.mesh);
   }
-  if (!common.quiet) say_outcome(outcome);
+  if (!common.quiet) say_outcome(outcome, prunes);
   return outcome;
+}
+
+std::string pruned_words(const SimplifyOutcome& outcome) {
+  const SimplifyReport& r = outcome.report;
+  if (r.pruned_parts == 0) return "pruned nothing: no part is smaller than the error";
+  return "pruned " + with_commas(r.pruned_parts) + (r.pruned_parts == 1 ? " part (" : " parts (") +
+         with_commas(r.pruned_faces) + " faces), the largest " +
+         percent_text(outcome.percent(r.largest_pruned)) +
+         " of the diagonal in size; with them the estimated error would be " +
+         percent_text(outcome.percent(r.error_unpruned));
 }
 
 void run_simplify(const InputOptions& input, const std::string& output, const SimplifyWords& words,
@@ -176,7 +191,7 @@ void run_simplify(const InputOptions& input, const std::string& output, const Si
   const Mesh before = words.measure ? mesh : Mesh();
   const SimplifyOptions options =
       simplify_options(words, mesh.face_count(), loaded.statistics.box.diagonal());
-  const SimplifyOutcome outcome = simplify_model(loaded, options, common);
+  const SimplifyOutcome outcome = simplify_model(loaded, options, common, words.prune);
   const std::vector<std::string> losses = write_result(output, loaded.model, common);
   const auto distance = measured(before, mesh, common);
   const auto intersections_before = counted(before, words, common);

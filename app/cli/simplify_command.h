@@ -24,6 +24,7 @@ struct SimplifyWords {
   bool no_intersections = false;
   bool measure = false;
   bool bound = false;  ///< certify how far the result is from the input
+  bool prune = false;  ///< leave out parts that are smaller than the error
 };
 
 /// The words for --cost and --placement. "qem" is another name of "quadric".
@@ -31,13 +32,17 @@ std::vector<std::string> cost_words();
 std::vector<std::string> placement_words();
 
 /// What the words mean for a mesh of so many faces and that diagonal. Throws UsageError where they
-/// mean nothing: no target, a ratio beyond (0, 1], an error that is not a number above 0.
+/// mean nothing: no target, a ratio beyond (0, 1], an error that is not a number above 0, pruning
+/// under an error bound.
 SimplifyOptions simplify_options(const SimplifyWords& words, std::uint32_t faces, double diagonal);
 
 /// Simplifies a model in place, attributes included, with a line of progress; says on stderr how it
-/// went unless `common.quiet`.
+/// went unless `common.quiet`. `prunes`: by `simplify_pruned`.
 SimplifyOutcome simplify_model(LoadedModel& loaded, SimplifyOptions options,
-                               const CommonOptions& common);
+                               const CommonOptions& common, bool prunes = false);
+
+/// "pruned 14 parts (312 faces), the largest 0.25 % of the diagonal in size; ...".
+std::string pruned_words(const SimplifyOutcome& outcome);
 
 /// Reads a model, simplifies it, writes it, and reports. Falling short of the target is not a
 /// failure: the result is written, and the report says why.

@@ -106,6 +106,20 @@ void draw_automatic(const Session& session, ProgressiveSettings& settings) {
   ImGui::EndDisabled();
 }
 
+/// Why the base is what it is, where that is not what was asked for.
+void draw_report(const Session& session) {
+  const auto& report = session.progressive.levels().report;
+  if (!report) return;
+  const SimplifyOutcome base{*report, session.statistics.box.diagonal(), {}};
+  label("base error");
+  ImGui::TextUnformatted(percent_text(base.error_percent()).c_str());
+  tooltip("Estimated RMS distance from the model, in percent of the diagonal.");
+  if (report->reason == StopReason::target_reached && !base.is_far()) return;
+  const std::string words =
+      base.is_far() ? far_from("the model", base.error_percent()) : stop_text(report->reason);
+  ImGui::TextWrapped("%s", words.c_str());
+}
+
 /// A base of another size, where there is a model to make it of.
 void draw_base(Session& session, ProgressiveSettings& settings, bool is_busy) {
   ProgressiveView& view = session.progressive;
@@ -113,18 +127,28 @@ void draw_base(Session& session, ProgressiveSettings& settings, bool is_busy) {
     label("base");
     return ImGui::TextUnformatted((with_commas(view.mesh().base_face_count()) + " faces").c_str());
   }
+  label("base");
+  bool is_chosen = settings.base_faces == 0;
+  if (ImGui::Checkbox("by size and error##base", &is_chosen)) {
+    settings.base_faces = is_chosen ? 0 : view.mesh().base_face_count();
+  }
+  tooltip(
+      "The base has 200 faces, or an eighth of a small model; it stops earlier where it would\n"
+      "be further than 5 % of the diagonal from the model. Off: as many faces as you say.");
   label("base faces");
-  auto faces = static_cast<int>(settings.base_faces);
+  ImGui::BeginDisabled(is_chosen);
+  auto faces = static_cast<int>(is_chosen ? view.mesh().base_face_count() : settings.base_faces);
   constexpr int kMost = 100'000'000;
-  if (ImGui::InputInt("##base", &faces, 100, 1000)) {
+  if (ImGui::InputInt("##base", &faces, 100, 1000) && !is_chosen) {
     settings.base_faces = static_cast<std::uint32_t>(std::clamp(faces, 1, kMost));
   }
+  ImGui::EndDisabled();
   tooltip("How far simplification goes, by the rules of its panel.");
+  draw_report(session);
   ImGui::BeginDisabled(is_busy);
   if (ImGui::Button("make it anew", {-FLT_MIN, 0.0F})) {
     view.change(settings);
-    request_edit(session,
-                 {.kind = EditRequest::Kind::progressive, .target_faces = settings.base_faces});
+    request_edit(session, {.kind = EditRequest::Kind::progressive, .rebuilds = true});
   }
   ImGui::EndDisabled();
 }

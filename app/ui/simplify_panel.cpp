@@ -123,6 +123,14 @@ void draw_ledger(const SimplifyOutcome& outcome) {
     row("error, max", error_text(outcome, report.measured_error));
     tooltip("The largest distance that was measured, both ways.");
   }
+  if (outcome.error_from_opened) {
+    row("from opened", error_text(outcome, *outcome.error_from_opened));
+    tooltip("RMS distance from the model as it was opened, measured at some points.");
+  }
+  if (outcome.is_far()) {
+    row("warning", "far from what was opened");
+    tooltip("Further than 5 % of the diagonal: undo, or ask for more faces, to keep the shape.");
+  }
   row("prepared in", seconds_text(report.seconds.prepare));
   row("collapsed in", seconds_text(report.seconds.collapse));
   row("finished in", seconds_text(report.seconds.finish));

@@ -61,7 +61,7 @@ Array<T> carry(const Array<T>& values, std::span<const Vertex> origins, const Su
 
 CarriedAttributes carry_attributes(const Attributes& before, std::span<const Vertex> origins,
                                    const Simplified& result) {
-  if (result.report.collapses == 0) return {before, {}};
+  if (result.report.collapses == 0 && result.report.pruned_faces == 0) return {before, {}};
   return carry_attributes(before, origins,
                           Survivors{result.mesh, result.vertex_source, result.face_source,
                                     result.report.vertices_before});

@@ -54,6 +54,10 @@ std::string_view key(Placement placement);
 /// How many times the true distance a certified bound may be.
 inline constexpr double kBoundRatio = 5.0;
 
+/// Where the RMS distance from the input passes this part of the diagonal, a model is hard to
+/// recognize.
+inline constexpr double kFarFromInput = 0.05;
+
 /// What to simplify to, and by which rules. The first target reached ends the work.
 struct SimplifyOptions {
   std::uint32_t target_faces = 0;  ///< 0: as far as it goes
@@ -63,6 +67,12 @@ struct SimplifyOptions {
   /// Find an upper bound for that distance (SimplifyReport::certified_bound), at most kBoundRatio
   /// times the distance itself. Always found where there is a max_error.
   bool certifies = false;
+  /// Stop before the estimated error (SimplifyReport::estimated_error) passes this, in model units;
+  /// infinite: do not. It is estimated in steps, so more faces may be left than must be: a tenth as
+  /// a rule, four times as many where the error jumps. Pre: not negative.
+  double stop_before_error = std::numeric_limits<double>::infinity();
+  /// The error ends the work only where fewer faces than this are left.
+  std::uint32_t stop_below_faces = std::numeric_limits<std::uint32_t>::max();
 
   CostPolicy cost = CostPolicy::quadric;
   Placement placement = Placement::optimal;

@@ -12,6 +12,8 @@ std::string_view key(StopReason reason) {
       return "no_legal_collapse";
     case StopReason::error_bound:
       return "error_bound";
+    case StopReason::far_from_input:
+      return "far_from_input";
   }
   return "";
 }
@@ -26,6 +28,8 @@ std::string_view describe(StopReason reason) {
       return "no legal collapse is left";
     case StopReason::error_bound:
       return "every collapse left would exceed the error bound";
+    case StopReason::far_from_input:
+      return "fewer faces would be too far from the input";
   }
   return "";
 }

@@ -12,6 +12,7 @@ enum class StopReason : std::uint8_t {
   already_there,      ///< the input had no more faces than asked for
   no_legal_collapse,  ///< every edge left is refused; see the rejections
   error_bound,        ///< every edge left would exceed the error bound (or is refused)
+  far_from_input,     ///< SimplifyOptions::stop_before_error
 };
 
 /// Why single collapses were refused.
@@ -62,6 +63,12 @@ struct SimplifyReport {
   /// No point of the input or of the result is farther from the other, model units; negative where
   /// that was not asked for.
   double certified_bound = -1.0;
+  /// What `simplify_pruned` left out: parts, their faces, the diagonal of the largest one's box
+  /// (model units), and the estimated error of the result if it had kept them.
+  std::uint32_t pruned_parts = 0;
+  std::uint32_t pruned_faces = 0;
+  double largest_pruned = 0.0;
+  double error_unpruned = 0.0;
   SimplifyTimes seconds;
 
   std::uint64_t& operator[](Rejection cause) { return rejected[static_cast<std::size_t>(cause)]; }

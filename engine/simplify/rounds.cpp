@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "engine/core/parallel.h"
 #include "engine/core/progress.h"
+#include "engine/simplify/checkpoint.h"
 #include "engine/simplify/morton.h"
 
 namespace mesher {
@@ -41,6 +44,15 @@ constexpr std::size_t kLargestValence = 4096;
 constexpr std::uint32_t kFacesPerFresh = 64;
 constexpr std::uint32_t kLeastFresh = 256;
 constexpr std::uint32_t kMostFresh = 2048;
+// Where the error may end the work, it is estimated in steps that leave between so many of the
+// faces. A step that passes it is taken back whole, so the last ones must be fine; each costs an
+// estimate, so the first ones are coarse. The error is about inverse to the number of faces: a step
+// aims at a quarter of what is allowed, which leaves room for one that grows four times as fast.
+constexpr double kCoarsestStep = 0.25;
+constexpr double kFinestStep = 0.9;
+constexpr double kErrorMargin = 4.0;
+// With so few faces all steps are fine: what is left is mostly corners, and the error jumps.
+constexpr std::uint32_t kFewFaces = 256;
 // The distance from the input is measured at one point for so many faces, within limits.
 constexpr std::size_t kFacesPerSample = 32;
 constexpr std::size_t kLeastSamples = 256;
@@ -106,7 +118,7 @@ void Rounds::run(SimplifyReport& report) {
   report.reason = reason();
   report.collapses = collapses_;
   report.rejected = rejected_;
-  report.estimated_error = estimated_error();
+  report.estimated_error = error_at_stop_ ? *error_at_stop_ : estimated_error();
 }
 
 /// Whether halvings enough are to come that the order of what is collapsed now does not matter.
@@ -187,14 +199,57 @@ void Rounds::run_to_the_end() {
   if (space_ != nullptr) space_->has_regions = false;
   for (const Vertex v : live_)
     surface_.state(v).region = 0;
+  if (std::isfinite(options_.stop_before_error)) {
+    run_to_the_error();
+  } else {
+    collapse_to(options_.target_faces);
+  }
+  if (faces_to_remove() > 0 && !error_at_stop_) count_constrained();
+}
+
+/// How many faces the next step leaves, after which the error is as given.
+std::uint32_t Rounds::next_step(double error) const {
+  const double limit = options_.stop_before_error;
+  const bool is_fine = collapses_ == 0 || faces_ <= kFewFaces || !(limit > 0.0);
+  const double part =
+      is_fine ? kFinestStep : std::clamp(kErrorMargin * error / limit, kCoarsestStep, kFinestStep);
+  return std::max({static_cast<std::uint32_t>(part * faces_), options_.target_faces, 1U});
+}
+
+/// Goes down in steps, the last of which is taken back where it passes the error.
+void Rounds::run_to_the_error() {
+  if (faces_ > options_.stop_below_faces) {
+    collapse_to(std::max(options_.stop_below_faces, options_.target_faces));
+  }
+  double error = estimated_error();
+  while (faces_to_remove() > 0) {
+    drop_removed();
+    const Checkpoint before(surface_.mesh(), live_);
+    const auto counts = std::tuple(faces_, collapses_, paid_, rejected_);
+    held_.emplace();
+    collapse_to(next_step(error));
+    if (faces_ == std::get<0>(counts)) return;
+    const double next = estimated_error();
+    if (faces_ < options_.stop_below_faces && next > options_.stop_before_error) {
+      before.restore(surface_.mesh(), live_);
+      std::tie(faces_, collapses_, paid_, rejected_) = counts;
+      error_at_stop_ = error;
+      return;
+    }
+    error = next;
+    tell(*std::exchange(held_, std::nullopt));
+  }
+}
+
+/// To so many faces, or as few as are legal, in one region.
+void Rounds::collapse_to(std::uint32_t faces) {
   const std::uint32_t fresh = std::clamp(faces_before_ / kFacesPerFresh, kLeastFresh, kMostFresh);
-  Collapser collapser(context_, {.faces = faces_to_remove(),
+  Collapser collapser(context_, {.faces = faces_ - faces,
                                  .fresh_after = faces_ > fresh ? faces_ - fresh : 0,
                                  .valence = kUsualValence});
   note(translated(collapser.run(live_)));
-  while (faces_to_remove() > 0 && try_refused_again(kLargestValence)) {
+  while (faces_ > faces && try_refused_again(kLargestValence, faces)) {
   }
-  if (faces_to_remove() > 0) count_constrained();
 }
 
 /// Edges that features forbid are never tried: where that is why the target was missed, the report
@@ -213,9 +268,9 @@ void Rounds::count_constrained() {
 }
 
 /// Looks at everything that was refused once more. False where nothing came of it.
-bool Rounds::try_refused_again(std::size_t valence) {
+bool Rounds::try_refused_again(std::size_t valence, std::uint32_t faces) {
   drop_removed();
-  Collapser collapser(context_, {.faces = faces_to_remove(), .fresh_after = 0, .valence = valence});
+  Collapser collapser(context_, {.faces = faces_ - faces, .fresh_after = 0, .valence = valence});
   const CollapseOutcome outcome = translated(collapser.run_refused(live_));
   note(outcome);
   return outcome.removed_faces > 0;
@@ -226,8 +281,16 @@ CollapseOutcome Rounds::translated(CollapseOutcome&& outcome) const {
   return std::move(outcome);
 }
 
+void Rounds::tell(std::span<const CollapseRecord> records) const {
+  if (options_.observer != nullptr) options_.observer->collapsed(records);
+}
+
 void Rounds::note(const CollapseOutcome& outcome) {
-  if (options_.observer != nullptr) options_.observer->collapsed(outcome.records);
+  if (held_) {
+    held_->insert(held_->end(), outcome.records.begin(), outcome.records.end());
+  } else {
+    tell(outcome.records);
+  }
   collapses_ += outcome.records.size();
   faces_ -= outcome.removed_faces;
   paid_ += outcome.paid;
@@ -250,6 +313,7 @@ Array<Vertex> Rounds::vertices_left() const {
 }
 
 StopReason Rounds::reason() const {
+  if (error_at_stop_) return StopReason::far_from_input;
   if (faces_to_remove() == 0) return StopReason::target_reached;
   const bool is_bounded = rejected_[static_cast<std::size_t>(Rejection::error_bound)] > 0;
   return is_bounded ? StopReason::error_bound : StopReason::no_legal_collapse;

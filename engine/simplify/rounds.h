@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "engine/core/array.h"
@@ -52,10 +53,14 @@ class Rounds {
   bool is_last_round() const;
   void run_regions(std::uint32_t round);
   void run_to_the_end();
+  void run_to_the_error();
+  std::uint32_t next_step(double error) const;
+  void collapse_to(std::uint32_t faces);
   void count_constrained();
-  bool try_refused_again(std::size_t valence);
+  bool try_refused_again(std::size_t valence, std::uint32_t faces);
   Share share(std::span<const float> costs) const;
   CollapseOutcome translated(CollapseOutcome&& outcome) const;
+  void tell(std::span<const CollapseRecord> records) const;
   void note(const CollapseOutcome& outcome);
   void drop_removed();
   StopReason reason() const;
@@ -79,6 +84,10 @@ class Rounds {
   std::uint64_t collapses_ = 0;
   double paid_ = 0.0;
   std::array<std::uint64_t, kRejectionCount> rejected_{};
+  /// Of collapses that may be taken back; none: the observer is told at once.
+  std::optional<Array<CollapseRecord>> held_;
+  /// Where the next collapses passed `stop_before_error`: the error without them.
+  std::optional<double> error_at_stop_;
 };
 
 }  // namespace mesher

@@ -5,6 +5,8 @@
 
 #include "engine/io/png.h"
 #include "tests/app/program_test.h"
+#include "tests/support/meshes.h"
+#include "tests/support/obj_files.h"
 
 namespace mesher::test {
 namespace {
@@ -157,6 +159,38 @@ TEST_F(CommandLine, SimplifyReachesItsTargetAndReports) {
   const auto info = nlohmann::json::parse(mesher({"info", "k.obj", "--json"}).out);
   EXPECT_EQ(info["statistics"]["faces"], 2000);
   EXPECT_EQ(info["statistics"]["euler_characteristic"], 0);
+}
+
+TEST_F(CommandLine, SimplifyPrunesPartsSmallerThanTheError) {
+  folder_.write("s.obj", obj_of(torus_with_specks(40, 0.02F)));
+  const Finished run = mesher({"simplify", "s.obj", "-o", "o.obj", "--faces", "200", "--prune",
+                               "--bound", "--measure", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["faces_reached"], 200);
+  EXPECT_EQ(json["pruned"]["parts"], 40);
+  EXPECT_EQ(json["pruned"]["faces"], 480);
+  EXPECT_LT(json["pruned"]["largest"], json["pruned"]["unpruned_error"]);
+  EXPECT_LT(json["estimated_error"], json["pruned"]["unpruned_error"]);
+  EXPECT_GE(json["certified_bound"], json["distance"]["two_sided"]["max"]);
+  EXPECT_NE(run.err.find("pruned 40 parts (480 faces), the largest "), std::string::npos)
+      << run.err;
+  EXPECT_EQ(mesher_json({"info", "o.obj"})["statistics"]["components"], 1);
+
+  const Finished fine =
+      mesher({"simplify", "s.obj", "-o", "o.obj", "--faces", "5000", "--prune", "--json"});
+  EXPECT_TRUE(nlohmann::json::parse(fine.out)["pruned"].is_null());
+  EXPECT_NE(fine.err.find("pruned nothing"), std::string::npos) << fine.err;
+  const Finished plain = mesher({"simplify", "s.obj", "-o", "o.obj", "--faces", "200", "--json"});
+  EXPECT_TRUE(nlohmann::json::parse(plain.out)["pruned"].is_null()) << "off by default";
+  EXPECT_EQ(plain.err.find("pruned"), std::string::npos) << plain.err;
+
+  const Finished refused =
+      mesher({"simplify", "s.obj", "-o", "x.obj", "--prune", "--max-error", "1%"});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_NE(refused.err.find("--prune: cannot be combined with --max-error"), std::string::npos)
+      << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "x.obj"));
 }
 
 TEST_F(CommandLine, SimplifyTakesARatioOrTheLimitOfWhatIsLegal) {

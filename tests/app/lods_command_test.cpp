@@ -10,6 +10,8 @@
 #include "engine/core/error.h"
 #include "engine/io/read.h"
 #include "tests/app/program_test.h"
+#include "tests/support/meshes.h"
+#include "tests/support/obj_files.h"
 
 namespace mesher::test {
 namespace {
@@ -196,6 +198,59 @@ TEST_F(LodsCommand, SaysWhyALevelIsNotReached) {
   const Finished run = mesher({"lods", "cube", "-o", "c.stl", "--ratios", "1,0.1"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_TRUE(holds(run.err, "asked for 1 faces: no legal collapse is left")) << run.err;
+}
+
+TEST_F(LodsCommand, ItsOwnLevelsStopBeforeTheyAreFarFromTheModel) {
+  const Finished run = mesher({"lods", "cube", "-o", "c.stl", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["stop_reason"], "far_from_input");
+  EXPECT_EQ(json["levels"][2]["faces"], 12);
+  EXPECT_EQ(json["levels"][2]["far_from_input"], false);
+  EXPECT_TRUE(holds(run.err,
+                    "asked for 3 faces: fewer faces would be further than 5 % of the diagonal "
+                    "from the input"))
+      << run.err;
+  EXPECT_FALSE(holds(run.err, "warning")) << run.err;
+}
+
+TEST_F(LodsCommand, LevelsOfAPersonsChoiceAreMadeWithAWarning) {
+  const Finished run = mesher({"lods", "cactus", "-o", "c.ply", "--ratios", "1,0.5,0.1", "--json"});
+  const auto levels = nlohmann::json::parse(run.out)["levels"];
+  EXPECT_EQ(levels[2]["faces"], 26);
+  EXPECT_EQ(levels[1]["far_from_input"], false);
+  EXPECT_EQ(levels[2]["far_from_input"], true);
+  EXPECT_TRUE(holds(run.err, "warning: level 2 is far from the input: ")) << run.err;
+  EXPECT_FALSE(holds(run.err, "warning: level 1")) << run.err;
+  // Of a file, too.
+  ASSERT_EQ(mesher({"progressive", "cactus", "-o", "p.pm", "--base-faces", "24"}).exit_code, 0);
+  const Finished read = mesher({"lods", "p.pm", "-o", "c.ply", "--ratios", "1,0.1"});
+  EXPECT_TRUE(holds(read.err, "warning: level 1 is far from the input: ")) << read.err;
+}
+
+TEST_F(LodsCommand, EachLevelIsPrunedByItsOwnError) {
+  folder_.write("s.obj", obj_of(torus_with_specks(40, 0.02F)));
+  const auto json =
+      mesher_json({"lods", "s.obj", "-o", "l.ply", "--ratios", "1,0.5,0.04,0.03", "--prune"});
+  const auto& levels = json["levels"];
+  EXPECT_EQ(levels[0]["faces"], 5280);
+  EXPECT_TRUE(levels[0]["pruned"].is_null());
+  EXPECT_TRUE(levels[1]["pruned"].is_null());
+  EXPECT_EQ(levels[2]["pruned"]["parts"], 40);
+  EXPECT_EQ(levels[2]["faces"], 210);  // 0.04 of 5,280, one less: the rest is closed
+  EXPECT_EQ(levels[3]["pruned"]["faces"], 480);
+  EXPECT_EQ(levels[3]["repeats_previous"], false);
+  EXPECT_EQ(json["faces_before"], 5280);
+  EXPECT_EQ(json["stop_reason"], "target_reached");
+  EXPECT_EQ(mesher_json({"info", "l_lod2.ply"})["statistics"]["components"], 1);
+  // Where nothing is pruned, the levels are simply those of simplification.
+  ASSERT_EQ(mesher({"simplify", "s.obj", "-o", "d.ply", "--ratio", "0.5"}).exit_code, 0);
+  EXPECT_TRUE(read_bytes(folder_ / "d.ply") == read_bytes(folder_ / "l_lod1.ply"));
+  // A progressive mesh is taken in full detail.
+  ASSERT_EQ(mesher({"progressive", "s.obj", "-o", "s.pm"}).exit_code, 0);
+  EXPECT_EQ(mesher_json({"lods", "s.pm", "-o", "p.ply", "--ratios", "0.04",
+                         "--prune"})["levels"][0]["pruned"]["parts"],
+            40);
 }
 
 TEST_F(LodsCommand, SaysWhichLevelIsTheOneBefore) {

@@ -55,8 +55,9 @@ TEST_F(ProgressiveCommand, WritesAndReports) {
   const auto json = nlohmann::json::parse(run.out);
   EXPECT_EQ(json["output"], "b.pm");
   EXPECT_EQ(json["faces_before"], 3674);
-  EXPECT_EQ(json["asked_faces"], 200);
+  EXPECT_TRUE(json["asked_faces"].is_null());
   EXPECT_EQ(json["faces_reached"], 200);
+  EXPECT_EQ(json["far_from_input"], false);
   EXPECT_EQ(json["stop_reason"], "target_reached");
   EXPECT_EQ(json["collapses"], 1737);
   const auto& pm = json["pm"];
@@ -78,11 +79,47 @@ TEST_F(ProgressiveCommand, WritesAndReports) {
   EXPECT_TRUE(json["dropped"].empty());
   EXPECT_EQ(json["repairs"]["faces_flipped"], 0);
   EXPECT_TRUE(holds(run.err,
-                    "base of 200 of 3,674 faces, asked for 200: target reached; 1,737 "
-                    "splits"))
+                    "base of 200 of 3,674 faces, chosen by size and error: target "
+                    "reached; 1,737 splits"))
       << run.err;
   EXPECT_TRUE(holds(run.err, "a vertex (lossless)")) << run.err;
   EXPECT_TRUE(mesher({"progressive", "bunny", "-o", "b.pm", "--quiet"}).err.empty());
+}
+
+TEST_F(ProgressiveCommand, ChoosesABaseThatLeavesSomethingToRefine) {
+  const auto json = mesher_json({"progressive", "cube", "-o", "c.pm"});
+  EXPECT_EQ(json["faces_reached"], 4);
+  EXPECT_EQ(json["far_from_input"], true);
+  EXPECT_EQ(mesher_json({"progressive", "cactus", "-o", "c.pm"})["faces_reached"], 32);
+  EXPECT_EQ(mesher_json({"progressive", "bunny_200", "-o", "c.pm"})["faces_reached"], 24);
+  const Finished box = mesher({"progressive", "open_box", "-o", "c.pm", "--json"});
+  EXPECT_EQ(nlohmann::json::parse(box.out)["stop_reason"], "far_from_input");
+  EXPECT_TRUE(holds(box.err,
+                    "base of 3 of 10 faces, chosen by size and error: fewer faces would be "
+                    "further than 5 % of the diagonal from the input"))
+      << box.err;
+  EXPECT_TRUE(holds(box.err, "warning: the base is far from the input")) << box.err;
+}
+
+TEST_F(ProgressiveCommand, ABaseThatIsAskedForIsMadeWhateverItsError) {
+  const Finished run = mesher({"progressive", "cactus", "-o", "c.pm", "--base-faces", "24"});
+  EXPECT_TRUE(holds(run.err, "base of 24 of 256 faces, asked for 24: target reached")) << run.err;
+  EXPECT_TRUE(holds(run.err, "give a larger --base-faces")) << run.err;
+  const Finished fine = mesher({"progressive", "cactus", "-o", "c.pm", "--base-faces", "64"});
+  EXPECT_FALSE(holds(fine.err, "warning")) << fine.err;
+  EXPECT_EQ(mesher({"progressive", "cactus", "-o", "c.pm", "--base-faces", "0"}).exit_code, 1);
+  EXPECT_EQ(mesher({"progressive", "cactus", "-o", "c.pm", "--prune"}).exit_code, 1)
+      << "no split makes a part";
+}
+
+TEST_F(ProgressiveCommand, ExtractSaysWhereALevelIsFarFromTheFullDetail) {
+  make("cactus", {"--base-faces", "24"});
+  const Finished run = mesher({"extract", "p.pm", "-o", "e.obj", "--lod", "0", "--json"});
+  EXPECT_EQ(nlohmann::json::parse(run.out)["far_from_input"], true);
+  EXPECT_TRUE(holds(run.err, "warning: this level is far from the full detail: ")) << run.err;
+  const Finished fine = mesher({"extract", "p.pm", "-o", "e.obj", "--faces", "100", "--json"});
+  EXPECT_EQ(nlohmann::json::parse(fine.out)["far_from_input"], false);
+  EXPECT_FALSE(holds(fine.err, "warning")) << fine.err;
 }
 
 TEST_F(ProgressiveCommand, SaysWhyABaseIsNotReached) {

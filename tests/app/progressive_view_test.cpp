@@ -311,11 +311,47 @@ TEST_F(ProgressiveViewTest, AnotherBaseIsMadeOnRequest) {
   press(session_, "p home");
   const std::uint32_t coarse = view().mesh().base_face_count();
   change([](ProgressiveSettings& s) { s.base_faces = 1000; });
-  request_edit(session_, {.kind = EditRequest::Kind::progressive, .target_faces = 1000});
+  request_edit(session_, {.kind = EditRequest::Kind::progressive, .rebuilds = true});
   run_waiting_edits(session_);
   EXPECT_TRUE(view().is_on());
   EXPECT_GT(view().mesh().base_face_count(), coarse);
   EXPECT_LE(view().mesh().base_face_count(), 1000U);
+  EXPECT_EQ(to_json(session_)["progressive"]["base_faces"], 1000);
+  change([](ProgressiveSettings& s) { s.base_faces = 0; });
+  request_edit(session_, {.kind = EditRequest::Kind::progressive, .rebuilds = true});
+  run_waiting_edits(session_);
+  EXPECT_EQ(view().mesh().base_face_count(), coarse);
+  EXPECT_TRUE(to_json(session_)["progressive"]["base_faces"].is_null());
+}
+
+TEST_F(ProgressiveViewTest, TheNoticeSaysWhatIsToBeKnownOfTheBase) {
+  press(session_, "p");
+  EXPECT_EQ(session_.notice, "200 to 2,400 faces: Space plays, PageUp and PageDown refine");
+  ASSERT_TRUE(view().levels().report.has_value());
+  EXPECT_EQ(view().levels().report->faces_reached, 200U);
+  show(test::cube());
+  press(session_, "p");
+  EXPECT_LT(view().mesh().base_face_count(), 12U) << "there is something to refine";
+  EXPECT_TRUE(session_.notice.starts_with("4 to 12 faces: ") &&
+              session_.notice.find("; the base is far from the model: ") != std::string::npos)
+      << session_.notice;
+  // A base that a person asks for, however far.
+  show(test::cube());
+  change([](ProgressiveSettings& s) { s.base_faces = 4; });
+  press(session_, "p");
+  EXPECT_EQ(view().mesh().base_face_count(), 4U);
+  EXPECT_NE(session_.notice.find("far from the model"), std::string::npos) << session_.notice;
+}
+
+TEST_F(ProgressiveViewTest, KeepingALevelFarFromTheModelIsSaid) {
+  show(test::cube());
+  press(session_, "p home k");
+  EXPECT_EQ(session_.model.mesh.face_count(), 4U);
+  EXPECT_TRUE(session_.notice.starts_with("far from the model: ")) << session_.notice;
+  show(test::torus(40, 30));
+  press(session_, "p home k");
+  EXPECT_EQ(session_.model.mesh.face_count(), 200U);
+  EXPECT_EQ(session_.notice.find("far from"), std::string::npos) << session_.notice;
 }
 
 TEST_F(ProgressiveViewTest, AnotherModelEndsIt) {

@@ -95,8 +95,9 @@ TEST_F(RenderCommand, TheMomentIsReported) {
   EXPECT_FALSE(json.contains("pm"));
 }
 
-TEST_F(RenderCommand, SmallModelsHaveNoLevels) {
-  EXPECT_LT(difference(picture({"cube", "--lod", "0"}), picture({"cube"})), 0.05);
+TEST_F(RenderCommand, SmallModelsHaveLevelsToo) {
+  EXPECT_LT(difference(picture({"cube", "--lod", "1"}), picture({"cube"})), 0.05);
+  EXPECT_GT(difference(picture({"cube", "--lod", "0"}), picture({"cube"})), 1.0);
 }
 
 TEST_F(RenderCommand, RefusesWhatMakesNoSense) {

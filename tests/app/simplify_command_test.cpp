@@ -44,6 +44,13 @@ TEST(SimplifyWords, PoliciesHaveTheirKeysAndQemIsTheQuadric) {
   EXPECT_EQ(o.seed, 7U);
 }
 
+TEST(SimplifyWords, PruningUnderABoundIsRefused) {
+  EXPECT_THROW((void)simplify_options({.max_error = "1%", .prune = true}, 9, 1.0), UsageError);
+  EXPECT_THROW((void)simplify_options({.faces = 4, .max_error = "1", .prune = true}, 9, 1.0),
+               UsageError);
+  EXPECT_EQ(simplify_options({.faces = 4, .prune = true}, 9, 1.0).target_faces, 4U);
+}
+
 TEST(SimplifyWords, WithoutMeaningAreRefused) {
   EXPECT_THROW((void)simplify_options({}, 9, 1.0), UsageError);
   for (const double ratio : {0.0, -0.5, 1.01, std::nan("")})

@@ -118,6 +118,23 @@ inline Soup join(Soup first, const Soup& second, const glm::vec3& offset = glm::
   return first;
 }
 
+inline Soup scaled(Soup soup, float factor) {
+  for (glm::vec3& p : soup.positions)
+    p *= factor;
+  return soup;
+}
+
+/// A torus of 4,800 faces, and cubes of that edge length in its hole.
+inline Soup torus_with_specks(std::uint32_t specks, float size) {
+  Soup soup = torus(60, 40);
+  for (std::uint32_t i = 0; i < specks; ++i) {
+    const float x = 0.08F * static_cast<float>(i % 8) - 0.3F;
+    const float y = 0.08F * static_cast<float>(i / 8) - 0.3F;
+    soup = join(std::move(soup), scaled(cube(), size), {x, y, 0.0F});
+  }
+  return soup;
+}
+
 /// Up to four soups that touch in a bow-tie vertex, at the origin: the first vertex of each. Every
 /// part is turned into octants of its own if it lies in the octant beyond its first vertex.
 inline Soup bow_tie(const std::vector<Soup>& parts) {

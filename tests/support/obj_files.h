@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
+#include <string>
 #include <vector>
+
+#include "engine/mesh/soup.h"
 
 namespace mesher::test {
 
@@ -15,6 +19,19 @@ inline std::vector<std::filesystem::path> files_in(const std::filesystem::path& 
   }
   std::sort(files.begin(), files.end());
   return files;
+}
+
+/// The text of an OBJ file.
+inline std::string obj_of(const Soup& soup) {
+  std::ostringstream text;
+  text.precision(9);
+  for (const glm::vec3& p : soup.positions)
+    text << "v " << p.x << ' ' << p.y << ' ' << p.z << '\n';
+  for (std::size_t i = 0; i + 2 < soup.corners.size(); i += 3) {
+    text << "f " << soup.corners[i] + 1 << ' ' << soup.corners[i + 1] + 1 << ' '
+         << soup.corners[i + 2] + 1 << '\n';
+  }
+  return text.str();
 }
 
 }  // namespace mesher::test

@@ -1,0 +1,20 @@
+#include "engine/progressive/base.h"
+
+#include <algorithm>
+
+namespace mesher {
+namespace {
+
+// Three octaves to refine, where the error allows it; two where it does not.
+constexpr std::uint32_t kMostOfModel = 8;
+constexpr std::uint32_t kAlwaysOfModel = 4;
+
+}  // namespace
+
+void choose_base(SimplifyOptions& options, std::uint32_t faces, double diagonal) {
+  options.target_faces = std::clamp(faces / kMostOfModel, 1U, kUsualBaseFaces);
+  options.stop_before_error = kFarFromInput * diagonal;
+  options.stop_below_faces = (faces + kAlwaysOfModel - 1) / kAlwaysOfModel;
+}
+
+}  // namespace mesher

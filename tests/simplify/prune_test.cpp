@@ -1,0 +1,194 @@
+#include "engine/simplify/prune.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/analysis/distance.h"
+#include "engine/core/parallel.h"
+#include "engine/simplify/attributes.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::test {
+namespace {
+
+/// Forty tiny cubes (480 faces, 320 vertices), then a torus of 4,800 faces: to get to those alone
+/// without pruning costs an error larger than the cubes.
+Soup specks_before_torus() {
+  Soup soup = scaled(cube(), 1e-5F);
+  for (int i = 1; i < 40; ++i)
+    soup = join(std::move(soup), scaled(cube(), 1e-5F), {0.01F * float(i), 0.0F, 0.0F});
+  return join(std::move(soup), torus(60, 40));
+}
+
+std::uint32_t components(const Mesh& mesh) {
+  return statistics(mesh).components;
+}
+
+TEST(Prune, SmallPartsVanishForTheSakeOfTheRest) {
+  const Mesh mesh = built(torus_with_specks(40, 0.02F)).mesh;
+  const SimplifyOptions options{.target_faces = 200};
+  const Simplified plain = simplify(Mesh(mesh), options);
+  const Simplified result = simplify_pruned(Mesh(mesh), options);
+  expect_valid(result.mesh);
+  const SimplifyReport& report = result.report;
+  EXPECT_EQ(report.pruned_parts, 40U);
+  EXPECT_EQ(report.pruned_faces, 480U);
+  EXPECT_NEAR(report.largest_pruned, 0.02 * std::sqrt(3.0), 1e-5);
+  EXPECT_EQ(report.error_unpruned, plain.report.estimated_error);
+  EXPECT_LT(report.largest_pruned, report.error_unpruned);
+  EXPECT_EQ(report.reason, StopReason::target_reached);
+  EXPECT_EQ(report.faces_before, mesh.face_count());
+  EXPECT_EQ(report.vertices_before, mesh.vertex_count());
+  EXPECT_EQ(result.mesh.face_count(), 200U);
+  EXPECT_EQ(components(result.mesh), 1U);
+  EXPECT_LT(report.estimated_error, 0.5 * plain.report.estimated_error);
+}
+
+TEST(Prune, TheErrorCountsWhatIsPruned) {
+  // Small plates with bumps, farther from the torus than they are large.
+  Soup plate = scaled(grid(4), 0.03F);
+  for (std::size_t i = 0; i < plate.positions.size(); ++i)
+    plate.positions[i].z = i % 2 == 0 ? 0.0F : 0.01F;
+  Soup soup = torus(60, 40);
+  for (int i = 0; i < 30; ++i)
+    soup = join(std::move(soup), plate, {0.0F, 0.0F, 2.0F + 0.2F * float(i)});
+  const Mesh mesh = built(std::move(soup)).mesh;
+  const Simplified result = simplify_pruned(Mesh(mesh), {.target_faces = 12});
+  ASSERT_GT(result.report.pruned_parts, 0U);
+  const double forward = surface_distance(mesh, result.mesh, {.samples = 50'000}).forward.rms;
+  EXPECT_NEAR(result.report.estimated_error / forward, 1.0, 0.3);
+}
+
+TEST(Prune, NothingIsPrunedWhereTheErrorIsSmaller) {
+  const Mesh mesh = built(torus_with_specks(40, 0.02F)).mesh;
+  const SimplifyOptions options{.target_faces = 4'000};
+  const Simplified result = simplify_pruned(Mesh(mesh), options);
+  EXPECT_EQ(result.report.pruned_parts, 0U);
+  EXPECT_EQ(result.report.pruned_faces, 0U);
+  EXPECT_TRUE(is_identical(result.mesh, simplify(Mesh(mesh), options).mesh));
+}
+
+TEST(Prune, TheLargestPartStays) {
+  for (const std::uint32_t target : {0U, 4U}) {
+    const Mesh mesh = built(torus_with_specks(10, 0.02F)).mesh;
+    const Simplified result = simplify_pruned(Mesh(mesh), {.target_faces = target});
+    EXPECT_GE(result.mesh.face_count(), 4U);
+    EXPECT_EQ(components(result.mesh), 1U);
+  }
+  const Mesh alone = built(torus(20, 12)).mesh;
+  const Simplified result = simplify_pruned(Mesh(alone), {.target_faces = 20});
+  EXPECT_TRUE(is_identical(result.mesh, simplify(Mesh(alone), {.target_faces = 20}).mesh));
+  EXPECT_EQ(simplify_pruned(Mesh(), {}).report.reason, StopReason::already_there);
+}
+
+/// Nothing but the specks goes: then positions and corners must be the input's, found by the ids.
+TEST(Prune, IdsAreThoseOfTheInput) {
+  const Mesh mesh = built(specks_before_torus()).mesh;
+  const Simplified result = simplify_pruned(Mesh(mesh), {.target_faces = 4'800});
+  ASSERT_EQ(result.report.pruned_parts, 40U);
+  ASSERT_EQ(result.report.collapses, 0U);
+  EXPECT_EQ(result.report.reason, StopReason::target_reached);
+  ASSERT_EQ(result.vertex_source.size(), result.mesh.vertex_count());
+  ASSERT_EQ(result.face_source.size(), result.mesh.face_count());
+  for (std::uint32_t v = 0; v < result.mesh.vertex_count(); ++v)
+    ASSERT_EQ(result.mesh.position(Vertex(v)), mesh.position(result.vertex_source[v]));
+  for (std::uint32_t h = 0; h < result.mesh.halfedge_count(); ++h) {
+    const Halfedge source = Mesh::halfedge(result.face_source[h / 3], h % 3);
+    ASSERT_EQ(result.vertex_source[result.mesh.origin(Halfedge(h)).index()], mesh.origin(source));
+  }
+  EXPECT_TRUE(std::is_sorted(result.face_source.begin(), result.face_source.end()));
+}
+
+TEST(Prune, AttributesFollowTheRest) {
+  const Mesh mesh = built(specks_before_torus()).mesh;
+  Attributes attributes;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
+    attributes.group.push_back(f < 480 ? 0 : 1 + f % 5);
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
+    attributes.texcoord.push_back({float(mesh.origin(Halfedge(h)).index()), 0.0F});
+  for (const std::uint32_t target : {4'800U, 300U}) {
+    const Simplified result = simplify_pruned(Mesh(mesh), {.target_faces = target});
+    ASSERT_EQ(result.report.pruned_parts, 40U) << target;
+    const CarriedAttributes carried = carry_attributes(attributes, mesh.origins(), result);
+    ASSERT_EQ(carried.attributes.group.size(), result.mesh.face_count());
+    for (std::uint32_t f = 0; f < result.mesh.face_count(); ++f)
+      ASSERT_EQ(carried.attributes.group[f], 1 + result.face_source[f].index() % 5);
+    ASSERT_EQ(carried.attributes.texcoord.size(), result.mesh.halfedge_count());
+    EXPECT_GE(carried.attributes.texcoord[0].x, 320.0F) << "earlier vertices are the cubes'";
+  }
+}
+
+TEST(Prune, SharpnessOfTheRestStays) {
+  Mesh mesh = built(specks_before_torus()).mesh;
+  for (std::uint32_t h = 1440; h < mesh.halfedge_count(); h += 300)
+    mesh.set_sharpness(mesh.edge(Halfedge(h)), 2.0F);
+  mesh.set_sharpness(Vertex(500), 3.0F);
+  const std::uint32_t creases = statistics(mesh).crease_edges;
+  const Simplified result = simplify_pruned(Mesh(mesh), {.target_faces = 4'800});
+  ASSERT_EQ(result.report.pruned_parts, 40U);
+  EXPECT_EQ(statistics(result.mesh).crease_edges, creases);
+  EXPECT_EQ(result.mesh.sharpness(Vertex(500 - 320)), 3.0F);
+}
+
+TEST(Prune, PartsThatTouchAtABowTieAreOne) {
+  // A small cube at the corner of a large plate stays; two small ones that touch go together.
+  const Soup small = scaled(cube(), 1e-4F);
+  Soup plate = grid(40);
+  for (glm::vec3& p : plate.positions)
+    p.z = 0.001F * p.x * p.y;
+  const Mesh touching = built(bow_tie({plate, small})).mesh;
+  ASSERT_EQ(components(touching), 2U);
+  ASSERT_EQ(touching.bow_tie_copies().size(), 2U);
+  const Simplified kept = simplify_pruned(Mesh(touching), {.target_faces = 20});
+  expect_valid(kept.mesh);
+  EXPECT_EQ(kept.report.pruned_parts, 0U);
+  EXPECT_EQ(kept.mesh.bow_tie_copies().size(), 2U);
+
+  const Mesh apart = built(join(plate, bow_tie({small, small}), {20.0F, 20.0F, 0.5F})).mesh;
+  ASSERT_EQ(components(apart), 3U);
+  const Simplified pruned = simplify_pruned(Mesh(apart), {.target_faces = 20});
+  expect_valid(pruned.mesh);
+  EXPECT_EQ(pruned.report.pruned_parts, 1U);
+  EXPECT_EQ(pruned.report.pruned_faces, 24U);
+  EXPECT_TRUE(pruned.mesh.bow_tie_copies().empty());
+}
+
+TEST(Prune, IsolatedVerticesStay) {
+  Soup soup = torus_with_specks(20, 0.02F);
+  soup.positions.push_back({1.0F, 2.0F, 3.0F});
+  BuildOptions keep;
+  keep.keep_isolated_vertices = true;
+  const Mesh mesh = built(std::move(soup), keep).mesh;
+  ASSERT_EQ(statistics(mesh).isolated_vertices, 1U);
+  const Simplified result = simplify_pruned(Mesh(mesh), {.target_faces = 100});
+  EXPECT_EQ(result.report.pruned_parts, 20U);
+  EXPECT_EQ(statistics(result.mesh).isolated_vertices, 1U);
+  EXPECT_EQ(result.vertex_source.back(), Vertex(mesh.vertex_count() - 1));
+}
+
+TEST(Prune, TheCertifiedBoundHoldsForTheWholeInput) {
+  Soup soup = torus_with_specks(40, 0.02F);
+  soup = join(std::move(soup), scaled(cube(), 0.02F), {0.0F, 0.0F, 3.0F});  // far from the rest
+  const Mesh mesh = built(std::move(soup)).mesh;
+  const Simplified result = simplify_pruned(Mesh(mesh), {.target_faces = 200, .certifies = true});
+  ASSERT_EQ(result.report.pruned_parts, 41U);
+  const double max = surface_distance(mesh, result.mesh).two_sided().max;
+  EXPECT_GT(max, 2.0) << "of the cube";
+  EXPECT_GE(result.report.certified_bound, max);
+}
+
+TEST(Prune, GivesTheSameBytesOnAnyNumberOfThreads) {
+  const Mesh mesh = built(torus_with_specks(40, 0.02F)).mesh;
+  std::vector<Simplified> results;
+  for (const unsigned threads : {1U, 3U}) {
+    const ThreadLimit limit(threads);
+    results.push_back(simplify_pruned(Mesh(mesh), {.target_faces = 200}));
+  }
+  EXPECT_TRUE(is_identical(results[0].mesh, results[1].mesh));
+  EXPECT_EQ(results[0].report.estimated_error, results[1].report.estimated_error);
+}
+
+}  // namespace
+}  // namespace mesher::test
