@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/analysis/skim.h"
 #include "engine/core/array.h"
 #include "engine/core/parallel.h"
 
@@ -26,6 +27,7 @@ constexpr std::uint8_t kMostCuts = 12;
 constexpr double kFlat = 32.0;
 /// Vertices of which the first guess at the distance is taken.
 constexpr std::size_t kProbes = 512;
+constexpr std::size_t kMostProbes = 8192;
 /// Where something is known to be nearer than that part of the largest distance found so far, it
 /// does not matter how near.
 constexpr double kNearEnough = 0.25;
@@ -123,8 +125,12 @@ std::optional<Split> crossing(const Triangle& piece, const Triangle& t) {
 /// One direction: from a surface to another.
 class OneSide {
  public:
-  OneSide(const HausdorffSide& from, const TriangleTree& to, double rounding)
-      : mesh_(from.mesh), hints_(from.hints), to_(to), rounding_(rounding) {}
+  OneSide(const HausdorffSide& from, const HausdorffSide& to, double rounding)
+      : mesh_(from.mesh),
+        to_mesh_(to.mesh),
+        hints_(from.hints),
+        lazy_tree_(to.tree),
+        rounding_(rounding) {}
 
   double lower() const { return lower_; }
   /// Of what is done with, and of what is not.
@@ -141,14 +147,17 @@ class OneSide {
   std::uint64_t queries() const { return queries_; }
 
   /// Distances of some vertices, for a first guess.
-  void probe();
-  /// Distances of all vertices.
+  void probe(std::size_t count);
+  /// Bounds of all faces by `skim`. Pre: there are hints.
+  void skim_faces(const Limits& limits, Progress* progress);
+  /// Distances of all vertices; after `skim_faces`, of those of the faces that are not done with.
   void measure_vertices(const Limits& limits, Progress* progress);
   /// Looks at all faces the first time, later at some of what is open.
   void refine(const Limits& limits, Progress* progress);
 
  private:
   void note(const Outcome& outcome);
+  Face hint(Vertex v, Face otherwise) const;
   void begin_faces(const Limits& limits, Progress* progress);
   TriangleTree::Nearest query(const glm::dvec3& p, Face hint, const Limits& limits,
                               Outcome& outcome, double off = 0.0) const;
@@ -159,11 +168,14 @@ class OneSide {
   Piece piece_of(std::uint32_t face) const;
 
   const Mesh& mesh_;
+  const Mesh& to_mesh_;
   std::span<const Face> hints_;
-  const TriangleTree& to_;
+  LazyTree& lazy_tree_;
+  const TriangleTree* to_ = nullptr;  ///< once it is needed
   double rounding_;
-  Array<double> distance_;  ///< of each vertex, at most
-  Array<Face> near_;        ///< and which face is so far away
+  std::optional<std::vector<Skimmed::Unclear>> unclear_;  ///< faces; nothing: all of them
+  Array<double> distance_;                                ///< of each vertex, at most
+  Array<Face> near_;                                      ///< and which face is so far away
   std::vector<Piece> open_;
   std::vector<Piece> beyond_;
   double lower_ = 0.0;
@@ -175,7 +187,7 @@ class OneSide {
 /// The distance (not its square) of a point that may be `off` the surface by rounding.
 TriangleTree::Nearest OneSide::query(const glm::dvec3& p, Face hint, const Limits& limits,
                                      Outcome& outcome, double off) const {
-  TriangleTree::Nearest hit = to_.nearest_beyond(p, hint, limits.near * limits.near);
+  TriangleTree::Nearest hit = to_->nearest_beyond(p, hint, limits.near * limits.near);
   hit.squared_distance = std::sqrt(hit.squared_distance);
   // Nearer ones need not be exact, and would not raise the bound.
   if (hit.squared_distance > limits.near) {
@@ -193,32 +205,55 @@ void OneSide::note(const Outcome& outcome) {
   beyond_.insert(beyond_.end(), outcome.beyond.begin(), outcome.beyond.end());
 }
 
-void OneSide::probe() {
-  const std::size_t step = std::max<std::size_t>(1, mesh_.face_count() / kProbes);
+/// A face of the other surface that is likely to be near a vertex.
+Face OneSide::hint(Vertex v, Face otherwise) const {
+  return hints_.empty() ? otherwise : hints_[Mesh::face(mesh_.outgoing(v)).index()];
+}
+
+void OneSide::probe(std::size_t count) {
+  to_ = &lazy_tree_.get();
+  const std::size_t step = std::max<std::size_t>(1, mesh_.face_count() / count);
   Outcome outcome;
-  Face hint(0);
+  Face near(0);
   for (std::size_t f = 0; f < mesh_.face_count(); f += step) {
     const Vertex v = mesh_.origin(Mesh::halfedge(Face(static_cast<std::uint32_t>(f))));
-    if (!hints_.empty()) hint = hints_[v.index()];
-    hint = query(mesh_.position(v), hint, {}, outcome).face;
+    // What is not farther than another one does not raise the bound.
+    const Limits limits{.near = std::max(lower_, outcome.lower), .allowed = 0.0};
+    near = query(mesh_.position(v), hint(v, near), limits, outcome).face;
   }
   note(outcome);
 }
 
+void OneSide::skim_faces(const Limits& limits, Progress* progress) {
+  Skimmed skimmed = skim(mesh_, to_mesh_, hints_, limits.allowed, rounding_, progress);
+  upper_ = std::max(upper_, skimmed.upper);
+  unclear_ = std::move(skimmed.unclear);
+}
+
 void OneSide::measure_vertices(const Limits& limits, Progress* progress) {
+  if (unclear_ && unclear_->empty()) return;
+  to_ = &lazy_tree_.get();
   const std::size_t n = mesh_.vertex_count();
   distance_.resize(n);
   near_.resize(n);
+  Array<bool> is_needed;
+  if (unclear_) {
+    is_needed.assign(n, false);
+    for (const auto& [face, upper] : *unclear_) {
+      for (std::uint32_t c = 0; c < 3; ++c)
+        is_needed[mesh_.origin(Mesh::halfedge(face, c)).index()] = true;
+    }
+  }
   std::vector<Outcome> outcomes(chunk_count(n, kVerticesPerChunk));
   parallel_chunks(n, kVerticesPerChunk, progress, [&](std::size_t chunk, IndexRange range) {
-    Face hint(0);
+    Face near(0);
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const Vertex v(static_cast<std::uint32_t>(i));
-      if (mesh_.is_isolated(v)) continue;
-      if (!hints_.empty()) hint = hints_[i];
-      const TriangleTree::Nearest hit = query(mesh_.position(v), hint, limits, outcomes[chunk]);
+      if (mesh_.is_isolated(v) || (unclear_ && !is_needed[i])) continue;
+      const TriangleTree::Nearest hit =
+          query(mesh_.position(v), hint(v, near), limits, outcomes[chunk]);
       distance_[i] = hit.squared_distance;
-      near_[i] = hint = hit.face;
+      near_[i] = near = hit.face;
     }
   });
   for (const Outcome& outcome : outcomes)
@@ -243,7 +278,7 @@ double OneSide::bound_by_triangles(const Piece& piece, double least) const {
   const std::array<Face, 4> near{piece.near[0], piece.near[1], piece.near[2], piece.below};
   for (std::size_t i = 0; i < near.size(); ++i) {
     if (!near[i].is_valid() || std::find(&near[0], &near[i], near[i]) != &near[i]) continue;
-    const Triangle triangle = to_.triangle(near[i]);
+    const Triangle triangle = to_->triangle(near[i]);
     double most = 0.0;
     for (std::size_t c = 0; c < 3 && most < least; ++c) {
       const double d = piece.near[c] == near[i]
@@ -262,7 +297,7 @@ double OneSide::certified(const Piece& piece, double computed) const {
   if (computed == 0.0) {
     for (const Face f : {piece.near[0], piece.near[1], piece.near[2], piece.below}) {
       if (!f.is_valid()) continue;
-      const Triangle near = to_.triangle(f);
+      const Triangle near = to_->triangle(f);
       const auto is_corner = [&](const glm::dvec3& p) {
         return std::find(near.begin(), near.end(), p) != near.end();
       };
@@ -325,7 +360,7 @@ void OneSide::split_up(const Piece& whole, int splits, const Limits& limits,
         static_cast<std::size_t>(std::max_element(sides.begin(), sides.end()) - sides.begin());
     Split split{longest, (longest + 1) % 3, 0.5};
     if (is_cut) {
-      const Triangle below = to_.triangle(piece.below);
+      const Triangle below = to_->triangle(piece.below);
       const Sides there = squared_sides(below);
       // A piece over many triangles is halved first.
       if (sides[longest] < 4.0 * std::max({there[0], there[1], there[2]})) {
@@ -365,11 +400,19 @@ void OneSide::refine(const Limits& limits, Progress* progress) {
 
 void OneSide::begin_faces(const Limits& limits, Progress* progress) {
   is_begun_ = true;
-  const std::size_t n = mesh_.face_count();
+  const std::size_t n = unclear_ ? unclear_->size() : mesh_.face_count();
   std::vector<Outcome> outcomes(chunk_count(n, kFacesPerChunk));
   parallel_chunks(n, kFacesPerChunk, progress, [&](std::size_t chunk, IndexRange range) {
-    for (std::size_t f = range.begin; f < range.end; ++f)
-      split_up(piece_of(static_cast<std::uint32_t>(f)), kSplitsOfFace, limits, outcomes[chunk]);
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      // What is allowed may have grown since the face was skimmed.
+      const Skimmed::Unclear face =
+          unclear_ ? (*unclear_)[i] : Skimmed::Unclear{Face(static_cast<std::uint32_t>(i))};
+      if (face.upper <= limits.allowed) {
+        outcomes[chunk].upper = std::max(outcomes[chunk].upper, face.upper);
+      } else {
+        split_up(piece_of(face.face.index()), kSplitsOfFace, limits, outcomes[chunk]);
+      }
+    }
   });
   for (const Outcome& outcome : outcomes)
     note(outcome);
@@ -391,13 +434,21 @@ class BothSides {
   BothSides(const HausdorffSide& a, const HausdorffSide& b, const HausdorffOptions& options)
       : options_(options),
         rounding_(0x1p-48 * std::max(longest_coordinate(a.mesh), longest_coordinate(b.mesh))),
-        forward_(a, b.tree, rounding_),
-        backward_(b, a.tree, rounding_) {}
+        forward_(a, b, rounding_),
+        backward_(b, a, rounding_),
+        has_hints_(!a.hints.empty() && !b.hints.empty()) {}
 
   HausdorffBounds run() {
     begin_stage(options_.progress, "bounding the distance");
-    for (OneSide* side : {&forward_, &backward_})
-      side->probe();
+    if (has_hints_) {
+      // The second tree may never be needed.
+      if (!options_.is_decision) forward_.probe(kMostProbes);
+      for (OneSide* side : {&forward_, &backward_})
+        side->skim_faces(limits(), options_.progress);
+    } else {
+      for (OneSide* side : {&forward_, &backward_})
+        side->probe(kProbes);
+    }
     for (OneSide* side : {&forward_, &backward_})
       side->measure_vertices(limits(), options_.progress);
     while (is_open()) {
@@ -441,6 +492,7 @@ class BothSides {
   double rounding_;
   OneSide forward_;
   OneSide backward_;
+  bool has_hints_;
 };
 
 }  // namespace
@@ -458,8 +510,8 @@ HausdorffBounds hausdorff_bounds(const HausdorffSide& a, const HausdorffSide& b,
 }
 
 HausdorffBounds hausdorff_bounds(const Mesh& a, const Mesh& b, const HausdorffOptions& options) {
-  const TriangleTree tree_a(a);
-  const TriangleTree tree_b(b);
+  LazyTree tree_a(a);
+  LazyTree tree_b(b);
   return hausdorff_bounds({a, tree_a}, {b, tree_b}, options);
 }
 

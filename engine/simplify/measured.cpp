@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <optional>
 
 #include "engine/analysis/hausdorff.h"
 
@@ -19,16 +18,21 @@ constexpr float kTighter = 0.6F;
 constexpr int kRunsBeforeEffort = 4;
 constexpr std::uint64_t kEffort = 16;
 
-HausdorffBounds decide(const HausdorffSide& input, const Mesh& result,
-                       const SimplifyOptions& options, std::uint64_t effort = 1) {
-  const TriangleTree tree(result);
-  return hausdorff_bounds(
-      input, {result, tree},
-      {.enough = options.max_error,
-       .is_decision = true,
-       .most_queries = effort * (500'000 + 20 * std::uint64_t{input.mesh.face_count()}),
-       .finds_all = true,
-       .progress = options.progress});
+HausdorffBounds bounds_of(const Trace& trace, const HausdorffOptions& options) {
+  LazyTree before(trace.before, TriangleOrder::by_place);
+  LazyTree after(trace.after, TriangleOrder::by_place);
+  return hausdorff_bounds({trace.before, before, trace.near_before},
+                          {trace.after, after, trace.near_after}, options);
+}
+
+HausdorffBounds decide(const Trace& trace, const SimplifyOptions& options,
+                       std::uint64_t effort = 1) {
+  return bounds_of(
+      trace, {.enough = options.max_error,
+              .is_decision = true,
+              .most_queries = effort * (500'000 + 20 * std::uint64_t{trace.before.face_count()}),
+              .finds_all = true,
+              .progress = options.progress});
 }
 
 /// Tightens the bound for the corners of the faces and all around them.
@@ -52,14 +56,12 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 Simplified simplify_certified(Mesh&& mesh, const SimplifyOptions& options) {
-  const Mesh input = std::move(mesh);
-  Simplified result = simplify_unmeasured(Mesh(input), options);
+  Trace trace;
+  Simplified result = simplify_unmeasured(std::move(mesh), options, {}, &trace);
   const auto start = std::chrono::steady_clock::now();
   DistanceInterval distance;
   if (result.mesh.face_count() > 0) {
-    distance =
-        hausdorff_bounds(input, result.mesh, {.ratio = kBoundRatio, .progress = options.progress})
-            .two_sided();
+    distance = bounds_of(trace, {.ratio = kBoundRatio, .progress = options.progress}).two_sided();
   }
   result.report.certified_bound = distance.upper;
   result.report.seconds.measure = seconds_since(start);
@@ -68,7 +70,6 @@ Simplified simplify_certified(Mesh&& mesh, const SimplifyOptions& options) {
 
 Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
   const Mesh input = std::move(mesh);
-  std::optional<TriangleTree> tree;
   SimplifyOptions run_options = options;
   run_options.max_error *= kUsedOfBound;
   Array<float> shares;
@@ -77,16 +78,16 @@ Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
   for (int run = 0; run < kMaxRuns; ++run) {
     CollapseRecorder recorder;
     run_options.observer = options.observer == nullptr ? nullptr : &recorder;
-    Simplified result = simplify_unmeasured(Mesh(input), run_options, shares);
+    Trace trace;
+    Simplified result = simplify_unmeasured(Mesh(input), run_options, shares, &trace);
     const auto start = std::chrono::steady_clock::now();
     HausdorffBounds bounds;
     if (input.face_count() > 0 && result.mesh.face_count() > 0) {
-      if (!tree) tree.emplace(input);
-      bounds = decide({input, *tree}, result.mesh, options);
+      bounds = decide(trace, options);
       // No point beyond is known: then it is worth more work.
       const auto [lower, upper] = bounds.two_sided();
       if (run >= kRunsBeforeEffort && lower <= options.max_error && upper > options.max_error) {
-        bounds = decide({input, *tree}, result.mesh, options, kEffort);
+        bounds = decide(trace, options, kEffort);
       }
     }
     seconds.prepare += result.report.seconds.prepare;
@@ -103,6 +104,8 @@ Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
     }
     rejected = result.report.rejected;
     if (run_options.max_error <= 0.0) break;  // no tighter bound is left
+    for (Face& f : bounds.beyond)
+      f = trace.face_source[f.index()];
     tighten(shares, input, bounds.beyond);
   }
   run_options = options;
