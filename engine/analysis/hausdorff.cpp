@@ -11,6 +11,7 @@
 #include "engine/analysis/skim.h"
 #include "engine/core/array.h"
 #include "engine/core/parallel.h"
+#include "engine/mesh/circulators.h"
 
 namespace mesher {
 namespace {
@@ -27,7 +28,7 @@ constexpr std::uint8_t kMostCuts = 12;
 constexpr double kFlat = 32.0;
 /// Vertices of which the first guess at the distance is taken.
 constexpr std::size_t kProbes = 512;
-constexpr std::size_t kMostProbes = 8192;
+constexpr int kMostSpokes = 16;
 /// Where something is known to be nearer than that part of the largest distance found so far, it
 /// does not matter how near.
 constexpr double kNearEnough = 0.25;
@@ -147,7 +148,9 @@ class OneSide {
   std::uint64_t queries() const { return queries_; }
 
   /// Distances of some vertices, for a first guess.
-  void probe(std::size_t count);
+  void probe();
+  /// The largest distance of a vertex. Pre: there are hints.
+  void find_farthest_vertex(Progress* progress);
   /// Bounds of all faces by `skim`. Pre: there are hints.
   void skim_faces(const Limits& limits, Progress* progress);
   /// Distances of all vertices; after `skim_faces`, of those of the faces that are not done with.
@@ -158,6 +161,7 @@ class OneSide {
  private:
   void note(const Outcome& outcome);
   Face hint(Vertex v, Face otherwise) const;
+  bool is_near_hint(const glm::dvec3& p, Face near, double enough) const;
   void begin_faces(const Limits& limits, Progress* progress);
   TriangleTree::Nearest query(const glm::dvec3& p, Face hint, const Limits& limits,
                               Outcome& outcome, double off = 0.0) const;
@@ -210,18 +214,60 @@ Face OneSide::hint(Vertex v, Face otherwise) const {
   return hints_.empty() ? otherwise : hints_[Mesh::face(mesh_.outgoing(v)).index()];
 }
 
-void OneSide::probe(std::size_t count) {
+void OneSide::probe() {
   to_ = &lazy_tree_.get();
-  const std::size_t step = std::max<std::size_t>(1, mesh_.face_count() / count);
+  const std::size_t step = std::max<std::size_t>(1, mesh_.face_count() / kProbes);
   Outcome outcome;
   Face near(0);
   for (std::size_t f = 0; f < mesh_.face_count(); f += step) {
     const Vertex v = mesh_.origin(Mesh::halfedge(Face(static_cast<std::uint32_t>(f))));
-    // What is not farther than another one does not raise the bound.
-    const Limits limits{.near = std::max(lower_, outcome.lower), .allowed = 0.0};
-    near = query(mesh_.position(v), hint(v, near), limits, outcome).face;
+    near = query(mesh_.position(v), hint(v, near), {}, outcome).face;
   }
   note(outcome);
+}
+
+/// Whether the hint, or a face at the corner of it that is nearest, is no farther than `enough`
+/// (squared) from a point.
+bool OneSide::is_near_hint(const glm::dvec3& p, Face near, double enough) const {
+  const auto is_near = [&](Face f) {
+    return squared_distance(p, {corner(to_mesh_, f.index(), 0), corner(to_mesh_, f.index(), 1),
+                                corner(to_mesh_, f.index(), 2)}) <= enough;
+  };
+  if (is_near(near)) return true;
+  const auto farness = [&](std::uint32_t c) {
+    const glm::dvec3 q = corner(to_mesh_, near.index(), c) - p;
+    return glm::dot(q, q);
+  };
+  std::uint32_t nearest = farness(0) < farness(1) ? 0 : 1;
+  if (farness(2) < farness(nearest)) nearest = 2;
+  const Vertex v = to_mesh_.origin(Mesh::halfedge(near, nearest));
+  int spokes = 0;
+  for (const Halfedge h : halfedges_around(to_mesh_, v)) {
+    if (++spokes > kMostSpokes) break;
+    if (is_near(Mesh::face(h))) return true;
+  }
+  return false;
+}
+
+void OneSide::find_farthest_vertex(Progress* progress) {
+  probe();
+  const std::size_t n = mesh_.vertex_count();
+  std::vector<Outcome> outcomes(chunk_count(n, kVerticesPerChunk));
+  parallel_chunks(n, kVerticesPerChunk, progress, [&](std::size_t chunk, IndexRange range) {
+    Outcome& outcome = outcomes[chunk];
+    outcome.lower = lower_;
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const Vertex v(static_cast<std::uint32_t>(i));
+      if (mesh_.is_isolated(v)) continue;
+      // What is no farther than another one does not matter.
+      const double near = outcome.lower;
+      const Face hint = this->hint(v, {});
+      if (is_near_hint(mesh_.position(v), hint, near * near)) continue;
+      query(mesh_.position(v), hint, {.near = near, .allowed = 0.0}, outcome);
+    }
+  });
+  for (const Outcome& outcome : outcomes)
+    note(outcome);
 }
 
 void OneSide::skim_faces(const Limits& limits, Progress* progress) {
@@ -442,12 +488,12 @@ class BothSides {
     begin_stage(options_.progress, "bounding the distance");
     if (has_hints_) {
       // The second tree may never be needed.
-      if (!options_.is_decision) forward_.probe(kMostProbes);
+      if (!options_.is_decision) forward_.find_farthest_vertex(options_.progress);
       for (OneSide* side : {&forward_, &backward_})
         side->skim_faces(limits(), options_.progress);
     } else {
       for (OneSide* side : {&forward_, &backward_})
-        side->probe(kProbes);
+        side->probe();
     }
     for (OneSide* side : {&forward_, &backward_})
       side->measure_vertices(limits(), options_.progress);

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "engine/mesh/circulators.h"
+
 namespace mesher {
 namespace {
 
@@ -12,10 +14,19 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // Rounding takes less than a tenth of that from a product of two coordinates.
 constexpr double kMargin = 1e-13;
 constexpr int kMostSteps = 64;
+// Where the hint does not lead to the triangle.
+constexpr int kMostTries = 4;
+constexpr int kMostSpokes = 16;
+constexpr double kLeastSlope = 0.3;
 
 /// Twice the signed area of a triangle, seen along the third axis.
 double turn(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// The same with the middle as the third corner.
+double turn(const glm::dvec3& a, const glm::dvec3& b) {
+  return a.x * b.y - a.y * b.x;
 }
 
 double extent(const glm::dvec3& p) {
@@ -29,39 +40,77 @@ OverlayWalk::Projected OverlayWalk::projected(Vertex v) const {
   return {glm::dot(q, axes_[0]), glm::dot(q, axes_[1]), glm::dot(q, axes_[2])};
 }
 
-Face OverlayWalk::locate(const std::array<glm::dvec3, 3>& triangle, Face hint) {
-  origin_ = triangle[0];
-  const glm::dvec3 ab = triangle[1] - origin_;
-  const glm::dvec3 ac = triangle[2] - origin_;
+double OverlayWalk::locate(const std::array<glm::dvec3, 3>& triangle, Face hint, double shrink) {
+  const glm::dvec3 ab = triangle[1] - triangle[0];
+  const glm::dvec3 ac = triangle[2] - triangle[0];
   const glm::dvec3 normal = glm::cross(ab, ac);
   const double length = glm::length(ab);
   const double twice_area = glm::length(normal);
   size_ = std::max(length, glm::length(ac));
   // Of slivers the plane is uncertain, and the middle may be outside.
-  if (!(twice_area > 1e-6 * size_ * size_)) return {};
+  if (!(twice_area > 1e-6 * size_ * size_)) return kInfinite;
+  origin_ = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
   axes_[0] = ab / length;
   axes_[2] = normal / twice_area;
   axes_[1] = glm::cross(axes_[2], axes_[0]);
-  corners_ = {
-      Projected(0.0), {length, 0.0, 0.0}, {glm::dot(ac, axes_[0]), twice_area / length, 0.0}};
-  const Projected middle = (corners_[0] + corners_[1] + corners_[2]) / 3.0;
-  Halfedge h = Mesh::halfedge(hint);
-  std::array<Projected, 3> p;
-  for (std::uint32_t c = 0; c < 3; ++c)
-    p[c] = projected(surface_.origin(Mesh::halfedge(hint, c)));
-  for (int step = 0; step < kMostSteps; ++step) {
-    if (turn(p[0], p[1], p[2]) <= 0.0) return {};
-    const std::array<double, 3> side{turn(p[0], p[1], middle), turn(p[1], p[2], middle),
-                                     turn(p[2], p[0], middle)};
-    const auto out =
-        static_cast<std::size_t>(std::min_element(side.begin(), side.end()) - side.begin());
-    if (side[out] >= 0.0) return Mesh::face(h);
-    const Halfedge over = out == 0 ? h : out == 1 ? Mesh::next(h) : Mesh::prev(h);
-    h = surface_.twin(over);
-    if (!h.is_valid()) return {};
-    p = {p[(out + 1) % 3], p[out], projected(surface_.origin(Mesh::prev(h)))};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const glm::dvec3 q = (1.0 - shrink) * (triangle[c] - origin_);
+    corners_[c] = {glm::dot(q, axes_[0]), glm::dot(q, axes_[1]), 0.0};
   }
-  return {};
+  const double height = walk_to_middle(hint);
+  return height < kInfinite ? height : walk_from_around(hint);
+}
+
+/// Where the hint is turned over, as beyond a sharp edge: begins at the faces beside it that are
+/// not.
+double OverlayWalk::walk_from_around(Face hint) {
+  int tries = 0;
+  for (std::uint32_t c = 0; c < 3; ++c) {
+    const Vertex corner = surface_.origin(Mesh::halfedge(hint, c));
+    int spokes = 0;
+    for (const Halfedge h : halfedges_around(surface_, corner)) {
+      if (++spokes > kMostSpokes) break;
+      const Face f = Mesh::face(h);
+      if (f == hint || slope(f) < kLeastSlope) continue;
+      const double height = walk_to_middle(f);
+      if (height < kInfinite) return height;
+      if (++tries == kMostTries) return kInfinite;
+    }
+  }
+  return kInfinite;
+}
+
+/// The cosine of the angle between a face of the surface and the triangle.
+double OverlayWalk::slope(Face f) const {
+  const auto at = [&](std::uint32_t c) {
+    return glm::dvec3(surface_.position(surface_.origin(Mesh::halfedge(f, c))));
+  };
+  const glm::dvec3 normal = glm::cross(at(1) - at(0), at(2) - at(0));
+  const double squared = glm::dot(normal, normal);
+  return squared > 0.0 ? glm::dot(normal, axes_[2]) / std::sqrt(squared) : 0.0;
+}
+
+double OverlayWalk::walk_to_middle(Face from) {
+  start_ = Mesh::halfedge(from);
+  std::array<Projected, 3>& p = start_corners_;
+  for (std::uint32_t c = 0; c < 3; ++c)
+    p[c] = projected(surface_.origin(Mesh::halfedge(from, c)));
+  for (int step = 0; step < kMostSteps; ++step) {
+    // By the sides, twice the area of the triangle that each makes with the middle.
+    const std::array<double, 3> part{turn(p[0], p[1]), turn(p[1], p[2]), turn(p[2], p[0])};
+    const double whole = part[0] + part[1] + part[2];
+    if (!(whole > 0.0)) return kInfinite;
+    const auto out =
+        static_cast<std::size_t>(std::min_element(part.begin(), part.end()) - part.begin());
+    if (part[out] >= 0.0) {
+      return std::abs(part[0] * p[2].z + part[1] * p[0].z + part[2] * p[1].z) / whole;
+    }
+    const Halfedge over = out == 0 ? start_ : out == 1 ? Mesh::next(start_) : Mesh::prev(start_);
+    start_ = surface_.twin(over);
+    if (!start_.is_valid()) return kInfinite;
+    p = {p[(out + 1) % 3], p[out], projected(surface_.origin(Mesh::prev(start_)))};
+  }
+  return kInfinite;
 }
 
 /// Whether a segment meets the triangle, seen along its normal; also where that is in doubt.
@@ -81,19 +130,54 @@ bool OverlayWalk::meets(const Projected& from, const Projected& to) const {
   return !is_left && !is_right;
 }
 
-/// A bound for the heights of the part of a face that is over the triangle: those of its corners,
-/// or of its plane over the triangle's, which is not looked at where those are low `enough`.
+/// A bound for the heights of the part of a face that is over the triangle; not the best, where a
+/// simpler one is low `enough`.
 double OverlayWalk::height(const std::array<Projected, 3>& face, double turn_of_face,
                            double enough) const {
   const auto& [p, q, r] = face;
   const double of_corners = std::max({std::abs(p.z), std::abs(q.z), std::abs(r.z)});
   if (of_corners <= enough) return of_corners;
+  // The triangle's corners, with the heights of the face's plane there.
+  std::array<Projected, 9> part;
   double of_plane = 0.0;
-  for (const Projected& corner : corners_) {
-    const double z = turn(corner, q, r) * p.z + turn(p, corner, r) * q.z + turn(p, q, corner) * r.z;
-    of_plane = std::max(of_plane, std::abs(z));
+  for (std::size_t c = 0; c < 3; ++c) {
+    part[c] = corners_[c];
+    part[c].z =
+        (turn(part[c], q, r) * p.z + turn(p, part[c], r) * q.z + turn(p, q, part[c]) * r.z) /
+        turn_of_face;
+    of_plane = std::max(of_plane, std::abs(part[c].z));
   }
-  return std::min(of_corners, of_plane / turn_of_face);
+  if (of_plane <= enough) return of_plane;
+  return std::min(of_corners, height_of_common_part(face, part));
+}
+
+/// Cuts the triangle along the sides of the face. Rounding moves the cuts along the plane by less
+/// than it may change a distance.
+double OverlayWalk::height_of_common_part(const std::array<Projected, 3>& face,
+                                          std::array<Projected, 9>& part) {
+  std::size_t count = 3;
+  for (std::size_t side = 0; side < 3; ++side) {
+    const Projected& a = face[side];
+    const Projected& b = face[(side + 1) % 3];
+    std::array<Projected, 9> cut;
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Projected& from = part[i];
+      const Projected& to = part[(i + 1) % count];
+      const double before = turn(a, b, from);
+      const double after = turn(a, b, to);
+      if (before >= 0.0) cut[left++] = from;
+      if ((before >= 0.0) != (after >= 0.0)) {
+        cut[left++] = from + before / (before - after) * (to - from);
+      }
+    }
+    part = cut;
+    count = left;
+  }
+  double highest = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+    highest = std::max(highest, std::abs(part[i].z));
+  return highest;
 }
 
 bool OverlayWalk::is_new(Face f) {
@@ -116,26 +200,24 @@ bool OverlayWalk::cross(Halfedge h, const Projected& from, const Projected& to) 
   return true;
 }
 
-double OverlayWalk::bound(Face start, double most) {
+double OverlayWalk::bound(double most) {
   ++walk_;
   faces_ = 0;
   stack_.clear();
   double highest = 0.0;
-  const Halfedge first = Mesh::halfedge(start);
-  const Projected p = projected(surface_.origin(first));
-  const Projected q = projected(surface_.target(first));
-  stack_.push_back({first, p, q});
-  if (!cross(first, p, q)) return kInfinite;
+  const auto& [p, q, r] = start_corners_;
+  stack_.push_back({start_, p, q});
+  if (!cross(start_, p, q)) return kInfinite;
+  // The other half of the first edge may come up first: what counts is what is visited in the end.
   while (!stack_.empty()) {
-    // The first face's other half may come first: all that counts is what has been visited.
     const auto [h, from, to] = stack_.back();
     stack_.pop_back();
     if (!is_new(Mesh::face(h))) continue;
     if (++faces_ > kMostFaces) return kInfinite;
     const Projected apex = projected(surface_.origin(Mesh::prev(h)));
     const double area = turn(from, to, apex);
-    const double extent_of_face = std::max({size_, extent(from), extent(to), extent(apex)});
-    if (!(area > 8.0 * kMargin * extent_of_face * extent_of_face)) return kInfinite;
+    const double longest = std::max({size_, extent(from), extent(to), extent(apex)});
+    if (!(area > 8.0 * kMargin * longest * longest)) return kInfinite;
     highest = std::max(highest, height({from, to, apex}, area, most));
     if (highest > most) return kInfinite;
     if (!cross(Mesh::next(h), to, apex)) return kInfinite;

@@ -19,14 +19,15 @@ class OverlayWalk {
  public:
   explicit OverlayWalk(const Mesh& surface) : surface_(surface) {}
 
-  /// The face above or below the middle of the triangle, if the walk from `hint` finds one, else
-  /// none. A few steps from a hint that is near.
-  Face locate(const std::array<glm::dvec3, 3>& triangle, Face hint);
-  /// An upper bound for the distance of any point of the triangle that was last located, rounding
-  /// of the result (1e-15 of the coordinates) aside; infinite where the walk fails or the bound
-  /// would be above `most`. Pre: `start` is what `locate` returned, and valid. O(faces over the
-  /// triangle).
-  double bound(Face start, double most);
+  /// Goes to the face above or below the middle of the triangle, a few steps from a hint that is
+  /// near. Returns its height there, infinite where the walk fails. `shrink`: the triangle's
+  /// corners are moved towards the middle by that part of the way for all that follows, so that
+  /// faces which it only touches do not count.
+  double locate(const std::array<glm::dvec3, 3>& triangle, Face hint, double shrink);
+  /// An upper bound for the distance of any point of the shrunken triangle that was last located,
+  /// rounding of the result (1e-15 of the coordinates) aside; infinite where the walk fails or the
+  /// bound would be above `most`. Pre: `locate` has not failed. O(faces over the triangle).
+  double bound(double most);
 
  private:
   /// A corner in the triangle's frame: two coordinates in its plane, and the height.
@@ -41,6 +42,11 @@ class OverlayWalk {
   Projected projected(Vertex v) const;
   bool meets(const Projected& from, const Projected& to) const;
   double height(const std::array<Projected, 3>& face, double turn_of_face, double enough) const;
+  static double height_of_common_part(const std::array<Projected, 3>& face,
+                                      std::array<Projected, 9>& part);
+  double walk_from_around(Face hint);
+  double walk_to_middle(Face from);
+  double slope(Face f) const;
   bool is_new(Face f);
   bool cross(Halfedge h, const Projected& from, const Projected& to);
 
@@ -49,6 +55,9 @@ class OverlayWalk {
   std::array<glm::dvec3, 3> axes_{};
   std::array<Projected, 3> corners_{};  ///< of the triangle
   double size_ = 0.0;
+  // The face located, from one of its half-edges on.
+  Halfedge start_;
+  std::array<Projected, 3> start_corners_{};
   std::vector<Crossing> stack_;
   // A small hash table of the faces visited; entries of former walks have other numbers.
   static constexpr std::size_t kSlots = 2048;

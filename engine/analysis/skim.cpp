@@ -37,20 +37,23 @@ struct Ball {
 
 /// A bound for one face.
 double bound(const Triangle& t, const Mesh& to, Face hint, double allowed, OverlayWalk& walk) {
+  // What a face only touches need not be walked over: it is cut off, and its width counts.
+  constexpr double kPartForShrinking = 0.2;
+  constexpr double kMostShrink = 0.1;
   const Triangle near = triangle(to, hint);
   if (near == t) return 0.0;
   const Ball ball(t);
-  const auto by_ball = [&](const Triangle& other) {
-    return std::sqrt(squared_distance(ball.middle, other)) + ball.radius;
-  };
   double least = std::numeric_limits<double>::infinity();
-  if (ball.radius < allowed) least = by_ball(near);
-  if (least <= allowed) return least;
-  const Face below = walk.locate(t, hint);
-  if (!below.is_valid()) return least;
-  if (ball.radius < allowed && below != hint) least = std::min(least, by_ball(triangle(to, below)));
-  if (least <= allowed) return least;
-  return std::min(least, walk.bound(below, allowed));
+  if (ball.radius < allowed) {
+    least = std::sqrt(squared_distance(ball.middle, near)) + ball.radius;
+    if (least <= allowed) return least;
+  }
+  const double shrink = std::min(kMostShrink, kPartForShrinking * allowed / ball.radius);
+  const double height = walk.locate(t, hint, shrink);
+  least = std::min(least, height + ball.radius);
+  if (least <= allowed || !std::isfinite(height)) return least;
+  const double width = shrink * ball.radius;
+  return std::min(least, walk.bound(allowed - width) + width);
 }
 
 }  // namespace
