@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/analysis/skim.h"
+#include "engine/analysis/triangle_reach.h"
 #include "engine/core/array.h"
 #include "engine/core/parallel.h"
 #include "engine/mesh/circulators.h"
@@ -29,12 +30,11 @@ constexpr double kFlat = 32.0;
 /// Vertices of which the first guess at the distance is taken.
 constexpr std::size_t kProbes = 512;
 constexpr int kMostSpokes = 16;
+/// Part of the distance to decide upon that corners may use; what is left is for points between.
+constexpr double kNearForDecision = 0.5;
 /// Where something is known to be nearer than that part of the largest distance found so far, it
 /// does not matter how near.
 constexpr double kNearEnough = 0.25;
-
-using Triangle = std::array<glm::dvec3, 3>;
-using Sides = std::array<double, 3>;
 
 /// Where a side of a piece is split.
 struct Split {
@@ -81,25 +81,6 @@ double longest_coordinate(const Mesh& mesh) {
 
 glm::dvec3 corner(const Mesh& mesh, std::uint32_t face, std::uint32_t c) {
   return mesh.position(mesh.origin(Mesh::halfedge(Face(face), c)));
-}
-
-/// How far a point of a triangle may be from the nearest corner. With an obtuse or right angle the
-/// longest side's ends reach half of it each way; otherwise it is the circumradius, whose largest
-/// angle has a sine of at least that of 60 degrees.
-double reach(const Sides& sides) {
-  const double longest = std::max({sides[0], sides[1], sides[2]});
-  const bool is_obtuse = 2.0 * longest >= sides[0] + sides[1] + sides[2];
-  return std::sqrt(longest * (is_obtuse ? 0.25 : 1.0 / 3.0));
-}
-
-/// Squared lengths, each from the corner of the same number.
-Sides squared_sides(const Triangle& t) {
-  Sides sides;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const glm::dvec3 side = t[(c + 1) % 3] - t[c];
-    sides[c] = glm::dot(side, side);
-  }
-  return sides;
 }
 
 /// Where the piece crosses a plane through a side of the triangle and its normal, if it does.
@@ -151,7 +132,9 @@ class OneSide {
   void probe();
   /// The largest distance of a vertex. Pre: there are hints.
   void find_farthest_vertex(Progress* progress);
-  /// Bounds of all faces by `skim`. Pre: there are hints.
+  /// Finds vertices that are no farther than that, by hints alone.
+  void find_near_vertices(double distance, Progress* progress);
+  /// Bounds of all faces by `skim`. Pre: there are hints, and vertices that are near are known.
   void skim_faces(const Limits& limits, Progress* progress);
   /// Distances of all vertices; after `skim_faces`, of those of the faces that are not done with.
   void measure_vertices(const Limits& limits, Progress* progress);
@@ -178,8 +161,10 @@ class OneSide {
   const TriangleTree* to_ = nullptr;  ///< once it is needed
   double rounding_;
   std::optional<std::vector<Skimmed::Unclear>> unclear_;  ///< faces; nothing: all of them
-  Array<double> distance_;                                ///< of each vertex, at most
-  Array<Face> near_;                                      ///< and which face is so far away
+  Array<std::uint8_t> is_near_;  ///< for each vertex: certainly no farther than near_distance_
+  double near_distance_ = 0.0;
+  Array<double> distance_;  ///< of each vertex, at most
+  Array<Face> near_;        ///< and which face is so far away
   std::vector<Piece> open_;
   std::vector<Piece> beyond_;
   double lower_ = 0.0;
@@ -268,10 +253,32 @@ void OneSide::find_farthest_vertex(Progress* progress) {
   });
   for (const Outcome& outcome : outcomes)
     note(outcome);
+  is_near_.assign(n, 1);
+  near_distance_ = lower_;
+}
+
+void OneSide::find_near_vertices(double distance, Progress* progress) {
+  near_distance_ = distance;
+  const std::size_t n = mesh_.vertex_count();
+  is_near_.assign(n, 0);
+  parallel_chunks(n, kVerticesPerChunk, progress, [&](std::size_t, IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const Vertex v(static_cast<std::uint32_t>(i));
+      if (mesh_.is_isolated(v)) continue;
+      const bool is_near = is_near_hint(mesh_.position(v), hint(v, {}), distance * distance);
+      is_near_[i] = is_near ? 1 : 0;
+    }
+  });
 }
 
 void OneSide::skim_faces(const Limits& limits, Progress* progress) {
-  Skimmed skimmed = skim(mesh_, to_mesh_, hints_, limits.allowed, rounding_, progress);
+  const SkimInput input{.from = mesh_,
+                        .to = to_mesh_,
+                        .hints = hints_,
+                        .is_near = is_near_,
+                        .near = near_distance_,
+                        .rounding = rounding_};
+  Skimmed skimmed = skim(input, limits.allowed, progress);
   upper_ = std::max(upper_, skimmed.upper);
   unclear_ = std::move(skimmed.unclear);
 }
@@ -487,10 +494,7 @@ class BothSides {
   HausdorffBounds run() {
     begin_stage(options_.progress, "bounding the distance");
     if (has_hints_) {
-      // The second tree may never be needed.
-      if (!options_.is_decision) forward_.find_farthest_vertex(options_.progress);
-      for (OneSide* side : {&forward_, &backward_})
-        side->skim_faces(limits(), options_.progress);
+      skim_both();
     } else {
       for (OneSide* side : {&forward_, &backward_})
         side->probe();
@@ -508,6 +512,19 @@ class BothSides {
   }
 
  private:
+  /// The second tree, mostly also the first one of a decision, is never needed.
+  void skim_both() {
+    Progress* progress = options_.progress;
+    if (options_.is_decision) {
+      forward_.find_near_vertices(kNearForDecision * options_.enough, progress);
+      backward_.find_near_vertices(kNearForDecision * options_.enough, progress);
+    } else {
+      forward_.find_farthest_vertex(progress);
+      backward_.find_near_vertices(lower(), progress);
+    }
+    for (OneSide* side : {&forward_, &backward_})
+      side->skim_faces(limits(), progress);
+  }
   double lower() const { return std::max(forward_.lower(), backward_.lower()); }
   std::vector<Face> beyond() const {
     std::vector<Face> faces;

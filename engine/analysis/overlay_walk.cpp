@@ -11,8 +11,8 @@ namespace mesher {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-// Rounding takes less than a tenth of that from a product of two coordinates.
-constexpr double kMargin = 1e-13;
+// Rounding changes a sum of products of two coordinates by less than a tenth of that.
+constexpr double kMargin = 1e-12;
 constexpr int kMostSteps = 64;
 // Where the hint does not lead to the triangle.
 constexpr int kMostTries = 4;
@@ -27,10 +27,6 @@ double turn(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
 /// The same with the middle as the third corner.
 double turn(const glm::dvec3& a, const glm::dvec3& b) {
   return a.x * b.y - a.y * b.x;
-}
-
-double extent(const glm::dvec3& p) {
-  return std::max(std::abs(p.x), std::abs(p.y));
 }
 
 }  // namespace
@@ -113,21 +109,24 @@ double OverlayWalk::walk_to_middle(Face from) {
   return kInfinite;
 }
 
+OverlayWalk::Seen OverlayWalk::seen(const Projected& at) const {
+  Seen result{at, {}, std::max({size_, std::abs(at.x), std::abs(at.y)})};
+  for (std::size_t c = 0; c < 3; ++c)
+    result.inside[c] = sides_[c].x * at.x + sides_[c].y * at.y + sides_[c].z;
+  return result;
+}
+
 /// Whether a segment meets the triangle, seen along its normal; also where that is in doubt.
-bool OverlayWalk::meets(const Projected& from, const Projected& to) const {
-  const double most = std::max({size_, extent(from), extent(to)});
-  const double margin = 8.0 * kMargin * most * most;
-  bool is_left = true;
-  bool is_right = true;
+bool OverlayWalk::meets(const Seen& from, const Seen& to) const {
+  const double most = std::max(from.extent, to.extent);
+  const double margin = kMargin * most * most;
   for (std::size_t c = 0; c < 3; ++c) {
-    const Projected& a = corners_[c];
-    const Projected& b = corners_[(c + 1) % 3];
-    if (std::max(turn(a, b, from), turn(a, b, to)) < -margin) return false;
-    const double side = turn(from, to, a);
-    is_left &= side > margin;
-    is_right &= side < -margin;
+    if (std::max(from.inside[c], to.inside[c]) < -margin) return false;
   }
-  return !is_left && !is_right;
+  const double a = turn(from.at, to.at, corners_[0]);
+  const double b = turn(from.at, to.at, corners_[1]);
+  const double c = turn(from.at, to.at, corners_[2]);
+  return std::min({a, b, c}) <= margin && std::max({a, b, c}) >= -margin;
 }
 
 /// A bound for the heights of the part of a face that is over the triangle; not the best, where a
@@ -192,7 +191,7 @@ bool OverlayWalk::is_new(Face f) {
 }
 
 /// Goes on over a side of a face, if it meets the triangle. False at a boundary.
-bool OverlayWalk::cross(Halfedge h, const Projected& from, const Projected& to) {
+bool OverlayWalk::cross(Halfedge h, const Seen& from, const Seen& to) {
   if (!meets(from, to)) return true;
   const Halfedge other = surface_.twin(h);
   if (!other.is_valid()) return false;
@@ -205,20 +204,26 @@ double OverlayWalk::bound(double most) {
   faces_ = 0;
   stack_.clear();
   double highest = 0.0;
-  const auto& [p, q, r] = start_corners_;
-  stack_.push_back({start_, p, q});
-  if (!cross(start_, p, q)) return kInfinite;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Projected& a = corners_[c];
+    const glm::dvec3 along = corners_[(c + 1) % 3] - a;
+    sides_[c] = {-along.y, along.x, along.y * a.x - along.x * a.y};
+  }
+  const Seen first = seen(start_corners_[0]);
+  const Seen second = seen(start_corners_[1]);
+  stack_.push_back({start_, first, second});
+  if (!cross(start_, first, second)) return kInfinite;
   // The other half of the first edge may come up first: what counts is what is visited in the end.
   while (!stack_.empty()) {
     const auto [h, from, to] = stack_.back();
     stack_.pop_back();
     if (!is_new(Mesh::face(h))) continue;
     if (++faces_ > kMostFaces) return kInfinite;
-    const Projected apex = projected(surface_.origin(Mesh::prev(h)));
-    const double area = turn(from, to, apex);
-    const double longest = std::max({size_, extent(from), extent(to), extent(apex)});
-    if (!(area > 8.0 * kMargin * longest * longest)) return kInfinite;
-    highest = std::max(highest, height({from, to, apex}, area, most));
+    const Seen apex = seen(projected(surface_.origin(Mesh::prev(h))));
+    const double area = turn(from.at, to.at, apex.at);
+    const double longest = std::max({from.extent, to.extent, apex.extent});
+    if (!(area > kMargin * longest * longest)) return kInfinite;
+    highest = std::max(highest, height({from.at, to.at, apex.at}, area, most));
     if (highest > most) return kInfinite;
     if (!cross(Mesh::next(h), to, apex)) return kInfinite;
     if (!cross(Mesh::prev(h), apex, from)) return kInfinite;

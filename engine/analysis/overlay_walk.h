@@ -32,15 +32,22 @@ class OverlayWalk {
  private:
   /// A corner in the triangle's frame: two coordinates in its plane, and the height.
   using Projected = glm::dvec3;
+  /// The same, and where that is as seen from the triangle's sides.
+  struct Seen {
+    Projected at;
+    std::array<double, 3> inside;  ///< distance from each side, times its length; positive inside
+    double extent;                 ///< the largest of the triangle's and of the coordinates
+  };
   /// A half-edge to walk over, and where its ends are.
   struct Crossing {
     Halfedge halfedge;
-    Projected from;
-    Projected to;
+    Seen from;
+    Seen to;
   };
 
   Projected projected(Vertex v) const;
-  bool meets(const Projected& from, const Projected& to) const;
+  Seen seen(const Projected& at) const;
+  bool meets(const Seen& from, const Seen& to) const;
   double height(const std::array<Projected, 3>& face, double turn_of_face, double enough) const;
   static double height_of_common_part(const std::array<Projected, 3>& face,
                                       std::array<Projected, 9>& part);
@@ -48,12 +55,13 @@ class OverlayWalk {
   double walk_to_middle(Face from);
   double slope(Face f) const;
   bool is_new(Face f);
-  bool cross(Halfedge h, const Projected& from, const Projected& to);
+  bool cross(Halfedge h, const Seen& from, const Seen& to);
 
   const Mesh& surface_;
   glm::dvec3 origin_{0.0};
   std::array<glm::dvec3, 3> axes_{};
   std::array<Projected, 3> corners_{};  ///< of the triangle
+  std::array<glm::dvec3, 3> sides_{};   ///< what `inside` is: x times, y times, and what is added
   double size_ = 0.0;
   // The face located, from one of its half-edges on.
   Halfedge start_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -21,12 +22,21 @@ struct Skimmed {
   std::vector<Unclear> unclear;  ///< ascending
 };
 
+/// What is known of the surfaces.
+struct SkimInput {
+  const Mesh& from;
+  const Mesh& to;
+  std::span<const Face> hints;            ///< for each face one of `to` that is likely to be near
+  std::span<const std::uint8_t> is_near;  ///< for each vertex: not farther than `near`; or 0
+  double near = 0.0;
+  double rounding = 0.0;  ///< is added to computed distances other than 0 of the same faces
+};
+
 /// Bounds the distance of each face of a surface from another one, without a search tree: by the
-/// distance of its middle from a face that is likely to be near, else by OverlayWalk. `hints`: for
-/// each face one of the other surface; the nearer, the fewer faces remain unclear. `rounding`: what
-/// is added to computed distances other than 0 of faces that are the same. O(F) where the surfaces
-/// are near each other; parallel, the same for any number of threads. Throws Cancelled.
-Skimmed skim(const Mesh& from, const Mesh& to, std::span<const Face> hints, double allowed,
-             double rounding, Progress* progress);
+/// distances of its corners, where they are known, by that of its middle from a face that is likely
+/// to be near, else by OverlayWalk. The nearer the hints, the fewer faces remain unclear. O(F)
+/// where the surfaces are near each other; parallel, the same for any number of threads. Throws
+/// Cancelled.
+Skimmed skim(const SkimInput& input, double allowed, Progress* progress);
 
 }  // namespace mesher
