@@ -235,21 +235,26 @@ bool OneSide::is_near_hint(const glm::dvec3& p, Face near, double enough) const 
 }
 
 void OneSide::find_farthest_vertex(Progress* progress) {
-  probe();
+  to_ = &lazy_tree_.get();
   const std::size_t n = mesh_.vertex_count();
+  const auto look_at = [&](std::size_t i, Outcome& outcome) {
+    const Vertex v(static_cast<std::uint32_t>(i));
+    if (mesh_.is_isolated(v)) return;
+    // What is no farther than another one does not matter.
+    const double near = outcome.lower;
+    const Face hint = this->hint(v, {});
+    if (is_near_hint(mesh_.position(v), hint, near * near)) return;
+    query(mesh_.position(v), hint, {.near = near, .allowed = 0.0}, outcome);
+  };
+  Outcome first;
+  for (std::size_t i = 0; i < n; i += n / kProbes + 1)
+    look_at(i, first);
+  note(first);
   std::vector<Outcome> outcomes(chunk_count(n, kVerticesPerChunk));
   parallel_chunks(n, kVerticesPerChunk, progress, [&](std::size_t chunk, IndexRange range) {
-    Outcome& outcome = outcomes[chunk];
-    outcome.lower = lower_;
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      const Vertex v(static_cast<std::uint32_t>(i));
-      if (mesh_.is_isolated(v)) continue;
-      // What is no farther than another one does not matter.
-      const double near = outcome.lower;
-      const Face hint = this->hint(v, {});
-      if (is_near_hint(mesh_.position(v), hint, near * near)) continue;
-      query(mesh_.position(v), hint, {.near = near, .allowed = 0.0}, outcome);
-    }
+    outcomes[chunk].lower = lower_;
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      look_at(i, outcomes[chunk]);
   });
   for (const Outcome& outcome : outcomes)
     note(outcome);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "engine/analysis/triangle_tree.h"
 #include "engine/mesh/circulators.h"
 
 namespace mesher {
@@ -15,8 +16,7 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kMargin = 1e-12;
 constexpr int kMostSteps = 64;
 // Where the hint does not lead to the triangle.
-constexpr int kMostTries = 4;
-constexpr int kMostSpokes = 16;
+constexpr int kMostSpokes = 64;
 constexpr double kLeastSlope = 0.3;
 
 /// Twice the signed area of a triangle, seen along the third axis.
@@ -36,7 +36,7 @@ OverlayWalk::Projected OverlayWalk::projected(Vertex v) const {
   return {glm::dot(q, axes_[0]), glm::dot(q, axes_[1]), glm::dot(q, axes_[2])};
 }
 
-double OverlayWalk::locate(const std::array<glm::dvec3, 3>& triangle, Face hint, double shrink) {
+double OverlayWalk::locate(const Triangle& triangle, Face hint, double shrink) {
   const glm::dvec3 ab = triangle[1] - triangle[0];
   const glm::dvec3 ac = triangle[2] - triangle[0];
   const glm::dvec3 normal = glm::cross(ab, ac);
@@ -57,10 +57,11 @@ double OverlayWalk::locate(const std::array<glm::dvec3, 3>& triangle, Face hint,
   return height < kInfinite ? height : walk_from_around(hint);
 }
 
-/// Where the hint is turned over, as beyond a sharp edge: begins at the faces beside it that are
-/// not.
+/// Where the hint is turned over, as beyond a sharp edge: begins at the nearest of the faces beside
+/// it that are not.
 double OverlayWalk::walk_from_around(Face hint) {
-  int tries = 0;
+  Face nearest;
+  double least = kInfinite;
   for (std::uint32_t c = 0; c < 3; ++c) {
     const Vertex corner = surface_.origin(Mesh::halfedge(hint, c));
     int spokes = 0;
@@ -68,20 +69,25 @@ double OverlayWalk::walk_from_around(Face hint) {
       if (++spokes > kMostSpokes) break;
       const Face f = Mesh::face(h);
       if (f == hint || slope(f) < kLeastSlope) continue;
-      const double height = walk_to_middle(f);
-      if (height < kInfinite) return height;
-      if (++tries == kMostTries) return kInfinite;
+      const double d = squared_distance(origin_, corners(f));
+      if (d >= least) continue;
+      least = d;
+      nearest = f;
     }
   }
-  return kInfinite;
+  return nearest.is_valid() ? walk_to_middle(nearest) : kInfinite;
+}
+
+Triangle OverlayWalk::corners(Face f) const {
+  return {surface_.position(surface_.origin(Mesh::halfedge(f, 0))),
+          surface_.position(surface_.origin(Mesh::halfedge(f, 1))),
+          surface_.position(surface_.origin(Mesh::halfedge(f, 2)))};
 }
 
 /// The cosine of the angle between a face of the surface and the triangle.
 double OverlayWalk::slope(Face f) const {
-  const auto at = [&](std::uint32_t c) {
-    return glm::dvec3(surface_.position(surface_.origin(Mesh::halfedge(f, c))));
-  };
-  const glm::dvec3 normal = glm::cross(at(1) - at(0), at(2) - at(0));
+  const auto [a, b, c] = corners(f);
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
   const double squared = glm::dot(normal, normal);
   return squared > 0.0 ? glm::dot(normal, axes_[2]) / std::sqrt(squared) : 0.0;
 }

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "engine/analysis/triangle_reach.h"
 #include "engine/mesh/mesh.h"
 
 namespace mesher {
@@ -23,7 +24,7 @@ class OverlayWalk {
   /// near. Returns its height there, infinite where the walk fails. `shrink`: the triangle's
   /// corners are moved towards the middle by that part of the way for all that follows, so that
   /// faces which it only touches do not count.
-  double locate(const std::array<glm::dvec3, 3>& triangle, Face hint, double shrink);
+  double locate(const Triangle& triangle, Face hint, double shrink);
   /// An upper bound for the distance of any point of the shrunken triangle that was last located,
   /// rounding of the result (1e-15 of the coordinates) aside; infinite where the walk fails or the
   /// bound would be above `most`. Pre: `locate` has not failed. O(faces over the triangle).
@@ -53,6 +54,7 @@ class OverlayWalk {
                                       std::array<Projected, 9>& part);
   double walk_from_around(Face hint);
   double walk_to_middle(Face from);
+  Triangle corners(Face f) const;
   double slope(Face f) const;
   bool is_new(Face f);
   bool cross(Halfedge h, const Seen& from, const Seen& to);
