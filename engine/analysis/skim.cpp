@@ -38,8 +38,9 @@ struct Ball {
 
 /// A bound for one face.
 double bound(const Triangle& t, const Mesh& to, Face hint, double allowed, OverlayWalk& walk) {
-  // What a face only touches need not be walked over: it is cut off, and its width counts.
-  constexpr double kPartForShrinking = 0.2;
+  // What a face only touches need not be walked over: it is cut off, and its width counts. The
+  // narrower, the more is left for the rest.
+  constexpr std::array<double, 2> kPartForShrinking{0.2, 0.04};
   constexpr double kMostShrink = 0.1;
   const Triangle near = triangle(to, hint);
   if (near == t) return 0.0;
@@ -49,12 +50,16 @@ double bound(const Triangle& t, const Mesh& to, Face hint, double allowed, Overl
     least = std::sqrt(squared_distance(ball.middle, near)) + ball.radius;
     if (least <= allowed) return least;
   }
-  const double shrink = std::min(kMostShrink, kPartForShrinking * allowed / ball.radius);
-  const double height = walk.locate(t, hint, shrink);
-  least = std::min(least, height + ball.radius);
-  if (least <= allowed || !std::isfinite(height)) return least;
-  const double width = shrink * ball.radius;
-  return std::min(least, walk.bound(allowed - width) + width);
+  for (const double part : kPartForShrinking) {
+    const double shrink = std::min(kMostShrink, part * allowed / ball.radius);
+    const double height = walk.locate(t, hint, shrink);
+    least = std::min(least, height + ball.radius);
+    if (least <= allowed || !std::isfinite(height)) return least;
+    const double width = shrink * ball.radius;
+    least = std::min(least, walk.bound(allowed - width) + width);
+    if (least <= allowed) return least;
+  }
+  return least;
 }
 
 /// The same, in parts where that is not enough: where the surface is folded or turns over, most of

@@ -1,6 +1,7 @@
 #include "engine/simplify/error_bound.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -11,6 +12,15 @@
 
 namespace mesher {
 
+bool is_fine(const Mesh& mesh, double bound) {
+  double sum = 0.0;
+  for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
+    const Halfedge h(i);
+    sum += double{glm::distance(mesh.position(mesh.origin(h)), mesh.position(mesh.target(h)))};
+  }
+  return bound * mesh.halfedge_count() < sum;
+}
+
 ErrorBound::ErrorBound(const Mesh& input, double bound, Array<float> shares)
     : input_(input),
       squared_bound_(bound * bound),
@@ -18,6 +28,7 @@ ErrorBound::ErrorBound(const Mesh& input, double bound, Array<float> shares)
       shares_(std::move(shares)),
       near_(input.vertex_count(), Face(0)) {
   constexpr std::size_t kGrain = 1U << 13U;
+  if (!is_fine(input, bound)) tree_.emplace(input, TriangleOrder::by_place);
   parallel_for_each(next_.size(), kGrain, [&](std::uint32_t v) {
     next_[v] = v;
     if (!input.is_isolated(Vertex(v))) near_[v] = Mesh::face(input.outgoing(Vertex(v)));
@@ -70,7 +81,9 @@ ErrorBound::Near ErrorBound::walk(const glm::dvec3& p, Face from, double squared
     if (best.face == before) best = with_all_around(p, best, squared_bound);
     if (best.face == before) break;
   }
-  return best;
+  if (best.squared_distance <= squared_bound || !tree_) return best;
+  const TriangleTree::Nearest hit = tree_->nearest_beyond(p, best.face, squared_bound);
+  return {hit.face, hit.squared_distance};
 }
 
 bool ErrorBound::allows(const Surface& surface, Vertex removed, Vertex kept, const Fan& fan,

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 
+#include "engine/analysis/triangle_tree.h"
 #include "engine/core/array.h"
 #include "engine/mesh/mesh.h"
 #include "engine/simplify/fan.h"
@@ -12,15 +14,19 @@
 
 namespace mesher {
 
+/// Whether an error bound is less than the mean side of the mesh's faces is long. O(F).
+bool is_fine(const Mesh& mesh, double bound);
+
 /// Keeps the surface within a distance of the input, both ways, collapse by collapse (after
 /// R. Klein, G. Liebich, W. Strasser, "Mesh reduction with error control", 1996).
 ///
 /// From the input to the surface: each vertex answers for the input vertices that have become one
 /// with it, and its new faces must pass near each of them. From the surface to the input: the new
 /// vertex, the middles of its edges and faces must lie near the input, which a walk from face to
-/// face finds out, from one that was near before. Where the walk does not find a face that is near
-/// enough, the collapse is refused, rightly or not. Between these points the surface may stray by a
-/// little more: who promises a bound measures at the end.
+/// face finds out, from one that was near before. Where the walk finds none that is near enough, a
+/// tree decides; or the collapse is refused if the bound is fine, since then hardly any is near.
+/// Between these points the surface may stray by a little more: who promises a bound measures at
+/// the end.
 class ErrorBound {
  public:
   /// `input`: the mesh before any collapse, with the surface's ids. `shares`: for each vertex which
@@ -54,6 +60,7 @@ class ErrorBound {
   double squared_distance_to(const glm::dvec3& p, Face f) const;
 
   Mesh input_;
+  std::optional<TriangleTree> tree_;
   double squared_bound_;
   Array<std::uint32_t> next_;  ///< around the ring of vertices that one vertex answers for
   Array<float> shares_;        ///< of the bound, of all that a vertex answers for

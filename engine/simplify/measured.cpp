@@ -5,15 +5,19 @@
 #include <chrono>
 
 #include "engine/analysis/hausdorff.h"
+#include "engine/simplify/error_bound.h"
 
 namespace mesher {
 namespace {
 
 /// Part of the bound that collapses may use: what strays between the points that they look at takes
 /// the rest, and a distance that is not too near the bound is quicker to decide upon.
-constexpr double kUsedOfBound = 0.9;
+constexpr double kUsedOfBound = 0.85;
+/// The same where the bound is less than the input's sides are long: then there are few such points
+/// between which a face may stray.
+constexpr double kUsedOfFineBound = 0.6;
 /// Where the bound is not kept: the part of what was used there that the next run may use.
-constexpr float kTighter = 0.6F;
+constexpr std::array<float, 3> kTighter{0.6F, 0.45F, 0.3F};  // in the first run, the second, …
 /// After so many runs a decision that is short of queries gets that many times as many.
 constexpr int kRunsBeforeEffort = 4;
 constexpr std::uint64_t kEffort = 16;
@@ -35,17 +39,38 @@ HausdorffBounds decide(const Trace& trace, const SimplifyOptions& options,
               .progress = options.progress});
 }
 
-/// Tightens the bound for the corners of the faces and all around them.
-void tighten(Array<float>& shares, const Mesh& input, std::span<const Face> faces) {
-  if (shares.empty()) shares.assign(input.vertex_count(), 1.0F);
+/// Adds the faces of the input that have become one with the same vertices of the result.
+std::vector<Face> with_surroundings(const Trace& trace, std::span<const Face> faces) {
+  const Mesh& after = trace.after;
   Array<bool> is_near;
-  is_near.assign(input.vertex_count(), false);
+  is_near.assign(after.vertex_count(), false);
   for (const Face f : faces) {
     for (std::uint32_t c = 0; c < 3; ++c)
-      is_near[input.origin(Mesh::halfedge(f, c)).index()] = true;
+      is_near[after.origin(Mesh::halfedge(trace.near_before[f.index()], c)).index()] = true;
+  }
+  std::vector<Face> all(faces.begin(), faces.end());
+  for (std::uint32_t f = 0; f < trace.before.face_count(); ++f) {
+    const Face near = trace.near_before[f];
+    bool is_around = true;
+    for (std::uint32_t c = 0; c < 3; ++c)
+      is_around &= is_near[after.origin(Mesh::halfedge(near, c)).index()];
+    if (is_around) all.emplace_back(f);
+  }
+  return all;
+}
+
+/// Tightens the bound for the corners of the faces and all around them.
+void tighten(Array<float>& shares, const Trace& trace, std::span<const Face> faces, float part) {
+  const Mesh& before = trace.before;
+  if (shares.empty()) shares.assign(before.vertex_count(), 1.0F);
+  Array<bool> is_near;
+  is_near.assign(before.vertex_count(), false);
+  for (const Face f : faces) {
+    for (std::uint32_t c = 0; c < 3; ++c)
+      is_near[before.origin(Mesh::halfedge(f, c)).index()] = true;
   }
   for (std::size_t v = 0; v < shares.size(); ++v) {
-    if (is_near[v]) shares[v] *= kTighter;
+    if (is_near[v]) shares[v] *= part;
   }
 }
 
@@ -71,7 +96,8 @@ Simplified simplify_certified(Mesh&& mesh, const SimplifyOptions& options) {
 Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
   const Mesh input = std::move(mesh);
   SimplifyOptions run_options = options;
-  run_options.max_error *= kUsedOfBound;
+  const bool is_fine = mesher::is_fine(input, options.max_error);
+  run_options.max_error *= is_fine ? kUsedOfFineBound : kUsedOfBound;
   Array<float> shares;
   SimplifyTimes seconds;
   std::array<std::uint64_t, kRejectionCount> rejected{};
@@ -104,9 +130,10 @@ Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
     }
     rejected = result.report.rejected;
     if (run_options.max_error <= 0.0) break;  // no tighter bound is left
-    for (Face& f : bounds.beyond)
-      f = trace.face_source[f.index()];
-    tighten(shares, input, bounds.beyond);
+    // Where faces are small it takes hardly any more of them to be on the safe side.
+    if (is_fine) bounds.beyond = with_surroundings(trace, bounds.beyond);
+    tighten(shares, trace, bounds.beyond,
+            kTighter[std::min<std::size_t>(static_cast<std::size_t>(run), kTighter.size() - 1)]);
   }
   run_options = options;
   run_options.observer = nullptr;

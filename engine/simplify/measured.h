@@ -8,8 +8,8 @@
 namespace mesher {
 
 /// One run, with the bound of the options kept step by step (if there is one) but not measured.
-/// `shares`: for each vertex which part of that bound holds around it; empty: all of it. `trace`:
-/// written, if there is one.
+/// `shares`: for each vertex, with the ids of `Trace::before`, which part of that bound holds
+/// around it; empty: all of it. `trace`: written, if there is one.
 Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options,
                                std::span<const float> shares = {}, Trace* trace = nullptr);
 

@@ -15,7 +15,6 @@ struct Trace {
   Array<Vertex> vertex_before;  ///< for each vertex after the run its id before
   Array<Face> near_before;  ///< for each face before the run one after it that is likely to be near
   Array<Face> near_after;   ///< the other way round
-  Array<Face> face_source;  ///< for each face before the run its id in the mesh of the caller
 };
 
 /// Fills in what is after the run; `before` is there, with the ids of the surface. O(F).
