@@ -18,7 +18,7 @@ bool is_fine(const Mesh& mesh, double bound) {
     const Halfedge h(i);
     sum += double{glm::distance(mesh.position(mesh.origin(h)), mesh.position(mesh.target(h)))};
   }
-  return bound * mesh.halfedge_count() < sum;
+  return 2.0 * bound * mesh.halfedge_count() < sum;
 }
 
 ErrorBound::ErrorBound(const Mesh& input, double bound, Array<float> shares)

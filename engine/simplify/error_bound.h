@@ -14,7 +14,7 @@
 
 namespace mesher {
 
-/// Whether an error bound is less than the mean side of the mesh's faces is long. O(F).
+/// Whether an error bound is less than half of the mean length of a side of the mesh's faces. O(F).
 bool is_fine(const Mesh& mesh, double bound);
 
 /// Keeps the surface within a distance of the input, both ways, collapse by collapse (after
