@@ -15,8 +15,8 @@ namespace {
 constexpr double kUsedOfBound = 0.92;
 /// The same after a run that did not keep the bound: other places stray in each run.
 constexpr double kUsedAfterFailure = 0.8;
-/// The same where the bound is fine (`is_fine`): then there are few such points between which a face
-/// may stray.
+/// The same where the bound is fine (`is_fine`): then there are few such points between which a
+/// face may stray.
 constexpr double kUsedOfFineBound = 0.6;
 /// How near to the true distance the one that is reported comes, if that is not too much work.
 constexpr double kRatioOfMeasured = 2.0;
