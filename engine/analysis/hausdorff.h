@@ -49,8 +49,9 @@ struct HausdorffOptions {
 /// A surface from which distances are measured, and where the measuring may begin.
 struct HausdorffSide {
   const Mesh& mesh;
-  const TriangleTree& tree;  ///< of the same mesh
-  /// For each vertex a face of the other surface that is likely to be near; empty: none is known.
+  LazyTree& tree;  ///< of the same mesh
+  /// For each face one of the other surface that is likely to be near; empty: none is known. With
+  /// hints for both surfaces most faces are done with before any tree is built (`skim`).
   std::span<const Face> hints{};
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "engine/core/array.h"
 #include "engine/mesh/mesh.h"
@@ -75,6 +76,23 @@ class TriangleTree {
   Array<Node> nodes_;                        ///< leaves, then the level above them, to the root
   Array<Children> children_;                 ///< of each node above the leaves
   std::uint32_t leaves_ = 0;
+};
+
+/// The tree of a mesh, built when it is first asked for. Not for several threads at once.
+class LazyTree {
+ public:
+  /// The mesh must stay. Pre: it has faces.
+  explicit LazyTree(const Mesh& mesh, TriangleOrder order = TriangleOrder::any)
+      : mesh_(mesh), order_(order) {}
+  const TriangleTree& get() {
+    if (!tree_) tree_.emplace(mesh_, order_);
+    return *tree_;
+  }
+
+ private:
+  const Mesh& mesh_;
+  TriangleOrder order_;
+  std::optional<TriangleTree> tree_;
 };
 
 }  // namespace mesher

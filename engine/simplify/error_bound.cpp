@@ -1,26 +1,89 @@
 #include "engine/simplify/error_bound.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <numeric>
 #include <utility>
 #include <vector>
 
+#include "engine/analysis/triangle_tree.h"
 #include "engine/core/parallel.h"
+#include "engine/mesh/circulators.h"
 
 namespace mesher {
 
+bool is_fine(const Mesh& mesh, double bound) {
+  double sum = 0.0;
+  for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
+    const Halfedge h(i);
+    sum += double{glm::distance(mesh.position(mesh.origin(h)), mesh.position(mesh.target(h)))};
+  }
+  return 2.0 * bound * mesh.halfedge_count() < sum;
+}
+
 ErrorBound::ErrorBound(const Mesh& input, double bound, Array<float> shares)
-    : tree_(input, TriangleOrder::by_place),
+    : input_(input),
       squared_bound_(bound * bound),
-      input_(input.positions().begin(), input.positions().end()),
       next_(input.vertex_count()),
       shares_(std::move(shares)),
       near_(input.vertex_count(), Face(0)) {
   constexpr std::size_t kGrain = 1U << 13U;
+  if (!is_fine(input, bound)) tree_.emplace(input, TriangleOrder::by_place);
   parallel_for_each(next_.size(), kGrain, [&](std::uint32_t v) {
     next_[v] = v;
     if (!input.is_isolated(Vertex(v))) near_[v] = Mesh::face(input.outgoing(Vertex(v)));
   });
+}
+
+double ErrorBound::squared_distance_to(const glm::dvec3& p, Face f) const {
+  const auto corner = [&](std::uint32_t c) {
+    return glm::dvec3(input_.position(input_.origin(Mesh::halfedge(f, c))));
+  };
+  return squared_distance(p, {corner(0), corner(1), corner(2)});
+}
+
+/// The best of a face and the three beside it.
+ErrorBound::Near ErrorBound::with_neighbors(const glm::dvec3& p, Near best,
+                                            double squared_bound) const {
+  const Face from = best.face;
+  for (std::uint32_t c = 0; c < 3 && best.squared_distance > squared_bound; ++c) {
+    const Halfedge t = input_.twin(Mesh::halfedge(from, c));
+    if (!t.is_valid()) continue;
+    const double d = squared_distance_to(p, Mesh::face(t));
+    if (d < best.squared_distance) best = {Mesh::face(t), d};
+  }
+  return best;
+}
+
+/// The best of a face and all that have a corner in common with it.
+ErrorBound::Near ErrorBound::with_all_around(const glm::dvec3& p, Near best,
+                                             double squared_bound) const {
+  constexpr int kMostSpokes = 32;
+  const Face from = best.face;
+  for (std::uint32_t c = 0; c < 3; ++c) {
+    int spokes = 0;
+    for (const Halfedge h : halfedges_around(input_, input_.origin(Mesh::halfedge(from, c)))) {
+      if (best.squared_distance <= squared_bound || ++spokes > kMostSpokes) break;
+      const double d = squared_distance_to(p, Mesh::face(h));
+      if (d < best.squared_distance) best = {Mesh::face(h), d};
+    }
+  }
+  return best;
+}
+
+/// Goes from face to face as long as that leads nearer.
+ErrorBound::Near ErrorBound::walk(const glm::dvec3& p, Face from, double squared_bound) const {
+  constexpr int kMostSteps = 64;
+  Near best{from, squared_distance_to(p, from)};
+  for (int step = 0; step < kMostSteps && best.squared_distance > squared_bound; ++step) {
+    const Face before = best.face;
+    best = with_neighbors(p, best, squared_bound);
+    if (best.face == before) best = with_all_around(p, best, squared_bound);
+    if (best.face == before) break;
+  }
+  if (best.squared_distance <= squared_bound || !tree_) return best;
+  const TriangleTree::Nearest hit = tree_->nearest_beyond(p, best.face, squared_bound);
+  return {hit.face, hit.squared_distance};
 }
 
 bool ErrorBound::allows(const Surface& surface, Vertex removed, Vertex kept, const Fan& fan,
@@ -29,10 +92,7 @@ bool ErrorBound::allows(const Surface& surface, Vertex removed, Vertex kept, con
   const double share = this->share(removed, kept);
   const double squared_bound = share * share * squared_bound_;
   const glm::dvec3 center(p);
-  const auto near_input = [&](const glm::dvec3& q, Face hint) {
-    return tree_.nearest_beyond(q, hint, squared_bound);
-  };
-  const TriangleTree::Nearest below = near_input(center, near_[kept.index()]);
+  const Near below = walk(center, near_[kept.index()], squared_bound);
   if (below.squared_distance > squared_bound) return false;
   thread_local std::vector<std::array<glm::dvec3, 3>> faces;
   faces.resize(fan.size());
@@ -45,7 +105,7 @@ bool ErrorBound::allows(const Surface& surface, Vertex removed, Vertex kept, con
   }
   Face hint = below.face;
   const auto is_near = [&](const glm::dvec3& q) {
-    const TriangleTree::Nearest hit = near_input(q, hint);
+    const Near hit = walk(q, hint, squared_bound);
     hint = hit.face;
     return hit.squared_distance <= squared_bound;
   };
@@ -73,7 +133,7 @@ bool ErrorBound::reaches_all(Vertex v, std::span<const std::array<glm::dvec3, 3>
   };
   std::uint32_t i = v.index();
   do {
-    if (!is_reached(input_[i])) return false;
+    if (!is_reached(input_.position(Vertex(i)))) return false;
     i = next_[i];
   } while (i != v.index());
   return true;
@@ -82,7 +142,7 @@ bool ErrorBound::reaches_all(Vertex v, std::span<const std::array<glm::dvec3, 3>
 void ErrorBound::collapsed(Vertex removed, Vertex kept, const glm::vec3& p) {
   // Two rings become one.
   std::swap(next_[removed.index()], next_[kept.index()]);
-  near_[kept.index()] = tree_.nearest_beyond(p, near_[kept.index()], squared_bound_).face;
+  near_[kept.index()] = walk(p, near_[kept.index()], squared_bound_).face;
   if (!shares_.empty()) {
     shares_[kept.index()] = std::min(shares_[removed.index()], shares_[kept.index()]);
   }

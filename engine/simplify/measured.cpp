@@ -3,46 +3,89 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <optional>
 
 #include "engine/analysis/hausdorff.h"
+#include "engine/simplify/error_bound.h"
 
 namespace mesher {
 namespace {
 
 /// Part of the bound that collapses may use: what strays between the points that they look at takes
 /// the rest, and a distance that is not too near the bound is quicker to decide upon.
-constexpr double kUsedOfBound = 0.9;
+constexpr double kUsedOfBound = 0.92;
+/// The same after a run that did not keep the bound: other places stray in each run.
+constexpr double kUsedAfterFailure = 0.8;
+/// The same where the bound is fine (`is_fine`): then there are few such points between which a
+/// face may stray.
+constexpr double kUsedOfFineBound = 0.6;
+/// How near to the true distance the one that is reported comes, if that is not too much work.
+constexpr double kRatioOfMeasured = 2.0;
 /// Where the bound is not kept: the part of what was used there that the next run may use.
-constexpr float kTighter = 0.6F;
+constexpr std::array<float, 3> kTighter{0.6F, 0.45F, 0.3F};  // in the first run, the second, …
 /// After so many runs a decision that is short of queries gets that many times as many.
 constexpr int kRunsBeforeEffort = 4;
 constexpr std::uint64_t kEffort = 16;
 
-HausdorffBounds decide(const HausdorffSide& input, const Mesh& result,
-                       const SimplifyOptions& options, std::uint64_t effort = 1) {
-  const TriangleTree tree(result);
-  return hausdorff_bounds(
-      input, {result, tree},
-      {.enough = options.max_error,
-       .is_decision = true,
-       .most_queries = effort * (500'000 + 20 * std::uint64_t{input.mesh.face_count()}),
-       .finds_all = true,
-       .progress = options.progress});
+HausdorffBounds bounds_of(const Trace& trace, const HausdorffOptions& options) {
+  LazyTree before(trace.before, TriangleOrder::by_place);
+  LazyTree after(trace.after, TriangleOrder::by_place);
+  return hausdorff_bounds({trace.before, before, trace.near_before},
+                          {trace.after, after, trace.near_after}, options);
+}
+
+HausdorffBounds decide(const Trace& trace, const SimplifyOptions& options,
+                       std::uint64_t effort = 1) {
+  return bounds_of(
+      trace, {.enough = options.max_error,
+              .is_decision = true,
+              .most_queries = effort * (500'000 + 20 * std::uint64_t{trace.before.face_count()}),
+              .finds_all = true,
+              .progress = options.progress});
+}
+
+/// Adds the faces of the input that have become one with the same vertices of the result.
+std::vector<Face> with_surroundings(const Trace& trace, std::span<const Face> faces) {
+  const Mesh& after = trace.after;
+  Array<bool> is_near;
+  is_near.assign(after.vertex_count(), false);
+  for (const Face f : faces) {
+    for (std::uint32_t c = 0; c < 3; ++c)
+      is_near[after.origin(Mesh::halfedge(trace.near_before[f.index()], c)).index()] = true;
+  }
+  std::vector<Face> all(faces.begin(), faces.end());
+  for (std::uint32_t f = 0; f < trace.before.face_count(); ++f) {
+    const Face near = trace.near_before[f];
+    bool is_around = true;
+    for (std::uint32_t c = 0; c < 3; ++c)
+      is_around &= is_near[after.origin(Mesh::halfedge(near, c)).index()];
+    if (is_around) all.emplace_back(f);
+  }
+  return all;
 }
 
 /// Tightens the bound for the corners of the faces and all around them.
-void tighten(Array<float>& shares, const Mesh& input, std::span<const Face> faces) {
-  if (shares.empty()) shares.assign(input.vertex_count(), 1.0F);
+void tighten(Array<float>& shares, const Trace& trace, std::span<const Face> faces, float part) {
+  const Mesh& before = trace.before;
+  if (shares.empty()) shares.assign(before.vertex_count(), 1.0F);
   Array<bool> is_near;
-  is_near.assign(input.vertex_count(), false);
+  is_near.assign(before.vertex_count(), false);
   for (const Face f : faces) {
     for (std::uint32_t c = 0; c < 3; ++c)
-      is_near[input.origin(Mesh::halfedge(f, c)).index()] = true;
+      is_near[before.origin(Mesh::halfedge(f, c)).index()] = true;
   }
   for (std::size_t v = 0; v < shares.size(); ++v) {
-    if (is_near[v]) shares[v] *= kTighter;
+    if (is_near[v]) shares[v] *= part;
   }
+}
+
+/// How far the surfaces are apart, once it is known that it is not too far: a decision finds out no
+/// more than that.
+DistanceInterval measure(const Trace& trace, const SimplifyOptions& options) {
+  if (trace.before.face_count() == 0 || trace.after.face_count() == 0) return {};
+  return bounds_of(trace, {.ratio = kRatioOfMeasured,
+                           .most_queries = trace.before.face_count(),
+                           .progress = options.progress})
+      .two_sided();
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -52,14 +95,12 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 Simplified simplify_certified(Mesh&& mesh, const SimplifyOptions& options) {
-  const Mesh input = std::move(mesh);
-  Simplified result = simplify_unmeasured(Mesh(input), options);
+  Trace trace;
+  Simplified result = simplify_unmeasured(std::move(mesh), options, {}, &trace);
   const auto start = std::chrono::steady_clock::now();
   DistanceInterval distance;
   if (result.mesh.face_count() > 0) {
-    distance =
-        hausdorff_bounds(input, result.mesh, {.ratio = kBoundRatio, .progress = options.progress})
-            .two_sided();
+    distance = bounds_of(trace, {.ratio = kBoundRatio, .progress = options.progress}).two_sided();
   }
   result.report.certified_bound = distance.upper;
   result.report.seconds.measure = seconds_since(start);
@@ -68,25 +109,25 @@ Simplified simplify_certified(Mesh&& mesh, const SimplifyOptions& options) {
 
 Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
   const Mesh input = std::move(mesh);
-  std::optional<TriangleTree> tree;
   SimplifyOptions run_options = options;
-  run_options.max_error *= kUsedOfBound;
+  const bool is_fine = mesher::is_fine(input, options.max_error);
+  run_options.max_error *= is_fine ? kUsedOfFineBound : kUsedOfBound;
   Array<float> shares;
   SimplifyTimes seconds;
   std::array<std::uint64_t, kRejectionCount> rejected{};
   for (int run = 0; run < kMaxRuns; ++run) {
     CollapseRecorder recorder;
     run_options.observer = options.observer == nullptr ? nullptr : &recorder;
-    Simplified result = simplify_unmeasured(Mesh(input), run_options, shares);
+    Trace trace;
+    Simplified result = simplify_unmeasured(Mesh(input), run_options, shares, &trace);
     const auto start = std::chrono::steady_clock::now();
     HausdorffBounds bounds;
     if (input.face_count() > 0 && result.mesh.face_count() > 0) {
-      if (!tree) tree.emplace(input);
-      bounds = decide({input, *tree}, result.mesh, options);
+      bounds = decide(trace, options);
       // No point beyond is known: then it is worth more work.
       const auto [lower, upper] = bounds.two_sided();
       if (run >= kRunsBeforeEffort && lower <= options.max_error && upper > options.max_error) {
-        bounds = decide({input, *tree}, result.mesh, options, kEffort);
+        bounds = decide(trace, options, kEffort);
       }
     }
     seconds.prepare += result.report.seconds.prepare;
@@ -96,14 +137,21 @@ Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
     const auto [lower, upper] = bounds.two_sided();
     if (upper <= options.max_error) {
       if (options.observer != nullptr) options.observer->collapsed(recorder.records());
-      result.report.measured_error = lower;
-      result.report.certified_bound = upper;
+      const auto again = std::chrono::steady_clock::now();
+      const DistanceInterval distance = measure(trace, options);
+      seconds.measure += seconds_since(again);
+      result.report.measured_error = std::max(lower, distance.lower);
+      result.report.certified_bound = std::min(upper, distance.upper);
       result.report.seconds = seconds;
       return result;
     }
     rejected = result.report.rejected;
+    if (!is_fine) run_options.max_error = kUsedAfterFailure * options.max_error;
     if (run_options.max_error <= 0.0) break;  // no tighter bound is left
-    tighten(shares, input, bounds.beyond);
+    // Where faces are small it takes hardly any more of them to be on the safe side.
+    if (is_fine) bounds.beyond = with_surroundings(trace, bounds.beyond);
+    tighten(shares, trace, bounds.beyond,
+            kTighter[std::min<std::size_t>(static_cast<std::size_t>(run), kTighter.size() - 1)]);
   }
   run_options = options;
   run_options.observer = nullptr;

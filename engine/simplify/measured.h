@@ -3,13 +3,15 @@
 #include <span>
 
 #include "engine/simplify/simplify.h"
+#include "engine/simplify/trace.h"
 
 namespace mesher {
 
 /// One run, with the bound of the options kept step by step (if there is one) but not measured.
-/// `shares`: for each vertex which part of that bound holds around it; empty: all of it.
+/// `shares`: for each vertex, with the ids of `Trace::before`, which part of that bound holds
+/// around it; empty: all of it. `trace`: written, if there is one.
 Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options,
-                               std::span<const float> shares = {});
+                               std::span<const float> shares = {}, Trace* trace = nullptr);
 
 /// One run, and a certified bound for the distance between input and result.
 Simplified simplify_certified(Mesh&& mesh, const SimplifyOptions& options);

@@ -165,6 +165,15 @@ Array<Face> faces_left(const Surface& surface) {
   return left;
 }
 
+void finish(const Rounds& rounds, const Units& units, Trace& trace) {
+  mesher::trace(rounds.surface(), trace);
+  if (units.scale() == 1.0F) return;
+  for (std::uint32_t v = 0; v < trace.after.vertex_count(); ++v) {
+    const glm::vec3& scaled = trace.after.position(Vertex(v));
+    trace.after.set_position(Vertex(v), units.original(trace.vertex_before[v], scaled));
+  }
+}
+
 Simplified finish(const Rounds& rounds, const Reordered& order, const Units& units,
                   const SimplifyOptions& options) {
   const KeptIds kept{in_order(order.vertex_source, options.order, rounds.vertices_left()),
@@ -187,7 +196,7 @@ Simplified finish(const Rounds& rounds, const Reordered& order, const Units& uni
 }  // namespace
 
 Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options,
-                               std::span<const float> shares) {
+                               std::span<const float> shares, Trace* trace) {
   Stopwatch watch;
   SimplifyTimes seconds;
   begin_stage(options.progress, "preparing");
@@ -199,18 +208,17 @@ Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options,
                         .vertices_before = mesh.vertex_count()};
   Reordered order = reorder_by_place(mesh);
   mesh = Mesh{};
+  if (trace != nullptr) trace->before = order.mesh;
   const Units units(order.mesh);
-  Array<float> shares_in_order;
-  for (std::size_t v = 0; v < shares.size(); ++v)
-    shares_in_order.push_back(shares[order.vertex_source[v].index()]);
   Rounds rounds(std::move(order.mesh), units.scale(), observed, Translator(order, units),
-                std::move(shares_in_order));
+                Array<float>(shares.begin(), shares.end()));
   seconds.prepare = watch.lap();
   begin_stage(options.progress, "simplifying");
   rounds.run(report);
   seconds.collapse = watch.lap();
   Simplified result = finish(rounds, order, units, options);
   bow_ties.finish(result);
+  if (trace != nullptr) finish(rounds, units, *trace);
   seconds.finish = watch.lap();
   report.faces_reached = result.mesh.face_count();
   report.vertices_reached = result.mesh.vertex_count();

@@ -19,9 +19,14 @@ void examine(const std::filesystem::path& file) {
   for (const double part : {0.5, 0.1, 0.01}) {
     SCOPED_TRACE(file.filename().string() + " to " + std::to_string(part));
     const auto target = static_cast<std::uint32_t>(part * mesh.face_count());
-    const Mesh after = simplify(Mesh(mesh), {.target_faces = std::max(target, 4U)}).mesh;
+    const Simplified result =
+        simplify(Mesh(mesh), {.target_faces = std::max(target, 4U), .certifies = true});
+    const Mesh& after = result.mesh;
     const SurfaceDistance sampled = surface_distance(mesh, after, {.samples = 200'000});
     const double diagonal = bounding_box(mesh).diagonal();
+    const double certified = result.report.certified_bound;
+    EXPECT_GE(certified, sampled.two_sided().max - 1e-12 * diagonal);
+    EXPECT_LE(certified, kBoundRatio * hausdorff_bounds(mesh, after).two_sided().upper);
     for (const double ratio : {1.1, 3.0}) {
       const HausdorffBounds bounds = hausdorff_bounds(mesh, after, {.ratio = ratio});
       // Samples are rounded, too.

@@ -180,13 +180,63 @@ TEST(HausdorffBounds, StayHonestWhereTheWorkIsLimited) {
 TEST(HausdorffBounds, UseHintsWithoutDependingOnThem) {
   const Mesh a = built(torus(60, 30)).mesh;
   const Mesh b = built(torus(20, 10)).mesh;
-  const TriangleTree tree_a(a);
-  const TriangleTree tree_b(b);
-  const std::vector<Face> hints(a.vertex_count(), Face(7));  // far from most
-  const HausdorffBounds with = hausdorff_bounds({a, tree_a, hints}, {b, tree_b}, {.ratio = 1.05});
-  const HausdorffBounds without = hausdorff_bounds(a, b, {.ratio = 1.05});
-  EXPECT_NEAR(with.two_sided().lower, without.two_sided().lower, 0.05 * with.two_sided().lower);
-  EXPECT_LE(with.two_sided().upper, 1.05 * with.two_sided().lower * (1 + 1e-9));
+  LazyTree tree_a(a);
+  LazyTree tree_b(b);
+  const std::vector<Face> hints_a(a.face_count(), Face(7));  // far from most
+  const std::vector<Face> hints_b(b.face_count(), Face(7));
+  for (const double ratio : {1.05, 3.0}) {
+    const HausdorffBounds with =
+        hausdorff_bounds({a, tree_a, hints_a}, {b, tree_b, hints_b}, {.ratio = ratio});
+    const DistanceInterval exact = hausdorff_bounds(a, b, {.ratio = 1.001}).two_sided();
+    const auto [lower, upper] = with.two_sided();
+    EXPECT_LE(lower, exact.upper);
+    EXPECT_GE(upper, exact.lower);
+    EXPECT_LE(upper, ratio * lower * (1 + 1e-9));
+  }
+}
+
+TEST(HausdorffBounds, DecideWithHintsAsWithout) {
+  const Mesh a = built(torus(60, 30)).mesh;
+  const Mesh b = built(torus(20, 10)).mesh;
+  const DistanceInterval distance = hausdorff_bounds(a, b, {.ratio = 1.001}).two_sided();
+  LazyTree tree_a(a);
+  LazyTree tree_b(b);
+  const std::vector<Face> hints_a(a.face_count(), Face(0));
+  const std::vector<Face> hints_b(b.face_count(), Face(0));
+  for (const double factor : {0.5, 0.9, 0.998, 1.002, 1.1, 2.0}) {
+    const double enough = factor * (factor < 1.0 ? distance.lower : distance.upper);
+    const HausdorffBounds bounds =
+        hausdorff_bounds({a, tree_a, hints_a}, {b, tree_b, hints_b},
+                         {.enough = enough, .is_decision = true, .finds_all = true});
+    EXPECT_EQ(bounds.two_sided().upper <= enough, factor > 1.0) << factor;
+    EXPECT_EQ(bounds.beyond.empty(), factor > 1.0) << factor;
+  }
+}
+
+TEST(HausdorffBounds, HoldWithAnyHintsForRandomSoups) {
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    const Mesh a = built(random_soup(seed)).mesh;
+    const Mesh b = built(random_soup(seed + 1000)).mesh;
+    if (a.face_count() == 0 || b.face_count() == 0) continue;
+    std::mt19937 random(seed);
+    const auto hints = [&](const Mesh& from, const Mesh& to) {
+      std::vector<Face> result;
+      for (std::uint32_t f = 0; f < from.face_count(); ++f)
+        result.emplace_back(static_cast<std::uint32_t>(random() % to.face_count()));
+      return result;
+    };
+    const std::vector<Face> hints_a = hints(a, b);
+    const std::vector<Face> hints_b = hints(b, a);
+    LazyTree tree_a(a);
+    LazyTree tree_b(b);
+    const HausdorffBounds bounds =
+        hausdorff_bounds({a, tree_a, hints_a}, {b, tree_b, hints_b}, {.ratio = 3.0});
+    const SurfaceDistance sampled = surface_distance(a, b, {.samples = 20'000});
+    EXPECT_GE(bounds.forward.upper, sampled.forward.max);
+    EXPECT_GE(bounds.backward.upper, sampled.backward.max);
+    EXPECT_LE(bounds.two_sided().lower, 1.5 * sampled.two_sided().max);
+  }
 }
 
 TEST(HausdorffBounds, StopWhenCancelled) {

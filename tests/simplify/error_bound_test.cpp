@@ -134,6 +134,32 @@ TEST(CertifiedBound, LiesBetweenSamplesAndItsRatioTimesTheDistance) {
   }
 }
 
+// The run works in other units.
+TEST(CertifiedBound, HoldsForTinyAndHugeModels) {
+  for (const float scale : {1e-30F, 1e-6F, 1e20F}) {
+    Soup soup = grid(40);
+    for (glm::vec3& p : soup.positions)
+      p = scale * glm::vec3(p.x, p.y, std::sin(0.35F * p.x) * std::cos(0.2F * p.y));
+    const Mesh mesh = built(std::move(soup)).mesh;
+    const Simplified result = simplify(Mesh(mesh), {.target_faces = 400, .certifies = true});
+    const double sampled = surface_distance(mesh, result.mesh, {.samples = 50'000}).two_sided().max;
+    EXPECT_GE(result.report.certified_bound, sampled) << scale;
+    EXPECT_LE(result.report.certified_bound, 1.5 * kBoundRatio * sampled) << scale;
+  }
+}
+
+TEST(CertifiedBound, IsTheSameForAnyNumberOfThreads) {
+  const Mesh mesh = built(torus(120, 60)).mesh;
+  std::vector<double> bounds;
+  for (const unsigned threads : {1U, 2U, 4U}) {
+    const ThreadLimit limit(threads);
+    const Simplified result = simplify(Mesh(mesh), {.target_faces = 2'000, .certifies = true});
+    bounds.push_back(result.report.certified_bound);
+  }
+  EXPECT_EQ(bounds[0], bounds[1]);
+  EXPECT_EQ(bounds[0], bounds[2]);
+}
+
 TEST(CertifiedBound, IsNotFoundUnlessAskedFor) {
   const Mesh mesh = wavy_sheet(10);
   EXPECT_LT(simplify(Mesh(mesh), {.target_faces = 50}).report.certified_bound, 0.0);

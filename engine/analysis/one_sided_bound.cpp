@@ -1,0 +1,377 @@
+// The branch and bound of `hausdorff_bounds`, and what is looked at before it.
+#include "engine/analysis/one_sided_bound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "engine/core/parallel.h"
+#include "engine/mesh/circulators.h"
+
+namespace mesher {
+namespace {
+
+constexpr std::size_t kVerticesPerChunk = 1024;
+constexpr std::size_t kFacesPerChunk = 512;
+constexpr std::size_t kPiecesPerChunk = 256;
+/// Pieces that are worked on between two looks at the lower bound, and splits of each.
+constexpr std::size_t kPiecesPerWave = 1U << 15U;
+constexpr std::size_t kMostOpen = 1U << 20U;  // 140 bytes each
+constexpr int kSplitsOfFace = 3;
+constexpr int kSplitsOfPiece = 16;
+constexpr std::uint8_t kMostCuts = 12;
+constexpr double kFlat = 32.0;
+/// Vertices of which the first guess at the distance is taken.
+constexpr std::size_t kProbes = 512;
+constexpr int kMostSpokes = 16;
+
+/// Where a side of a piece is split.
+struct Split {
+  std::size_t from;  ///< corner
+  std::size_t to;
+  double part;  ///< of the way
+};
+
+glm::dvec3 corner(const Mesh& mesh, std::uint32_t face, std::uint32_t c) {
+  return mesh.position(mesh.origin(Mesh::halfedge(Face(face), c)));
+}
+
+/// Where the piece crosses a plane through a side of the triangle and its normal, if it does.
+std::optional<Split> crossing(const Triangle& piece, const Triangle& t) {
+  constexpr double kOnIt = 1e-9;  // of the length of the side
+  const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+  for (std::size_t side = 0; side < 3; ++side) {
+    const glm::dvec3 along = t[(side + 1) % 3] - t[side];
+    const glm::dvec3 inward = glm::cross(normal, along);
+    const double least = kOnIt * glm::length(inward) * glm::length(along);
+    std::array<double, 3> inside;
+    for (std::size_t c = 0; c < 3; ++c)
+      inside[c] = glm::dot(inward, piece[c] - t[side]);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t next = (c + 1) % 3;
+      if (std::max(inside[c], inside[next]) > least && std::min(inside[c], inside[next]) < -least) {
+        return Split{c, next, inside[c] / (inside[c] - inside[next])};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+/// The distance (not its square) of a point that may be `off` the surface by rounding.
+TriangleTree::Nearest OneSidedBound::query(const glm::dvec3& p, Face hint,
+                                           const BoundLimits& limits, BoundOutcome& outcome,
+                                           double off) const {
+  TriangleTree::Nearest hit = to_->nearest_beyond(p, hint, limits.near * limits.near);
+  hit.squared_distance = std::sqrt(hit.squared_distance);
+  // Nearer ones need not be exact, and would not raise the bound.
+  if (hit.squared_distance > limits.near) {
+    outcome.lower = std::max(outcome.lower, hit.squared_distance - off);
+  }
+  ++outcome.queries;
+  return hit;
+}
+
+void OneSidedBound::note(const BoundOutcome& outcome) {
+  lower_ = std::max(lower_, outcome.lower);
+  upper_ = std::max(upper_, outcome.upper);
+  queries_ += outcome.queries;
+  open_.insert(open_.end(), outcome.open.begin(), outcome.open.end());
+  beyond_.insert(beyond_.end(), outcome.beyond.begin(), outcome.beyond.end());
+}
+
+/// A face of the other surface that is likely to be near a vertex.
+Face OneSidedBound::hint(Vertex v, Face otherwise) const {
+  return hints_.empty() ? otherwise : hints_[Mesh::face(mesh_.outgoing(v)).index()];
+}
+
+void OneSidedBound::probe() {
+  to_ = &lazy_tree_.get();
+  const std::size_t step = std::max<std::size_t>(1, mesh_.face_count() / kProbes);
+  BoundOutcome outcome;
+  Face near(0);
+  for (std::size_t f = 0; f < mesh_.face_count(); f += step) {
+    const Vertex v = mesh_.origin(Mesh::halfedge(Face(static_cast<std::uint32_t>(f))));
+    near = query(mesh_.position(v), hint(v, near), {}, outcome).face;
+  }
+  note(outcome);
+}
+
+/// Whether the hint, or a face at the corner of it that is nearest, is no farther than `enough`
+/// (squared) from a point.
+bool OneSidedBound::is_near_hint(const glm::dvec3& p, Face near, double enough) const {
+  const auto is_near = [&](Face f) {
+    return squared_distance(p, {corner(to_mesh_, f.index(), 0), corner(to_mesh_, f.index(), 1),
+                                corner(to_mesh_, f.index(), 2)}) <= enough;
+  };
+  if (is_near(near)) return true;
+  const auto farness = [&](std::uint32_t c) {
+    const glm::dvec3 q = corner(to_mesh_, near.index(), c) - p;
+    return glm::dot(q, q);
+  };
+  std::uint32_t nearest = farness(0) < farness(1) ? 0 : 1;
+  if (farness(2) < farness(nearest)) nearest = 2;
+  const Vertex v = to_mesh_.origin(Mesh::halfedge(near, nearest));
+  int spokes = 0;
+  for (const Halfedge h : halfedges_around(to_mesh_, v)) {
+    if (++spokes > kMostSpokes) break;
+    if (is_near(Mesh::face(h))) return true;
+  }
+  return false;
+}
+
+void OneSidedBound::find_farthest_vertex(Progress* progress) {
+  to_ = &lazy_tree_.get();
+  const std::size_t n = mesh_.vertex_count();
+  const auto look_at = [&](std::size_t i, BoundOutcome& outcome) {
+    const Vertex v(static_cast<std::uint32_t>(i));
+    if (mesh_.is_isolated(v)) return;
+    // What is no farther than another one does not matter.
+    const double near = outcome.lower;
+    const Face hint = this->hint(v, {});
+    if (is_near_hint(mesh_.position(v), hint, near * near)) return;
+    query(mesh_.position(v), hint, {.near = near, .allowed = 0.0}, outcome);
+  };
+  BoundOutcome first;
+  for (std::size_t i = 0; i < n; i += n / kProbes + 1)
+    look_at(i, first);
+  note(first);
+  std::vector<BoundOutcome> outcomes(chunk_count(n, kVerticesPerChunk));
+  parallel_chunks(n, kVerticesPerChunk, progress, [&](std::size_t chunk, IndexRange range) {
+    outcomes[chunk].lower = lower_;
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      look_at(i, outcomes[chunk]);
+  });
+  for (const BoundOutcome& outcome : outcomes)
+    note(outcome);
+  is_near_.assign(n, 1);
+  near_distance_ = lower_;
+}
+
+void OneSidedBound::find_near_vertices(double distance, Progress* progress) {
+  near_distance_ = distance;
+  const std::size_t n = mesh_.vertex_count();
+  is_near_.assign(n, 0);
+  parallel_chunks(n, kVerticesPerChunk, progress, [&](std::size_t, IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const Vertex v(static_cast<std::uint32_t>(i));
+      if (mesh_.is_isolated(v)) continue;
+      const bool is_near = is_near_hint(mesh_.position(v), hint(v, {}), distance * distance);
+      is_near_[i] = is_near ? 1 : 0;
+    }
+  });
+}
+
+void OneSidedBound::skim_faces(const BoundLimits& limits, Progress* progress) {
+  const SkimInput input{.from = mesh_,
+                        .to = to_mesh_,
+                        .hints = hints_,
+                        .is_near = is_near_,
+                        .near = near_distance_,
+                        .rounding = rounding_};
+  Skimmed skimmed = skim(input, limits.allowed, progress);
+  upper_ = std::max(upper_, skimmed.upper);
+  unclear_ = std::move(skimmed.unclear);
+}
+
+void OneSidedBound::measure_vertices(const BoundLimits& limits, Progress* progress) {
+  if (unclear_ && unclear_->empty()) return;
+  to_ = &lazy_tree_.get();
+  const std::size_t n = mesh_.vertex_count();
+  distance_.resize(n);
+  near_.resize(n);
+  Array<bool> is_needed;
+  if (unclear_) {
+    is_needed.assign(n, false);
+    for (const auto& [face, upper] : *unclear_) {
+      for (std::uint32_t c = 0; c < 3; ++c)
+        is_needed[mesh_.origin(Mesh::halfedge(face, c)).index()] = true;
+    }
+  }
+  std::vector<BoundOutcome> outcomes(chunk_count(n, kVerticesPerChunk));
+  parallel_chunks(n, kVerticesPerChunk, progress, [&](std::size_t chunk, IndexRange range) {
+    Face near(0);
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const Vertex v(static_cast<std::uint32_t>(i));
+      if (mesh_.is_isolated(v) || (unclear_ && !is_needed[i])) continue;
+      const TriangleTree::Nearest hit =
+          query(mesh_.position(v), hint(v, near), limits, outcomes[chunk]);
+      distance_[i] = hit.squared_distance;
+      near_[i] = near = hit.face;
+    }
+  });
+  for (const BoundOutcome& outcome : outcomes)
+    note(outcome);
+}
+
+BoundPiece OneSidedBound::piece_of(std::uint32_t face) const {
+  BoundPiece piece;
+  piece.face = Face(face);
+  for (std::uint32_t c = 0; c < 3; ++c) {
+    const std::uint32_t v = mesh_.origin(Mesh::halfedge(Face(face), c)).index();
+    piece.corners[c] = corner(mesh_, face, c);
+    piece.distance[c] = distance_[v];
+    piece.near[c] = near_[v];
+  }
+  return piece;
+}
+
+/// The largest distance from the corners to one triangle, the best of those that are near the
+/// piece; or `least`, if that is less.
+double OneSidedBound::bound_by_triangles(const BoundPiece& piece, double least) const {
+  const std::array<Face, 4> near{piece.near[0], piece.near[1], piece.near[2], piece.below};
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    if (!near[i].is_valid() || std::find(&near[0], &near[i], near[i]) != &near[i]) continue;
+    const Triangle triangle = to_->triangle(near[i]);
+    double most = 0.0;
+    for (std::size_t c = 0; c < 3 && most < least; ++c) {
+      const double d = piece.near[c] == near[i]
+                           ? piece.distance[c]
+                           : std::sqrt(squared_distance(piece.corners[c], triangle));
+      most = std::max(most, d);
+    }
+    least = std::min(least, most);
+  }
+  return least;
+}
+
+/// A computed bound, and what rounding may have taken from it. Nothing where both triangles are the
+/// same to the last bit.
+double OneSidedBound::certified(const BoundPiece& piece, double computed) const {
+  if (computed == 0.0) {
+    for (const Face f : {piece.near[0], piece.near[1], piece.near[2], piece.below}) {
+      if (!f.is_valid()) continue;
+      const Triangle near = to_->triangle(f);
+      const auto is_corner = [&](const glm::dvec3& p) {
+        return std::find(near.begin(), near.end(), p) != near.end();
+      };
+      if (std::all_of(piece.corners.begin(), piece.corners.end(), is_corner)) return 0.0;
+    }
+  }
+  return computed * (1.0 + 1e-12) + rounding_;
+}
+
+/// A bound for all points of a piece; not the best, where a simpler one is good enough.
+double OneSidedBound::bound(const BoundPiece& piece, const Sides& sides, double allowed) const {
+  const double farthest = std::max({piece.distance[0], piece.distance[1], piece.distance[2]});
+  const double by_corners = farthest + reach(sides);
+  const double simple = certified(piece, by_corners);
+  if (simple <= allowed) return simple;
+  return certified(piece, bound_by_triangles(piece, by_corners));
+}
+
+/// Splits a piece, and its parts, until all are done with or the number of splits is used up.
+void OneSidedBound::split_up(const BoundPiece& whole, int splits, const BoundLimits& limits,
+                             BoundOutcome& outcome) const {
+  std::array<BoundPiece, kSplitsOfPiece + 1> stack;
+  stack[0] = whole;
+  for (std::size_t size = 1; size > 0;) {
+    BoundPiece& piece = stack[size - 1];
+    const Sides sides = squared_sides(piece.corners);
+    piece.upper = bound(piece, sides, limits.allowed);
+    const double farthest = std::max({piece.distance[0], piece.distance[1], piece.distance[2]});
+    const double longest_side = std::sqrt(std::max({sides[0], sides[1], sides[2]}));
+    // Flat: halving would follow the sides of the triangles below down to the distance allowed.
+    // Cut along them, what lies over one of them is bounded exactly. Not too often, though: slivers
+    // would follow.
+    const bool is_cut = piece.upper > limits.allowed && piece.cuts < kMostCuts &&
+                        farthest < limits.allowed && longest_side > kFlat * limits.allowed;
+    // The triangle below the middle bounds it exactly where it covers the whole piece. (It may be
+    // the same one, and the distance no more than rounding.)
+    const bool is_unclear = piece.upper > limits.allowed || piece.upper <= 2.0 * rounding_;
+    if (is_cut || (is_unclear && piece.upper > 0.0 && !piece.below.is_valid())) {
+      const glm::dvec3 middle = (piece.corners[0] + piece.corners[1] + piece.corners[2]) / 3.0;
+      piece.below = query(middle, piece.near[0], limits, outcome, rounding_).face;
+      piece.upper = std::min(piece.upper, bound(piece, sides, limits.allowed));
+    }
+    // Smaller ones than that cannot be told apart.
+    if (piece.upper <= limits.allowed || longest_side <= rounding_) {
+      outcome.upper = std::max(outcome.upper, piece.upper);
+      --size;
+      continue;
+    }
+    if (farthest > limits.beyond) {
+      outcome.beyond.push_back(piece);
+      --size;
+      continue;
+    }
+    if (splits-- <= 0) {
+      outcome.open.push_back(piece);
+      --size;
+      continue;
+    }
+    const auto longest =
+        static_cast<std::size_t>(std::max_element(sides.begin(), sides.end()) - sides.begin());
+    Split split{longest, (longest + 1) % 3, 0.5};
+    if (is_cut) {
+      const Triangle below = to_->triangle(piece.below);
+      const Sides there = squared_sides(below);
+      // A piece over many triangles is halved first.
+      if (sides[longest] < 4.0 * std::max({there[0], there[1], there[2]})) {
+        split = crossing(piece.corners, below).value_or(split);
+        ++piece.cuts;
+      }
+    }
+    const auto [from, to, part] = split;
+    const glm::dvec3 p = piece.corners[from] + part * (piece.corners[to] - piece.corners[from]);
+    const TriangleTree::Nearest hit = query(p, piece.near[from], limits, outcome, rounding_);
+    BoundPiece& other = stack[size++];
+    other = piece;
+    for (const auto& [half, end] : {std::pair(&piece, from), std::pair(&other, to)}) {
+      half->corners[end] = p;
+      half->distance[end] = hit.squared_distance;
+      half->near[end] = hit.face;
+    }
+  }
+}
+
+void OneSidedBound::refine(const BoundLimits& limits, Progress* progress) {
+  if (!is_begun_) return begin_faces(limits, progress);
+  const auto count = static_cast<std::ptrdiff_t>(std::min(open_.size(), kPiecesPerWave));
+  // First come, first served, so that all are looked at where the work is limited; the last first
+  // where there are too many to keep.
+  const auto first = open_.size() < kMostOpen ? open_.begin() : open_.end() - count;
+  const std::vector<BoundPiece> wave(first, first + count);
+  open_.erase(first, first + count);
+  std::vector<BoundOutcome> outcomes(chunk_count(wave.size(), kPiecesPerChunk));
+  parallel_chunks(wave.size(), kPiecesPerChunk, progress, [&](std::size_t chunk, IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      split_up(wave[i], kSplitsOfPiece, limits, outcomes[chunk]);
+  });
+  for (const BoundOutcome& outcome : outcomes)
+    note(outcome);
+}
+
+void OneSidedBound::begin_faces(const BoundLimits& limits, Progress* progress) {
+  is_begun_ = true;
+  const std::size_t n = unclear_ ? unclear_->size() : mesh_.face_count();
+  std::vector<BoundOutcome> outcomes(chunk_count(n, kFacesPerChunk));
+  parallel_chunks(n, kFacesPerChunk, progress, [&](std::size_t chunk, IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      // What is allowed may have grown since the face was skimmed.
+      const Skimmed::Unclear face =
+          unclear_ ? (*unclear_)[i] : Skimmed::Unclear{Face(static_cast<std::uint32_t>(i))};
+      if (face.upper <= limits.allowed) {
+        outcomes[chunk].upper = std::max(outcomes[chunk].upper, face.upper);
+      } else {
+        split_up(piece_of(face.face.index()), kSplitsOfFace, limits, outcomes[chunk]);
+      }
+    }
+  });
+  for (const BoundOutcome& outcome : outcomes)
+    note(outcome);
+}
+
+double OneSidedBound::upper() const {
+  if (!is_begun_) return std::numeric_limits<double>::infinity();
+  double most = std::max(lower_, upper_);
+  for (const std::vector<BoundPiece>* pieces : {&open_, &beyond_}) {
+    for (const BoundPiece& piece : *pieces)
+      most = std::max(most, piece.upper);
+  }
+  return most;
+}
+
+}  // namespace mesher
