@@ -203,11 +203,13 @@ void Collapser::take_turn(Vertex v) {
 }
 
 /// Pre: `check` has found the collapse legal.
-Appraisal Collapser::appraise(Halfedge h, const Candidate& candidate) const {
-  if (context_.policy.costs_are_errors()) {
-    return mesher::appraise(context_.surface, h, fan_, candidate);
+Appraisal Collapser::appraise(Halfedge h, const Candidate& candidate) {
+  if (!context_.policy.costs_are_errors()) return {candidate.cost, 0.0F};
+  Appraisal appraisal = mesher::appraise(context_.surface, h, fan_, candidate);
+  if (context_.samples != nullptr) {
+    appraisal.cost += context_.samples->correction(context_.surface, h, fan_, candidate);
   }
-  return {candidate.cost, 0.0F};
+  return appraisal;
 }
 
 /// Where one face is left to remove: the cheapest legal collapse at the boundary that costs no more
@@ -411,6 +413,7 @@ void Collapser::collapse(Halfedge h, const Candidate& candidate, const Appraisal
   context_.policy.collapsed(removed, kept);
   if (context_.bound != nullptr) context_.bound->collapsed(removed, kept, candidate.position);
   if (guard_) guard_->collapsed(surface, fan_);
+  if (context_.samples != nullptr) context_.samples->collapsed(fan_);
   outcome_.removed_faces += t.is_valid() ? 2 : 1;
   evaluate_fan(kept);
   wake_ring();

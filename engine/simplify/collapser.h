@@ -20,6 +20,7 @@
 #include "engine/simplify/observer.h"
 #include "engine/simplify/report.h"
 #include "engine/simplify/surface.h"
+#include "engine/simplify/tracked_samples.h"
 
 namespace mesher {
 
@@ -29,7 +30,8 @@ struct CollapseContext {
   CollapsePolicy& policy;
   std::span<QueueEntry> queue;  ///< by vertex
   ErrorBound* bound = nullptr;
-  GuardedSpace* space = nullptr;  ///< none where faces may come to intersect
+  TrackedSamples* samples = nullptr;  ///< where one region is left and costs are measured
+  GuardedSpace* space = nullptr;      ///< none where faces may come to intersect
   /// With it: no collapse gets a lower rank. Each then also comes after those before it in its
   /// region, and after all of earlier rounds, since what is far on the surface may be near in
   /// space.
@@ -128,7 +130,7 @@ class Collapser {
   void refuse(Halfedge h, Rejection cause);
   std::optional<Rejection> check(Halfedge h, const Candidate& candidate);
   std::optional<Rejection> check_intersections(Halfedge h, const glm::vec3& p);
-  Appraisal appraise(Halfedge h, const Candidate& candidate) const;
+  Appraisal appraise(Halfedge h, const Candidate& candidate);
   void collapse(Halfedge h, const Candidate& candidate, const Appraisal& appraisal);
   std::uint16_t take_rank(Halfedge h, float cost);
   bool is_ring_ours() const;

@@ -46,7 +46,7 @@ class Walk {
  public:
   Walk(const Surface& surface, const glm::dvec3& p) : mesh_(surface.mesh()), p_(p) {}
 
-  double squared_distance_from(Vertex start) {
+  ErrorSamples::Nearest from(Vertex start) {
     visit(start);
     Vertex last = start;
     for (int step = 0; step < kMostSteps && nearest_.is_valid(); ++step) {
@@ -59,7 +59,8 @@ class Walk {
       last = mesh_.origin(nearest_);
       if (least_ >= before) break;
     }
-    return double{least_};
+    if (!nearest_.is_valid()) return {};
+    return {Mesh::face(nearest_), least_};
   }
 
  private:
@@ -119,6 +120,12 @@ ErrorSamples::ErrorSamples(const Surface& surface, std::size_t count) {
   }
 }
 
+ErrorSamples::Nearest ErrorSamples::nearest(const Surface& surface, std::size_t i) const {
+  const Vertex start = survivor(surface, samples_[i].corner);
+  if (surface.mesh().is_isolated(start)) return {};
+  return Walk(surface, samples_[i].point).from(start);
+}
+
 ErrorSamples::Measured ErrorSamples::measure(const Surface& surface) const {
   struct Sums {
     double squares = 0.0;
@@ -133,9 +140,7 @@ ErrorSamples::Measured ErrorSamples::measure(const Surface& surface) const {
   const Sums sums = parallel_sum<Sums>(samples_.size(), kGrain, [&](IndexRange range) {
     Sums part;
     for (std::size_t i = range.begin; i < range.end; ++i) {
-      const Vertex start = survivor(surface, samples_[i].corner);
-      if (surface.mesh().is_isolated(start)) continue;
-      const double square = Walk(surface, samples_[i].point).squared_distance_from(start);
+      const double square{nearest(surface, i).squared_distance};
       part += {square, square * square};
     }
     return part;

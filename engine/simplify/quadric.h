@@ -68,6 +68,8 @@ inline constexpr float kTieBreak = 1e-13F;
 /// this small say nothing, so they are lowered by it until the edge's turn comes. (Ten times as
 /// much is no better on flat parts, and on a fandisk two edges of three are looked at twice.)
 inline constexpr float kQuadricNoise = 1e-7F;
+/// The same of a guess, where the target is far: a guess costs no second look.
+inline constexpr float kGuessNoise = 1e-6F;
 /// Below this part the rounding shows, and `plane_costs` finds the cost when the edge's turn comes:
 /// a slope of 0.001.
 inline constexpr float kQuadricDoubt = 1e-6F;
@@ -124,7 +126,7 @@ F guessed_cost(const Quadric<F>& from, const Quadric<F>& to, const Vec3<F>& edge
   const Quadric<F> both = from + to;
   const F zero = broadcast<F>(0.0F);
   const F size = greater_of(both.trace(), zero) * dot(edge, edge);
-  const F beyond_noise = dot(edge, both.times(edge)) - size * broadcast<F>(8.0F * kQuadricNoise);
+  const F beyond_noise = dot(edge, both.times(edge)) - size * broadcast<F>(8.0F * kGuessNoise);
   return greater_of(beyond_noise, zero) * broadcast<F>(0.125F) + size * broadcast<F>(kTieBreak);
 }
 

@@ -53,6 +53,8 @@ constexpr double kFinestStep = 0.9;
 constexpr double kErrorMargin = 4.0;
 // With so few faces all steps are fine: what is left is mostly corners, and the error jumps.
 constexpr std::uint32_t kFewFaces = 256;
+// With fewer faces points of the input are followed, by which costs are measured.
+constexpr std::uint32_t kTrackedFaces = 512;
 // The distance from the input is measured at one point for so many faces, within limits.
 constexpr std::size_t kFacesPerSample = 32;
 constexpr std::size_t kLeastSamples = 256;
@@ -60,10 +62,6 @@ constexpr std::size_t kMostSamples = 1024;
 // How much the uncertainty of what was measured speaks for what was paid: as much as the samples
 // where the mean square is known to a quarter.
 constexpr double kTrustInPaid = 16.0;
-
-// What all collapses pay, by area, against the mean square distance that is measured in the
-// end: 13.0 to 14.1 on the bunny and the armadillo at 10 and 1 %.
-constexpr double kTimesCounted = 13.4;
 
 std::unique_ptr<ErrorBound> make_bound(const Mesh& mesh, float scale,
                                        const SimplifyOptions& options, Array<float> shares) {
@@ -241,8 +239,21 @@ void Rounds::run_to_the_error() {
   }
 }
 
-/// To so many faces, or as few as are legal, in one region.
+/// To so many faces, or as few as are legal.
 void Rounds::collapse_to(std::uint32_t faces) {
+  if (!tracked_ && faces < kTrackedFaces && policy_->costs_are_errors()) {
+    if (faces_ > kTrackedFaces) {
+      collapse_region(kTrackedFaces);
+      drop_removed();
+    }
+    tracked_.emplace(surface_, samples_);
+    context_.samples = &*tracked_;
+  }
+  if (faces_ > faces) collapse_region(faces);
+}
+
+/// The same in one region.
+void Rounds::collapse_region(std::uint32_t faces) {
   const std::uint32_t fresh = std::clamp(faces_before_ / kFacesPerFresh, kLeastFresh, kMostFresh);
   Collapser collapser(context_, {.faces = faces_ - faces,
                                  .fresh_after = faces_ > fresh ? faces_ - fresh : 0,

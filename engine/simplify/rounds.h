@@ -56,6 +56,7 @@ class Rounds {
   void run_to_the_error();
   std::uint32_t next_step(double error) const;
   void collapse_to(std::uint32_t faces);
+  void collapse_region(std::uint32_t faces);
   void count_constrained();
   bool try_refused_again(std::size_t valence, std::uint32_t faces);
   Share share(std::span<const float> costs) const;
@@ -74,6 +75,7 @@ class Rounds {
   std::unique_ptr<GuardedSpace> space_;
   Surface surface_;
   ErrorSamples samples_;
+  std::optional<TrackedSamples> tracked_;  ///< once few faces are left
   std::unique_ptr<CollapsePolicy> policy_;
   Array<QueueEntry> queue_;
   CollapseContext context_;

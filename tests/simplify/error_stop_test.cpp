@@ -115,7 +115,8 @@ TEST(ErrorStop, ZeroAllowsNothingOnACurvedSurface) {
   EXPECT_EQ(result.report.reason, StopReason::far_from_input);
   EXPECT_EQ(result.mesh.face_count(), mesh.face_count());
   EXPECT_EQ(result.report.collapses, 0U);
-  EXPECT_LT(result.report.estimated_error, 1e-12);
+  // Single precision: the torus measures 8.
+  EXPECT_LT(result.report.estimated_error, 1e-7);
 }
 
 TEST(ErrorStop, WorksBesideABoundAndWithoutIntersections) {
