@@ -182,9 +182,7 @@ class Pruning {
     for (Face& source : result.face_source)
       source = kept.faces[source.index()];
     SimplifyReport& report = result.report;
-    seconds_.prepare += report.seconds.prepare;
-    seconds_.collapse += report.seconds.collapse;
-    seconds_.finish += report.seconds.finish;
+    seconds_ += report.seconds;
     report.faces_before = input_.face_count();
     report.vertices_before = input_.vertex_count();
     if (!is_whole) count_pruned(result, size);

@@ -40,6 +40,13 @@ struct SimplifyTimes {
   double finish = 0.0;   ///< the result's order
   double measure = 0.0;  ///< of the error, where a bound was asked for or certified
   double total() const { return prepare + collapse + finish + measure; }
+  SimplifyTimes& operator+=(const SimplifyTimes& other) {
+    prepare += other.prepare;
+    collapse += other.collapse;
+    finish += other.finish;
+    measure += other.measure;
+    return *this;
+  }
 };
 
 /// The ledger: what was asked, what was reached, and why it ended.

@@ -56,7 +56,7 @@ constexpr std::uint32_t kFewFaces = 256;
 // With fewer faces points of the input are followed, by which costs are measured.
 constexpr std::uint32_t kTrackedFaces = 512;
 // The distance from the input is measured at one point for so many faces, within limits.
-constexpr std::size_t kFacesPerSample = 32;
+constexpr std::size_t kFacesPerSample = 16;
 constexpr std::size_t kLeastSamples = 256;
 constexpr std::size_t kMostSamples = 1024;
 // How much the uncertainty of what was measured speaks for what was paid: as much as the samples

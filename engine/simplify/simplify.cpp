@@ -12,6 +12,7 @@
 #include "engine/mesh/bow_tie_follower.h"
 #include "engine/mesh/statistics.h"
 #include "engine/simplify/measured.h"
+#include "engine/simplify/new_intersections.h"
 #include "engine/simplify/reorder.h"
 #include "engine/simplify/rounds.h"
 
@@ -195,8 +196,10 @@ Simplified finish(const Rounds& rounds, const Reordered& order, const Units& uni
 
 }  // namespace
 
-Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options,
-                               std::span<const float> shares, Trace* trace) {
+namespace {
+
+Simplified run_once(Mesh&& mesh, const SimplifyOptions& options, std::span<const float> shares,
+                    Trace* trace) {
   Stopwatch watch;
   SimplifyTimes seconds;
   begin_stage(options.progress, "preparing");
@@ -225,6 +228,29 @@ Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options,
   report.seconds = seconds;
   result.report = report;
   return result;
+}
+
+}  // namespace
+
+Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options,
+                               std::span<const float> shares, Trace* trace) {
+  // An observer sees the meshes on the way, which count, too.
+  const bool may_look_afterwards = options.no_intersections && options.observer == nullptr;
+  if (!may_look_afterwards) return run_once(std::move(mesh), options, shares, trace);
+  // Mostly no faces come to intersect, and to look at the result costs less than to watch each
+  // collapse.
+  SimplifyOptions unguarded = options;
+  unguarded.no_intersections = false;
+  Simplified free = run_once(Mesh(mesh), unguarded, shares, trace);
+  Stopwatch watch;
+  begin_stage(options.progress, "looking for intersections");
+  const bool must_repeat = has_new_intersections(mesh, free, options.progress);
+  free.report.seconds.finish += watch.lap();
+  if (!must_repeat) return free;
+  if (trace != nullptr) *trace = {};
+  Simplified guarded = run_once(std::move(mesh), options, shares, trace);
+  guarded.report.seconds += free.report.seconds;
+  return guarded;
 }
 
 Simplified simplify(Mesh&& mesh, const SimplifyOptions& options) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <string>
 
 #include "engine/analysis/distance.h"
 #include "engine/io/read.h"
@@ -53,12 +54,15 @@ TEST_P(Coarse, KeepsTheModel) {
   EXPECT_NEAR(quality.printed_percent / quality.rms_percent, 1.0, 0.2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shared, Coarse,
-                         testing::Values(Expected{"beast.obj", 64, 1.3, 7.2},
-                                         Expected{"horse.obj", 96, 0.75, 4.27},
-                                         Expected{"cessna.obj", 200, 0.12, 1.98},
-                                         Expected{"bunny.obj", 64, 1.6, 10.0},
-                                         Expected{"armadillo.obj", 64, 1.6, 10.0}));
+INSTANTIATE_TEST_SUITE_P(
+    Shared, Coarse,
+    testing::Values(Expected{"beast.obj", 64, 1.3, 7.2}, Expected{"horse.obj", 96, 0.75, 4.27},
+                    Expected{"cessna.obj", 200, 0.12, 1.98}, Expected{"bunny.obj", 64, 1.6, 10.0},
+                    Expected{"armadillo.obj", 64, 1.6, 10.0}),
+    [](const auto& expected) {
+      const std::string name = expected.param.model;
+      return name.substr(0, name.find('.')) + std::to_string(expected.param.faces);
+    });
 
 /// A sheet of 2 n n faces with a small dome in its middle.
 Mesh plate_with_dome(std::uint32_t n) {
@@ -123,6 +127,34 @@ TEST(PrintedError, IsWithinAFifthOfTheMeasured) {
     }
   }
 }
+
+class PrintedErrorOfModel : public testing::TestWithParam<const char*> {};
+
+TEST_P(PrintedErrorOfModel, IsWithinAFifthOfTheMeasured) {
+  const Mesh mesh = shared((std::string(GetParam()) + ".obj").c_str());
+  if (mesh.face_count() == 0) GTEST_SKIP() << "SKIPPED: no shared model " << GetParam();
+  const auto part = [&](double ratio) {
+    return static_cast<std::uint32_t>(ratio * mesh.face_count());
+  };
+  for (const std::uint32_t target :
+       {part(0.5), part(0.25), part(0.1), part(0.03), part(0.01), 512U, 256U, 128U}) {
+    if (target >= mesh.face_count() || target < 100) continue;
+    const Quality quality = simplified_to(mesh, target);
+    if (quality.rms_percent < 1e-5) continue;
+    EXPECT_NEAR(quality.printed_percent / quality.rms_percent, 1.0, 0.2)
+        << "to " << target << " faces: " << quality.rms_percent;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, PrintedErrorOfModel,
+                         testing::Values("armadillo", "beast", "bunny", "cactus", "cessna",
+                                         "fandisk", "horse", "rocker-arm", "spot", "suzanne",
+                                         "teapot"),
+                         [](const auto& model) {
+                           std::string name = model.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace mesher::test
