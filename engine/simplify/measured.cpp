@@ -100,7 +100,8 @@ Simplified simplify_certified(Mesh&& mesh, const SimplifyOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   DistanceInterval distance;
   if (result.mesh.face_count() > 0) {
-    distance = bounds_of(trace, {.ratio = kBoundRatio, .progress = options.progress}).two_sided();
+    const double ratio = bound_ratio(result.report.faces_before);
+    distance = bounds_of(trace, {.ratio = ratio, .progress = options.progress}).two_sided();
   }
   result.report.certified_bound = distance.upper;
   result.report.seconds.measure = seconds_since(start);

@@ -53,6 +53,11 @@ std::string_view key(Placement placement);
 
 /// How many times the true distance a certified bound may be.
 inline constexpr double kBoundRatio = 5.0;
+/// The same for a model of so many faces: of a small one an exact bound takes no time.
+inline double bound_ratio(std::uint32_t faces) {
+  constexpr std::uint32_t kFewFaces = 4096;
+  return faces <= kFewFaces ? 1.1 : kBoundRatio;
+}
 
 /// Where the RMS distance from the input passes this part of the diagonal, a model is hard to
 /// recognize.
@@ -64,7 +69,7 @@ struct SimplifyOptions {
   /// Upper bound for the distance between input and result, both ways, in model units; infinite:
   /// none. Pre: not negative.
   double max_error = std::numeric_limits<double>::infinity();
-  /// Find an upper bound for that distance (SimplifyReport::certified_bound), at most kBoundRatio
+  /// Find an upper bound for that distance (SimplifyReport::certified_bound), at most bound_ratio
   /// times the distance itself. Always found where there is a max_error.
   bool certifies = false;
   /// Stop before the estimated error (SimplifyReport::estimated_error) passes this, in model units;

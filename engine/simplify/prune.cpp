@@ -233,7 +233,8 @@ Simplified simplify_pruned(Mesh&& mesh, const SimplifyOptions& options) {
   Simplified result = pruning.take();
   if (options.certifies && result.mesh.face_count() > 0) {
     const auto start = std::chrono::steady_clock::now();
-    const HausdorffOptions certified{.ratio = kBoundRatio, .progress = options.progress};
+    const HausdorffOptions certified{.ratio = bound_ratio(input.face_count()),
+                                     .progress = options.progress};
     result.report.certified_bound =
         hausdorff_bounds(input, result.mesh, certified).two_sided().upper;
     result.report.seconds.measure +=

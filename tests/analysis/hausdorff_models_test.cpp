@@ -26,7 +26,8 @@ void examine(const std::filesystem::path& file) {
     const double diagonal = bounding_box(mesh).diagonal();
     const double certified = result.report.certified_bound;
     EXPECT_GE(certified, sampled.two_sided().max - 1e-12 * diagonal);
-    EXPECT_LE(certified, kBoundRatio * hausdorff_bounds(mesh, after).two_sided().upper);
+    EXPECT_LE(certified,
+              bound_ratio(mesh.face_count()) * hausdorff_bounds(mesh, after).two_sided().upper);
     for (const double ratio : {1.1, 3.0}) {
       const HausdorffBounds bounds = hausdorff_bounds(mesh, after, {.ratio = ratio});
       // Samples are rounded, too.
