@@ -214,21 +214,21 @@ void say_levels(const Source& source, const std::vector<Level>& levels,
     const StopReason reason = level.pruned ? level.pruned->report.reason : report.reason;
     const bool is_read = source.loaded.pm && !level.pruned;
     const std::string why = is_read ? "it is the base of the progressive mesh" : stop_text(reason);
-    say("level " + std::to_string(i) + ": " + with_commas(level.mesh.vertex_count()) +
-        " vertices, " + with_commas(faces) + " faces, for a coverage of " +
-        short_number(level.coverage) + " and more" +
+    const std::string name = "level " + std::to_string(i) + ": ";
+    say(name + with_commas(level.mesh.vertex_count()) + " vertices, " + with_commas(faces) +
+        " faces, for a coverage of " + short_number(level.coverage) + " and more" +
         (faces > level.asked_faces
              ? "; asked for " + with_commas(level.asked_faces) + " faces: " + why
              : "") +
         (repeats(levels, i) ? "; the same mesh as level " + std::to_string(i - 1) : ""));
-    const std::string name = "level " + std::to_string(i) + ": ";
     if (level.pruned) say(name + pruned_words(*level.pruned));
     if (level.error >= 0.0) {
       say("warning: level " + std::to_string(i) + " is " +
           far_from("the input", 100.0 * level.error / source.diagonal()));
     }
+    const std::string dropped_words = name + "dropped ";
     for (const std::string& dropped : level.dropped)
-      say(name + "dropped " + dropped);
+      say(dropped_words + dropped);
   }
   for (const fs::path& file : files)
     say("wrote " + file.string());
