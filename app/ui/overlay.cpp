@@ -16,6 +16,16 @@ void check_imgui(VkResult result) {
   gpu::check(result, "ImGui");
 }
 
+void upload_fonts([[maybe_unused]] gpu::Device& device) {
+#if IMGUI_VERSION_NUM < 19000
+  device.run_once([](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
+  ImGui_ImplVulkan_DestroyFontUploadObjects();
+#else
+  // Debian 13's ImGui has a command buffer of its own.
+  ImGui_ImplVulkan_CreateFontsTexture();
+#endif
+}
+
 }  // namespace
 
 Overlay::Overlay(const gpu::Instance& instance, gpu::Device& device, VkFormat format,
@@ -107,8 +117,7 @@ void Overlay::start_backends(const gpu::Instance& instance, GLFWwindow* window) 
   info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
   info.CheckVkResultFn = check_imgui;
   ImGui_ImplVulkan_Init(&info, render_pass_.get());
-  device_.run_once([](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
-  ImGui_ImplVulkan_DestroyFontUploadObjects();
+  upload_fonts(device_);
 }
 
 void Overlay::begin(const glm::dvec2& size) {
