@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <span>
@@ -32,17 +31,11 @@ template <>
 inline constexpr bool kLeftAsItWas<LaneBox> = true;
 
 inline bool do_overlap(const LaneBox& a, const LaneBox& b) {
-  const auto apart = (a.min > b.max) | (b.min > a.max);
-  std::array<std::uint64_t, 2> halves;
-  std::memcpy(halves.data(), &apart, sizeof(halves));
-  return (halves[0] | halves[1]) == 0;
+  return !any((a.min > b.max) | (b.min > a.max));
 }
 
 inline bool contains(const LaneBox& outer, const LaneBox& inner) {
-  const auto outside = (inner.min < outer.min) | (inner.max > outer.max);
-  std::array<std::uint64_t, 2> halves;
-  std::memcpy(halves.data(), &outside, sizeof(halves));
-  return (halves[0] | halves[1]) == 0;
+  return !any((inner.min < outer.min) | (inner.max > outer.max));
 }
 
 inline LaneBox join(const LaneBox& a, const LaneBox& b) {
