@@ -5,8 +5,8 @@
 #include <iostream>
 
 #include "app/cli/progress_line.h"
-#include "app/paths.h"
-#include "app/words.h"
+#include "app/document/words.h"
+#include "app/files/paths.h"
 #include "engine/analysis/self_intersections.h"
 #include "engine/core/error.h"
 #include "engine/io/atomic_file.h"
@@ -51,7 +51,7 @@ void print_statistics(const Statistics& s) {
 }
 
 void say_repairs(const BuildReport& report) {
-  for (std::size_t i = 0; i < kRepairCount; ++i) {
+  for (std::size_t i = 0; i < kRepairs.size(); ++i) {
     const auto repair = static_cast<Repair>(i);
     if (report[repair] == 0) continue;
     std::cerr << "mesher: " << report[repair] << ' ' << describe(repair) << '\n';
@@ -72,7 +72,8 @@ void print_pm(const PmSummary& pm) {
   print("base vertices", pm.base_vertices);
   print("base faces", pm.base_faces);
   print("splits", pm.splits);
-  print("bytes", with_commas(pm.bytes) + ", " + short_number(pm.bytes_a_vertex()) + " a vertex");
+  print("bytes",
+        with_commas(pm.bytes) + ", " + short_number(pm.bytes_per_vertex()) + " per vertex");
   print("complete", pm.damage.empty() ? "yes" : "no: " + pm.damage);
 }
 
@@ -97,12 +98,7 @@ void say(const std::string& words) {
 }
 
 void check_format(const std::string& output) {
-  if (format_of(output)) return;
-  if (has_pm_ending(output)) {
-    throw UsageError("-o: '" + output + "': `mesher progressive` writes progressive meshes");
-  }
-  throw UsageError("-o: '" + output + "': unknown kind of file; known are " +
-                   std::string(kFormatNames));
+  writable_format(output);
 }
 
 void check_output(const std::string& output) {

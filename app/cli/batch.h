@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/cli/options.h"
-#include "app/json.h"
-#include "app/load_job.h"
+#include "app/document/json.h"
+#include "app/files/load_job.h"
 
 namespace mesher::app {
 

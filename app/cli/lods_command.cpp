@@ -6,13 +6,12 @@
 
 #include "app/cli/batch.h"
 #include "app/cli/progress_line.h"
-#include "app/distance_from_input.h"
-#include "app/json.h"
-#include "app/words.h"
+#include "app/document/json.h"
+#include "app/document/words.h"
+#include "app/edit/distance_from_input.h"
 #include "engine/core/error.h"
-#include "engine/io/gltf_write.h"
+#include "engine/io/format.h"
 #include "engine/io/losses.h"
-#include "engine/io/write.h"
 #include "engine/mesh/normals.h"
 #include "engine/progressive/build.h"
 #include "engine/simplify/attributes.h"
@@ -56,12 +55,8 @@ std::uint32_t faces_for(double ratio, std::uint32_t faces) {
   return std::max(1U, static_cast<std::uint32_t>(std::llround(ratio * faces)));
 }
 
-bool holds_levels(Format format) {
-  return format == Format::gltf || format == Format::glb;
-}
-
 std::vector<fs::path> files_for(const fs::path& output, std::size_t levels) {
-  if (holds_levels(*format_of(output))) return {output};
+  if (writable_format(output).write_levels != nullptr) return {output};
   std::vector<fs::path> files;
   for (std::size_t i = 0; i < levels; ++i)
     files.push_back(level_file(output, i));
@@ -69,21 +64,21 @@ std::vector<fs::path> files_for(const fs::path& output, std::size_t levels) {
 }
 
 /// Levels of a person's choice are made whatever their error is.
-Source read_source(const InputOptions& input, double least_ratio, const LodWords& words,
+Source read_source(const InputOptions& input, double least_ratio, const LodArguments& arguments,
                    const CommonOptions& common) {
   LoadedLevels opened = load_levels(input, common);
   Source source{std::move(opened.loaded), {}};
   const Mesh& mesh = source.loaded.model.mesh;
   if (mesh.face_count() == 0) throw InputError(source.loaded.file.string(), 0, "has no faces");
-  if (words.simplify.prune) return source;
+  if (arguments.simplify.prune) return source;
   if (opened.levels) {
     source.progressive.mesh = std::move(*opened.levels);
     return source;
   }
-  SimplifyWords simplify = words.simplify;
+  SimplifyArguments simplify = arguments.simplify;
   simplify.faces = faces_for(least_ratio, mesh.face_count());
   SimplifyOptions options = simplify_options(simplify, mesh.face_count(), 1.0);
-  if (!words.ratios) options.stop_before_error = kFarFromInput * source.diagonal();
+  if (!arguments.ratios) options.stop_before_error = kFarFromInput * source.diagonal();
   ProgressLine line(!common.quiet);
   begin_stage(line.progress(), "simplifying");
   options.progress = line.progress();
@@ -96,7 +91,7 @@ void complete_normals(const Model& full, const Mesh& mesh, CarriedAttributes& ca
   if (full.attributes.normal.empty() || !carried.attributes.normal.empty()) return;
   carried.attributes.normal = corner_normals(mesh, {});
   for (std::string& dropped : carried.dropped) {
-    if (dropped.starts_with("normals")) dropped += ": computed anew";
+    if (dropped.starts_with("normals")) dropped += ": recomputed";
   }
 }
 
@@ -147,17 +142,17 @@ bool is_same(const Mesh& a, const Mesh& b) {
 
 /// Each by a simplification of its own: no progressive mesh loses a part on the way.
 std::vector<Level> make_pruned_levels(const Source& source, const std::vector<double>& ratios,
-                                      const std::vector<double>& coverage, const LodWords& words,
-                                      const CommonOptions& common) {
+                                      const std::vector<double>& coverage,
+                                      const LodArguments& arguments, const CommonOptions& common) {
   const Model& full = source.loaded.model;
-  SimplifyWords simplify = words.simplify;
+  SimplifyArguments simplify = arguments.simplify;
   std::vector<Level> levels;
   for (std::size_t i = 0; i < ratios.size(); ++i) {
     Level level{.ratio = ratios[i], .coverage = coverage[i]};
     level.asked_faces = faces_for(ratios[i], full.mesh.face_count());
     simplify.faces = level.asked_faces;
     SimplifyOptions options = simplify_options(simplify, full.mesh.face_count(), 1.0);
-    if (!words.ratios) options.stop_before_error = kFarFromInput * source.diagonal();
+    if (!arguments.ratios) options.stop_before_error = kFarFromInput * source.diagonal();
     ProgressLine line(!common.quiet);
     begin_stage(line.progress(), "simplifying");
     options.progress = line.progress();
@@ -190,16 +185,16 @@ void write_levels(const std::vector<fs::path>& files, const std::vector<Level>& 
   open.reserve(files.size());
   for (const fs::path& file : files)
     open.push_back(std::make_unique<AtomicFile>(file));
-  const Format format = *format_of(files.front());
-  if (holds_levels(format)) {
+  const FormatInfo& format = writable_format(files.front());
+  if (format.write_levels != nullptr) {
     std::vector<GltfLevel> chain;
     chain.reserve(levels.size());
     for (const Level& level : levels)
       chain.push_back({&level.mesh, &level.attributes, level.coverage});
-    write_gltf(*open.front(), chain, format == Format::glb);
+    format.write_levels(*open.front(), chain);
   } else {
     for (std::size_t i = 0; i < levels.size(); ++i)
-      write_model(*open[i], format, levels[i].mesh, levels[i].attributes);
+      format.write(*open[i], levels[i].mesh, levels[i].attributes, {});
   }
   for (const auto& file : open)
     file->commit();
@@ -305,19 +300,19 @@ fs::path level_file(const fs::path& output, std::size_t level) {
   return file;
 }
 
-void run_lods(const InputOptions& input, const std::string& output, const LodWords& words,
+void run_lods(const InputOptions& input, const std::string& output, const LodArguments& arguments,
               const CommonOptions& common) {
-  const std::vector<double> ratios = parse_ratios(words.ratios.value_or(kUsualRatios));
-  const std::vector<double> coverage = words.coverage.empty()
+  const std::vector<double> ratios = parse_ratios(arguments.ratios.value_or(kUsualRatios));
+  const std::vector<double> coverage = arguments.coverage.empty()
                                            ? default_coverage(ratios)
-                                           : parse_coverage(words.coverage, ratios.size());
+                                           : parse_coverage(arguments.coverage, ratios.size());
   check_format(output);
   const std::vector<fs::path> files = files_for(output, ratios.size());
   for (const fs::path& file : files)
     AtomicFile::check(file);
-  Source source = read_source(input, ratios.back(), words, common);
-  std::vector<Level> levels = words.simplify.prune
-                                  ? make_pruned_levels(source, ratios, coverage, words, common)
+  Source source = read_source(input, ratios.back(), arguments, common);
+  std::vector<Level> levels = arguments.simplify.prune
+                                  ? make_pruned_levels(source, ratios, coverage, arguments, common)
                                   : make_levels(source, ratios, coverage);
   measure_coarse_levels(source, levels);
   write_levels(files, levels);

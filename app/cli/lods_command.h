@@ -13,12 +13,12 @@ namespace mesher::app {
 
 inline constexpr const char* kUsualRatios = "1,0.5,0.25";
 
-/// What `lods` was told, in words.
-struct LodWords {
+/// What `lods` was told, in arguments.
+struct LodArguments {
   /// None: kUsualRatios, but no level that is far from the model.
   std::optional<std::string> ratios;
-  std::string coverage;    ///< empty: see default_coverage
-  SimplifyWords simplify;  ///< of which targets are not taken
+  std::string coverage;        ///< empty: see default_coverage
+  SimplifyArguments simplify;  ///< of which targets are not taken
 };
 
 /// Shares of the faces, of the finest level first. Throws UsageError unless they fall, from 1 at
@@ -39,7 +39,7 @@ std::filesystem::path level_file(const std::filesystem::path& output, std::size_
 /// Reads a model and writes it in several levels of detail, all from one simplification (or from
 /// the progressive mesh that was read; where parts may be pruned, from one of its own for each
 /// level): glTF in one file, by MSFT_lod; other formats in one each.
-void run_lods(const InputOptions& input, const std::string& output, const LodWords& words,
+void run_lods(const InputOptions& input, const std::string& output, const LodArguments& arguments,
               const CommonOptions& common);
 
 }  // namespace mesher::app

@@ -40,17 +40,11 @@ std::uint32_t parse_side(const std::string& side, const std::string& text) {
 }
 
 void apply_shading(render::Settings& settings, const LookOptions& look) {
-  settings.wireframe = look.wireframe;
+  settings = look.settings;
   if (look.gouraud) settings.shading = render::Shading::gouraud;
-  if (look.shading == "flat") settings.shading = render::Shading::flat;
-  if (look.shading == "gouraud") settings.shading = render::Shading::gouraud;
-  if (look.shading == "none") {
-    settings.shading = render::Shading::none;
-    settings.wireframe = true;
-  }
-  settings.background = look.dark ? render::Background::dark : render::Background::light;
-  if (look.crease_angle_deg) settings.crease_angle_deg = *look.crease_angle_deg;
-  settings.samples = look.samples;
+  if (look.dark) settings.background = render::Background::dark;
+  // Without a surface and without edges there would be nothing to see.
+  if (settings.shading == render::Shading::none) settings.wireframe = true;
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session.h"
+#include "app/document/session.h"
 
 namespace mesher::app {
 
@@ -15,7 +15,7 @@ struct Size {
   std::uint32_t height = 600;
 };
 
-/// What every command takes.
+/// The arguments of every command.
 struct CommonOptions {
   bool json = false;
   bool quiet = false;
@@ -27,33 +27,31 @@ struct InputOptions {
   std::string model;
   std::optional<int> crease_index_base;
   bool keep_isolated = false;
-  std::optional<float> tag_creases_deg;  ///< edges whose faces meet at more get infinitely sharp
+  /// Edges whose face normals differ by more become infinitely sharp creases.
+  std::optional<float> tag_creases_deg;
 };
 
-/// How a model is looked at: the same words for `view` and `render`.
+/// How a model is shown: the same arguments for `view` and `render`.
 struct LookOptions {
+  render::Settings settings;  ///< those of kRenderOptions
   std::string size;
-  std::string shading;
-  bool wireframe = false;
-  bool gouraud = false;
+  bool gouraud = false;  ///< short for --shading gouraud
   std::string camera;
   std::string view;
   bool orthographic = false;
-  bool dark = false;
-  std::optional<float> crease_angle_deg;
-  unsigned samples = 4;
+  bool dark = false;  ///< short for --background dark
   std::string device;
   bool validation = false;
 };
 
-/// "1,0.5,0.25": nothing where a part is no finite number.
+/// Parses "1,0.5,0.25". None if a part is no finite number.
 std::optional<std::vector<double>> parse_numbers(const std::string& text);
 
 /// "500" or "640x480". Throws UsageError; sides are 1 to 16384.
 Size parse_size(const std::string& text);
 
-/// YAW,PITCH,ZOOM: degrees, degrees, and a factor from 0.001 to 1000 that divides the distance at
-/// which the whole model fits (beyond about 3 the eye is inside most models).
+/// YAW,PITCH,ZOOM: two angles and a zoom factor from 0.001 to 1000. At 1 the whole model fits;
+/// beyond about 3 the eye is inside most models.
 struct CameraAngles {
   double yaw_rad = 0.0;
   double pitch_rad = 0.0;
@@ -62,8 +60,8 @@ struct CameraAngles {
 /// "30,20" or "30,20,2". Throws UsageError.
 CameraAngles parse_camera(const std::string& text);
 
-/// Settings and camera of a session from words. Call once the model is shown and the window's size
-/// is known. Throws UsageError.
+/// Sets settings and camera of a session. Pre: the model is shown, and the size of the window is
+/// known. Throws UsageError.
 void apply_look(Session& session, const LookOptions& look);
 
 }  // namespace mesher::app

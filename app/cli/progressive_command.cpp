@@ -6,9 +6,9 @@
 
 #include "app/cli/batch.h"
 #include "app/cli/progress_line.h"
-#include "app/distance_from_input.h"
-#include "app/json.h"
-#include "app/words.h"
+#include "app/document/json.h"
+#include "app/document/words.h"
+#include "app/edit/distance_from_input.h"
 #include "engine/core/error.h"
 #include "engine/progressive/base.h"
 #include "engine/progressive/build.h"
@@ -103,7 +103,7 @@ void say_written(const std::string& output, const Written& written) {
                           : "warning: the base is far from the input, which has few faces");
   }
   say(output + ": " + with_commas(pm.bytes) + " bytes in " + short_number(written.write_s) +
-      " s, " + short_number(pm.bytes_a_vertex()) + " a vertex (" +
+      " s, " + short_number(pm.bytes_per_vertex()) + " a vertex (" +
       (pm.coordinate_bits == 0 ? "lossless"
                                : "positions of " + std::to_string(pm.coordinate_bits) + " bits") +
       "), " + short_number(100.0 * share_of_indexed(pm)) +
@@ -126,11 +126,11 @@ void print_written(const LoadedModel& loaded, const std::string& output, const W
   print_json(json);
 }
 
-void say_level(const ProgressiveMesh& mesh, const DetailWords& words) {
+void say_level(const ProgressiveMesh& mesh, const DetailArguments& arguments) {
   const std::uint32_t faces = mesh.face_count(mesh.level());
   std::string why;
-  if (words.faces && faces > *words.faces) why = ", the base: there is nothing coarser";
-  if (words.faces && mesh.level() == mesh.split_count() && faces < *words.faces) {
+  if (arguments.faces && faces > *arguments.faces) why = ", the base: there is nothing coarser";
+  if (arguments.faces && mesh.level() == mesh.split_count() && faces < *arguments.faces) {
     why = ": there are no more faces";
   }
   say("level " + with_commas(mesh.level()) + " of " + with_commas(mesh.split_count()) + why);
@@ -138,31 +138,32 @@ void say_level(const ProgressiveMesh& mesh, const DetailWords& words) {
 
 }  // namespace
 
-std::uint32_t level_for(const DetailWords& words, const ProgressiveMesh& mesh) {
-  if (words.faces) return mesh.level_for_faces(*words.faces);
-  return static_cast<std::uint32_t>(std::llround(*words.lod * mesh.split_count()));
+std::uint32_t level_for(const DetailArguments& arguments, const ProgressiveMesh& mesh) {
+  if (arguments.faces) return mesh.level_for_faces(*arguments.faces);
+  return static_cast<std::uint32_t>(std::llround(*arguments.lod * mesh.split_count()));
 }
 
 void run_progressive(const InputOptions& input, const std::string& output,
-                     const ProgressiveWords& words, const CommonOptions& common) {
+                     const ProgressiveArguments& arguments, const CommonOptions& common) {
   check_pm_output(output);
   const LoadedModel loaded = load(input, common);
   const std::uint32_t faces = loaded.model.mesh.face_count();
   if (faces == 0) throw InputError(loaded.file.string(), 0, "has no faces");
-  SimplifyWords simplify = words.simplify;
-  simplify.faces = words.base_faces.value_or(1);
+  SimplifyArguments simplify = arguments.simplify;
+  const std::uint32_t base_faces = arguments.settings.base_faces;
+  simplify.faces = std::max(base_faces, 1U);
   const double diagonal = loaded.statistics.box.diagonal();
   SimplifyOptions options = simplify_options(simplify, faces, diagonal);
-  if (!words.base_faces) choose_base(options, faces, diagonal);
-  Written written = make_and_write(loaded, output, options, words.coordinate_bits, common);
-  if (!words.base_faces) written.outcome.report.faces_asked = 0;
+  if (base_faces == 0) choose_base(options, faces, diagonal);
+  Written written = make_and_write(loaded, output, options, arguments.coordinate_bits, common);
+  if (base_faces == 0) written.outcome.report.faces_asked = 0;
   if (!common.quiet) say_written(output, written);
   if (common.json) print_written(loaded, output, written);
 }
 
-void run_extract(const InputOptions& input, const std::string& output, const DetailWords& words,
-                 const CommonOptions& common) {
-  if (!words.faces && !words.lod) {
+void run_extract(const InputOptions& input, const std::string& output,
+                 const DetailArguments& arguments, const CommonOptions& common) {
+  if (!arguments.faces && !arguments.lod) {
     throw UsageError("extract: say how much detail: --faces N or --lod 0..1");
   }
   check_output(output);
@@ -171,12 +172,12 @@ void run_extract(const InputOptions& input, const std::string& output, const Det
     throw InputError(loaded.file.string(), 0,
                      "is no progressive mesh; `mesher progressive` makes one");
   }
-  levels->go_to(level_for(words, *levels));
+  levels->go_to(level_for(arguments, *levels));
   Model& model = loaded.model;
   const auto percent = far_percent(model.mesh, levels->mesh(), loaded.statistics.box.diagonal());
   model.mesh = levels->mesh();
   if (model.mesh.face_count() == 0) throw InputError(loaded.file.string(), 0, "has no faces");
-  if (!common.quiet) say_level(*levels, words);
+  if (!common.quiet) say_level(*levels, arguments);
   if (!common.quiet && percent) {
     say("warning: this level is " + far_from("the full detail", *percent));
   }
@@ -184,8 +185,8 @@ void run_extract(const InputOptions& input, const std::string& output, const Det
   if (!common.json) return;
   Json json{{"input", loaded.file.string()},
             {"output", output},
-            {"asked_faces", words.faces ? Json(*words.faces) : Json()},
-            {"asked_lod", words.lod ? Json(*words.lod) : Json()},
+            {"asked_faces", arguments.faces ? Json(*arguments.faces) : Json()},
+            {"asked_lod", arguments.lod ? Json(*arguments.lod) : Json()},
             {"level", levels->level()},
             {"vertices", model.mesh.vertex_count()},
             {"faces", model.mesh.face_count()},

@@ -2,15 +2,15 @@
 
 #include "app/cli/batch.h"
 #include "app/cli/progress_line.h"
-#include "app/detail_range.h"
-#include "app/json.h"
-#include "app/paths.h"
-#include "app/progressive_view.h"
-#include "app/scripted_session.h"
+#include "app/document/json.h"
+#include "app/document/progressive_view.h"
+#include "app/files/paths.h"
+#include "app/viewer/scripted_session.h"
 #include "engine/core/error.h"
 #include "engine/io/png.h"
 #include "engine/progressive/base.h"
 #include "engine/progressive/build.h"
+#include "engine/progressive/detail_range.h"
 #include "engine/progressive/geomorph.h"
 #include "engine/render/offscreen.h"
 
@@ -103,7 +103,7 @@ void draw(LoadedModel&& loaded, const std::string& output, const LookOptions& lo
 }
 
 /// Fewer faces: the level of a progressive mesh, or simplified.
-void reduce(LoadedLevels& opened, const DetailWords& detail, const CommonOptions& common) {
+void reduce(LoadedLevels& opened, const DetailArguments& detail, const CommonOptions& common) {
   LoadedModel& loaded = opened.loaded;
   if (!opened.levels) {
     simplify_model(loaded, {.target_faces = *detail.faces}, common);
@@ -128,7 +128,7 @@ DetailMoment detail_moment(double lod, std::uint32_t base_vertices, std::uint32_
 }
 
 void run_render(const InputOptions& input, const std::string& output, const LookOptions& look,
-                const DetailWords& detail, const CommonOptions& common) {
+                const DetailArguments& detail, const CommonOptions& common) {
   // Refuse before the work, not after it.
   if (!look.size.empty()) parse_size(look.size);
   if (!look.camera.empty()) parse_camera(look.camera);

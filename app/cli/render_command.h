@@ -24,6 +24,6 @@ DetailMoment detail_moment(double lod, std::uint32_t base_vertices, std::uint32_
 /// to so many faces (the level of a progressive mesh, where it is one), or at a moment between the
 /// levels of a progressive mesh, read or made on the fly.
 void run_render(const InputOptions& input, const std::string& output, const LookOptions& look,
-                const DetailWords& detail, const CommonOptions& common);
+                const DetailArguments& detail, const CommonOptions& common);
 
 }  // namespace mesher::app

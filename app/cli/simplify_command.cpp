@@ -5,10 +5,9 @@
 #include <cmath>
 
 #include "app/cli/batch.h"
-#include "app/cli/enum_words.h"
 #include "app/cli/progress_line.h"
-#include "app/json.h"
-#include "app/words.h"
+#include "app/document/json.h"
+#include "app/document/words.h"
 #include "engine/analysis/distance.h"
 #include "engine/analysis/hausdorff.h"
 #include "engine/analysis/self_intersections.h"
@@ -48,7 +47,7 @@ void say_outcome(const SimplifyOutcome& outcome, bool prunes) {
            ? " (inside a surface a collapse removes two faces)"
            : ""));
   std::string refused;
-  for (std::size_t i = 0; i < kRejectionCount; ++i) {
+  for (std::size_t i = 0; i < kRejections.size(); ++i) {
     const auto cause = static_cast<Rejection>(i);
     if (r[cause] == 0) continue;
     refused += (refused.empty() ? "" : ", ") + with_commas(r[cause]) + " by " +
@@ -96,52 +95,38 @@ std::optional<Measured> measured(const Mesh& before, const Mesh& after,
 }
 
 /// Empty unless it is wanted.
-std::optional<std::uint64_t> counted(const Mesh& mesh, const SimplifyWords& words,
+std::optional<std::uint64_t> counted(const Mesh& mesh, const SimplifyArguments& arguments,
                                      const CommonOptions& common) {
-  if (!words.measure) return std::nullopt;
+  if (!arguments.measure) return std::nullopt;
   ProgressLine line(!common.quiet);
   return count_self_intersections(mesh, line.progress());
 }
 
 }  // namespace
 
-std::vector<std::string> cost_words() {
-  std::vector<std::string> words = enum_words<CostPolicy, kCostPolicyCount>();
-  words.emplace_back("qem");
-  return words;
-}
-
-std::vector<std::string> placement_words() {
-  return enum_words<Placement, kPlacementCount>();
-}
-
-SimplifyOptions simplify_options(const SimplifyWords& words, std::uint32_t faces, double diagonal) {
-  if (!words.faces && !words.ratio && words.max_error.empty()) {
-    throw UsageError("simplify: say how far: --faces N, --ratio R or --max-error E");
+SimplifyOptions simplify_options(const SimplifyArguments& arguments, std::uint32_t faces,
+                                 double diagonal) {
+  if (!arguments.faces && !arguments.ratio && arguments.max_error.empty()) {
+    throw UsageError("simplify: give a target: --faces N, --ratio R or --max-error E");
   }
-  // The first cost is the quadric, of which "qem" is another name.
-  SimplifyOptions options{
-      .cost = enum_value<CostPolicy, kCostPolicyCount>(words.cost),
-      .placement = enum_value<Placement, kPlacementCount>(words.placement),
-      .boundary = words.boundary == "lock" ? BoundaryRule::lock : BoundaryRule::preserve,
-      .crease_angle_deg = words.crease_angle_deg,
-      .seed = words.seed,
-      .no_intersections = words.no_intersections};
-  options.certifies = words.bound;
-  if (words.faces) options.target_faces = *words.faces;
-  if (words.ratio) {
-    if (!(*words.ratio > 0.0 && *words.ratio <= 1.0)) {
-      throw UsageError("--ratio: " + short_number(*words.ratio) + " is not above 0 and at most 1");
+  SimplifyOptions options = arguments.rules;
+  options.certifies = arguments.bound;
+  if (arguments.faces) options.target_faces = *arguments.faces;
+  if (arguments.ratio) {
+    if (!(*arguments.ratio > 0.0 && *arguments.ratio <= 1.0)) {
+      throw UsageError("--ratio: " + short_number(*arguments.ratio) +
+                       " is not above 0 and at most 1");
     }
     options.target_faces =
-        std::max(1U, static_cast<std::uint32_t>(std::llround(*words.ratio * faces)));
+        std::max(1U, static_cast<std::uint32_t>(std::llround(*arguments.ratio * faces)));
   }
-  if (words.prune && !words.max_error.empty()) {
+  if (arguments.prune && !arguments.max_error.empty()) {
     throw UsageError(
-        "--prune: cannot be combined with --max-error, since a part that is left out may be "
+        "--prune: cannot be combined with --max-error, since a part that is removed may be "
         "further than that from the result; give --faces or --ratio instead");
   }
-  if (!words.max_error.empty()) options.max_error = parse_max_error(words.max_error, diagonal);
+  if (!arguments.max_error.empty())
+    options.max_error = parse_max_error(arguments.max_error, diagonal);
   return options;
 }
 
@@ -181,21 +166,21 @@ std::string pruned_words(const SimplifyOutcome& outcome) {
          percent_text(outcome.percent(r.error_unpruned));
 }
 
-void run_simplify(const InputOptions& input, const std::string& output, const SimplifyWords& words,
-                  const CommonOptions& common) {
-  simplify_options(words, 1, 1.0);  // refuse before the work, not after it
+void run_simplify(const InputOptions& input, const std::string& output,
+                  const SimplifyArguments& arguments, const CommonOptions& common) {
+  simplify_options(arguments, 1, 1.0);  // refuse before the work, not after it
   check_output(output);
   LoadedModel loaded = load(input, common);
   Mesh& mesh = loaded.model.mesh;
   if (mesh.face_count() == 0) throw InputError(loaded.file.string(), 0, "has no faces to simplify");
-  const Mesh before = words.measure ? mesh : Mesh();
+  const Mesh before = arguments.measure ? mesh : Mesh();
   const SimplifyOptions options =
-      simplify_options(words, mesh.face_count(), loaded.statistics.box.diagonal());
-  const SimplifyOutcome outcome = simplify_model(loaded, options, common, words.prune);
+      simplify_options(arguments, mesh.face_count(), loaded.statistics.box.diagonal());
+  const SimplifyOutcome outcome = simplify_model(loaded, options, common, arguments.prune);
   const std::vector<std::string> losses = write_result(output, loaded.model, common);
   const auto distance = measured(before, mesh, common);
-  const auto intersections_before = counted(before, words, common);
-  const auto intersections_after = counted(mesh, words, common);
+  const auto intersections_before = counted(before, arguments, common);
+  const auto intersections_after = counted(mesh, arguments, common);
   if (distance && !common.quiet) say_distance(*distance);
   if (intersections_before && !common.quiet) {
     say("self-intersections (pairs of faces): " + with_commas(*intersections_before) + " before, " +

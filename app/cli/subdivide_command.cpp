@@ -3,11 +3,10 @@
 #include <chrono>
 
 #include "app/cli/batch.h"
-#include "app/cli/enum_words.h"
 #include "app/cli/progress_line.h"
-#include "app/json.h"
-#include "app/memory_budget.h"
-#include "app/words.h"
+#include "app/document/json.h"
+#include "app/document/words.h"
+#include "app/edit/memory_budget.h"
 #include "engine/core/error.h"
 #include "engine/core/memory.h"
 #include "engine/subdivide/attributes.h"
@@ -42,35 +41,9 @@ Json counts(const Mesh& mesh) {
 
 }  // namespace
 
-std::vector<std::string> scheme_words() {
-  return enum_words<Scheme, kSchemeCount>();
-}
-
-std::vector<std::string> crease_rules_words() {
-  return enum_words<CreaseRules, kCreaseRulesCount>();
-}
-
-std::vector<std::string> boundary_rounding_words() {
-  return enum_words<BoundaryRounding, kBoundaryRoundingCount>();
-}
-
-std::vector<std::string> crease_decay_words() {
-  return enum_words<CreaseDecay, kCreaseDecayCount>();
-}
-
-SubdivideOptions subdivide_options(const SubdivideWords& words) {
-  return {.levels = words.levels,
-          .scheme = enum_value<Scheme, kSchemeCount>(words.scheme),
-          .creases = enum_value<CreaseRules, kCreaseRulesCount>(words.creases),
-          .boundary = enum_value<BoundaryRounding, kBoundaryRoundingCount>(words.boundary),
-          .decay = enum_value<CreaseDecay, kCreaseDecayCount>(words.decay),
-          .limit = words.limit};
-}
-
 void run_subdivide(const InputOptions& input, const std::string& output,
-                   const SubdivideWords& words, const CommonOptions& common) {
+                   const SubdivideOptions& options, const CommonOptions& common) {
   check_output(output);
-  const SubdivideOptions options = subdivide_options(words);
   LoadedModel loaded = load(input, common);
   Model& model = loaded.model;
   if (model.mesh.face_count() == 0) {
@@ -82,29 +55,23 @@ void run_subdivide(const InputOptions& input, const std::string& output,
   const double seconds = subdivide_model(model, options, common);
   const bool drops_normals = has_normals && model.attributes.normal.empty();
   if (!common.quiet) {
-    say("subdivided " + std::to_string(options.levels) + "x (" + words.scheme + ") in " +
-        short_number(seconds) + " s");
+    say("subdivided " + std::to_string(options.levels) + "x (" + std::string(key(options.scheme)) +
+        ") in " + short_number(seconds) + " s");
     if (drops_normals) say("dropped normals (they were those of the coarse surface)");
-    if (options.limit && options.scheme != Scheme::loop) {
-      say("--limit: the vertices of this scheme are where they will stay; nothing moved");
+    if (options.limit && !traits(options.scheme).has_limit) {
+      say("--limit has no effect: the vertices of this scheme are on their limit surface");
     }
   }
   const std::vector<std::string> losses = write_result(output, model, common);
   if (!common.json) return;
-  Json json{{"input", loaded.file.string()},
-            {"output", output},
-            {"levels", options.levels},
-            {"scheme", words.scheme},
-            {"creases", words.creases},
-            {"boundary", words.boundary},
-            {"crease_decay", words.decay},
-            {"limit", options.limit},
-            {"before", before},
-            {"after", counts(model.mesh)},
-            {"seconds", seconds},
-            {"dropped", drops_normals ? Json{"normals"} : Json::array()},
-            {"lost", losses},
-            {"repairs", to_json(loaded.model.report)}};
+  Json json{{"input", loaded.file.string()}, {"output", output}, {"levels", options.levels}};
+  json.update(options_json(kSubdivideRules, options));
+  json.update({{"before", before},
+               {"after", counts(model.mesh)},
+               {"seconds", seconds},
+               {"dropped", drops_normals ? Json{"normals"} : Json::array()},
+               {"lost", losses},
+               {"repairs", to_json(loaded.model.report)}});
   add_pm(json, loaded.pm);
   print_json(json);
 }

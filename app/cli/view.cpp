@@ -3,16 +3,17 @@
 #include <iostream>
 
 #include "app/cli/batch.h"
-#include "app/commands.h"
-#include "app/json.h"
-#include "app/keys.h"
-#include "app/paths.h"
-#include "app/pm_arrival.h"
-#include "app/pm_file.h"
-#include "app/scripted_session.h"
-#include "app/state_log.h"
-#include "app/viewer.h"
-#include "app/window.h"
+#include "app/document/json.h"
+#include "app/edit/edits.h"
+#include "app/files/paths.h"
+#include "app/files/pm_arrival.h"
+#include "app/input/commands.h"
+#include "app/input/keys.h"
+#include "app/viewer/scripted_session.h"
+#include "app/viewer/state_log.h"
+#include "app/viewer/viewer.h"
+#include "app/viewer/window.h"
+#include "engine/io/pm_file.h"
 #include "engine/io/png.h"
 
 namespace mesher::app {
@@ -57,7 +58,8 @@ void refuse_mistyped_command(const std::string& model) {
 std::vector<KeyPress> checked_keys(const std::string& text) {
   std::vector<KeyPress> keys = parse_keys(text);
   for (const KeyPress& key : keys) {
-    if (!command_for(key)) throw UsageError("--keys: '" + to_text(key) + "' does nothing");
+    if (command_for(key) == nullptr)
+      throw UsageError("--keys: '" + to_text(key) + "' does nothing");
   }
   return keys;
 }

@@ -4,16 +4,18 @@
 #include <cfloat>
 #include <glm/trigonometric.hpp>
 
+#include "app/document/words.h"
+#include "app/edit/crease_edits.h"
+#include "app/edit/edits.h"
 #include "app/ui/controls.h"
 #include "app/ui/panels.h"
-#include "app/words.h"
 #include "engine/mesh/creases.h"
 
 namespace mesher::app {
 namespace {
 
 void ask(Session& session, const CreaseRequest& request) {
-  request_edit(session, {.kind = EditRequest::Kind::creases, .creases = request});
+  request_crease_edit(session, request);
 }
 
 void draw_counts(const Session& session) {
@@ -27,11 +29,12 @@ void draw_counts(const Session& session) {
     ImGui::TextDisabled("click an edge");
   }
   tooltip(
-      "Click: the edge. Shift+click or double click: the chain of edges that continues it.\n"
-      "Ctrl+click: one more, or one less. Beside the edges: none. Ctrl+A: all creases.");
+      "Click selects an edge; Shift+click or double click selects its chain of edges.\n"
+      "Ctrl+click adds or removes an edge. A click beside all edges clears the selection.\n"
+      "Ctrl+A selects all creases.");
 }
 
-/// Applies while it is dragged; the drag is one step of the history.
+/// Applies while it is dragged. One drag is one step of the history.
 void draw_slider(Session& session, const SelectedSharpness& sharpness) {
   const char* format = "%.1f";
   if (sharpness.edges == 0) {
@@ -42,16 +45,16 @@ void draw_slider(Session& session, const SelectedSharpness& sharpness) {
     format = "infinite";
   }
   CreaseMode& creases = session.creases;
-  float value = std::min(sharpness.most, kMostSharpness);
+  float value = std::min(sharpness.most, kMaxFiniteSharpness);
   label("sharpness");
-  const bool is_changed = ImGui::SliderFloat("##sharpness", &value, 0.0F, kMostSharpness, format,
-                                             ImGuiSliderFlags_AlwaysClamp);
+  const bool is_changed = ImGui::SliderFloat("##sharpness", &value, 0.0F, kMaxFiniteSharpness,
+                                             format, ImGuiSliderFlags_AlwaysClamp);
   if (ImGui::IsItemActivated()) ++creases.drags;
   if (is_changed) {
     creases.finite_sharpness = value;
     ask(session, {.kind = CreaseRequest::Kind::set, .value = value, .drag = creases.drags});
   }
-  tooltip("For how many subdivision steps the edges stay sharp. + and -: by 1.");
+  tooltip("Number of subdivision steps for which the edges stay sharp. + and - change it by 1.");
 }
 
 void draw_infinite(Session& session, const SelectedSharpness& sharpness) {
@@ -61,21 +64,21 @@ void draw_infinite(Session& session, const SelectedSharpness& sharpness) {
     const float value = is_infinite ? kInfinitelySharp : session.creases.finite_sharpness;
     ask(session, {.kind = CreaseRequest::Kind::set, .value = value});
   }
-  tooltip("Sharp for ever (I).");
+  tooltip("Always sharp (I).");
 }
 
 void draw_clear_buttons(Session& session, const SelectedSharpness& sharpness) {
   if (half_button("clear selected", sharpness.most > 0.0F,
-                  "X or Delete: the selected edges get smooth.")) {
+                  "X or Delete: make the selected edges smooth.")) {
     ask(session, {.kind = CreaseRequest::Kind::set, .value = 0.0F});
   }
   ImGui::SameLine();
-  if (half_button("clear all", session.statistics.crease_edges > 0, "Every edge gets smooth.")) {
+  if (half_button("clear all", session.statistics.crease_edges > 0, "Make all edges smooth.")) {
     ask(session, {.kind = CreaseRequest::Kind::clear_all});
   }
 }
 
-/// Counts again only where the answer may have changed: a look at every edge.
+/// Counts again only if the answer may have changed, because the count visits every edge.
 std::uint32_t count_untagged(const Session& session, TagCount& last) {
   const TagCount now{session.model_generation, session.edits.revision,
                      session.creases.tag_angle_deg};
@@ -93,17 +96,17 @@ void draw_tagging(Session& session, TagCount& last) {
   label("angle");
   ImGui::SliderFloat("##tag angle", &session.creases.tag_angle_deg, 0.0F, 180.0F, "%.0f deg",
                      ImGuiSliderFlags_AlwaysClamp);
-  tooltip("Edges whose faces turn by more.");
+  tooltip("Edges whose face normals differ by more.");
   const std::uint32_t edges = count_untagged(session, last);
   ImGui::BeginDisabled(edges == 0);
   const std::string text =
-      "tag " + with_commas(edges) + (edges == 1 ? " edge" : " edges") + " by angle###tag";
+      "mark " + with_commas(edges) + (edges == 1 ? " edge" : " edges") + " by angle###tag";
   if (ImGui::Button(text.c_str(), {-FLT_MIN, 0.0F})) {
     ask(session,
         {.kind = CreaseRequest::Kind::tag_by_angle, .value = session.creases.tag_angle_deg});
   }
   ImGui::EndDisabled();
-  tooltip("They get infinitely sharp (Shift+C).");
+  tooltip("Mark them as infinitely sharp (Shift+C).");
 }
 
 }  // namespace
@@ -113,7 +116,7 @@ float draw_crease_panel(Session& session, const PanelFacts& facts, float top, Ta
   bool is_open = true;
   if (begin_side_panel("Edit creases", top, &is_open)) {
     draw_counts(session);
-    const SelectedSharpness sharpness = selected_sharpness(session);
+    const SelectedSharpness sharpness = selected_sharpness(session.model.mesh, session.creases);
     ImGui::BeginDisabled(facts.job != nullptr);  // it may leave other edges
     ImGui::BeginDisabled(sharpness.edges == 0);
     draw_slider(session, sharpness);

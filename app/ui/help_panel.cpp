@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "app/commands.h"
+#include "app/input/commands.h"
 #include "app/ui/panels.h"
 
 namespace mesher::app {
@@ -15,13 +15,13 @@ struct MouseHelp {
 };
 
 constexpr MouseHelp kMouse[] = {
-    {"drag", "turn"},
-    {"Shift+drag, right drag", "move"},
-    {"wheel", "nearer or farther, at the cursor"},
-    {"double click", "turn around the point under the cursor"},
+    {"drag", "rotate"},
+    {"Shift+drag, right drag", "pan"},
+    {"wheel", "zoom at the cursor"},
+    {"double click", "rotate around the point under the cursor"},
     {"drop a file", "open it"},
-    {"editing creases: click", "pick the edge; Ctrl: one more or less"},
-    {"Shift+click, double click", "pick the chain of edges"},
+    {"click (editing creases)", "select the edge; Ctrl: add or remove it"},
+    {"Shift+click, double click", "select the chain of edges"},
 };
 
 std::string keys_text(std::string_view keys) {
@@ -38,10 +38,16 @@ struct Row {
   std::string what;
 };
 
+/// Commands by group, under the group's name; the mouse last. An empty key column marks a name.
 std::vector<Row> rows() {
   std::vector<Row> all;
-  for (const Binding& binding : bindings())
-    all.push_back({keys_text(binding.keys), std::string(binding.what)});
+  for (const Choice<CommandGroup>& group : kCommandGroups) {
+    all.push_back({"", group.text.label});
+    for (const Command& command : commands()) {
+      if (command.group == group.value) all.push_back({keys_text(command.keys), command.help});
+    }
+  }
+  all.push_back({"", "Mouse"});
   for (const MouseHelp& help : kMouse)
     all.push_back({help.gesture, help.what});
   return all;
@@ -52,6 +58,10 @@ void draw_rows(const char* name, std::span<const Row> rows) {
   for (const Row& row : rows) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
+    if (row.keys.empty()) {
+      ImGui::TextDisabled("%s", row.what.c_str());
+      continue;
+    }
     ImGui::TextUnformatted(row.keys.c_str());
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(row.what.c_str());

@@ -3,7 +3,9 @@
 #include <cinttypes>
 #include <cstdio>
 
-#include "app/progressive_edits.h"
+#include "app/document/shown.h"
+#include "app/edit/crease_edits.h"
+#include "app/edit/progressive_edits.h"
 #include "app/ui/controls.h"
 #include "app/ui/panels.h"
 
@@ -34,7 +36,7 @@ bool begin_section(const char* name) {
   return ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
 }
 
-/// Of a level: collapses change neither the genus nor the boundary loops.
+/// Counts of a level. Collapses change neither the genus nor the number of boundary loops.
 void draw_level_counts(const Mesh& mesh, const Statistics& of_model) {
   if (!begin_section("Mesh") || !begin_table("counts")) return;
   row("vertices", "%" PRIu32, mesh.vertex_count());
@@ -69,50 +71,44 @@ void draw_repairs(const BuildReport& report) {
     ImGui::TextDisabled("none needed");
     return;
   }
-  for (std::size_t i = 0; i < kRepairCount; ++i) {
+  for (std::size_t i = 0; i < kRepairs.size(); ++i) {
     const auto repair = static_cast<Repair>(i);
     if (report[repair] == 0) continue;
     ImGui::TextWrapped("%" PRIu64 " %s", report[repair], std::string(describe(repair)).c_str());
   }
 }
 
-void draw_crease_switch(Session& session) {
-  bool is_on = session.creases.is_on;
-  if (ImGui::Checkbox("edit creases", &is_on)) set_crease_mode(session, is_on);
-}
-
-void draw_progressive_switch(Session& session) {
-  bool is_on = session.progressive.is_on();
-  if (ImGui::Checkbox("progressive mesh", &is_on)) toggle_progressive(session);
-}
-
-void draw_shading(Session& session) {
-  render::Settings& settings = session.settings;
+void draw_shading_choice(render::Settings& settings) {
   using render::Shading;
+  for (const Shading shading : {Shading::flat, Shading::gouraud, Shading::none}) {
+    const ChoiceText& text = text_of(shading);
+    if (shading != Shading::flat) ImGui::SameLine();
+    if (ImGui::RadioButton(text.label, settings.shading == shading)) settings.shading = shading;
+    tooltip(text.help);
+  }
+  // Without a surface and without edges there would be nothing to see.
+  if (settings.shading == Shading::none) settings.wireframe = true;
+}
+
+void draw_look(Session& session) {
   if (!begin_section("Shading")) return;
-  if (ImGui::RadioButton("flat", settings.shading == Shading::flat)) {
-    settings.shading = Shading::flat;
-  }
-  ImGui::SameLine();
-  if (ImGui::RadioButton("Gouraud", settings.shading == Shading::gouraud)) {
-    settings.shading = Shading::gouraud;
-  }
-  ImGui::SameLine();
-  if (ImGui::RadioButton("none", settings.shading == Shading::none)) {
-    settings.shading = Shading::none;
-    settings.wireframe = true;
-  }
-  ImGui::BeginDisabled(settings.shading == Shading::none);
+  render::Settings& settings = session.settings;
+  draw_shading_choice(settings);
+  ImGui::BeginDisabled(settings.shading == render::Shading::none);
   ImGui::Checkbox("wireframe", &settings.wireframe);
   ImGui::EndDisabled();
   ImGui::SameLine(130.0F);
-  draw_crease_switch(session);
-  ImGui::BeginDisabled(settings.shading != Shading::gouraud);
+  bool edits_creases = session.creases.is_on;
+  if (ImGui::Checkbox("edit creases", &edits_creases)) set_crease_mode(session, edits_creases);
+  constexpr const auto& kAngle = option_named(render::kRenderOptions, "crease-angle");
+  ImGui::BeginDisabled(!kAngle.applies(settings));
   ImGui::SetNextItemWidth(120.0F);
-  ImGui::SliderFloat("crease angle", &settings.crease_angle_deg, 0.0F, 180.0F, "%.0f deg",
-                     ImGuiSliderFlags_AlwaysClamp);
+  ImGui::SliderFloat(kAngle.label, &settings.crease_angle_deg, static_cast<float>(kAngle.least),
+                     static_cast<float>(kAngle.most), "%.0f deg", ImGuiSliderFlags_AlwaysClamp);
+  tooltip(kAngle.help);
   ImGui::EndDisabled();
-  draw_progressive_switch(session);
+  bool is_progressive = session.progressive.is_on();
+  if (ImGui::Checkbox("progressive mode", &is_progressive)) toggle_progressive(session);
 }
 
 void draw_colors(render::Settings& settings) {
@@ -163,7 +159,7 @@ void draw_info_panel(Session& session, const PanelFacts& facts, PanelAreas& area
       draw_counts(session.statistics);
     }
     draw_repairs(session.model.report);
-    draw_shading(session);
+    draw_look(session);
     draw_colors(session.settings);
     draw_gpu(facts);
     ImGui::TextDisabled("F1: all keys");

@@ -5,7 +5,7 @@
 namespace mesher::app {
 namespace {
 
-// What takes no longer than a moment needs no bar that comes and goes.
+// Shorter jobs show no progress bar, which would only flicker.
 constexpr double kMomentSeconds = 0.25;
 
 void draw_progress(const Job& job, bool can_cancel, PanelActions& actions) {

@@ -1,8 +1,9 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include "app/paths.h"
+#include "app/files/paths.h"
 #include "app/ui/panels.h"
+#include "engine/io/format.h"
 
 namespace mesher::app {
 
@@ -14,10 +15,10 @@ void draw_open_dialog(Session& session, std::string& typed, bool submits, PanelA
   constexpr ImGuiWindowFlags kFlags =
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove;
   if (ImGui::Begin("Open a model", &is_open, kFlags)) {
-    ImGui::TextDisabled("obj, ply, stl, off, gltf, glb: a path, or a name in assets/");
+    ImGui::TextDisabled("%s: a path, or a name in assets/", readable_formats().c_str());
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(380.0F);
-    // Enter comes by `submits` alone: that ImGui sees it, too, must not open the file twice.
+    // `submits` alone reports Enter: ImGui sees the key as well, and must not open the file twice.
     ImGui::InputText("##path", &typed, ImGuiInputTextFlags_AutoSelectAll);
     ImGui::SameLine();
     const bool opens = ImGui::Button("Open") || submits;

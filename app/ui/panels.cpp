@@ -24,7 +24,7 @@ PanelActions Panels::draw(Session& session, const PanelFacts& facts) {
 
 void Panels::draw_right_column(Session& session, const PanelFacts& facts) {
   float top = kPanelMargin;
-  if (session.progressive.is_on()) {  // in which nothing is edited
+  if (session.progressive.is_on()) {  // the model cannot be edited
     draw_progressive_panel(session, facts, top, areas_);
     return;
   }
@@ -36,7 +36,7 @@ void Panels::draw_right_column(Session& session, const PanelFacts& facts) {
 }
 
 bool Panels::covers(const glm::dvec2& at) const {
-  // While a slider is dragged or a color picker is open, the mouse is ImGui's wherever it is.
+  // While a slider is dragged or a color picker is open, ImGui owns the mouse everywhere.
   if (ImGui::GetIO().WantCaptureMouse && ImGui::IsAnyItemActive()) return true;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) {
     return true;

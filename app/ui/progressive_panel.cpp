@@ -4,10 +4,11 @@
 #include <cfloat>
 #include <cstdio>
 
-#include "app/progressive_edits.h"
+#include "app/document/shown.h"
+#include "app/document/words.h"
+#include "app/edit/progressive_edits.h"
 #include "app/ui/controls.h"
 #include "app/ui/panels.h"
-#include "app/words.h"
 
 namespace mesher::app {
 namespace {
@@ -23,7 +24,7 @@ void draw_arrival(ProgressiveView& view) {
   const std::string text = of_text(splits, announced) + " splits";
   ImGui::ProgressBar(announced > 0 ? float(splits) / float(announced) : 1.0F, {-FLT_MIN, 0.0F},
                      text.c_str());
-  tooltip("So much of the file has arrived. Esc: no more of it.");
+  tooltip("Part of the file that is loaded. Esc: stop loading.");
 }
 
 /// Applies while it is dragged.
@@ -37,20 +38,20 @@ void draw_slider(ProgressiveView& view) {
     view.move_to(position);
   }
   tooltip(
-      "From the base to all the detail, by the logarithm of the size.\n"
-      "PageUp, PageDown: a tenth; [ and ]: one split; Home, End: the ends.");
+      "Level of detail, from the base to the full mesh, on a logarithmic scale.\n"
+      "PageUp, PageDown: by a tenth. [ and ]: by one split. Home, End: base and full mesh.");
 }
 
 void draw_buttons(Session& session, bool is_busy) {
   ProgressiveView& view = session.progressive;
   if (half_button(view.is_playing() ? "pause###play" : "play###play", true,
-                  "Space: to and fro between the ends.")) {
+                  "Space: play back and forth between the base and the full mesh.")) {
     view.play(!view.is_playing());
   }
   ImGui::SameLine();
-  if (half_button("keep this level", !is_busy && !view.is_arriving(),
-                  "K: this level becomes the model, which can be edited, and leaves the mode.\n"
-                  "Undo brings back the model.")) {
+  if (half_button("use this level", !is_busy && !view.is_arriving(),
+                  "K: use this level as the model and leave progressive mode.\n"
+                  "Undo restores the model.")) {
     request_keep_level(session);
   }
 }
@@ -63,50 +64,33 @@ void draw_numbers(const ProgressiveView& view) {
   ImGui::TextUnformatted(of_text(mesh.level(), mesh.split_count()).c_str());
 }
 
-void draw_growth(const ProgressiveView& view, ProgressiveSettings& settings) {
-  label("geomorphs");
-  ImGui::BeginDisabled(!view.has_geomorph());
-  ImGui::Checkbox("##geomorphs", &settings.geomorphs);
-  tooltip("Shift+G: splits grow as the slider moves. Off: they pop.");
-  ImGui::EndDisabled();
-  label("window");
-  ImGui::BeginDisabled(!settings.geomorphs || !view.has_geomorph());
-  float percent = 100.0F * settings.window;
-  constexpr float kMost = 100.0F * float(DetailRange::kMostWindow);
-  if (ImGui::SliderFloat("##window", &percent, 0.1F, kMost, "%.1f %%",
-                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {
-    settings.window = percent / 100.0F;
-  }
-  tooltip("How many splits grow at a time, as a share of the vertices that there are by then.");
-  ImGui::EndDisabled();
-  label("play takes");
-  ImGui::SliderFloat("##seconds", &settings.seconds, 1.0F, 60.0F, "%.1f s",
-                     ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-  tooltip("From one end to the other.");
-  label("births");
-  ImGui::Checkbox("colors##births", &settings.colors_births);
-  tooltip("Shift+B: from violet to yellow, the later a vertex came.");
+void draw_geomorphs(const ProgressiveView& view, ProgressiveSettings& settings) {
+  begin_disabled(!view.has_geomorph());
+  edit_option(option_named(kProgressiveOptions, "geomorphs"), settings);
+  begin_disabled(!settings.geomorphs);
+  edit_option(option_named(kProgressiveOptions, "geomorph-range"), settings);
+  end_disabled();
+  end_disabled();
+  edit_option(option_named(kProgressiveOptions, "seconds"), settings);
+  edit_option(option_named(kProgressiveOptions, "split-colors"), settings);
 }
 
 void draw_automatic(const Session& session, ProgressiveSettings& settings) {
   const ProgressiveView& view = session.progressive;
-  ImGui::BeginDisabled(!view.has_geomorph());
-  label("automatic");
-  ImGui::Checkbox("by size##automatic", &settings.is_automatic);
-  tooltip("A: the coarsest level that is off by no more than the tolerance, as it is seen.");
-  label("tolerance");
-  ImGui::SliderFloat("##tolerance", &settings.tolerance_px, 0.1F, 20.0F, "%.2f pixels",
-                     ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+  begin_disabled(!view.has_geomorph());
+  edit_option(option_named(kProgressiveOptions, "automatic"), settings);
+  edit_option(option_named(kProgressiveOptions, "tolerance"), settings);
   if (view.has_geomorph()) {
-    label("off by");
+    label("screen error");
     const double error = view.levels().errors.error(view.mesh().level());
-    ImGui::Text("%.3g pixels", error * shown_pixels_a_unit(session));
-    tooltip("An estimate: the farthest that any split to come moves the surface.");
+    ImGui::Text("%.3g pixels", error * shown_pixels_per_unit(session));
+    tooltip(
+        "Estimated screen-space error: the largest distance that a later split moves the surface.");
   }
-  ImGui::EndDisabled();
+  end_disabled();
 }
 
-/// Why the base is what it is, where that is not what was asked for.
+/// The error of the base, and why it stopped before the requested size.
 void draw_report(const Session& session) {
   const auto& report = session.progressive.levels().report;
   if (!report) return;
@@ -120,7 +104,7 @@ void draw_report(const Session& session) {
   ImGui::TextWrapped("%s", words.c_str());
 }
 
-/// A base of another size, where there is a model to make it of.
+/// The size of the base, and a button to rebuild it if there is a model to build it from.
 void draw_base(Session& session, ProgressiveSettings& settings, bool is_busy) {
   ProgressiveView& view = session.progressive;
   if (view.levels().vertex_source.empty()) {
@@ -133,8 +117,8 @@ void draw_base(Session& session, ProgressiveSettings& settings, bool is_busy) {
     settings.base_faces = is_chosen ? 0 : view.mesh().base_face_count();
   }
   tooltip(
-      "The base has 200 faces, or an eighth of a small model; it stops earlier where it would\n"
-      "be further than 5 % of the diagonal from the model. Off: as many faces as you say.");
+      "The base has 200 faces, or an eighth of a small model; more where it would otherwise be\n"
+      "further than 5 % of the diagonal from the model. Off: set the number of faces below.");
   label("base faces");
   ImGui::BeginDisabled(is_chosen);
   auto faces = static_cast<int>(is_chosen ? view.mesh().base_face_count() : settings.base_faces);
@@ -143,12 +127,12 @@ void draw_base(Session& session, ProgressiveSettings& settings, bool is_busy) {
     settings.base_faces = static_cast<std::uint32_t>(std::clamp(faces, 1, kMost));
   }
   ImGui::EndDisabled();
-  tooltip("How far simplification goes, by the rules of its panel.");
+  tooltip("Number of faces of the base. The rules are those of the Simplify panel.");
   draw_report(session);
   ImGui::BeginDisabled(is_busy);
-  if (ImGui::Button("make it anew", {-FLT_MIN, 0.0F})) {
+  if (ImGui::Button("rebuild", {-FLT_MIN, 0.0F})) {
     view.change(settings);
-    request_edit(session, {.kind = EditRequest::Kind::progressive, .rebuilds = true});
+    request_rebuilt_progressive(session);
   }
   ImGui::EndDisabled();
 }
@@ -167,7 +151,7 @@ float draw_progressive_panel(Session& session, const PanelFacts& facts, float to
     draw_numbers(view);
     ProgressiveSettings settings = view.settings();
     ImGui::Separator();
-    draw_growth(view, settings);
+    draw_geomorphs(view, settings);
     ImGui::Separator();
     draw_automatic(session, settings);
     ImGui::Separator();
@@ -175,7 +159,7 @@ float draw_progressive_panel(Session& session, const PanelFacts& facts, float to
     ImGui::TextUnformatted(
         (size_text(facts.upload.uploaded_bytes) + " of " + size_text(facts.upload.total_bytes))
             .c_str());
-    tooltip("By the last step that moved anything to the GPU, of all that is there.");
+    tooltip("Bytes that the last step sent to the GPU, of all bytes that it holds.");
     draw_base(session, settings, is_busy);
     view.change(settings);
   }

@@ -1,7 +1,9 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "app/files/save.h"
 #include "app/ui/panels.h"
+#include "engine/io/format.h"
 
 namespace mesher::app {
 
@@ -13,10 +15,10 @@ void draw_save_dialog(Session& session, bool submits, PanelAreas& areas) {
   constexpr ImGuiWindowFlags kFlags =
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove;
   if (ImGui::Begin("Save the model", &is_open, kFlags)) {
-    ImGui::TextDisabled("obj (the one that keeps creases), ply, stl, off, gltf, glb");
+    ImGui::TextDisabled("%s; only obj keeps creases", writable_formats().c_str());
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(380.0F);
-    // Typing replaces the suggestion. Enter comes by `submits` alone, as in the open dialog.
+    // Typing replaces the suggestion. `submits` alone reports Enter, as in the open dialog.
     ImGui::InputText("##path", &saving.typed, ImGuiInputTextFlags_AutoSelectAll);
     ImGui::SameLine();
     const bool overwrites = !saving.asked.empty() && !saving.remark.empty();

@@ -2,22 +2,110 @@
 
 #include <algorithm>
 #include <cctype>
-#include <string>
-#include <utility>
+#include <string_view>
+#include <vector>
+
+#include "engine/io/gltf_read.h"
+#include "engine/io/obj_read.h"
+#include "engine/io/obj_write.h"
+#include "engine/io/off_read.h"
+#include "engine/io/ply_read.h"
+#include "engine/io/polygon_write.h"
+#include "engine/io/stl_read.h"
 
 namespace mesher {
+namespace {
 
-std::optional<Format> format_of(const std::filesystem::path& file) {
-  static constexpr std::pair<std::string_view, Format> kExtensions[] = {
-      {".obj", Format::obj}, {".ply", Format::ply},   {".stl", Format::stl},
-      {".off", Format::off}, {".gltf", Format::gltf}, {".glb", Format::glb}};
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const auto& [name, format] : kExtensions) {
-    if (extension == name) return format;
+constexpr FormatContents kGltfContents{
+    .texcoord = Holds::all_or_none, .normal = Holds::all_or_none, .color = Holds::each_corner};
+
+constexpr FormatInfo kFormats[] = {
+    {.name = "Wavefront OBJ",
+     .extension = ".obj",
+     .holds = {.creases = true,
+               .groups = true,
+               .texcoord = Holds::each_corner,
+               .normal = Holds::each_corner,
+               .color = Holds::one_per_vertex},
+     .read = [](const MappedFile& file, const ReadOptions& o) { return read_obj(file, o); },
+     .write = [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
+                 const WriteOptions&) { write_obj(file, mesh, attributes); }},
+    {.name = "Stanford PLY",
+     .extension = ".ply",
+     .holds = {.texcoord = Holds::each_corner,
+               .normal = Holds::one_per_vertex,
+               .color = Holds::one_per_vertex},
+     .read = [](const MappedFile& file, const ReadOptions&) { return read_ply(file); },
+     .write = [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
+                 const WriteOptions& o) { write_ply(file, mesh, attributes, o.ascii); }},
+    {.name = "STL",
+     .extension = ".stl",
+     .read = [](const MappedFile& file, const ReadOptions&) { return read_stl(file); },
+     .write = [](AtomicFile& file, const Mesh& mesh, const Attributes&,
+                 const WriteOptions& o) { write_stl(file, mesh, o.ascii); }},
+    {.name = "OFF",
+     .extension = ".off",
+     .holds = {.color = Holds::one_per_vertex},
+     .read = [](const MappedFile& file, const ReadOptions&) { return read_off(file); },
+     .write = [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
+                 const WriteOptions&) { write_off(file, mesh, attributes); }},
+    {.name = "glTF",
+     .extension = ".gltf",
+     .holds = kGltfContents,
+     .read = [](const MappedFile& file, const ReadOptions&) { return read_gltf(file); },
+     .write = [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
+                 const WriteOptions&) { write_gltf(file, mesh, attributes, false); },
+     .write_levels = [](AtomicFile& file,
+                        std::span<const GltfLevel> levels) { write_gltf(file, levels, false); }},
+    {.name = "binary glTF",
+     .extension = ".glb",
+     .holds = kGltfContents,
+     .read = [](const MappedFile& file, const ReadOptions&) { return read_gltf(file); },
+     .write = [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
+                 const WriteOptions&) { write_gltf(file, mesh, attributes, true); },
+     .write_levels = [](AtomicFile& file,
+                        std::span<const GltfLevel> levels) { write_gltf(file, levels, true); }},
+    {.name = "progressive mesh", .extension = ".pm"},
+};
+
+/// "a, b or c"
+std::string list_of(const std::vector<std::string>& words) {
+  std::string list;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) list += i + 1 == words.size() ? " or " : ", ";
+    list += words[i];
   }
-  return std::nullopt;
+  return list;
+}
+
+}  // namespace
+
+std::span<const FormatInfo> formats() {
+  return kFormats;
+}
+
+const FormatInfo* format_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto found = std::ranges::find_if(
+      kFormats, [&](const FormatInfo& format) { return extension == format.extension; });
+  return found == std::end(kFormats) ? nullptr : &*found;
+}
+
+std::string readable_formats() {
+  std::vector<std::string> words;
+  for (const FormatInfo& format : kFormats)
+    words.emplace_back(format.extension + 1);
+  return list_of(words);
+}
+
+std::string writable_formats() {
+  std::vector<std::string> words;
+  for (const FormatInfo& format : kFormats) {
+    if (format.write != nullptr) words.emplace_back(format.extension + 1);
+  }
+  return list_of(words);
 }
 
 }  // namespace mesher

@@ -38,9 +38,11 @@ std::size_t size_of(Component type) {
     case Component::int16:
     case Component::uint16:
       return 2;
-    default:
-      return 4;
+    case Component::uint32:
+    case Component::float32:
+      break;
   }
+  return 4;
 }
 
 template <class T>
@@ -64,12 +66,12 @@ float load_float(const char* p, Component type, bool is_normalized) {
       return load_as_float<std::uint16_t>(p, full(65535.0F));
     case Component::uint32:
       return load_as_float<std::uint32_t>(p, 1.0F);
-    default: {
-      float value;
-      std::memcpy(&value, p, sizeof value);
-      return value;
-    }
+    case Component::float32:
+      break;
   }
+  float value;
+  std::memcpy(&value, p, sizeof value);
+  return value;
 }
 
 /// A relative reference with its %XX turned into the characters they stand for; nothing where it is
@@ -334,7 +336,9 @@ Array<std::uint32_t> GltfFile::indices(std::uint64_t index) {
       case Component::uint32:
         values[i] = load_uint32(from);
         break;
-      default:
+      case Component::int8:
+      case Component::int16:
+      case Component::float32:
         fail("indices are no unsigned integers");
     }
   }

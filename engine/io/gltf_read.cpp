@@ -307,10 +307,10 @@ class GltfReader {
   }
 
   void begin_group(const Json& primitive, std::string_view name, std::size_t faces) {
-    std::string group(name.substr(0, kMostNameBytes));
+    std::string group(name.substr(0, kMaxNameBytes));
     if (const auto material = gltf_.find_number(primitive, "material")) {
       const std::string_view material_name =
-          gltf_.text(gltf_.element("materials", *material), "name").substr(0, kMostNameBytes);
+          gltf_.text(gltf_.element("materials", *material), "name").substr(0, kMaxNameBytes);
       if (!group.empty() && !material_name.empty()) group += '/';
       group += material_name;
     }

@@ -9,32 +9,6 @@
 namespace mesher {
 namespace {
 
-/// How well a format can hold an attribute of corners.
-enum class Holds { nothing, one_a_vertex, all_or_none, each_corner };
-
-struct Capabilities {
-  bool creases;
-  bool groups;
-  Holds texcoord;
-  Holds normal;
-  Holds color;
-};
-
-Capabilities capabilities(Format format) {
-  switch (format) {
-    case Format::obj:
-      return {true, true, Holds::each_corner, Holds::each_corner, Holds::one_a_vertex};
-    case Format::ply:
-      return {false, false, Holds::each_corner, Holds::one_a_vertex, Holds::one_a_vertex};
-    case Format::stl:
-      return {false, false, Holds::nothing, Holds::nothing, Holds::nothing};
-    case Format::off:
-      return {false, false, Holds::nothing, Holds::nothing, Holds::one_a_vertex};
-    default:
-      return {false, false, Holds::all_or_none, Holds::all_or_none, Holds::each_corner};
-  }
-}
-
 bool is_absent(const glm::vec2& v) {
   return std::isnan(v.x) || std::isnan(v.y);
 }
@@ -51,7 +25,7 @@ void add_attribute(std::vector<std::string>& losses, const std::string& name, Ho
   if (values.empty() || holds == Holds::each_corner) return;
   if (holds == Holds::nothing) {
     losses.push_back(name);
-  } else if (holds == Holds::one_a_vertex) {
+  } else if (holds == Holds::one_per_vertex) {
     if (gather_to_vertices(mesh.origins(), mesh.vertex_count(), values, T()).empty()) {
       losses.push_back(name + " (they differ around vertices)");
     }
@@ -74,9 +48,9 @@ std::size_t count_creases(const Mesh& mesh) {
 std::vector<std::string> losses_in_format(const std::filesystem::path& file, const Mesh& mesh,
                                           const Attributes& attributes) {
   std::vector<std::string> losses;
-  const auto format = format_of(file);
-  if (!format) return losses;
-  const Capabilities can = capabilities(*format);
+  const FormatInfo* format = format_of(file);
+  if (format == nullptr) return losses;
+  const FormatContents& can = format->holds;
   const std::size_t creases = can.creases ? 0 : count_creases(mesh);
   if (creases > 0) losses.push_back(std::to_string(creases) + " creases");
   if (!can.creases && !mesh.vertex_sharpnesses().empty()) {

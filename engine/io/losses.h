@@ -9,8 +9,9 @@
 
 namespace mesher {
 
-/// What write_model would have to leave out or change because the format cannot say it, in a
-/// person's words ("3 creases", "normals at seams"). Empty: everything is kept. O(F).
+/// Returns what write_model leaves out or changes because the format cannot hold it, in a person's
+/// words ("3 creases", "normals (they differ around vertices)"). Empty: the file holds everything.
+/// O(F).
 std::vector<std::string> losses_in_format(const std::filesystem::path& file, const Mesh& mesh,
                                           const Attributes& attributes);
 

@@ -204,7 +204,7 @@ class ObjAssembly {
   void rename(const ObjName& name, std::uint32_t face) {
     (name.kind == 'o'   ? object_
      : name.kind == 'g' ? group_
-                        : material_) = name.name.substr(0, kMostNameBytes);
+                        : material_) = name.name.substr(0, kMaxNameBytes);
     std::string joined(object_);
     for (const std::string_view part : {group_, material_}) {
       if (part.empty()) continue;

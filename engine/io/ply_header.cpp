@@ -152,9 +152,12 @@ std::size_t size_of(PlyType type) {
       return 2;
     case PlyType::float64:
       return 8;
-    default:
-      return 4;
+    case PlyType::int32:
+    case PlyType::uint32:
+    case PlyType::float32:
+      break;
   }
+  return 4;
 }
 
 PlyHeader read_ply_header(const MappedFile& file) {

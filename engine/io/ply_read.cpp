@@ -55,9 +55,15 @@ class BinaryValues {
         return static_cast<double>(take<float>());
       case PlyType::float64:
         return take<double>();
-      default:
-        return static_cast<double>(next_whole(type));
+      case PlyType::int8:
+      case PlyType::uint8:
+      case PlyType::int16:
+      case PlyType::uint16:
+      case PlyType::int32:
+      case PlyType::uint32:
+        break;
     }
+    return static_cast<double>(next_whole(type));
   }
   std::int64_t next_whole(PlyType type) {
     switch (type) {
@@ -73,9 +79,11 @@ class BinaryValues {
         return take<std::int32_t>();
       case PlyType::uint32:
         return take<std::uint32_t>();
-      default:
-        fail("indices must be whole numbers");
+      case PlyType::float32:
+      case PlyType::float64:
+        break;
     }
+    fail("indices must be whole numbers");
   }
   void skip(PlyType type) { need(size_of(type)), p_ += size_of(type); }
   void end_row() {}
@@ -361,9 +369,10 @@ Soup read_ply(const MappedFile& file) {
     case PlyEncoding::little_endian:
       return PlyReader<BinaryValues<std::endian::native != std::endian::little>>(file, header)
           .run();
-    default:
-      return PlyReader<BinaryValues<std::endian::native != std::endian::big>>(file, header).run();
+    case PlyEncoding::big_endian:
+      break;
   }
+  return PlyReader<BinaryValues<std::endian::native != std::endian::big>>(file, header).run();
 }
 
 }  // namespace mesher

@@ -20,7 +20,7 @@ Model read_model(const std::filesystem::path& file, const ReadOptions& options) 
     if (!error.file().empty()) throw;
     throw InputError(file.string(), error.line(), error.reason());
   } catch (const std::bad_alloc&) {
-    throw DeviceError(file.string() + ": not enough memory");
+    throw DeviceError(file.string() + ": out of memory");
   }
 }
 

@@ -3,7 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
+
+#include "engine/core/choice.h"
 
 namespace mesher {
 
@@ -24,12 +25,32 @@ enum class Repair : std::uint8_t {
   invalid_sharpness_ignored,    ///< NaN or negative
   contradictory_creases,        ///< tagged twice with different values; the last counts
 };
-inline constexpr std::size_t kRepairCount = 14;
-
-/// snake_case key for JSON.
-std::string_view key(Repair repair);
-/// A person's words: "duplicate faces dropped".
-std::string_view describe(Repair repair);
+inline constexpr Choices<Repair, 14> kRepairs{{
+    {Repair::polygons_triangulated, {"polygons_triangulated", "polygons triangulated"}},
+    {Repair::degenerate_faces_dropped, {"degenerate_faces_dropped", "degenerate faces dropped"}},
+    {Repair::duplicate_faces_dropped, {"duplicate_faces_dropped", "duplicate faces dropped"}},
+    {Repair::non_finite_vertices_dropped,
+     {"non_finite_vertices_dropped", "non-finite vertices dropped"}},
+    {Repair::non_finite_faces_dropped,
+     {"non_finite_faces_dropped", "faces with a non-finite vertex dropped"}},
+    {Repair::faces_flipped, {"faces_flipped", "faces flipped to agree with their neighbors"}},
+    {Repair::unorientable_edges_cut,
+     {"unorientable_edges_cut", "edges of a one-sided surface cut"}},
+    {Repair::non_manifold_edges_cut, {"non_manifold_edges_cut", "non-manifold edges cut"}},
+    {Repair::non_manifold_vertices_cut, {"non_manifold_vertices_cut", "non-manifold vertices cut"}},
+    {Repair::isolated_vertices_dropped, {"isolated_vertices_dropped", "isolated vertices dropped"}},
+    {Repair::isolated_vertices_kept, {"isolated_vertices_kept", "isolated vertices kept"}},
+    {Repair::creases_on_missing_edges,
+     {"creases_on_missing_edges", "creases on missing edges ignored"}},
+    {Repair::invalid_sharpness_ignored,
+     {"invalid_sharpness_ignored", "invalid sharpness values ignored"}},
+    {Repair::contradictory_creases,
+     {"contradictory_creases", "contradictory creases (the last counts)"}},
+}};
+static_assert(is_complete(kRepairs));
+constexpr const auto& choices(Repair) {
+  return kRepairs;
+}
 
 /// Counts by kind. All zero: the file was a clean manifold as it stood.
 class BuildReport {
@@ -41,7 +62,7 @@ class BuildReport {
   bool is_clean() const;
 
  private:
-  std::array<std::uint64_t, kRepairCount> counts_{};
+  std::array<std::uint64_t, kRepairs.size()> counts_{};
 };
 
 }  // namespace mesher

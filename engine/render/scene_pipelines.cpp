@@ -99,7 +99,14 @@ gpu::PipelineOptions options_of(Pass pass, Vertices vertices) {
       options.blends = true;
       options.writes_depth = false;
       break;
-    default:
+    case Pass::bare:
+    case Pass::depth:
+    case Pass::flat:
+    case Pass::gouraud:
+    case Pass::gouraud_corner:
+    case Pass::flat_wire:
+    case Pass::gouraud_wire:
+    case Pass::gouraud_corner_wire:
       break;
   }
   return options;

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 
+#include "engine/core/choice.h"
+#include "engine/core/option.h"
 #include "engine/mesh/geomorph.h"
 
 namespace mesher::render {
@@ -13,7 +16,25 @@ enum class Shading {
   gouraud,  ///< normals interpolated between corners
 };
 
+inline constexpr Choices<Shading, 3> kShadings{{
+    {Shading::none, {"none", "none", "No surface: edges alone."}},
+    {Shading::flat, {"flat", "flat", "One normal per face."}},
+    {Shading::gouraud, {"gouraud", "Gouraud", "Normals interpolated over each face."}},
+}};
+static_assert(is_complete(kShadings));
+constexpr const auto& choices(Shading) {
+  return kShadings;
+}
+
 enum class Background { light, dark };
+inline constexpr Choices<Background, 2> kBackgrounds{{
+    {Background::light, {"light", "light"}},
+    {Background::dark, {"dark", "dark"}},
+}};
+static_assert(is_complete(kBackgrounds));
+constexpr const auto& choices(Background) {
+  return kBackgrounds;
+}
 
 /// An sRGB color, components 0 to 1: as color pickers and CSS give them.
 using Color = glm::vec3;
@@ -46,6 +67,37 @@ struct Settings {
   std::uint32_t first_birth = 0;
 
   friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+/// What commands and panels can change of it.
+inline constexpr std::array kRenderOptions{
+    Option<Settings>{.key = "shading",
+                     .label = "shading",
+                     .help = "how faces are shaded",
+                     .member = enum_member<&Settings::shading>()},
+    Option<Settings>{.key = "wireframe",
+                     .label = "wireframe",
+                     .help = "draw the edges",
+                     .member = &Settings::wireframe},
+    Option<Settings>{
+        .key = "crease-angle",
+        .label = "crease angle",
+        .help = "split Gouraud normals at edges whose face normals differ by more than this",
+        .member = &Settings::crease_angle_deg,
+        .unit = "deg",
+        .most = 180.0,
+        .special = {180.0, "at tagged creases only"},
+        .applies = [](const Settings& s) { return s.shading == Shading::gouraud; }},
+    Option<Settings>{.key = "background",
+                     .label = "background",
+                     .help = "color behind the model",
+                     .member = enum_member<&Settings::background>()},
+    Option<Settings>{.key = "samples",
+                     .label = "samples",
+                     .help = "samples per pixel, 1 or 4",
+                     .member = &Settings::samples,
+                     .least = 1.0,
+                     .most = 4.0},
 };
 
 /// The color behind the model.

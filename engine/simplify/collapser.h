@@ -69,7 +69,7 @@ struct CollapseOutcome {
   std::uint32_t removed_faces = 0;
   double paid = 0.0;  ///< sum of Candidate::error
   Array<CollapseRecord> records;
-  std::array<std::uint64_t, kRejectionCount> rejected{};
+  std::array<std::uint64_t, kRejections.size()> rejected{};
 };
 
 /// Gives every edge its first cost, and every vertex its cheapest edge. Pre: they have none yet.

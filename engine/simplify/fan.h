@@ -20,7 +20,7 @@ namespace mesher {
 class Fan {
  public:
   /// What stands against a collapse; kLegal stands for nothing.
-  static constexpr auto kLegal = static_cast<Rejection>(kRejectionCount);
+  static constexpr auto kLegal = static_cast<Rejection>(kRejections.size());
 
   Fan();
 

@@ -115,7 +115,7 @@ Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
   run_options.max_error *= is_fine ? kUsedOfFineBound : kUsedOfBound;
   Array<float> shares;
   SimplifyTimes seconds;
-  std::array<std::uint64_t, kRejectionCount> rejected{};
+  std::array<std::uint64_t, kRejections.size()> rejected{};
   for (int run = 0; run < kMaxRuns; ++run) {
     CollapseRecorder recorder;
     run_options.observer = options.observer == nullptr ? nullptr : &recorder;

@@ -1,55 +1,94 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
-#include <string_view>
 
+#include "engine/core/choice.h"
+#include "engine/core/option.h"
 #include "engine/core/progress.h"
 
 namespace mesher {
 
 class CollapseObserver;
 
-/// What makes a collapse cheap: which edge goes first.
+/// Which edge is collapsed first.
 enum class CostPolicy : std::uint8_t {
-  /// Squared distance to the planes of the faces as they are now, weighted by area, at a place that
-  /// keeps the volume (the default). Goal: the smallest distance to the input.
+  /// Squared distance to the planes of the current faces, weighted by area, at a position that
+  /// keeps
+  /// the volume (the default). Goal: the smallest distance to the input.
   quadric,
-  /// Quadrics gathered along all collapses (M. Garland, P. Heckbert, "Surface simplification using
-  /// quadric error metrics", 1997). Goal: the classic, for comparison.
+  /// Quadrics accumulated along all collapses (M. Garland, P. Heckbert, "Surface simplification
+  /// using quadric error metrics", 1997). Goal: the classic, for comparison.
   accumulated_quadric,
-  /// The shortest legal edge. Goal: even spacing, at the price of accuracy.
+  /// The shortest legal edge. Goal: even spacing, at the cost of accuracy.
   edge_length,
-  /// Triangles as near to equilateral as can be, for meshes that something is computed on.
+  /// Triangles as close to equilateral as possible, for meshes that are computed on.
   shape,
   /// Any legal edge, all equally likely, seeded. Goal: a baseline, and a test of the rest.
   random,
 };
-inline constexpr std::size_t kCostPolicyCount = 5;
+inline constexpr Choices<CostPolicy, 5> kCostPolicies{{
+    {CostPolicy::quadric,
+     {"quadric", "quadric",
+      "The smallest distance to the input: squared distance to the planes of the current faces, "
+      "weighted by area, at a position that keeps the volume.",
+      "qem"}},
+    {CostPolicy::accumulated_quadric,
+     {"accumulated", "accumulated quadric",
+      "The classic of Garland and Heckbert, for comparison: quadrics accumulated along all "
+      "collapses."}},
+    {CostPolicy::edge_length,
+     {"length", "edge length", "The shortest edge first: even spacing, at the cost of accuracy."}},
+    {CostPolicy::shape,
+     {"shape", "triangle shape",
+      "Triangles as close to equilateral as possible, for meshes that are computed on."}},
+    {CostPolicy::random,
+     {"random", "random", "Any legal edge, all equally likely: a baseline for the others."}},
+}};
+static_assert(is_complete(kCostPolicies));
+constexpr const auto& choices(CostPolicy) {
+  return kCostPolicies;
+}
 
-/// Where the vertex goes that two become.
+/// Where the merged vertex of a collapse is placed.
 enum class Placement : std::uint8_t {
   optimal,   ///< where the cost is least
   midpoint,  ///< the middle of the edge
-  endpoint,  ///< whichever end costs less: positions stay a subset of the input's
+  endpoint,  ///< the end of lower cost: positions stay a subset of the input's
 };
-inline constexpr std::size_t kPlacementCount = 3;
+inline constexpr Choices<Placement, 3> kPlacements{{
+    {Placement::optimal, {"optimal", "optimal", "The position of least cost."}},
+    {Placement::midpoint, {"midpoint", "midpoint", "The middle of the edge."}},
+    {Placement::endpoint,
+     {"endpoint", "endpoint",
+      "The end of the edge that costs less: positions stay a subset of the input's."}},
+}};
+static_assert(is_complete(kPlacements));
+constexpr const auto& choices(Placement) {
+  return kPlacements;
+}
 
-/// What becomes of boundary edges.
+/// How boundary edges are simplified.
 enum class BoundaryRule : std::uint8_t {
   preserve,  ///< loops are kept and simplified along themselves
   lock,      ///< no vertex on a boundary moves or vanishes
 };
+inline constexpr Choices<BoundaryRule, 2> kBoundaryRules{{
+    {BoundaryRule::preserve,
+     {"preserve", "preserve", "Boundary loops stay loops and are simplified along themselves."}},
+    {BoundaryRule::lock, {"lock", "lock", "No vertex on a boundary moves or vanishes."}},
+}};
+static_assert(is_complete(kBoundaryRules));
+constexpr const auto& choices(BoundaryRule) {
+  return kBoundaryRules;
+}
 
-/// In which order the result's vertices and faces come.
+/// The order of the result's vertices and faces.
 enum class ResultOrder : std::uint8_t {
-  input,       ///< survivors in the order in which the input had them
-  fill_holes,  ///< survivors stay in their places, the last ones move into the holes: least changes
+  input,       ///< the order of the input
+  fill_holes,  ///< survivors keep their indices and the last ones fill the holes: fewest changes
 };
-
-/// "quadric", "optimal" …: as the command line and JSON spell it.
-std::string_view key(CostPolicy policy);
-std::string_view key(Placement placement);
 
 /// How many times the true distance a certified bound may be.
 inline constexpr double kBoundRatio = 5.0;
@@ -92,6 +131,42 @@ struct SimplifyOptions {
   ResultOrder order = ResultOrder::input;
   CollapseObserver* observer = nullptr;  ///< told of every collapse
   Progress* progress = nullptr;
+
+  friend bool operator==(const SimplifyOptions&, const SimplifyOptions&) = default;
+};
+
+/// The rules of simplification, which every command and panel that simplifies takes.
+inline constexpr std::array kSimplifyRules{
+    Option<SimplifyOptions>{.key = "cost",
+                            .label = "cost",
+                            .help = "which edge to collapse first",
+                            .member = enum_member<&SimplifyOptions::cost>()},
+    Option<SimplifyOptions>{.key = "placement",
+                            .label = "placement",
+                            .help = "position of the merged vertex",
+                            .member = enum_member<&SimplifyOptions::placement>()},
+    Option<SimplifyOptions>{.key = "boundary",
+                            .label = "boundary",
+                            .help = "whether boundary loops are simplified",
+                            .member = enum_member<&SimplifyOptions::boundary>()},
+    Option<SimplifyOptions>{
+        .key = "crease-angle",
+        .label = "crease angle",
+        .help = "also keep edges as creases whose face normals differ by more than this",
+        .member = &SimplifyOptions::crease_angle_deg,
+        .unit = "deg",
+        .most = 180.0,
+        .special = {180.0, "tagged only"}},
+    Option<SimplifyOptions>{
+        .key = "seed",
+        .label = "seed",
+        .help = "seed of the random policy: the same seed gives the same mesh",
+        .member = &SimplifyOptions::seed,
+        .applies = [](const SimplifyOptions& o) { return o.cost == CostPolicy::random; }},
+    Option<SimplifyOptions>{.key = "no-intersections",
+                            .label = "intersections",
+                            .help = "refuse collapses that make faces intersect",
+                            .member = &SimplifyOptions::no_intersections},
 };
 
 }  // namespace mesher

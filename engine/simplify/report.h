@@ -2,36 +2,52 @@
 
 #include <array>
 #include <cstdint>
-#include <string_view>
+
+#include "engine/core/choice.h"
 
 namespace mesher {
 
-/// Why simplification ended.
+/// Why simplification stopped.
 enum class StopReason : std::uint8_t {
   target_reached,
   already_there,      ///< the input had no more faces than asked for
   no_legal_collapse,  ///< every edge left is refused; see the rejections
-  error_bound,        ///< every edge left would exceed the error bound (or is refused)
+  error_bound,        ///< every edge left is refused or would exceed the error bound
   far_from_input,     ///< SimplifyOptions::stop_before_error
 };
+inline constexpr Choices<StopReason, 5> kStopReasons{{
+    {StopReason::target_reached, {"target_reached", "target reached"}},
+    {StopReason::already_there, {"already_there", "had no more faces than asked for"}},
+    {StopReason::no_legal_collapse, {"no_legal_collapse", "no legal collapse is left"}},
+    {StopReason::error_bound, {"error_bound", "every collapse left would exceed the error bound"}},
+    {StopReason::far_from_input, {"far_from_input", "fewer faces would be too far from the input"}},
+}};
+static_assert(is_complete(kStopReasons));
+constexpr const auto& choices(StopReason) {
+  return kStopReasons;
+}
 
-/// Why single collapses were refused.
+/// Why a collapse was refused.
 enum class Rejection : std::uint8_t {
   link_condition,  ///< would change the topology, or make an edge of three faces
   boundary,        ///< would pinch, close or move a boundary that is kept
-  crease,          ///< would bend a crease or take a corner
-  fold_over,       ///< a face would turn over, against its neighbours or its original
-  error_bound,     ///< would go further from the input than allowed
+  crease,          ///< would bend a crease or remove a corner
+  fold_over,       ///< would turn a face over, against its neighbors or its original
+  error_bound,     ///< would exceed the allowed distance from the input
   intersection,    ///< would make two faces intersect
 };
-inline constexpr std::size_t kRejectionCount = 6;
-
-/// snake_case key for JSON.
-std::string_view key(StopReason reason);
-std::string_view key(Rejection rejection);
-/// A person's words: "target reached", "link condition".
-std::string_view describe(StopReason reason);
-std::string_view describe(Rejection rejection);
+inline constexpr Choices<Rejection, 6> kRejections{{
+    {Rejection::link_condition, {"link_condition", "link condition"}},
+    {Rejection::boundary, {"boundary", "boundary"}},
+    {Rejection::crease, {"crease", "crease"}},
+    {Rejection::fold_over, {"fold_over", "fold-over"}},
+    {Rejection::error_bound, {"error_bound", "error bound"}},
+    {Rejection::intersection, {"intersection", "self-intersection"}},
+}};
+static_assert(is_complete(kRejections));
+constexpr const auto& choices(Rejection) {
+  return kRejections;
+}
 
 /// Seconds by phase.
 struct SimplifyTimes {
@@ -60,7 +76,7 @@ struct SimplifyReport {
   std::uint64_t collapses = 0;
   /// Refusals by cause: how many times an edge was tried and refused; where the target was missed,
   /// also the edges left that features forbid, which are never tried.
-  std::array<std::uint64_t, kRejectionCount> rejected{};
+  std::array<std::uint64_t, kRejections.size()> rejected{};
   /// The root mean square distance between input and result, both ways, model units: measured at
   /// some points of the input, and estimated from the costs paid for the other way. Within a fifth.
   double estimated_error = 0.0;

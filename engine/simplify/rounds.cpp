@@ -309,7 +309,7 @@ void Rounds::note(const CollapseOutcome& outcome) {
     for (const CollapseRecord& record : outcome.records)
       context_.least_rank = std::max(context_.least_rank, static_cast<std::uint16_t>(record.rank));
   }
-  for (std::size_t i = 0; i < kRejectionCount; ++i)
+  for (std::size_t i = 0; i < kRejections.size(); ++i)
     rejected_[i] += outcome.rejected[i];
 }
 

@@ -85,7 +85,7 @@ class Rounds {
   std::uint32_t faces_before_;
   std::uint64_t collapses_ = 0;
   double paid_ = 0.0;
-  std::array<std::uint64_t, kRejectionCount> rejected_{};
+  std::array<std::uint64_t, kRejections.size()> rejected_{};
   /// Of collapses that may be taken back; none: the observer is told at once.
   std::optional<Array<CollapseRecord>> held_;
   /// Where the next collapses passed `stop_before_error`: the error without them.

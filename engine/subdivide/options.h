@@ -1,9 +1,10 @@
 #pragma once
 
-#include <cstddef>
+#include <array>
 #include <cstdint>
-#include <string_view>
 
+#include "engine/core/choice.h"
+#include "engine/core/option.h"
 #include "engine/core/progress.h"
 
 namespace mesher {
@@ -12,55 +13,138 @@ namespace mesher {
 enum class Scheme : std::uint8_t {
   loop,       ///< C. Loop, "Smooth subdivision surfaces based on triangles", 1987; approximating
   butterfly,  ///< N. Dyn et al., 1990, modified by D. Zorin et al., 1996; interpolating
-  midpoint,   ///< edges are halved and nothing moves
+  midpoint,   ///< edges are split in the middle and no vertex moves
 };
-inline constexpr std::size_t kSchemeCount = 3;
+inline constexpr Choices<Scheme, 3> kSchemes{{
+    {Scheme::loop, {"loop", "Loop", "Smooth everywhere; approximates the vertices of the mesh."}},
+    {Scheme::butterfly,
+     {"butterfly", "butterfly", "Smooth, and interpolates the vertices of the mesh."}},
+    {Scheme::midpoint,
+     {"midpoint", "midpoint", "Splits edges in the middle: more triangles, the same surface."}},
+}};
+static_assert(is_complete(kSchemes));
+constexpr const auto& choices(Scheme) {
+  return kSchemes;
+}
 
-/// What a sharp edge does to Loop's masks.
+/// What the rest of the program must know of a scheme.
+struct SchemeTraits {
+  bool interpolates;      ///< the vertices of the mesh keep their positions
+  bool has_limit;         ///< SubdivideOptions::limit has an effect
+  bool has_crease_rules;  ///< so have SubdivideOptions::creases and ::boundary
+};
+constexpr SchemeTraits traits(Scheme scheme) {
+  switch (scheme) {
+    case Scheme::loop:
+      return {.interpolates = false, .has_limit = true, .has_crease_rules = true};
+    case Scheme::butterfly:
+      return {.interpolates = true, .has_limit = false, .has_crease_rules = true};
+    case Scheme::midpoint:
+      return {.interpolates = true, .has_limit = false, .has_crease_rules = false};
+  }
+  return {};
+}
+
+/// How a sharp edge changes Loop's masks.
 enum class CreaseRules : std::uint8_t {
   /// H. Hoppe et al., "Piecewise smooth surface reconstruction", 1994: darts, regular and
   /// non-regular creases, corners. Crease curves meet the smooth surface with continuous tangents.
   hoppe94,
-  /// T. DeRose, M. Kass, T. Truong, "Subdivision surfaces in character animation", 1998, as
-  /// OpenSubdiv has it: what modelling programs expect.
+  /// T. DeRose, M. Kass, T. Truong, "Subdivision surfaces in character animation", 1998, as in
+  /// OpenSubdiv: the rules of most modeling programs.
   derose98,
 };
-inline constexpr std::size_t kCreaseRulesCount = 2;
+inline constexpr Choices<CreaseRules, 2> kCreaseRules{{
+    {CreaseRules::hoppe94,
+     {"hoppe94", "Hoppe 1994",
+      "Darts, regular and non-regular creases, corners: the surface is smooth up to both sides of "
+      "a crease, and a crease ends smoothly."}},
+    {CreaseRules::derose98,
+     {"derose98", "DeRose 1998", "The rules of OpenSubdiv and most modeling programs."}},
+}};
+static_assert(is_complete(kCreaseRules));
+constexpr const auto& choices(CreaseRules) {
+  return kCreaseRules;
+}
 
-/// What a boundary does at a vertex with one face.
+/// How the boundary is treated at a vertex with one face.
 enum class BoundaryRounding : std::uint8_t {
-  edge_only,        ///< the boundary is a smooth curve there, too
-  edge_and_corner,  ///< such a vertex stays where it is
+  edge_only,        ///< the boundary is a smooth curve there as well
+  edge_and_corner,  ///< such a vertex keeps its position
 };
-inline constexpr std::size_t kBoundaryRoundingCount = 2;
+inline constexpr Choices<BoundaryRounding, 2> kBoundaryRoundings{{
+    {BoundaryRounding::edge_only,
+     {"edge-only", "round", "The boundary is a smooth curve, also at vertices with one face."}},
+    {BoundaryRounding::edge_and_corner,
+     {"edge-and-corner", "keep corners", "A boundary vertex with one face keeps its position."}},
+}};
+static_assert(is_complete(kBoundaryRoundings));
+constexpr const auto& choices(BoundaryRounding) {
+  return kBoundaryRoundings;
+}
 
 /// How the sharpness of a semi-sharp edge falls from level to level.
 enum class CreaseDecay : std::uint8_t {
   uniform,  ///< by 1
-  chaikin,  ///< averaged with its neighbours on the crease, then by 1
+  chaikin,  ///< averaged with its neighbors on the crease, then by 1
 };
-inline constexpr std::size_t kCreaseDecayCount = 2;
+inline constexpr Choices<CreaseDecay, 2> kCreaseDecays{{
+    {CreaseDecay::uniform, {"uniform", "uniform", "Semi-sharp edges lose 1 per level."}},
+    {CreaseDecay::chaikin,
+     {"chaikin", "Chaikin",
+      "The sharpness of semi-sharp edges is averaged along the crease, then falls by 1."}},
+}};
+static_assert(is_complete(kCreaseDecays));
+constexpr const auto& choices(CreaseDecay) {
+  return kCreaseDecays;
+}
 
-/// "loop", "hoppe94", "edge-only" ...: as the command line and JSON spell it.
-std::string_view key(Scheme scheme);
-std::string_view key(CreaseRules rules);
-std::string_view key(BoundaryRounding boundary);
-std::string_view key(CreaseDecay decay);
-
-/// From this sharpness on an edge or vertex never gets smooth (as in OpenSubdiv).
+/// An edge or vertex of this sharpness or more never becomes smooth (as in OpenSubdiv).
 inline constexpr float kSharpForEver = 10.0F;
 
-/// By which rules to subdivide, and how far.
+/// How often to subdivide, and by which rules.
 struct SubdivideOptions {
   std::uint32_t levels = 1;
   Scheme scheme = Scheme::loop;
   CreaseRules creases = CreaseRules::hoppe94;
   BoundaryRounding boundary = BoundaryRounding::edge_only;
   CreaseDecay decay = CreaseDecay::uniform;
-  /// After the last level every vertex moves to where it goes in the end, and normals of the limit
-  /// surface are made. With Loop only: the other schemes' vertices stay where they are.
+  /// Moves every vertex to its limit position after the last level, and computes the normals of the
+  /// limit surface. No effect unless the scheme `has_limit`.
   bool limit = false;
   Progress* progress = nullptr;
+
+  friend bool operator==(const SubdivideOptions&, const SubdivideOptions&) = default;
+};
+
+/// The rules of subdivision, which the command and the panel take.
+inline constexpr std::array kSubdivideRules{
+    Option<SubdivideOptions>{.key = "scheme",
+                             .label = "scheme",
+                             .help = "how new vertices are placed",
+                             .member = enum_member<&SubdivideOptions::scheme>()},
+    Option<SubdivideOptions>{
+        .key = "creases",
+        .label = "crease rules",
+        .help = "how sharp edges shape the surface",
+        .member = enum_member<&SubdivideOptions::creases>(),
+        .applies = [](const SubdivideOptions& o) { return traits(o.scheme).has_crease_rules; }},
+    Option<SubdivideOptions>{
+        .key = "boundary",
+        .label = "boundary",
+        .help = "whether boundary vertices with one face keep their position",
+        .member = enum_member<&SubdivideOptions::boundary>(),
+        .applies = [](const SubdivideOptions& o) { return traits(o.scheme).has_crease_rules; }},
+    Option<SubdivideOptions>{.key = "crease-decay",
+                             .label = "crease decay",
+                             .help = "how the sharpness of semi-sharp edges falls per level",
+                             .member = enum_member<&SubdivideOptions::decay>()},
+    Option<SubdivideOptions>{
+        .key = "limit",
+        .label = "limit surface",
+        .help = "move the vertices to the limit surface, and compute its normals (Loop only)",
+        .member = &SubdivideOptions::limit,
+        .applies = [](const SubdivideOptions& o) { return traits(o.scheme).has_limit; }},
 };
 
 }  // namespace mesher

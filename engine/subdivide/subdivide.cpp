@@ -48,7 +48,7 @@ class Subdivision {
       : mesh_(mesh),
         options_(options),
         coarse_(view_of(mesh)),
-        rings_(coarse_, options.scheme == Scheme::loop && thread_count() > 1),
+        rings_(coarse_, !traits(options.scheme).interpolates && thread_count() > 1),
         features_(features_of(mesh, options)),
         exponent_(exponent_of(mesh.positions())) {
     if (exponent_ == 0) return;
@@ -78,7 +78,8 @@ class Subdivision {
     if (exponent_ == 0) return;
     for (glm::vec3& p : level_.position)
       p = scaled(p, exponent_);
-    const bool stays = options_.scheme != Scheme::loop || (options_.levels == 0 && !options_.limit);
+    const bool stays =
+        traits(options_.scheme).interpolates || (options_.levels == 0 && !options_.limit);
     for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
       if (stays || mesh_.is_isolated(Vertex(v))) level_.position[v] = mesh_.position(Vertex(v));
     }
@@ -160,7 +161,7 @@ class Subdivision {
 };
 
 bool wants_limit(const SubdivideOptions& options) {
-  return options.limit && options.scheme == Scheme::loop;
+  return options.limit && traits(options.scheme).has_limit;
 }
 
 std::uint64_t mesh_bytes(std::uint64_t vertices, std::uint64_t faces) {

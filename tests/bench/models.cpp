@@ -138,9 +138,9 @@ void write_obj(const std::filesystem::path& file, std::uint64_t bytes, ObjConten
   if (std::filesystem::exists(file)) return;
   const bool is_full = content == ObjContent::positions_texcoords_normals;
   // One vertex and two faces of the grid cost about so many bytes of text.
-  const double bytes_a_vertex = is_full ? 200.0 : 79.0;
+  const double bytes_per_vertex = is_full ? 200.0 : 79.0;
   const Soup soup =
-      torus(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(bytes) / bytes_a_vertex)));
+      torus(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(bytes) / bytes_per_vertex)));
   const std::filesystem::path temporary = file.string() + ".tmp";
   {
     std::ofstream out(temporary, std::ios::binary);

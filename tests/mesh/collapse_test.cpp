@@ -28,7 +28,7 @@ bool may_collapse(const Mesh& mesh, Halfedge h) {
   const BuildResult result = build_mesh(std::move(soup));
   BuildReport wanted;
   wanted[Repair::isolated_vertices_dropped] = 1;
-  for (std::size_t i = 0; i < kRepairCount; ++i) {
+  for (std::size_t i = 0; i < kRepairs.size(); ++i) {
     if (result.report[static_cast<Repair>(i)] != wanted[static_cast<Repair>(i)]) return false;
   }
   return topology(result.mesh) == topology(mesh);

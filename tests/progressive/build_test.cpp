@@ -68,7 +68,7 @@ TEST(BuildProgressive, FullDetailIsTheInputAndEveryLevelIsValid) {
       built(torus(30, 20)).mesh, built(grid(20)).mesh,
       built(join(torus(9, 8), join(grid(6), cube(), {0, 9, 0}), {9, 0, 0})).mesh};
   for (const Mesh& mesh : meshes) {
-    for (std::size_t p = 0; p < kCostPolicyCount; ++p) {
+    for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
       SCOPED_TRACE(key(static_cast<CostPolicy>(p)));
       examine(mesh, {.target_faces = 1, .cost = static_cast<CostPolicy>(p)});
     }

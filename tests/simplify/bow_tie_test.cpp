@@ -41,8 +41,8 @@ void expect_copies_stay(const Mesh& result, const Mesh& input) {
 TEST(BowTies, CopiesStayAtOnePositionToTheLastCollapse) {
   std::size_t renamed = 0;
   for (const Mesh& mesh : meshes_with_bow_ties()) {
-    for (std::size_t p = 0; p < kCostPolicyCount; ++p) {
-      for (std::size_t k = 0; k < kPlacementCount; ++k) {
+    for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
+      for (std::size_t k = 0; k < kPlacements.size(); ++k) {
         SCOPED_TRACE(std::string(key(static_cast<CostPolicy>(p))) + ", " +
                      std::string(key(static_cast<Placement>(k))));
         CollapseRecorder recorder;

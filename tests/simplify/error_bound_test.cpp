@@ -62,7 +62,7 @@ Mesh slit_sheet(std::uint32_t n) {
 // Far cheaper collapses than one across a slit are left: it must not spoil all of them.
 TEST(MaxError, NoFaceCutsAcrossAHole) {
   const Mesh mesh = slit_sheet(60);
-  for (std::size_t p = 0; p < kPlacementCount; ++p) {
+  for (std::size_t p = 0; p < kPlacements.size(); ++p) {
     const std::uint32_t target = mesh.face_count() / 5;
     const Simplified result = simplify(Mesh(mesh), {.target_faces = target,
                                                     .max_error = 0.3,

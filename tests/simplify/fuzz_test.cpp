@@ -61,9 +61,9 @@ TEST(Fuzz, AMillionAttemptsOverTheZooBreakNothing) {
   for (std::uint64_t seed = 1; tried < kAttempts && !testing::Test::HasFailure(); ++seed) {
     for (const Mesh& mesh : meshes) {
       // Random edges most of the time, and each of the other policies in turn.
-      const auto policy =
-          seed % 3 == 0 ? static_cast<CostPolicy>(seed / 3 % kCostPolicyCount) : CostPolicy::random;
-      const auto placement = static_cast<Placement>(seed % kPlacementCount);
+      const auto policy = seed % 3 == 0 ? static_cast<CostPolicy>(seed / 3 % kCostPolicies.size())
+                                        : CostPolicy::random;
+      const auto placement = static_cast<Placement>(seed % kPlacements.size());
       const Simplified result = simplify(
           Mesh(mesh), {.target_faces = 0, .cost = policy, .placement = placement, .seed = seed});
       expect_valid(result.mesh);

@@ -130,7 +130,7 @@ TEST(NoIntersections, AppearAtAnyTarget) {
 
 TEST(NoIntersections, AppearForAnyCost) {
   const Mesh mesh = built(with_noise(shells(40, 24, 0.02F), 0.004F, 3)).mesh;
-  for (std::size_t p = 0; p < kCostPolicyCount; ++p) {
+  for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
     for (const std::uint32_t target : {1'000U, 200U, 4U})
       expect_no_new_pair(mesh, {.target_faces = target, .cost = static_cast<CostPolicy>(p)});
   }

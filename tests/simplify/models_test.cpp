@@ -53,7 +53,7 @@ void examine_run(const Mesh& mesh, CostPolicy policy, double ratio) {
 void examine(const std::filesystem::path& file) {
   SCOPED_TRACE(file.filename().string());
   const Mesh mesh = read_model(file, {}).mesh;
-  for (std::size_t p = 0; p < kCostPolicyCount; ++p) {
+  for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
     for (const double ratio : kRatios) {
       examine_run(mesh, static_cast<CostPolicy>(p), ratio);
       if (testing::Test::HasFailure()) return;

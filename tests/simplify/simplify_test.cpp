@@ -29,7 +29,7 @@ Mesh bumpy_torus(std::uint32_t n, std::uint32_t m) {
 TEST(Simplify, TheSameBytesForAnyNumberOfThreads) {
   // Large enough for several regions a round.
   const Mesh mesh = bumpy_torus(260, 120);
-  for (std::size_t p = 0; p < kCostPolicyCount; ++p) {
+  for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
     SCOPED_TRACE(key(static_cast<CostPolicy>(p)));
     std::optional<Simplified> first;
     Array<CollapseRecord> first_records;

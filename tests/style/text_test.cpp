@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -52,6 +53,33 @@ TEST(Text, NothingIsPutOffOrSilenced) {
   expect_none_holds(words("TO", {"DO"}));
   expect_none_holds(words("FIX", {"ME"}));
   expect_none_holds(words("NO", {"LINT"}));
+}
+
+/// Returns whether a line is the label of an enumerator of ours: "case Scheme::loop:". Vulkan's and
+/// other libraries' have no scope.
+bool is_own_label(std::string_view line) {
+  const std::size_t at = line.find_first_not_of(' ');
+  if (at == std::string_view::npos || !line.substr(at).starts_with("case ")) return false;
+  const std::string_view label = line.substr(at + 5);
+  return label.find("::") != std::string_view::npos &&
+         std::isalpha(static_cast<unsigned char>(label.front())) != 0;
+}
+
+// The compiler names the enumerator that a switch misses only where there is no default.
+TEST(Text, SwitchesOverOwnEnumsListEveryCase) {
+  for (const SourceFile& file : source_files({"engine", "app"}, {".h", ".cpp"})) {
+    std::set<std::size_t> columns;  // of labels of ours in the switches that are open
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      const std::string& line = file.lines[i];
+      const std::size_t column = line.find_first_not_of(' ');
+      if (column == std::string::npos) continue;
+      if (is_own_label(line)) columns.insert(column);
+      if (line.substr(column).starts_with("switch (")) columns.erase(column + 2);
+      const bool is_default = line.substr(column).starts_with("default:");
+      EXPECT_FALSE(is_default && columns.contains(column))
+          << file.path << ":" << i + 1 << ": lists no case of its own for some enumerator";
+    }
+  }
 }
 
 TEST(Text, HeadersAreIncludedOnce) {

@@ -214,7 +214,7 @@ inline void expect_report(const BuildReport& report,
   BuildReport wanted;
   for (const auto& [repair, count] : expected)
     wanted[repair] = count;
-  for (std::size_t i = 0; i < kRepairCount; ++i) {
+  for (std::size_t i = 0; i < kRepairs.size(); ++i) {
     const auto repair = static_cast<Repair>(i);
     EXPECT_EQ(report[repair], wanted[repair]) << describe(repair);
   }

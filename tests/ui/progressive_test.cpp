@@ -63,7 +63,8 @@ TEST_F(ProgressiveTest, PGoesInAndOutAndThePictureComesBack) {
   v->key("Prior");
   EXPECT_REACHES(*v, s["progressive"]["level"] > 1);
   v->key("d");
-  EXPECT_REACHES(*v, s["notice"].get<std::string>().find("K keeps") != std::string::npos);
+  EXPECT_REACHES(*v,
+                 s["notice"].get<std::string>().find("K to use this level") != std::string::npos);
   v->key("Escape");
   EXPECT_REACHES(*v, s["progressive"]["on"] == false);
   v->key("d");
@@ -95,7 +96,7 @@ TEST_F(ProgressiveTest, TheSliderAppliesWhileItIsDragged) {
   click(*v, kBoxX, kGeomorphsY);
   EXPECT_REACHES(*v, s["progressive"]["geomorphs"] == false);
   click(*v, kBoxX, kBirthsY);
-  EXPECT_REACHES(*v, s["progressive"]["births"] == true);
+  EXPECT_REACHES(*v, s["progressive"]["split_colors"] == true);
   click(*v, kKeepX, kButtonsY);
   EXPECT_REACHES(*v, s["progressive"]["on"] == false && s["undo_depth"] == 1);
   EXPECT_LT(v->state()["faces"], 2880);

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+
+#include "app/document/edit_task.h"
+#include "app/document/history.h"
+#include "app/document/shape.h"
+#include "app/document/simplification.h"
+#include "app/document/subdivision.h"
+
+namespace mesher::app {
+
+/// The edits of the shown model: those done, and those requested.
+struct Edits {
+  History history;
+  /// The model as it was opened, with the creases it got at that level of detail; null: the model
+  /// is shown as it was opened.
+  std::shared_ptr<const Shape> opened;
+  std::uint32_t opened_faces = 0;
+  std::optional<SimplifyOutcome> last;
+  std::optional<SubdivideOutcome> last_subdivision;
+  /// The subdivision that the model is a level of; none: no coarser level is kept.
+  std::optional<SubdivisionLevel> subdivision;
+  /// Requested edits, which the viewer or the script runs in this order.
+  std::deque<std::unique_ptr<EditTask>> waiting;
+  bool was_undone = false;  ///< the last change was an undo
+  /// Grows with every change of the model, so that everything derived from it can be checked.
+  std::uint64_t revision = 0;
+};
+
+}  // namespace mesher::app

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace mesher::app {
+
+/// The dialog that saves the shown model, and the file that it was told to write.
+struct Saving {
+  bool shows_dialog = false;
+  std::string typed;            ///< the path in its field
+  std::string remark;           ///< why the model has not been saved yet
+  std::filesystem::path asked;  ///< an existing file: submitting it once more overwrites it
+  /// The file to write next. The viewer or the script writes it.
+  std::optional<std::filesystem::path> waiting;
+};
+
+}  // namespace mesher::app

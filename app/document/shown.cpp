@@ -1,0 +1,89 @@
+#include "app/document/shown.h"
+
+#include <utility>
+
+#include "app/document/automatic_level.h"
+#include "engine/simplify/attributes.h"
+
+namespace mesher::app {
+namespace {
+
+/// A level in the form that carry_attributes takes.
+Simplified as_simplified(const ProgressiveMesh& mesh, const DetailLevels& levels,
+                         std::uint32_t vertices_before) {
+  Simplified result;
+  result.mesh = mesh.mesh();
+  const auto vertices = levels.vertex_source.begin();
+  result.vertex_source.assign(vertices, vertices + result.mesh.vertex_count());
+  result.face_source.resize(result.mesh.face_count());
+  for (std::size_t f = 0; f < result.face_source.size(); ++f)
+    result.face_source[f] = Mesh::face(levels.face_source[f]);
+  result.report.vertices_before = vertices_before;
+  result.report.collapses = 1;  // even at full detail the ids differ
+  return result;
+}
+
+}  // namespace
+
+const Mesh& shown_mesh(const Session& session) {
+  return session.progressive.is_on() ? session.progressive.mesh().mesh() : session.model.mesh;
+}
+
+Mesh& shown_mesh(Session& session) {
+  return session.progressive.is_on() ? session.progressive.mesh().mesh() : session.model.mesh;
+}
+
+Shape shown_shape(const Session& session) {
+  if (!session.progressive.is_on()) return {session.model.mesh, session.model.attributes};
+  const DetailLevels& levels = session.progressive.levels();
+  const Model& model = session.model;
+  if (levels.vertex_source.empty() || model.attributes.is_empty()) {
+    return {shown_mesh(session), {}};
+  }
+  Simplified level = as_simplified(session.progressive.mesh(), levels, model.mesh.vertex_count());
+  Attributes attributes =
+      carry_attributes(model.attributes, model.mesh.origins(), level).attributes;
+  return {std::move(level.mesh), std::move(attributes)};
+}
+
+render::Settings shown_settings(const Session& session) {
+  render::Settings settings = session.settings;
+  const ProgressiveView& view = session.progressive;
+  if (!view.is_on()) return settings;
+  settings.geomorph = view.growth();
+  settings.colors_births = view.settings().colors_births;
+  settings.first_birth = view.mesh().base_vertex_count();
+  return settings;
+}
+
+render::Sources shown_sources(const Session& session) {
+  const ProgressiveView& view = session.progressive;
+  if (!view.is_on()) return {.corner_normals = shading_normals(session)};
+  if (!view.has_geomorph()) return {};
+  const Geomorph& geomorph = view.levels().geomorph;
+  return {.vertex_normals = geomorph.normals(),
+          .morph = {.heads = geomorph.heads(), .splits = geomorph.splits()}};
+}
+
+render::MarkedEdges marked_edges(const Session& session) {
+  return {session.creases.selected, session.creases.hovered};
+}
+
+std::span<const glm::vec3> shading_normals(const Session& session) {
+  const auto& level = session.edits.subdivision;
+  const Array<glm::vec3>& normals = session.model.attributes.normal;
+  const bool has_limit =
+      level && level->level > 0 && level->rules.limit && traits(level->rules.scheme).has_limit;
+  if (!has_limit || normals.size() != session.model.mesh.halfedge_count()) return {};
+  return normals;
+}
+
+std::uint32_t shown_level(const Session& session) {
+  return session.edits.subdivision ? session.edits.subdivision->level : 0;
+}
+
+double shown_pixels_per_unit(const Session& session) {
+  return pixels_per_unit(session.camera, session.statistics.box, session.window);
+}
+
+}  // namespace mesher::app

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+
+#include "app/document/session.h"
+#include "app/document/shape.h"
+#include "engine/render/gpu_mesh.h"
+#include "engine/render/settings.h"
+#include "engine/render/sources.h"
+
+namespace mesher::app {
+
+// What is drawn: the model or, in progressive mode, a level of its progressive mesh.
+
+const Mesh& shown_mesh(const Session& session);
+/// For the GPU's mirror of the mesh, which clears the mesh's change log.
+Mesh& shown_mesh(Session& session);
+/// That mesh with all geomorphs finished, and its attributes.
+Shape shown_shape(const Session& session);
+/// The session's settings, with the state of the geomorph.
+render::Settings shown_settings(const Session& session);
+render::Sources shown_sources(const Session& session);
+/// The edges that the renderer highlights: the selection, and the edge under the cursor.
+render::MarkedEdges marked_edges(const Session& session);
+/// Normals to shade the model with, one per corner: those of the limit surface if it is shown;
+/// otherwise empty, and the renderer computes normals from the faces.
+std::span<const glm::vec3> shading_normals(const Session& session);
+/// The level of subdivision that the model shows: 0 if it is not subdivided.
+std::uint32_t shown_level(const Session& session);
+/// Pixels per model unit on the screen.
+double shown_pixels_per_unit(const Session& session);
+
+}  // namespace mesher::app

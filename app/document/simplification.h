@@ -1,0 +1,49 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/simplify/options.h"
+#include "engine/simplify/report.h"
+
+namespace mesher::app {
+
+/// The rules of the next simplification, as the panel shows them.
+struct SimplifySettings {
+  SimplifyOptions rules;           ///< those of kSimplifyRules; targets are set per edit
+  float max_error_percent = 0.0F;  ///< of the diagonal; 0: no bound
+
+  friend bool operator==(const SimplifySettings&, const SimplifySettings&) = default;
+};
+inline constexpr std::array kSimplifyLimits{Option<SimplifySettings>{
+    .key = "max-error",
+    .label = "max error",
+    .help =
+        "largest distance from the model that the edit starts from, in percent of the diagonal; "
+        "takes several times as long",
+    .member = &SimplifySettings::max_error_percent,
+    .unit = "%",
+    .special = {0.0, "no bound"}}};
+
+/// What a simplification did, and why it stopped.
+struct SimplifyOutcome {
+  SimplifyReport report;
+  double diagonal = 0.0;             ///< of the input's bounding box: percentages refer to it
+  std::vector<std::string> dropped;  ///< attributes that could not be carried over
+  /// RMS distance from the model as it was opened (distance_from_input), in model units. None if
+  /// the simplification started from that model, or if the result has so many faces that the
+  /// distance is small.
+  std::optional<double> error_from_opened{};
+
+  double percent(double distance) const { return diagonal > 0.0 ? 100.0 * distance / diagonal : 0; }
+  /// The larger of this step's error and the error of all steps, in percent of the diagonal.
+  double error_percent() const {
+    return percent(std::max(report.estimated_error, error_from_opened.value_or(0.0)));
+  }
+  bool is_far() const { return error_percent() > 100.0 * kFarFromInput; }
+};
+
+}  // namespace mesher::app

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <optional>
+
+namespace mesher::app {
+
+struct Session;
+
+/// A change of the sharpness of edges. It applies to the edges that are selected when it runs,
+/// since the edits before it may change the mesh.
+struct CreaseRequest {
+  enum class Kind : std::uint8_t {
+    set,           ///< the selected edges get the sharpness `value`
+    change,        ///< the selected edges get sharper by `value` (smoother if it is negative)
+    clear_all,     ///< all edges become smooth
+    tag_by_angle,  ///< edges whose face normals differ by more than `value` degrees become
+                   ///< infinitely sharp
+  };
+  Kind kind = Kind::set;
+  float value = 0.0F;
+  /// Requests with the same number become one step of the history; 0: a separate step.
+  std::uint64_t drag = 0;
+};
+
+/// What a click on an edge does to the selection. By default the edge becomes the selection.
+struct EdgeClick {
+  bool toggles = false;    ///< adds the edge to the selection, or removes it
+  bool chain = false;      ///< selects the chain of the edge (crease_chain)
+  bool is_second = false;  ///< of a double click: the chain follows what the first click did
+};
+
+/// Turns crease editing on or off. While it is on, creases and boundaries are drawn.
+void set_crease_mode(Session& session, bool is_on);
+/// Handles a click at a point of the window. A click beside all edges clears the selection, unless
+/// it toggles.
+void click_edge(Session& session, const glm::dvec2& at, const EdgeClick& click);
+/// Call when the cursor has moved (none: it is not over the model). Returns whether the edge under
+/// it has changed. O(F), parallel.
+bool hover_edge(Session& session, const std::optional<glm::dvec2>& at);
+/// Selects all creases.
+void select_sharp_edges(Session& session);
+
+/// Changes the sharpness of edges, as an edit that can be undone. Where it changes nothing, the
+/// notice says why. O(changed edges) for the selected edges; O(E) for the others.
+void edit_creases(Session& session, const CreaseRequest& request);
+
+/// The largest finite sharpness that the slider and the keys reach.
+inline constexpr float kMaxFiniteSharpness = 10.0F;
+/// Changes a sharpness by one step. The result is at least 0; beyond kMaxFiniteSharpness it is
+/// infinite.
+float changed_sharpness(float sharpness, float by);
+
+}  // namespace mesher::app

@@ -1,0 +1,83 @@
+#include "app/edit/edit_runner.h"
+
+#include <new>
+#include <utility>
+
+#include "app/edit/edits.h"
+#include "app/edit/subdivide_edit.h"
+#include "engine/core/error.h"
+
+namespace mesher::app {
+namespace {
+
+constexpr const char* kNoMemory = "out of memory: the model cannot be copied";
+
+}  // namespace
+
+bool EditRunner::advance() {
+  bool has_changed = false;
+  if (job_ && job_->is_done()) {
+    take();
+    has_changed = true;
+  }
+  while (!job_ && !session_.edits.waiting.empty()) {
+    start();
+    has_changed = true;
+  }
+  return has_changed;
+}
+
+void EditRunner::start() {
+  try {
+    const std::shared_ptr<EditTask> task = start_next_edit(session_);
+    if (!task) return;
+    job_ = std::make_unique<EditJob>(
+        task->title(),
+        [task](Progress& progress) {
+          task->perform(&progress);
+          return task;
+        },
+        wake_);
+  } catch (const std::bad_alloc&) {
+    session_.edits.waiting.clear();
+    session_.error = kNoMemory;
+    follow_shown_level(session_);
+  }
+}
+
+void EditRunner::take() {
+  const std::unique_ptr<EditJob> job = std::move(job_);
+  try {
+    const std::shared_ptr<EditTask> task = job->take();
+    if (job->progress().is_cancelled()) throw Cancelled();  // the work had ended already
+    task->finish(session_);
+  } catch (const Cancelled&) {
+    session_.notice = "cancelled";
+  } catch (const std::bad_alloc&) {
+    session_.edits.waiting.clear();
+    session_.error = kNoMemory;
+  } catch (const std::exception& error) {
+    session_.edits.waiting.clear();
+    session_.error = error.what();
+  }
+  follow_shown_level(session_);
+}
+
+void EditRunner::cancel() {
+  session_.edits.waiting.clear();
+  if (job_) job_->cancel();
+}
+
+void EditRunner::stop() {
+  session_.edits.waiting.clear();
+  job_.reset();
+}
+
+void EditRunner::finish() {
+  do {
+    if (job_) job_->wait();
+    advance();
+  } while (job_);
+}
+
+}  // namespace mesher::app

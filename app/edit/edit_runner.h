@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+
+#include "app/document/edit_task.h"
+#include "app/document/session.h"
+#include "engine/core/job.h"
+
+namespace mesher::app {
+
+/// Runs the requested edits of a session one after the other, the long ones on another thread.
+/// Edits requested meanwhile are queued.
+class EditRunner {
+ public:
+  /// `wake` as for Job.
+  EditRunner(Session& session, void (*wake)()) : session_(session), wake_(wake) {}
+
+  /// Puts a finished edit into the session and starts the next one. Returns whether anything has
+  /// changed that a person can see.
+  bool advance();
+  bool is_running() const { return job_ != nullptr; }
+  /// The running edit, or null.
+  const Job* job() const { return job_.get(); }
+  /// Cancels the running edit, with a notice, and drops the requested ones.
+  void cancel();
+  /// As `cancel`, without a notice, and returns when the edit has ended: its model goes away.
+  void stop();
+  /// Ends the running edit without a notice: its model is gone. The requested edits are kept, as
+  /// they are meant for the next model.
+  void drop() { job_.reset(); }
+  /// Returns when no edit is running or requested.
+  void finish();
+
+ private:
+  using EditJob = JobOf<std::shared_ptr<EditTask>>;
+
+  void start();
+  void take();
+
+  Session& session_;
+  void (*wake_)();
+  std::unique_ptr<EditJob> job_;
+};
+
+}  // namespace mesher::app

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <memory>
+
+#include "app/document/edit_task.h"
+#include "app/document/history.h"
+#include "app/document/session.h"
+#include "app/document/shape.h"
+
+namespace mesher::app {
+
+/// An edit that replaces the shown model by another shape. The session keeps the difference in its
+/// history, so that the edit can be undone.
+class ModelEdit : public EditTask {
+ public:
+  /// Refuses in progressive mode, where the model is not shown; otherwise calls `prepare`. O(V +
+  /// F): the model is copied.
+  bool start(Session& session) override;
+  /// Applies the difference to the model in place, so that the GPU receives only what changed. The
+  /// camera stays. O(size of the difference).
+  void finish(Session& session) override;
+
+ protected:
+  /// As `start`, of an edit that is allowed.
+  virtual bool prepare(Session& session) = 0;
+  /// Stores the outcome of the edit in the session, before the model changes.
+  virtual void report(Session& session) = 0;
+
+  /// Copies the shown model. The first edit of a model also keeps that copy as the model as it was
+  /// opened. O(V + F).
+  void take_shown(Session& session);
+  /// Records the change from the shown model to `shape`. O(V + F).
+  void record(const Shape& shape);
+
+  std::shared_ptr<const Shape> shown_;
+  Statistics statistics_;  ///< of the shown model
+  Edit edit_;
+};
+
+/// Applies an edit to the model and keeps it in the history. An edit without `subdivision_after`
+/// ends the levels of subdivision, because its result is no level of anything. O(difference).
+void record_edit(Session& session, Edit&& edit);
+
+/// Undoes or redoes an edit of the history, and says so in the notice. O(difference).
+void undo(Session& session);
+void redo(Session& session);
+
+/// Reverts the last change for good, because its result cannot be shown: an edit is removed from
+/// the history, and an undo is redone. Returns false where there is none. Pre: no edit is running,
+/// as it would have started from that result. O(difference).
+bool take_back_last_edit(Session& session);
+
+/// Call after the model has changed. Clears the selection of edges unless the edit
+/// `keeps_topology`. If it does, and the model is shown at the detail at which it was opened, later
+/// simplifications start from the model as it is now. O(1); O(V + F) after a simplification.
+void note_model_changed(Session& session, bool keeps_topology);
+
+/// Returns whether progressive mode is on, in which the model cannot be edited; if so, the notice
+/// says what to do about it.
+bool refuse_in_progressive(Session& session);
+
+/// A copy of the model that other threads can share. O(V + F).
+std::shared_ptr<const Shape> copy_of(const Model& model);
+
+}  // namespace mesher::app

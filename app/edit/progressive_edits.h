@@ -1,0 +1,25 @@
+#pragma once
+
+#include "app/document/progressive_view.h"
+#include "app/document/session.h"
+
+namespace mesher::app {
+
+/// Turns progressive mode on or off. In this mode the window shows a progressive mesh of the model,
+/// which itself does not change and cannot be edited. The progressive mesh is kept until the model
+/// changes; if there is none, it is requested.
+void toggle_progressive(Session& session);
+/// Turns the mode on, and requests missing geomorphs. Pre: there is a progressive mesh.
+void enter_progressive(Session& session);
+void leave_progressive(Session& session);
+/// Drops the progressive mesh: the model has changed.
+void forget_progressive(Session& session);
+
+/// Builds the progressive mesh again, by the rules that hold now.
+void request_rebuilt_progressive(Session& session);
+/// Requests the geomorphs that a progressive mesh from a file lacks.
+void request_geomorph(Session& session);
+/// Makes the shown level the model, as an edit that can be undone.
+void request_keep_level(Session& session);
+
+}  // namespace mesher::app

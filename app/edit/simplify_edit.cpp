@@ -1,0 +1,121 @@
+#include "app/edit/simplify_edit.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "app/document/words.h"
+#include "app/edit/distance_from_input.h"
+#include "app/edit/model_edit.h"
+#include "engine/simplify/attributes.h"
+#include "engine/simplify/simplify.h"
+
+namespace mesher::app {
+namespace {
+
+/// Facts that the picture does not show.
+std::string notice_for(const SimplifyOutcome& outcome) {
+  std::string notice;
+  const SimplifyReport& report = outcome.report;
+  if (report.reason == StopReason::no_legal_collapse || report.reason == StopReason::error_bound) {
+    notice = std::string(describe(report.reason)) + ": " + with_commas(report.faces_reached) +
+             (report.faces_reached == 1 ? " face" : " faces");
+  }
+  for (const std::string& dropped : outcome.dropped)
+    notice += (notice.empty() ? "dropped " : "; dropped ") + dropped;
+  if (outcome.is_far()) {
+    notice += (notice.empty() ? "" : "; ") + far_from("what was opened", outcome.error_percent());
+  }
+  return notice;
+}
+
+class SimplifyEdit final : public ModelEdit {
+ public:
+  enum class Target { tenth_less, one_edge, faces };
+
+  SimplifyEdit(const SimplifySettings& settings, Target target, std::uint32_t faces)
+      : settings_(settings), target_(target), faces_(faces) {}
+
+  void perform(Progress* progress) override {
+    begin_stage(progress, "simplifying");
+    options_.progress = progress;
+    Simplified simplified = simplify(Mesh(start_->mesh), options_);
+    CarriedAttributes carried =
+        carry_attributes(start_->attributes, start_->mesh.origins(), simplified);
+    edit_.name = target_ == Target::one_edge
+                     ? "collapse an edge"
+                     : "simplify to " + with_commas(simplified.report.faces_reached) + " faces";
+    outcome_ = {simplified.report, statistics_.box.diagonal(), std::move(carried.dropped)};
+    if (opened_ != start_ && simplified.mesh.face_count() <= kManyFaces) {
+      outcome_.error_from_opened = distance_from_input(opened_->mesh, simplified.mesh);
+    }
+    record({std::move(simplified.mesh), std::move(carried.attributes)});
+  }
+
+ private:
+  bool prepare(Session& session) override {
+    if (session.model.mesh.face_count() == 0) {
+      session.notice = "there is nothing to simplify";
+      return false;
+    }
+    take_shown(session);
+    opened_ = session.edits.opened;
+    start_ = target_ == Target::faces ? opened_ : shown_;
+    options_ = options_of(settings_, session.statistics.box.diagonal());
+    options_.target_faces = target_faces(start_->mesh.face_count());
+    title_ = target_ == Target::one_edge
+                 ? "Collapsing an edge"
+                 : "Simplifying to " + with_commas(options_.target_faces) + " faces";
+    return true;
+  }
+
+  void report(Session& session) override {
+    session.notice = notice_for(outcome_);
+    session.edits.last = std::move(outcome_);
+  }
+
+  std::uint32_t target_faces(std::uint32_t faces) const {
+    switch (target_) {
+      case Target::tenth_less:
+        return faces - (faces / 10 + (faces % 10 == 0 ? 0 : 1));  // at least one face goes
+      case Target::one_edge:
+        return faces - 1;
+      case Target::faces:
+        break;
+    }
+    return std::max(faces_, 1U);
+  }
+
+  SimplifySettings settings_;
+  Target target_;
+  std::uint32_t faces_;
+  std::shared_ptr<const Shape> start_;   ///< the shown model, or `opened_`
+  std::shared_ptr<const Shape> opened_;  ///< the model as it was opened
+  SimplifyOptions options_;
+  SimplifyOutcome outcome_;
+};
+
+}  // namespace
+
+std::unique_ptr<EditTask> remove_tenth_edit(const SimplifySettings& settings) {
+  return std::make_unique<SimplifyEdit>(settings, SimplifyEdit::Target::tenth_less, 0);
+}
+
+std::unique_ptr<EditTask> collapse_edge_edit(const SimplifySettings& settings) {
+  return std::make_unique<SimplifyEdit>(settings, SimplifyEdit::Target::one_edge, 0);
+}
+
+std::unique_ptr<EditTask> simplify_to_edit(const SimplifySettings& settings, std::uint32_t faces) {
+  return std::make_unique<SimplifyEdit>(settings, SimplifyEdit::Target::faces, faces);
+}
+
+SimplifyOptions options_of(const SimplifySettings& settings, double diagonal) {
+  SimplifyOptions options = settings.rules;
+  options.order = ResultOrder::fill_holes;
+  if (settings.max_error_percent > 0.0F) {
+    options.max_error = 0.01 * settings.max_error_percent * diagonal;
+  }
+  return options;
+}
+
+}  // namespace mesher::app

@@ -1,0 +1,147 @@
+#include "app/edit/subdivide_edit.h"
+
+#include <chrono>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "app/edit/edits.h"
+#include "app/edit/memory_budget.h"
+#include "app/edit/model_edit.h"
+#include "engine/core/memory.h"
+#include "engine/subdivide/attributes.h"
+#include "engine/subdivide/subdivide.h"
+
+namespace mesher::app {
+namespace {
+
+// Of the model that will be shown: that, the result, its arrays in the history, and the GPU's
+// mirror.
+constexpr unsigned kCopies = 4;
+// Of the model that is shown: the task's copy, and its arrays in the history.
+constexpr unsigned kCopiesBefore = 2;
+
+/// What is shown, as a level; without a base where nothing is subdivided.
+SubdivisionLevel shown_as_level(const Session& session) {
+  return session.edits.subdivision.value_or(SubdivisionLevel{});
+}
+
+SubdivideOptions at_level(SubdivideOptions rules, std::uint32_t level) {
+  rules.levels = level;
+  return rules;
+}
+
+std::uint64_t shown_bytes(const Session& session) {
+  const Attributes& a = session.model.attributes;
+  return session.model.mesh.memory_bytes() + std::span(a.texcoord).size_bytes() +
+         std::span(a.normal).size_bytes() + std::span(a.color).size_bytes() +
+         std::span(a.group).size_bytes();
+}
+
+std::string rules_text(const SubdivideOptions& rules) {
+  return "subdivision: " + std::string(key(rules.scheme)) + ", " + std::string(key(rules.creases)) +
+         (rules.limit ? ", limit surface" : "");
+}
+
+/// Name of the edit in the history.
+std::string name_of(std::uint32_t level_before, std::uint32_t level) {
+  const std::string text = std::to_string(level);
+  if (level < level_before) return "back to level " + text;
+  if (level == level_before) return "other rules at level " + text;
+  return "subdivide to level " + text;
+}
+
+Shape subdivided(const SubdivisionLevel& wanted, Progress* progress) {
+  if (wanted.level == 0) return *wanted.base;
+  SubdivideOptions options = at_level(wanted.rules, wanted.level);
+  options.progress = progress;
+  Subdivided result = subdivide(wanted.base->mesh, options);
+  Shape shape{std::move(result.mesh),
+              subdivide_attributes(wanted.base->attributes, wanted.level, progress)};
+  if (!result.limit_normal.empty()) shape.attributes.normal = std::move(result.limit_normal);
+  return shape;
+}
+
+class SubdivideEdit final : public ModelEdit {
+ public:
+  SubdivideEdit(const SubdivideOptions& rules, LevelStep step) : rules_(rules), step_(step) {}
+
+  void perform(Progress* progress) override {
+    const auto start = std::chrono::steady_clock::now();
+    const Shape shape = subdivided(wanted_, progress);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    record(shape);
+    edit_.subdivision_after = wanted_;
+    outcome_ = {wanted_.level, shape.mesh.face_count(), elapsed.count()};
+  }
+
+ private:
+  bool prepare(Session& session) override {
+    if (step_ == LevelStep::none) session.notice = rules_text(rules_);
+    const SubdivisionLevel before = shown_as_level(session);
+    if (step_ == LevelStep::coarser && before.level == 0) {
+      session.notice = "already at the coarsest level";
+      return false;
+    }
+    const std::uint32_t level = step_ == LevelStep::finer     ? before.level + 1
+                                : step_ == LevelStep::coarser ? before.level - 1
+                                                              : before.level;
+    if (level == before.level && (level == 0 || before.rules == rules_)) return false;
+    if (std::string reason = level_refusal(session, level, rules_); !reason.empty()) {
+      session.notice = std::move(reason);
+      follow_shown_level(session);
+      return false;
+    }
+    take_shown(session);
+    wanted_ = {before.base ? before.base : shown_, level, rules_};
+    title_ = "Subdividing to level " + std::to_string(level);
+    edit_.name = name_of(before.level, level);
+    return true;
+  }
+
+  void report(Session& session) override {
+    session.edits.last_subdivision = outcome_;
+    // Other rules may give the same surface, which is no edit.
+    if (!edit_.changes_anything()) session.edits.subdivision = std::move(edit_.subdivision_after);
+  }
+
+  SubdivideOptions rules_;
+  LevelStep step_;
+  SubdivisionLevel wanted_;
+  SubdivideOutcome outcome_;
+};
+
+}  // namespace
+
+std::unique_ptr<EditTask> subdivide_edit(const SubdivideOptions& rules, LevelStep step) {
+  return std::make_unique<SubdivideEdit>(rules, step);
+}
+
+std::string level_refusal(const Session& session, std::uint32_t level,
+                          const SubdivideOptions& rules) {
+  if (level == 0) return "";  // needs no memory, and is the way out when memory runs out
+  const SubdivisionLevel shown = shown_as_level(session);
+  const Mesh& base = shown.base ? shown.base->mesh : session.model.mesh;
+  const Attributes& attributes = shown.base ? shown.base->attributes : session.model.attributes;
+  if (base.face_count() == 0) return "there is nothing to subdivide";
+  if (level > kMaxLevel) return "this is the finest level";
+  return subdivision_refusal(subdivision_size(base, at_level(rules, level)), level,
+                             {.available = available_memory_bytes(),
+                              .copies = kCopies,
+                              .beside = subdivided_attribute_bytes(attributes, level),
+                              .held = kCopiesBefore * shown_bytes(session)});
+}
+
+void follow_shown_level(Session& session) {
+  const auto& level = session.edits.subdivision;
+  if (level && level->level > 0 && session.edits.waiting.empty()) {
+    session.subdivide = level->rules;
+  }
+}
+
+void apply_subdivide_settings(Session& session) {
+  session.notice = rules_text(session.subdivide);
+  request_same_level(session);
+}
+
+}  // namespace mesher::app

@@ -1,0 +1,64 @@
+#include "app/files/arrival_runner.h"
+
+#include <utility>
+
+#include "app/edit/progressive_edits.h"
+
+namespace mesher::app {
+
+void ArrivalRunner::take_over(std::unique_ptr<PmArrival> arrival) {
+  arrival_ = std::move(arrival);
+  if (arrival_) arrival_->set_wake(wake_);
+}
+
+bool ArrivalRunner::open(const std::filesystem::path& file) {
+  try {
+    auto next = std::make_unique<PmArrival>(file);
+    stop();
+    take_over(std::move(next));
+    return true;
+  } catch (const std::exception& error) {
+    session_.error = error.what();
+    return false;
+  }
+}
+
+bool ArrivalRunner::has_news() const {
+  return arrival_ && (arrival_->is_done() || arrival_->has_news(session_));
+}
+
+bool ArrivalRunner::advance(double seconds) {
+  if (!has_news()) return false;
+  const bool had_base = arrival_->has_base();
+  bool is_new = true;
+  try {
+    is_new = arrival_->advance(session_, seconds);
+    if (!had_base && arrival_->has_base()) edits_.drop();
+    if (arrival_->is_done()) arrival_.reset();
+  } catch (const std::exception& error) {
+    if (!had_base && arrival_->has_base()) edits_.drop();
+    session_.error = error.what();
+    stop();
+  }
+  return is_new;
+}
+
+void ArrivalRunner::finish() {
+  if (!arrival_) return;
+  arrival_->finish(session_);
+  arrival_.reset();
+}
+
+void ArrivalRunner::stop() {
+  if (!arrival_) return;
+  try {
+    if (arrival_->has_base() && !arrival_->is_done()) arrival_->stop(session_);
+  } catch (const std::exception& error) {
+    // There is no memory to keep it in; the base stays.
+    forget_progressive(session_);
+    session_.error = error.what();
+  }
+  arrival_.reset();
+}
+
+}  // namespace mesher::app

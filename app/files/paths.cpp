@@ -1,0 +1,81 @@
+#include "app/files/paths.h"
+
+#include <cctype>
+#include <cstdlib>
+
+namespace mesher::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path environment_path(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? fs::path() : fs::path(value);
+}
+
+bool is_folder(const fs::path& path) {
+  std::error_code ignored;
+  return !path.empty() && fs::is_directory(path, ignored);
+}
+
+bool is_there(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
+fs::path pictures_folder() {
+  const fs::path xdg = environment_path("XDG_PICTURES_DIR");
+  if (is_folder(xdg)) return xdg;
+  const fs::path home = environment_path("HOME");
+  if (!home.empty() && is_folder(home / "Pictures")) return home / "Pictures";
+  return ".";
+}
+
+}  // namespace
+
+fs::path find_model(const std::string& name) {
+  if (is_there(name)) return name;
+  if (fs::path(name).has_parent_path()) return name;
+  const fs::path asset = fs::path(MESHER_ASSETS_DIR) / name;
+  if (is_there(asset) && !is_folder(asset)) return asset;
+  const fs::path with_extension = asset.string() + ".obj";
+  return is_there(with_extension) ? with_extension : fs::path(name);
+}
+
+fs::path free_name(const fs::path& folder, const std::string& stem, const std::string& extension) {
+  fs::path file = folder / (stem + extension);
+  for (int i = 2; is_there(file); ++i) {
+    std::string name = stem;
+    name.append("-").append(std::to_string(i)).append(extension);
+    file = folder / name;
+  }
+  return file;
+}
+
+fs::path free_picture_name(const fs::path& folder, const std::string& stem) {
+  return free_name(folder, stem, ".png");
+}
+
+fs::path next_screenshot(const std::string& model_name) {
+  return free_picture_name(pictures_folder(), "mesher-" + fs::path(model_name).stem().string());
+}
+
+bool is_png_name(const fs::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".png";
+}
+
+fs::path typed_path(std::string text) {
+  constexpr const char* kAround = " \t\"'";
+  const std::size_t first = text.find_first_not_of(kAround);
+  if (first == std::string::npos) return {};
+  text = text.substr(first, text.find_last_not_of(kAround) - first + 1);
+  if (text == "~" || text.starts_with("~/")) {
+    text.replace(0, 1, environment_path("HOME").string());
+  }
+  return text;
+}
+
+}  // namespace mesher::app

@@ -1,0 +1,134 @@
+#include "app/files/pm_arrival.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "app/document/session.h"
+#include "app/edit/progressive_edits.h"
+#include "engine/core/error.h"
+
+namespace mesher::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Below full detail: between two times of reading on, and how long each takes at least.
+constexpr double kSecondsBetween = 0.15;
+constexpr double kBiteSeconds = 0.1;
+
+double now_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+PmArrival::PmArrival(const fs::path& file)
+    : file_(file), reader_(std::make_unique<PmReader>(file.string())), stream_(file) {}
+
+bool PmArrival::advance(Session& session, double seconds) {
+  if (is_done_ || !has_news(session)) return false;
+  bool is_new = feed(session, seconds);
+  if (is_over(session)) {
+    end(session);
+    is_new = true;
+  }
+  return is_new;
+}
+
+/// What lies behind damage is of no use, and may go on for ever.
+bool PmArrival::is_over(Session& session) const {
+  return stream_.is_at_end() || (has_base_ && !session.progressive.reader()->damage().empty());
+}
+
+bool PmArrival::has_news(const Session& session) const {
+  if (!stream_.has_news()) return false;
+  const bool is_at_rest = !has_base_ || session.progressive.is_at_end() || stream_.is_at_end();
+  return is_at_rest || now_s() - last_fed_s_ >= kSecondsBetween;
+}
+
+/// To full detail, where reading goes on; returns for how many seconds it should, at least, so that
+/// the way up and back does not take most of the time.
+double PmArrival::climb(Session& session) const {
+  if (!has_base_ || session.progressive.is_at_end()) return 0.0;
+  const double begin = now_s();
+  ProgressiveMesh& mesh = session.progressive.mesh();
+  mesh.go_to(mesh.split_count());
+  return std::max(kBiteSeconds, 2.0 * (now_s() - begin));
+}
+
+bool PmArrival::feed(Session& session, double seconds) {
+  const double least = climb(session);
+  const double end = now_s() + std::max(seconds, least);
+  bool is_new = false;
+  do {
+    const ByteStream::Block block = stream_.take();
+    if (block.empty()) break;
+    PmReader& reader = has_base_ ? *session.progressive.reader() : *reader_;
+    reader.feed(block);
+    if (!has_base_ && reader.has_base()) show_base(session);
+    is_new = is_new || has_base_;
+  } while (now_s() < end && !is_over(session));
+  last_fed_s_ = now_s();
+  if (is_new) session.progressive.reader_was_fed();
+  return is_new;
+}
+
+void PmArrival::show_base(Session& session) {
+  Model model;
+  model.name = file_.filename().string();
+  model.mesh = reader_->mesh().mesh();
+  show_model(session, std::move(model), file_);
+  session.progressive.show(std::move(reader_));
+  enter_progressive(session);
+  has_base_ = true;
+}
+
+void PmArrival::end(Session& session) {
+  is_done_ = true;
+  if (!has_base_) {
+    reader_->finish();  // says what is missing
+    if (!reader_->has_base()) throw InputError(file_.string(), 0, "ends before the base mesh");
+    show_base(session);
+  } else {
+    session.progressive.reader()->finish();
+  }
+  const std::string damage(session.progressive.reader()->damage());
+  const std::string failure = stream_.failure();
+  stream_.close();
+  stop(session);
+  if (!damage.empty()) session.error = file_.string() + ": " + damage;
+  if (!failure.empty()) session.error = file_.string() + ": " + failure;
+}
+
+void PmArrival::stop(Session& session) {
+  is_done_ = true;
+  ProgressiveView& view = session.progressive;
+  view.end_reading();
+  ProgressiveMesh& mesh = view.mesh();
+  const std::uint32_t level = mesh.level();
+  mesh.go_to(mesh.split_count());
+  // All that may want memory first: the model is never half of one and half of another.
+  Mesh whole = mesh.mesh();
+  mesh.go_to(level);
+  session.statistics = statistics(whole);
+  session.model.mesh = std::move(whole);
+  session.edits.opened_faces = session.statistics.faces;
+  request_geomorph(session);
+}
+
+void PmArrival::wait_for_base(Session& session) {
+  while (!has_base_ && !is_done_) {
+    stream_.wait();
+    advance(session, 0.0);
+  }
+}
+
+void PmArrival::finish(Session& session) {
+  while (!is_done_) {
+    stream_.wait();
+    advance(session, 1.0);
+  }
+}
+
+}  // namespace mesher::app

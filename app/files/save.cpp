@@ -1,0 +1,90 @@
+#include "app/files/save.h"
+
+#include "app/document/session.h"
+#include "app/document/shown.h"
+#include "app/document/words.h"
+#include "app/files/paths.h"
+#include "engine/io/format.h"
+#include "engine/io/losses.h"
+#include "engine/io/write.h"
+
+namespace mesher::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_there(const fs::path& file) {
+  std::error_code ignored;
+  return fs::exists(file, ignored);
+}
+
+bool is_writable(const fs::path& file) {
+  const FormatInfo* format = format_of(file);
+  return format != nullptr && format->write != nullptr;
+}
+
+bool has_creases(const Session& session) {
+  return session.statistics.crease_edges > 0 || !session.model.mesh.vertex_sharpnesses().empty();
+}
+
+fs::path suggested(const Session& session) {
+  const std::string own = session.file.extension().string();
+  const std::string extension = has_creases(session) || !is_writable(session.file) ? ".obj" : own;
+  return free_name(session.file.parent_path(), session.file.stem().string() + "-edited", extension);
+}
+
+/// Why a file cannot be written as it is asked for; empty: it can.
+std::string objection(Session& session, const fs::path& file) {
+  if (session.statistics.faces == 0) return "there is nothing to save";
+  if (file.empty()) return "a name is needed";
+  if (!is_writable(file)) return "the name must end in " + writable_formats();
+  if (!is_there(file) || session.saving.asked == file) return "";
+  session.saving.asked = file;
+  return file.filename().string() + " already exists; press Enter again to overwrite it";
+}
+
+}  // namespace
+
+void open_save_dialog(Session& session) {
+  session.saving = {.shows_dialog = true,
+                    .typed = suggested(session).string(),
+                    .remark = {},
+                    .asked = {},
+                    .waiting = session.saving.waiting};
+}
+
+void submit_save(Session& session) {
+  Saving& saving = session.saving;
+  const fs::path file = typed_path(saving.typed);
+  saving.remark = objection(session, file);
+  if (!saving.remark.empty()) return;
+  saving.waiting = file;
+  saving.shows_dialog = false;
+  saving.asked.clear();
+}
+
+std::optional<SaveTask> begin_save(Session& session) {
+  if (!session.saving.waiting) return std::nullopt;
+  SaveTask task{*session.saving.waiting, std::make_shared<const Shape>(shown_shape(session))};
+  session.saving.waiting.reset();
+  return task;
+}
+
+Saved perform(const SaveTask& task) {
+  const auto& [mesh, attributes] = *task.shape;
+  write_model(task.file, mesh, attributes);
+  return {task.file, mesh.face_count(), losses_in_format(task.file, mesh, attributes)};
+}
+
+void finish_save(Session& session, const Saved& saved) {
+  session.notice = "saved " + saved.file.string() + ": " + with_commas(saved.faces) +
+                   (saved.faces == 1 ? " face" : " faces");
+  for (std::size_t i = 0; i < saved.losses.size(); ++i)
+    session.notice += (i == 0 ? "; the format cannot hold " : ", ") + saved.losses[i];
+}
+
+void run_waiting_save(Session& session) {
+  if (const auto task = begin_save(session)) finish_save(session, perform(*task));
+}
+
+}  // namespace mesher::app

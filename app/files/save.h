@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mesher::app {
+
+struct Session;
+struct Shape;
+
+/// Opens the save dialog with a new name beside the opened file, such as "bunny-edited.obj": in the
+/// file's own format, or in OBJ if only that can hold the creases.
+void open_save_dialog(Session& session);
+/// Handles the dialog's button: requests the file and closes the dialog, or sets the remark to the
+/// reason why not. An existing file is overwritten only if the same path is submitted twice.
+void submit_save(Session& session);
+
+/// Everything that writing needs, so that another thread can write.
+struct SaveTask {
+  std::filesystem::path file;
+  std::shared_ptr<const Shape> shape;
+};
+struct Saved {
+  std::filesystem::path file;
+  std::uint32_t faces = 0;
+  std::vector<std::string> losses;  ///< what the format cannot hold
+};
+
+/// Takes the requested file, if there is one. O(V + F): the model is copied.
+std::optional<SaveTask> begin_save(Session& session);
+/// Writes the file; touches no session. Throws OutputError.
+Saved perform(const SaveTask& task);
+/// Sets the notice to the file's name and to what it could not hold.
+void finish_save(Session& session, const Saved& saved);
+
+/// Writes the requested file, on this thread. Throws OutputError.
+void run_waiting_save(Session& session);
+
+}  // namespace mesher::app

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "app/document/session.h"
+#include "app/files/load_job.h"
+#include "app/viewer/background_work.h"
+#include "app/viewer/scene_mirror.h"
+
+namespace mesher::app {
+
+/// Keeps the window usable when the GPU cannot hold what the session wants to show: the last change
+/// is reverted, and the session's error says so.
+class Recovery {
+ public:
+  Recovery(Session& session, SceneMirror& mirror, BackgroundWork& work)
+      : session_(session), mirror_(mirror), work_(work) {}
+
+  enum class Outcome { unchanged, changed, reverted };
+  /// Updates the mirror, and reverts the last change if that fails. Throws DeviceError if there is
+  /// nothing left to revert.
+  Outcome update();
+
+  /// Shows a loaded model, or keeps the shown one if the GPU cannot hold the new one.
+  void show(LoadedModel&& loaded);
+
+ private:
+  bool revert_settings();
+  bool revert_edit();
+  bool revert_mode();
+
+  Session& session_;
+  SceneMirror& mirror_;
+  BackgroundWork& work_;
+  std::optional<render::Settings> good_settings_;  ///< of the last update that succeeded
+  std::optional<std::uint64_t> good_revision_;
+};
+
+}  // namespace mesher::app

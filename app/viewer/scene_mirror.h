@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "app/document/session.h"
+#include "engine/render/gpu_mesh.h"
+#include "engine/render/settings.h"
+
+namespace mesher::app {
+
+/// The GPU's copy of what a session shows. The window and scripts keep it up to date the same way.
+class SceneMirror {
+ public:
+  explicit SceneMirror(gpu::Device& device) : mesh_(device) {}
+
+  /// Uploads what has changed since the last call. Returns whether the picture changes. Throws
+  /// DeviceError if memory runs out. O(changed bytes); O(V + F) for another model.
+  bool update(Session& session);
+  /// Makes the next update upload everything.
+  void invalidate() { mesh_.invalidate(); }
+
+  render::GpuMesh& mesh() { return mesh_; }
+  /// The settings that the last update was made for. Pre: there was one.
+  const render::Settings& settings() const { return *settings_; }
+  /// The last upload that was not empty.
+  const render::UploadStats& last_upload() const { return last_upload_; }
+
+ private:
+  render::GpuMesh mesh_;
+  render::UploadStats last_upload_;
+  std::optional<render::Settings> settings_;
+  std::uint64_t generation_ = 0;
+};
+
+}  // namespace mesher::app

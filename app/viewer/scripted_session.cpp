@@ -1,0 +1,111 @@
+#include "app/viewer/scripted_session.h"
+
+#include "app/document/shown.h"
+#include "app/edit/edits.h"
+#include "app/files/paths.h"
+#include "app/files/save.h"
+#include "app/input/commands.h"
+#include "app/ui/overlay.h"
+#include "app/ui/panels.h"
+#include "app/viewer/scene_mirror.h"
+#include "engine/core/error.h"
+#include "engine/io/png.h"
+#include "engine/render/offscreen.h"
+
+namespace mesher::app {
+namespace {
+
+// ImGui lays a window out by the sizes of the last frame.
+constexpr int kFramesToSettle = 3;
+
+}  // namespace
+
+struct ScriptedSession::Gpu {
+  explicit Gpu(const ScriptOptions& options)
+      : instance({.extensions = {}, .validation = options.validation}),
+        device(instance, {.select = options.device}),
+        renderer(device),
+        mirror(device) {}
+
+  gpu::Instance instance;
+  gpu::Device device;
+  render::Renderer renderer;
+  SceneMirror mirror;
+};
+
+struct ScriptedSession::PanelLayer {
+  explicit PanelLayer(Gpu& gpu) : overlay(gpu.instance, gpu.device, kFormat, nullptr) {}
+
+  static constexpr VkFormat kFormat = VK_FORMAT_R8G8B8A8_UNORM;
+  Overlay overlay;
+  Panels panels;
+};
+
+ScriptedSession::ScriptedSession(Session& session, const ScriptOptions& options)
+    : session_(session), options_(options) {}
+
+ScriptedSession::~ScriptedSession() = default;
+
+void ScriptedSession::press(std::span<const KeyPress> keys) {
+  for (const KeyPress& key : keys) {
+    const Command* command = command_for(key);
+    if (command == nullptr) throw UsageError("--keys: '" + to_text(key) + "' does nothing");
+    run(session_, *command);
+    run_waiting_edits(session_);
+    session_.progressive.settle(shown_pixels_per_unit(session_));
+    run_waiting_save(session_);
+    if (session_.wants_quit) return;
+    if (!session_.wants_screenshot) continue;
+    session_.wants_screenshot = false;
+    const std::filesystem::path file = next_screenshot(session_.model.name);
+    write_png(file, picture());
+    session_.notice = "saved " + file.string();
+  }
+}
+
+Image ScriptedSession::picture() {
+  if (!gpu_) gpu_ = std::make_unique<Gpu>(options_);
+  gpu_->mirror.update(session_);
+  if (options_.panels) return picture_with_panels();
+  return render::render_image(gpu_->device, gpu_->renderer, gpu_->mirror.mesh(), session_.camera,
+                              gpu_->mirror.settings(), extent().width, extent().height);
+}
+
+VkExtent2D ScriptedSession::extent() const {
+  return {static_cast<std::uint32_t>(session_.window.x),
+          static_cast<std::uint32_t>(session_.window.y)};
+}
+
+// The same steps as a frame in a window, but into an image.
+Image ScriptedSession::picture_with_panels() {
+  if (!panel_layer_) panel_layer_ = std::make_unique<PanelLayer>(*gpu_);
+  gpu::Device& device = gpu_->device;
+  const unsigned samples = device.supported_samples(session_.settings.samples);
+  const render::SceneTarget target(device, extent(), samples, PanelLayer::kFormat);
+  const gpu::DeviceImage image(
+      device, {.format = PanelLayer::kFormat,
+               .extent = extent(),
+               .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                        VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+  for (int frame = 0; frame < kFramesToSettle; ++frame) {
+    panel_layer_->overlay.begin(session_.window);
+    panel_layer_->panels.draw(session_,
+                              {.upload = gpu_->mirror.last_upload(), .device = device.name()});
+    panel_layer_->overlay.end();
+  }
+  device.run_once([&](VkCommandBuffer commands) {
+    gpu_->renderer.draw(commands, target, gpu_->mirror.mesh(), session_.camera,
+                        gpu_->mirror.settings());
+    target.copy_to(commands, image.handle());
+    panel_layer_->overlay.draw(commands, image.view(), extent());
+  });
+  panel_layer_->overlay.forget_images();
+  return gpu::read_image(device, image, gpu::kColorAttachment);
+}
+
+void ScriptedSession::expect_no_messages() const {
+  if (!gpu_ || gpu_->instance.messages().count() == 0) return;
+  throw DeviceError("validation: " + gpu_->instance.messages().list().front());
+}
+
+}  // namespace mesher::app

@@ -1,0 +1,332 @@
+#include "app/viewer/viewer.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "app/document/shown.h"
+#include "app/edit/crease_edits.h"
+#include "app/files/paths.h"
+#include "app/files/save.h"
+#include "app/input/commands.h"
+#include "app/input/gestures.h"
+#include "app/ui/overlay.h"
+#include "app/ui/panels.h"
+#include "app/viewer/background_work.h"
+#include "app/viewer/recovery.h"
+#include "app/viewer/scene_mirror.h"
+#include "app/viewer/state_log.h"
+#include "app/viewer/window.h"
+#include "engine/gpu/presenter.h"
+#include "engine/io/png.h"
+#include "engine/render/offscreen.h"
+#include "engine/render/renderer.h"
+
+namespace mesher::app {
+namespace {
+
+constexpr double kJobPollSeconds = 0.1;
+constexpr double kCaretBlinkSeconds = 0.4;
+// After longer frames edges are not smoothed while the picture changes.
+constexpr double kLongFrameMs = 40.0;
+// A longer frame does not make an animation jump.
+constexpr double kLongestStepSeconds = 0.1;
+// ImGui settles its layout within a few frames of an event.
+constexpr int kFramesAfterEvent = 3;
+
+/// Chooses the number of samples per pixel. While the picture changes from frame to frame and
+/// frames take long, low latency counts for more than smooth edges: those come with the first frame
+/// that shows nothing new.
+class SampleChooser {
+ public:
+  unsigned choose(unsigned wanted, bool is_changed, double last_frame_ms) {
+    is_hurried_ = is_changed && was_changed_ && (is_hurried_ || last_frame_ms > kLongFrameMs);
+    was_changed_ = is_changed;
+    return is_hurried_ ? 1 : wanted;
+  }
+  bool is_hurried() const { return is_hurried_; }
+
+ private:
+  bool was_changed_ = false;
+  bool is_hurried_ = false;
+};
+
+/// The window: turns events into commands and gestures, and draws a frame when something changed.
+class Viewer {
+ public:
+  Viewer(Session& session, const ViewerOptions& options, std::unique_ptr<PmArrival>& arrival)
+      : session_(session),
+        window_(glm::ivec2(session.window), "mesher"),
+        instance_({.extensions = Window::instance_extensions(), .validation = options.validation}),
+        surface_(instance_, window_.create_surface(instance_.handle())),
+        device_(instance_, {.select = options.device, .surface = surface_.handle()}),
+        presenter_(device_, surface_.handle()),
+        renderer_(device_),
+        mirror_(device_),
+        gestures_(session),
+        work_(
+            session, options.read,
+            [this](LoadedModel&& loaded) { recovery_.show(std::move(loaded)); }, Window::wake),
+        recovery_(session, mirror_, work_),
+        log_(options.state_log) {
+    window_.set_events(events());
+    overlay_ = std::make_unique<Overlay>(instance_, device_, presenter_.format(), window_.handle());
+    work_.take_over(std::move(arrival));
+  }
+
+  void run(const std::vector<KeyPress>& keys) {
+    update_scene();
+    press(keys);
+    while (!session_.wants_quit && !window_.should_close()) {
+      wait();
+      if (work_.advance()) want_frames();
+      animate();
+      update_hover();
+      if (frames_wanted_ > 0) draw();
+      if (session_.wants_screenshot) save_screenshot();
+      log_.note(session_, &pointer_);
+    }
+    work_.finish_saves();
+    device_.wait_idle();
+    if (instance_.messages().count() > 0) {
+      throw DeviceError("validation: " + instance_.messages().list().front());
+    }
+  }
+
+ private:
+  struct Drawn {
+    render::Settings settings;
+    render::Camera camera;
+    friend bool operator==(const Drawn&, const Drawn&) = default;
+  };
+
+  // As in a script, each key acts on the result of the keys before it.
+  void press(const std::vector<KeyPress>& keys) {
+    if (!keys.empty()) work_.finish_arrival();
+    work_.finish_edits();
+    for (const KeyPress& key : keys) {
+      press_key(key);
+      work_.finish_edits();
+      session_.progressive.settle(shown_pixels_per_unit(session_));
+      update_scene();
+      if (session_.wants_screenshot) save_screenshot();
+      if (session_.wants_quit) break;
+    }
+  }
+
+  Window::Events events() {
+    return {.key = [this](const KeyPress& key) { press_key(key); },
+            .press =
+                [this](MouseButton button, Modifiers modifiers, glm::dvec2 at) {
+                  pointer_.is_pressed = true;
+                  if (!panels_.covers(at)) gestures_.press(button, modifiers, at, Window::time());
+                  want_frames();
+                },
+            .release =
+                [this] {
+                  pointer_.is_pressed = false;
+                  gestures_.release();
+                  want_frames();
+                },
+            .move = [this](glm::dvec2 at) { move(at); },
+            .scroll =
+                [this](double steps) {
+                  if (!panels_.covers(pointer_.at)) gestures_.scroll(steps, pointer_.at);
+                  want_frames();
+                },
+            .drop =
+                [this](std::vector<std::filesystem::path> files) {
+                  if (!files.empty()) open(files.front());
+                },
+            .changed = [this] { want_frames(); }};
+  }
+
+  void open(const std::filesystem::path& file) {
+    work_.open(file);
+    want_frames();
+  }
+
+  // A change of the picture may change the edge under the cursor as well.
+  void want_frames() {
+    frames_wanted_ = kFramesAfterEvent;
+    is_hover_outdated_ = true;
+  }
+
+  // A move without a drag, beside all panels, changes nothing but the edge under the cursor.
+  void move(const glm::dvec2& at) {
+    const bool touches_panel = panels_.covers(at) || panels_.covers(pointer_.at);
+    pointer_.at = at;
+    is_hover_outdated_ = true;
+    if (gestures_.move(at) || touches_panel) want_frames();
+  }
+
+  // Once for all moves since the last frame, because it visits every face.
+  void update_hover() {
+    if (!is_hover_outdated_ || !session_.creases.is_on) return;
+    const bool is_over_model = !gestures_.is_dragging() && !panels_.covers(pointer_.at);
+    if (hover_edge(session_, is_over_model ? std::optional(pointer_.at) : std::nullopt))
+      want_frames();
+    is_hover_outdated_ = false;
+  }
+
+  void press_key(const KeyPress& key) {
+    want_frames();
+    // A dialog takes the keyboard at once; ImGui's field takes it only after it was drawn.
+    const bool has_dialog = session_.shows_open_dialog || session_.saving.shows_dialog;
+    const bool is_typing = has_dialog || overlay_->wants_text();
+    if (key.name == "escape") {
+      if (overlay_->close_popups() || work_.cancel()) return;
+      if (is_typing && !has_dialog) return;  // ImGui ends the typing
+    } else if (is_typing) {
+      // ImGui polls keys once per frame, and misses one that was released by then.
+      if (key.name == "enter") submit_dialog();
+      return;
+    }
+    if (const Command* command = command_for(key)) app::run(session_, *command);
+  }
+
+  void submit_dialog() {
+    if (session_.shows_open_dialog) panels_.submit_path();
+    if (session_.saving.shows_dialog) panels_.submit_save();
+  }
+
+  /// Advances what is animated by the time since the last frame, if it was animated then as well.
+  void animate() {
+    const double now = Window::time();
+    const double step = is_moving_ ? std::min(now - moved_at_s_, kLongestStepSeconds) : 0.0;
+    moved_at_s_ = now;
+    is_moving_ = session_.progressive.advance(step, shown_pixels_per_unit(session_));
+    if (is_moving_) want_frames();
+  }
+
+  void wait() {
+    if (frames_wanted_ > 0 || work_.has_news()) return Window::poll_events();
+    if (work_.visible_job() != nullptr) {
+      want_frames();  // the progress bar
+      return Window::wait_events(kJobPollSeconds);
+    }
+    if (overlay_->wants_text()) {
+      want_frames();  // the caret
+      return Window::wait_events(kCaretBlinkSeconds);
+    }
+    Window::wait_events(work_.is_arriving() ? kJobPollSeconds : -1.0);
+  }
+
+  /// Updates the GPU's copy of the model before a frame begins. Returns whether there is something
+  /// to draw: a change that the GPU could not hold is reverted first.
+  bool update_scene() {
+    const Recovery::Outcome outcome = recovery_.update();
+    if (outcome != Recovery::Outcome::unchanged) drawn_.reset();
+    drawable_settings_ = session_.settings;
+    if (outcome == Recovery::Outcome::reverted) want_frames();
+    return outcome != Recovery::Outcome::reverted;
+  }
+
+  void draw() {
+    --frames_wanted_;
+    const double start = Window::time();
+    if (!update_scene()) return;
+    const glm::uvec2 size = window_.framebuffer_size();
+    auto frame = presenter_.begin({size.x, size.y});
+    if (!frame) return;
+    session_.window = {frame->extent.width, frame->extent.height};
+    draw_panels();
+    draw_scene(*frame);
+    target_->copy_to(frame->commands, frame->image);
+    overlay_->draw(frame->commands, frame->view, frame->extent);
+    presenter_.end(*frame);
+    frame_ms_ = 1000.0 * (Window::time() - start);
+    update_title();
+  }
+
+  void draw_panels() {
+    if (presenter_.generation() != framebuffers_of_) overlay_->forget_images();
+    framebuffers_of_ = presenter_.generation();
+    overlay_->begin(session_.window);
+    const PanelActions actions = panels_.draw(session_, {.job = work_.visible_job(),
+                                                         .can_cancel = work_.can_cancel(),
+                                                         .upload = mirror_.last_upload(),
+                                                         .frame_ms = frame_ms_,
+                                                         .device = device_.name()});
+    overlay_->end();
+    if (actions.cancels_job) work_.cancel();
+    if (!actions.open.empty()) open(actions.open);
+    if (actions.wants_frames || !session_.edits.waiting.empty()) want_frames();
+  }
+
+  void draw_scene(const gpu::Frame& frame) {
+    const Drawn now{mirror_.settings(), session_.camera};
+    const unsigned samples =
+        device_.supported_samples(samples_.choose(now.settings.samples, drawn_ != now, frame_ms_));
+    if (samples_.is_hurried()) want_frames();
+    if (!target_ || target_->extent().width != frame.extent.width ||
+        target_->extent().height != frame.extent.height || target_->samples() != samples) {
+      target_.emplace(device_, frame.extent, samples, presenter_.format());
+      drawn_.reset();
+    }
+    // Panels may just have changed the settings; the mirror follows before the next frame.
+    if (session_.settings != drawable_settings_) want_frames();
+    if (drawn_ == now) return;  // only the panels changed
+    renderer_.draw(frame.commands, *target_, mirror_.mesh(), now.camera, now.settings);
+    drawn_ = now;
+  }
+
+  void update_title() {
+    const std::string title = session_.model.name + " - " +
+                              std::to_string(shown_mesh(session_).face_count()) + " faces - mesher";
+    if (title != title_) window_.set_title(title);
+    title_ = title;
+  }
+
+  void save_screenshot() {
+    session_.wants_screenshot = false;
+    want_frames();
+    if (!update_scene()) return;
+    const std::filesystem::path file = next_screenshot(session_.model.name);
+    try {
+      write_png(file, render::render_image(device_, renderer_, mirror_.mesh(), session_.camera,
+                                           mirror_.settings(),
+                                           static_cast<std::uint32_t>(session_.window.x),
+                                           static_cast<std::uint32_t>(session_.window.y)));
+      session_.notice = "saved " + file.string();
+    } catch (const Error& error) {
+      session_.error = error.what();
+    }
+  }
+
+  Session& session_;
+  Window window_;
+  gpu::Instance instance_;
+  gpu::Surface surface_;
+  gpu::Device device_;
+  gpu::Presenter presenter_;
+  render::Renderer renderer_;
+  SceneMirror mirror_;
+  std::optional<render::SceneTarget> target_;
+  std::unique_ptr<Overlay> overlay_;
+  Panels panels_;
+  Gestures gestures_;
+  BackgroundWork work_;
+  Recovery recovery_;
+  StateLog log_;
+  SampleChooser samples_;
+  std::optional<Drawn> drawn_;
+  render::Settings drawable_settings_;  ///< of the session when the mirror was last updated
+  Pointer pointer_;
+  std::string title_;
+  std::uint64_t framebuffers_of_ = 0;  ///< generation of the presenter that the overlay knows
+  double frame_ms_ = 0.0;
+  int frames_wanted_ = kFramesAfterEvent;
+  bool is_hover_outdated_ = false;
+  bool is_moving_ = false;
+  double moved_at_s_ = 0.0;
+};
+
+}  // namespace
+
+void run_viewer(Session& session, const std::vector<KeyPress>& keys, const ViewerOptions& options,
+                std::unique_ptr<PmArrival>& arrival) {
+  Viewer(session, options, arrival).run(keys);
+}
+
+}  // namespace mesher::app

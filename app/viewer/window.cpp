@@ -1,0 +1,215 @@
+#include "app/viewer/window.h"
+
+#define GLFW_INCLUDE_NONE
+#define GLFW_INCLUDE_VULKAN
+#include <GLFW/glfw3.h>
+
+#include <map>
+#include <optional>
+
+#include "engine/gpu/result.h"
+
+namespace mesher::app {
+namespace {
+
+std::string glfw_error() {
+  const char* description = nullptr;
+  glfwGetError(&description);
+  return description == nullptr ? "unknown reason" : description;
+}
+
+/// The name of a key by its place, or empty where it has none that a shortcut could use.
+std::string key_name(int key) {
+  if ((key >= GLFW_KEY_A && key <= GLFW_KEY_Z) || (key >= GLFW_KEY_0 && key <= GLFW_KEY_9)) {
+    std::string name(1, static_cast<char>(key));
+    if (key >= GLFW_KEY_A) name[0] = static_cast<char>(name[0] - 'A' + 'a');
+    return name;
+  }
+  if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) {
+    return std::string("f").append(std::to_string(key - GLFW_KEY_F1 + 1));
+  }
+  if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return std::to_string(key - GLFW_KEY_KP_0);
+  static const std::map<int, std::string> kNamed{
+      {GLFW_KEY_ESCAPE, "escape"},  {GLFW_KEY_TAB, "tab"},
+      {GLFW_KEY_SPACE, "space"},    {GLFW_KEY_ENTER, "enter"},
+      {GLFW_KEY_KP_ENTER, "enter"}, {GLFW_KEY_SLASH, "/"},
+      {GLFW_KEY_LEFT, "left"},      {GLFW_KEY_RIGHT, "right"},
+      {GLFW_KEY_UP, "up"},          {GLFW_KEY_DOWN, "down"},
+      {GLFW_KEY_HOME, "home"},      {GLFW_KEY_END, "end"},
+      {GLFW_KEY_PAGE_UP, "pageup"}, {GLFW_KEY_PAGE_DOWN, "pagedown"},
+      {GLFW_KEY_LEFT_BRACKET, "["}, {GLFW_KEY_RIGHT_BRACKET, "]"},
+      {GLFW_KEY_COMMA, ","},        {GLFW_KEY_PERIOD, "."},
+      {GLFW_KEY_DELETE, "delete"},  {GLFW_KEY_KP_ADD, "+"},
+      {GLFW_KEY_KP_SUBTRACT, "-"}};
+  const auto found = kNamed.find(key);
+  return found == kNamed.end() ? "" : found->second;
+}
+
+Modifiers modifiers_of(int modifiers) {
+  return {.shift = (modifiers & GLFW_MOD_SHIFT) != 0,
+          .control = (modifiers & GLFW_MOD_CONTROL) != 0};
+}
+
+MouseButton button_of(int button) {
+  if (button == GLFW_MOUSE_BUTTON_LEFT) return MouseButton::left;
+  return button == GLFW_MOUSE_BUTTON_MIDDLE ? MouseButton::middle : MouseButton::right;
+}
+
+/// What was pressed, as shortcuts know it. Letters, plus and minus go by what is printed on the
+/// key, so that w is w on every keyboard layout.
+std::optional<KeyPress> key_press(int key, Modifiers modifiers) {
+  const char* text = glfwGetKeyName(key, 0);
+  const std::string printed = text == nullptr ? "" : text;
+  const bool is_letter = key >= GLFW_KEY_A && key <= GLFW_KEY_Z;
+  // Where plus is the upper half of a key, its lower half will do.
+  if (printed == "+" || printed == "=") return KeyPress{"+", false, modifiers.control};
+  if (printed == "-") return KeyPress{"-", false, modifiers.control};
+  const std::string name = is_letter && printed.size() == 1 ? printed : key_name(key);
+  if (name.empty()) return std::nullopt;
+  return KeyPress{name, modifiers.shift, modifiers.control};
+}
+
+}  // namespace
+
+struct Window::Callbacks {
+  static Window& of(GLFWwindow* window) {
+    return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+  }
+  static void key(GLFWwindow* window, int key, int, int action, int modifiers) {
+    if (action != GLFW_PRESS) return;  // a key held down toggles once
+    const std::optional<KeyPress> press = key_press(key, modifiers_of(modifiers));
+    Window& self = of(window);
+    if (press && self.events_.key) self.events_.key(*press);
+  }
+  static void button(GLFWwindow* window, int button, int action, int modifiers) {
+    Window& self = of(window);
+    if (action == GLFW_RELEASE) {
+      if (self.events_.release) self.events_.release();
+      return;
+    }
+    if (self.events_.press) {
+      self.events_.press(button_of(button), modifiers_of(modifiers), self.cursor());
+    }
+  }
+  static void cursor(GLFWwindow* window, double x, double y) {
+    Window& self = of(window);
+    self.cursor_ = self.to_pixels(x, y);
+    if (self.events_.move) self.events_.move(*self.cursor_);
+  }
+  static void scroll(GLFWwindow* window, double, double steps) {
+    Window& self = of(window);
+    if (self.events_.scroll) self.events_.scroll(steps);
+  }
+  static void drop(GLFWwindow* window, int count, const char** paths) {
+    Window& self = of(window);
+    if (self.events_.drop) self.events_.drop({paths, paths + count});
+  }
+  static void changed(GLFWwindow* window) {
+    Window& self = of(window);
+    if (self.events_.changed) self.events_.changed();
+  }
+};
+
+Window::Window(const glm::ivec2& size, const std::string& title) {
+  if (glfwInit() != GLFW_TRUE) throw NoDisplay("no display (" + glfw_error() + ")");
+  if (glfwVulkanSupported() != GLFW_TRUE) {
+    glfwTerminate();
+    throw DeviceError(
+        "no Vulkan: install a Vulkan loader and a driver (Debian: libvulkan1, "
+        "mesa-vulkan-drivers)");
+  }
+  glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+  window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
+  if (window_ == nullptr) {
+    const std::string reason = glfw_error();
+    glfwTerminate();
+    throw NoDisplay("no window (" + reason + ")");
+  }
+  glfwSetWindowUserPointer(window_, this);
+}
+
+Window::~Window() {
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+void Window::set_events(Events events) {
+  events_ = std::move(events);
+  glfwSetKeyCallback(window_, Callbacks::key);
+  glfwSetMouseButtonCallback(window_, Callbacks::button);
+  glfwSetCursorPosCallback(window_, Callbacks::cursor);
+  glfwSetScrollCallback(window_, Callbacks::scroll);
+  glfwSetDropCallback(window_, Callbacks::drop);
+  glfwSetWindowRefreshCallback(window_, Callbacks::changed);
+  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { Callbacks::changed(w); });
+  glfwSetWindowIconifyCallback(window_, [](GLFWwindow* w, int) { Callbacks::changed(w); });
+  glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { Callbacks::changed(w); });
+}
+
+glm::dvec2 Window::to_pixels(double x, double y) const {
+  int width = 1;
+  int height = 1;
+  glfwGetWindowSize(window_, &width, &height);
+  const glm::uvec2 pixels = framebuffer_size();
+  return {x * pixels.x / std::max(width, 1), y * pixels.y / std::max(height, 1)};
+}
+
+// As events come, in their order: where the pointer is by now may be farther on.
+glm::dvec2 Window::cursor() const {
+  if (cursor_) return *cursor_;
+  double x = 0.0;
+  double y = 0.0;
+  glfwGetCursorPos(window_, &x, &y);
+  return to_pixels(x, y);
+}
+
+glm::uvec2 Window::framebuffer_size() const {
+  int width = 0;
+  int height = 0;
+  glfwGetFramebufferSize(window_, &width, &height);
+  return {static_cast<unsigned>(width), static_cast<unsigned>(height)};
+}
+
+bool Window::should_close() const {
+  return glfwWindowShouldClose(window_) == GLFW_TRUE;
+}
+
+void Window::set_title(const std::string& title) {
+  glfwSetWindowTitle(window_, title.c_str());
+}
+
+std::vector<const char*> Window::instance_extensions() {
+  std::uint32_t count = 0;
+  const char** names = glfwGetRequiredInstanceExtensions(&count);
+  if (names == nullptr) throw DeviceError("Vulkan cannot draw into windows here: " + glfw_error());
+  return {names, names + count};
+}
+
+VkSurfaceKHR Window::create_surface(VkInstance instance) const {
+  VkSurfaceKHR surface = VK_NULL_HANDLE;
+  gpu::check(glfwCreateWindowSurface(instance, window_, nullptr, &surface),
+             "glfwCreateWindowSurface");
+  return surface;
+}
+
+void Window::wait_events(double timeout_s) {
+  if (timeout_s < 0.0) {
+    glfwWaitEvents();
+  } else {
+    glfwWaitEventsTimeout(timeout_s);
+  }
+}
+
+void Window::poll_events() {
+  glfwPollEvents();
+}
+
+void Window::wake() {
+  glfwPostEmptyEvent();
+}
+
+double Window::time() {
+  return glfwGetTime();
+}
+
+}  // namespace mesher::app

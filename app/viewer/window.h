@@ -1,0 +1,74 @@
+#pragma once
+
+#include <vulkan/vulkan_core.h>
+
+#include <filesystem>
+#include <functional>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/input/gestures.h"
+#include "app/input/keys.h"
+#include "engine/core/error.h"
+
+struct GLFWwindow;
+
+namespace mesher::app {
+
+/// There is nowhere to open a window.
+class NoDisplay : public DeviceError {
+ public:
+  using DeviceError::DeviceError;
+};
+
+/// A window and what happens in it. One at a time.
+class Window {
+ public:
+  /// What the window tells; each may be empty. Positions are in pixels of the framebuffer.
+  struct Events {
+    std::function<void(const KeyPress&)> key;
+    std::function<void(MouseButton, Modifiers, glm::dvec2 at)> press;
+    std::function<void()> release;
+    std::function<void(glm::dvec2 at)> move;
+    std::function<void(double steps)> scroll;
+    std::function<void(std::vector<std::filesystem::path>)> drop;
+    std::function<void()> changed;  ///< resized, uncovered, focused: draw again
+  };
+
+  /// Throws NoDisplay.
+  Window(const glm::ivec2& size, const std::string& title);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// Set before anything else hooks into the window's callbacks (ImGui does, and passes on).
+  void set_events(Events events);
+  GLFWwindow* handle() const { return window_; }
+  glm::uvec2 framebuffer_size() const;
+  bool should_close() const;
+  void set_title(const std::string& title);
+  /// What a Vulkan instance needs to present to it. Throws DeviceError where Vulkan cannot.
+  static std::vector<const char*> instance_extensions();
+  VkSurfaceKHR create_surface(VkInstance instance) const;
+
+  /// Handles events; sleeps until there is one, at most `timeout_s` seconds (negative: for ever).
+  static void wait_events(double timeout_s);
+  static void poll_events();
+  /// Ends a wait, from any thread.
+  static void wake();
+  /// Seconds since the first window.
+  static double time();
+
+ private:
+  struct Callbacks;
+  glm::dvec2 to_pixels(double x, double y) const;
+  glm::dvec2 cursor() const;
+
+  GLFWwindow* window_ = nullptr;
+  Events events_;
+  std::optional<glm::dvec2> cursor_;  ///< of the last move
+};
+
+}  // namespace mesher::app

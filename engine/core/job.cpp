@@ -1,0 +1,45 @@
+#include "engine/core/job.h"
+
+#include <new>
+
+#include "engine/core/assert.h"
+#include "engine/core/error.h"
+
+namespace mesher {
+
+Job::Job(std::string title, std::function<void(Progress&)> work, void (*wake)())
+    : title_(std::move(title)),
+      thread_([this, work = std::move(work), wake] { run(work, wake); }) {}
+
+Job::~Job() {
+  cancel();
+  wait();
+}
+
+void Job::wait() {
+  if (thread_.joinable()) thread_.join();
+}
+
+double Job::age_s() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+void Job::run(const std::function<void(Progress&)>& work, void (*wake)()) {
+  try {
+    work(progress_);
+  } catch (const std::bad_alloc&) {
+    failure_ =
+        std::make_exception_ptr(Error(ExitCode::machine_lacks, title_ + ": not enough memory"));
+  } catch (...) {
+    failure_ = std::current_exception();
+  }
+  is_done_.store(true, std::memory_order_release);
+  if (wake != nullptr) wake();
+}
+
+void Job::rethrow_failure() const {
+  MESHER_ASSERT(is_done());
+  if (failure_) std::rethrow_exception(failure_);
+}
+
+}  // namespace mesher

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "engine/core/progress.h"
+
+namespace mesher {
+
+/// Work on a thread of its own, as whoever shows it sees it. Destroying it cancels and waits.
+class Job {
+ public:
+  virtual ~Job();
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
+
+  const std::string& title() const { return title_; }  ///< "Opening bunny.obj"
+  const Progress& progress() const { return progress_; }
+  void cancel() { progress_.cancel(); }
+  bool is_done() const { return is_done_.load(std::memory_order_acquire); }
+  /// Returns when it is done.
+  void wait();
+  /// Seconds since it began.
+  double age_s() const;
+
+ protected:
+  /// `wake` is called from the thread when there is a result to fetch; it must be safe there. May
+  /// be null.
+  Job(std::string title, std::function<void(Progress&)> work, void (*wake)());
+
+  /// Throws what the work threw. Pre: is_done().
+  void rethrow_failure() const;
+
+ private:
+  void run(const std::function<void(Progress&)>& work, void (*wake)());
+
+  std::string title_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  Progress progress_;
+  std::exception_ptr failure_;
+  std::atomic<bool> is_done_{false};
+  std::thread thread_;
+};
+
+/// A job that makes a T.
+template <class T>
+class JobOf : public Job {
+ public:
+  using Work = std::function<T(Progress&)>;
+
+  JobOf(std::string title, Work work, void (*wake)())
+      : JobOf(std::move(title), std::move(work), wake, std::make_shared<std::optional<T>>()) {}
+
+  /// The result; throws what the work threw (Cancelled among others). Pre: is_done(), called once.
+  T take() {
+    rethrow_failure();
+    return std::move(**result_);
+  }
+
+ private:
+  // The thread holds the result too: it may end later than this part of the object.
+  JobOf(std::string title, Work work, void (*wake)(), std::shared_ptr<std::optional<T>> result)
+      : Job(
+            std::move(title),
+            [work = std::move(work), result](Progress& progress) { *result = work(progress); },
+            wake),
+        result_(std::move(result)) {}
+
+  std::shared_ptr<std::optional<T>> result_;
+};
+
+}  // namespace mesher

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+
+#include "engine/core/choice.h"
+
+namespace mesher {
+
+/// A member of `S` whose type is some described enumeration. Values are indices into its table.
+template <class S>
+struct EnumMember {
+  std::size_t count;
+  const ChoiceText& (*text)(std::size_t index);
+  std::size_t (*get)(const S& options);
+  void (*set)(S& options, std::size_t index);
+};
+
+/// A value with a meaning of its own: "180: tagged creases only".
+struct SpecialValue {
+  double value = std::numeric_limits<double>::quiet_NaN();  ///< not a number: there is none
+  const char* label = "";
+};
+
+/// A row of the table that describes an options struct: one member of it. Command line and --help,
+/// JSON, panels with their tooltips, and docs/options.md are made from these tables; the default is
+/// the member's own. To add an option, add the member and its row.
+template <class S>
+struct Option {
+  using Member =
+      std::variant<bool S::*, float S::*, std::uint32_t S::*, std::uint64_t S::*, EnumMember<S>>;
+
+  const char* key;    ///< "crease-angle": on the command line; JSON has underscores
+  const char* label;  ///< in panels
+  const char* help;   ///< what it does, in one phrase without a period
+  Member member;
+  const char* unit = "";  ///< of a number: "deg", "%", "px", "s"
+  double least = 0.0;     ///< a number's range
+  double most = std::numeric_limits<double>::infinity();
+  SpecialValue special{};
+  /// Whether the option has an effect beside the others; null: it always has.
+  bool (*applies)(const S& options) = nullptr;
+};
+
+namespace detail {
+
+template <class S, class T>
+S class_of(T S::*);
+template <class S, class T>
+T type_of(T S::*);
+
+}  // namespace detail
+
+/// Makes an EnumMember of a pointer to a member.
+template <auto kMember>
+constexpr auto enum_member() {
+  using S = decltype(detail::class_of(kMember));
+  using Enum = decltype(detail::type_of(kMember));
+  return EnumMember<S>{
+      .count = choices(Enum{}).size(),
+      .text = [](std::size_t index) -> const ChoiceText& { return choices(Enum{})[index].text; },
+      .get = [](const S& options) { return static_cast<std::size_t>(options.*kMember); },
+      .set = [](S& options, std::size_t index) { options.*kMember = static_cast<Enum>(index); }};
+}
+
+/// The option's key in JSON: underscores, and the unit of an angle, a percentage or a length on the
+/// screen at the end ("crease_angle_deg").
+template <class S>
+std::string json_key(const Option<S>& option) {
+  std::string key = option.key;
+  for (char& c : key)
+    c = c == '-' ? '_' : c;
+  const std::string_view unit = option.unit;
+  if (unit == "deg") key += "_deg";
+  if (unit == "%") key += "_percent";
+  if (unit == "px") key += "_px";
+  return key;
+}
+
+/// The default of an option as --help and the documentation show it: "quadric", "off", "180".
+template <class S>
+std::string default_text(const Option<S>& option) {
+  const S defaults{};
+  const auto text = [&](const auto& member) -> std::string {
+    using Member = std::decay_t<decltype(member)>;
+    if constexpr (std::is_same_v<Member, EnumMember<S>>) {
+      return member.text(member.get(defaults)).key;
+    } else if constexpr (std::is_same_v<Member, bool S::*>) {
+      return defaults.*member ? "on" : "off";
+    } else {
+      const auto value = static_cast<double>(defaults.*member);
+      char digits[32];
+      std::snprintf(digits, sizeof digits, "%g", value);
+      if (value != option.special.value) return digits;
+      return std::string(digits) + ": " + option.special.label;
+    }
+  };
+  return std::visit(text, option.member);
+}
+
+/// Returns the row of a table that has this key. Pre: there is one.
+template <class S, std::size_t N>
+constexpr const Option<S>& option_named(const std::array<Option<S>, N>& table,
+                                        std::string_view key) {
+  std::size_t i = 0;
+  while (i < N && key != table[i].key)
+    ++i;
+  return table.at(i);
+}
+
+}  // namespace mesher

@@ -1,0 +1,224 @@
+#include "engine/io/pm_file.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <fstream>
+#include <new>
+#include <span>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/io/format.h"
+#include "engine/io/mapped_file.h"
+#include "engine/progressive/pm_read.h"
+
+namespace mesher {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kBlock = std::size_t{1} << 18;
+
+/// So many bytes tell what a file is.
+constexpr std::size_t kBeginning = 8;
+
+/// Of what has no name to tell its kind by.
+void check_kind(const std::string& name, std::span<const std::byte> begin) {
+  if (begin.size() >= kBeginning && PmReader::is_pm(begin)) return;
+  throw InputError(
+      name, 0,
+      "is no progressive mesh; files of other formats, and named pipes, need one of the "
+      "extensions " +
+          writable_formats());
+}
+
+/// A pipe of which no more is read than is asked for: it may never end.
+class Pipe {
+ public:
+  Pipe(std::string name, Progress* progress) : name_(std::move(name)), progress_(progress) {
+    // Without blocking: a pipe that nobody writes to must not hold up whoever wants to cancel.
+    descriptor_ = ::open(name_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor_ < 0) fail("cannot open");
+  }
+  ~Pipe() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+
+  /// Waits for the next bytes; empty at the end. They are overwritten by the next call.
+  std::span<const std::byte> read() {
+    for (;;) {
+      while (!has_news(kCancelCheckMs))
+        check_cancelled();
+      const ssize_t got = ::read(descriptor_, block_.data(), block_.size());
+      if (got >= 0) return std::span(block_).first(static_cast<std::size_t>(got));
+      if (errno != EINTR && errno != EAGAIN) fail("cannot read");
+      check_cancelled();
+    }
+  }
+
+  /// Whether bytes, or the end, are there within that time.
+  bool has_news(int milliseconds) const {
+    // A named pipe reads as ended until somebody opens it for writing: poll knows the difference.
+    pollfd readable{descriptor_, POLLIN, 0};
+    return ::poll(&readable, 1, milliseconds) > 0;
+  }
+
+ private:
+  static constexpr int kCancelCheckMs = 100;
+
+  void check_cancelled() const {
+    if (progress_ != nullptr && progress_->is_cancelled()) throw Cancelled();
+  }
+  [[noreturn]] void fail(const char* action) const {
+    throw InputError(name_, 0, std::string(action) + ": " + std::generic_category().message(errno));
+  }
+
+  std::string name_;
+  Progress* progress_;
+  int descriptor_ = -1;
+  std::vector<std::byte> block_ = std::vector<std::byte>(kBlock);
+};
+
+bool begins_like_pm(const fs::path& file) {
+  std::array<std::byte, kBeginning> begin{};
+  std::ifstream in(file, std::ios::binary);
+  in.read(reinterpret_cast<char*>(begin.data()), begin.size());
+  return in.gcount() == std::streamsize{begin.size()} && PmReader::is_pm(begin);
+}
+
+void feed_all(PmReader& reader, std::span<const std::byte> bytes, Progress* progress) {
+  for (std::size_t begin = 0; begin < bytes.size(); begin += kBlock) {
+    report(progress, static_cast<float>(double(begin) / double(bytes.size())));
+    reader.feed(bytes.subspan(begin, std::min(kBlock, bytes.size() - begin)));
+    if (!reader.damage().empty()) break;
+  }
+  reader.finish();
+}
+
+/// A file that is there as a whole. Returns its bytes.
+std::uint64_t feed_file(PmReader& reader, const fs::path& file, Progress* progress) {
+  const MappedFile mapped(file, progress);
+  if (mapped.size() == 0) throw InputError(mapped.name(), 0, "is empty");
+  const auto bytes = std::as_bytes(std::span(mapped.begin(), mapped.size()));
+  if (!has_pm_ending(file)) check_kind(mapped.name(), bytes);
+  feed_all(reader, bytes, progress);
+  return bytes.size();
+}
+
+/// Feeds what tells the kind of a pipe. Returns how many bytes that were.
+std::uint64_t feed_beginning(PmReader& reader, Pipe& pipe, const fs::path& file) {
+  std::vector<std::byte> begin;
+  while (begin.size() < kBeginning) {
+    const auto bytes = pipe.read();
+    if (bytes.empty()) break;
+    begin.insert(begin.end(), bytes.begin(), bytes.end());
+  }
+  if (begin.empty()) throw InputError(file.string(), 0, "is empty");
+  if (!has_pm_ending(file)) check_kind(file.string(), begin);
+  reader.feed(begin);
+  return begin.size();
+}
+
+/// Reads no further than the mesh goes: what follows may be endless, or its writer may rest. Bytes
+/// that are there already do count, as damage. Returns how many were fed.
+std::uint64_t feed_pipe(PmReader& reader, const fs::path& file, Progress* progress) {
+  Pipe pipe(file.string(), progress);
+  std::uint64_t fed = feed_beginning(reader, pipe, file);
+  while (reader.damage().empty() && (!reader.is_complete() || pipe.has_news(0))) {
+    const auto bytes = pipe.read();
+    if (bytes.empty()) break;
+    reader.feed(bytes);
+    fed += bytes.size();
+    const double splits = reader.has_base() ? reader.mesh().split_count() : 0;
+    report(progress, static_cast<float>(splits / std::max(1U, reader.announced_splits())));
+  }
+  reader.finish();
+  return fed;
+}
+
+bool is_pipe(const fs::path& file) {
+  std::error_code ignored;
+  return fs::is_fifo(file, ignored) || fs::is_socket(file, ignored);
+}
+
+PmSummary summary_of(const ProgressiveMesh& mesh) {
+  PmSummary summary;
+  summary.base_vertices = mesh.base_vertex_count();
+  summary.base_faces = mesh.base_face_count();
+  summary.splits = summary.announced_splits = mesh.split_count();
+  summary.vertices = mesh.base_vertex_count() + mesh.split_count();
+  summary.faces = mesh.full_face_count();
+  return summary;
+}
+
+}  // namespace
+
+bool has_pm_ending(const fs::path& file) {
+  const FormatInfo* format = format_of(file);
+  return format != nullptr && format->extension == std::string_view(".pm");
+}
+
+bool is_pm_file(const fs::path& file) {
+  if (has_pm_ending(file)) return true;
+  std::error_code ignored;
+  if (fs::is_regular_file(file, ignored)) return begins_like_pm(file);
+  return format_of(file) == nullptr && is_pipe(file);
+}
+
+PmContents read_pm_file(const fs::path& file, Progress* progress) {
+  begin_stage(progress, "reading " + file.filename().string());
+  try {
+    PmReader reader(file.string());
+    PmSummary rest;
+    rest.bytes =
+        is_pipe(file) ? feed_pipe(reader, file, progress) : feed_file(reader, file, progress);
+    rest.announced_splits = reader.announced_splits();
+    rest.coordinate_bits = reader.coordinate_bits();
+    rest.damage = reader.damage();
+    PmContents contents{std::move(reader).take(), {}};
+    contents.mesh.go_to(contents.mesh.split_count());
+    PmSummary& summary = contents.summary;
+    summary = summary_of(contents.mesh);
+    summary.announced_splits = rest.announced_splits;
+    summary.coordinate_bits = rest.coordinate_bits;
+    summary.bytes = rest.bytes;
+    summary.damage = std::move(rest.damage);
+    return contents;
+  } catch (const std::bad_alloc&) {
+    throw DeviceError(file.string() + ": out of memory");
+  }
+}
+
+PmSizes write_pm_file(AtomicFile& file, ProgressiveMesh& mesh, const PmWriteOptions& options) {
+  begin_stage(options.progress, "writing");
+  try {
+    return write_pm(mesh, options, [&](std::span<const std::byte> bytes) {
+      file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    });
+  } catch (const OutputError& error) {
+    // The coder knows of no file; the file itself names itself.
+    const std::string_view what = error.what();
+    if (what.starts_with(file.name() + ": ")) throw;
+    throw OutputError(file.name(), what);
+  }
+}
+
+PmSummary summary_of(const ProgressiveMesh& mesh, const PmWriteOptions& options,
+                     const PmSizes& sizes) {
+  PmSummary summary = summary_of(mesh);
+  summary.coordinate_bits = options.coordinate_bits;
+  summary.bytes = sizes.total;
+  return summary;
+}
+
+}  // namespace mesher

@@ -1,0 +1,295 @@
+// Chains of levels of detail from the command line.
+#include "app/cli/lods_command.h"
+
+#include <assimp/scene.h>
+
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <cstring>
+
+#include "engine/core/error.h"
+#include "engine/io/read.h"
+#include "tests/app/program_test.h"
+#include "tests/support/meshes.h"
+#include "tests/support/obj_files.h"
+
+namespace mesher::test {
+namespace {
+
+using app::parse_coverage;
+using app::parse_ratios;
+using Numbers = std::vector<double>;
+
+TEST(LodArguments, RatiosFall) {
+  EXPECT_EQ(parse_ratios("1,0.5,0.25"), (Numbers{1.0, 0.5, 0.25}));
+  EXPECT_EQ(parse_ratios("0.1"), (Numbers{0.1}));
+  for (const char* bad : {"", ",", "1,", "0", "1,0", "-1", "1.5,1", "0.5,0.5", "0.25,0.5", "nan",
+                          "1,nan", "inf", "1 0.5", "1,0.5x", "1;0.5"})
+    EXPECT_THROW((void)parse_ratios(bad), UsageError) << bad;
+}
+
+TEST(LodArguments, CoveragesFallAndAreOneALevel) {
+  EXPECT_EQ(parse_coverage("0.5,0.2,0", 3), (Numbers{0.5, 0.2, 0.0}));
+  for (const char* bad : {"", "0.5", "0.5,0.2,0.1,0", "0.1,0.2,0.3", "0.5,0.5,0.1", "2,1,0",
+                          "0.5,0.2,-0.1", "nan,nan,nan", "a,b,c"})
+    EXPECT_THROW((void)parse_coverage(bad, 3), UsageError) << bad;
+  EXPECT_EQ(app::default_coverage({1.0, 0.5, 0.25}), (Numbers{0.5, 0.25, 0.0}));
+  EXPECT_EQ(app::default_coverage({1.0}), (Numbers{0.0}));
+}
+
+TEST(LodArguments, FilesAreNumbered) {
+  EXPECT_EQ(app::level_file("out.obj", 0), "out_lod0.obj");
+  EXPECT_EQ(app::level_file("a.b/c.d.ply", 12), "a.b/c.d_lod12.ply");
+}
+
+class LodsCommand : public ProgramTest {
+ protected:
+  /// The JSON of a .glb.
+  nlohmann::json document(const std::string& file) {
+    const std::string bytes = read_bytes(folder_ / file);
+    std::uint32_t length = 0;
+    std::memcpy(&length, bytes.data() + 12, 4);
+    return nlohmann::json::parse(bytes.substr(20, length));
+  }
+};
+
+TEST_F(LodsCommand, OneGlbHoldsThemAll) {
+  const Finished run = mesher({"lods", "bunny", "-o", "b.glb", "--ratios", "1,0.5,0.25",
+                               "--coverage", "0.5,0.2,0.05", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["files"], nlohmann::json({"b.glb"}));
+  EXPECT_EQ(json["faces_before"], 3674);
+  EXPECT_EQ(json["stop_reason"], "target_reached");
+  ASSERT_EQ(json["levels"].size(), 3U);
+  const int faces[] = {3674, 1836, 918};
+  const auto glb = document("b.glb");
+  ASSERT_EQ(glb["nodes"].size(), 3U);
+  ASSERT_EQ(glb["meshes"].size(), 3U);
+  EXPECT_EQ(glb["extensionsUsed"], nlohmann::json({"MSFT_lod"}));
+  EXPECT_EQ(glb["scenes"][0]["nodes"], nlohmann::json::array({0}));
+  EXPECT_EQ(glb["nodes"][0]["extensions"]["MSFT_lod"]["ids"], nlohmann::json({1, 2}));
+  EXPECT_EQ(glb["nodes"][0]["extras"]["MSFT_screencoverage"], nlohmann::json({0.5, 0.2, 0.05}));
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(json["levels"][i]["faces"], faces[i]);
+    const std::size_t mesh = glb["nodes"][i]["mesh"];
+    const auto& primitive = glb["meshes"][mesh]["primitives"][0];
+    EXPECT_EQ(glb["accessors"][primitive["indices"].get<std::size_t>()]["count"], 3 * faces[i]);
+    const auto& positions =
+        glb["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
+    EXPECT_EQ(positions["count"], json["levels"][i]["vertices"]);
+    EXPECT_TRUE(positions.contains("min"));
+  }
+  // Who does not know of levels sees the finest.
+  EXPECT_EQ(mesher_json({"info", "b.glb"})["statistics"]["faces"], 3674);
+  Assimp::Importer importer;
+  const aiScene* const scene = importer.ReadFile((folder_ / "b.glb").string(), 0);
+  ASSERT_NE(scene, nullptr) << importer.GetErrorString();
+  ASSERT_EQ(scene->mNumMeshes, 1U);
+  EXPECT_EQ(scene->mMeshes[0]->mNumFaces, 3674U);
+}
+
+TEST_F(LodsCommand, CoverageFollowsTheRatios) {
+  const auto json = mesher_json({"lods", "bunny", "-o", "b.gltf"});
+  ASSERT_EQ(json["levels"].size(), 3U);
+  const auto gltf = nlohmann::json::parse(read_bytes(folder_ / "b.gltf"));
+  EXPECT_EQ(gltf["nodes"][0]["extras"]["MSFT_screencoverage"], nlohmann::json({0.5, 0.25, 0.0}));
+  EXPECT_EQ(json["levels"][1]["coverage"], 0.25);
+}
+
+TEST_F(LodsCommand, OtherFormatsGetAFileEach) {
+  const Finished run = mesher({"lods", "cactus", "-o", "c.obj", "--ratios", "1,0.6", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(nlohmann::json::parse(run.out)["files"], nlohmann::json({"c_lod0.obj", "c_lod1.obj"}));
+  EXPECT_EQ(folder_.count_files(), 2U);
+  const auto input = mesher_json({"info", "cactus"})["statistics"];
+  EXPECT_EQ(mesher_json({"info", "c_lod0.obj"})["statistics"], input);
+  const auto coarse = mesher_json({"info", "c_lod1.obj"})["statistics"];
+  EXPECT_LE(coarse["faces"], std::round(0.6 * input["faces"].get<double>()));
+  EXPECT_GT(coarse["crease_edges"], 0);
+  EXPECT_EQ(coarse["euler_characteristic"], input["euler_characteristic"]);
+  const Finished ply = mesher({"lods", "cactus", "-o", "c.ply"});
+  EXPECT_TRUE(holds(ply.err, "c.ply cannot hold ")) << ply.err;
+}
+
+/// A bumpy sheet. Texture coordinates have seams everywhere or nowhere.
+std::string sheet(bool has_seams) {
+  constexpr int kSide = 6;
+  std::string text = "vn 0 0 1\n";
+  for (int i = 0; i < (kSide + 1) * (kSide + 1); ++i) {
+    const std::string xy = std::to_string(i % (kSide + 1)) + ' ' + std::to_string(i / (kSide + 1));
+    text += "v " + xy + ' ' + std::to_string(0.1 * (i % 3)) + "\nvt " + xy + '\n';
+  }
+  const auto face = [&](int a, int b, int c, int seam) {
+    for (const int v : {a, b, c}) {
+      const int t = has_seams ? seam : v;
+      text += (v == a ? "f " : " ") + std::to_string(v + 1) + '/' + std::to_string(t + 1) + "/1";
+    }
+    text += '\n';
+  };
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const int a = i / kSide * (kSide + 1) + i % kSide;
+    face(a, a + 1, a + kSide + 2, 1);
+    face(a, a + kSide + 2, a + kSide + 1, 2);
+  }
+  return text;
+}
+
+TEST_F(LodsCommand, AttributesAreCarriedWhereThatIsPlain) {
+  folder_.write("s.obj", sheet(false));
+  const auto json = mesher_json({"lods", "s.obj", "-o", "o.obj", "--ratios", "1,0.5"});
+  EXPECT_TRUE(json["levels"][1]["dropped"].empty());
+  const Model coarse = read_model(folder_ / "o_lod1.obj");
+  ASSERT_EQ(coarse.mesh.face_count(), 36U);
+  ASSERT_EQ(coarse.attributes.texcoord.size(), 108U);
+  EXPECT_EQ(coarse.attributes.normal.size(), 108U);
+  for (const glm::vec2& t : coarse.attributes.texcoord) {
+    EXPECT_EQ(t.x, std::floor(t.x));
+    EXPECT_LE(t.x, 6.0F);
+  }
+  const Model input = read_model(folder_ / "s.obj");
+  const Model fine = read_model(folder_ / "o_lod0.obj");
+  EXPECT_TRUE(fine.attributes.texcoord == input.attributes.texcoord);
+}
+
+TEST_F(LodsCommand, AttributesWithSeamsStayAtTheFinestLevel) {
+  folder_.write("s.obj", sheet(true));
+  const Finished run = mesher({"lods", "s.obj", "-o", "o.glb", "--ratios", "1,0.5", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_TRUE(json["levels"][0]["dropped"].empty());
+  ASSERT_EQ(json["levels"][1]["dropped"].size(), 1U);
+  EXPECT_TRUE(holds(run.err, "level 1: dropped texture coordinates (seams at ")) << run.err;
+  const auto glb = document("o.glb");
+  EXPECT_TRUE(glb["meshes"][0]["primitives"][0]["attributes"].contains("TEXCOORD_0"));
+  EXPECT_FALSE(glb["meshes"][1]["primitives"][0]["attributes"].contains("TEXCOORD_0"));
+  EXPECT_TRUE(glb["meshes"][1]["primitives"][0]["attributes"].contains("NORMAL"));
+}
+
+TEST_F(LodsCommand, NormalsThatCannotBeCarriedAreComputed) {
+  std::string text = sheet(false) + "vn 0 1 0\n";
+  // One corner of every second face says something else.
+  std::size_t faces = 0;
+  for (std::size_t at = text.find("\nf "); at != std::string::npos;
+       at = text.find("\nf ", at + 1)) {
+    if (++faces % 2 == 0) text[text.find("/1 ", at) + 1] = '2';
+  }
+  folder_.write("s.obj", text);
+  const auto json = mesher_json({"lods", "s.obj", "-o", "o.glb", "--ratios", "1,0.5"});
+  ASSERT_EQ(json["levels"][1]["dropped"].size(), 1U);
+  EXPECT_TRUE(holds(json["levels"][1]["dropped"][0], "recomputed"));
+  EXPECT_TRUE(document("o.glb")["meshes"][1]["primitives"][0]["attributes"].contains("NORMAL"));
+}
+
+TEST_F(LodsCommand, TakesTheLevelsOfAProgressiveMesh) {
+  ASSERT_EQ(mesher({"progressive", "bunny", "-o", "p.pm", "--base-faces", "1000"}).exit_code, 0);
+  const Finished run = mesher({"lods", "p.pm", "-o", "l.ply", "--ratios", "0.5,0.1", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["levels"][0]["faces"], 1836);
+  EXPECT_EQ(json["levels"][1]["faces"], 1000);
+  EXPECT_TRUE(holds(run.err, "asked for 367 faces: it is the base")) << run.err;
+  EXPECT_EQ(json["pm"]["complete"], true);
+  ASSERT_EQ(mesher({"extract", "p.pm", "-o", "e.ply", "--faces", "1837"}).exit_code, 0);
+  EXPECT_TRUE(read_bytes(folder_ / "e.ply") == read_bytes(folder_ / "l_lod0.ply"));
+}
+
+TEST_F(LodsCommand, SaysWhyALevelIsNotReached) {
+  const Finished run = mesher({"lods", "cube", "-o", "c.stl", "--ratios", "1,0.1"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_TRUE(holds(run.err, "asked for 1 faces: no legal collapse is left")) << run.err;
+}
+
+TEST_F(LodsCommand, ItsOwnLevelsStopBeforeTheyAreFarFromTheModel) {
+  const Finished run = mesher({"lods", "cube", "-o", "c.stl", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["stop_reason"], "far_from_input");
+  // Ten faces are 4.9 % away, eight 6.3 %.
+  EXPECT_EQ(json["levels"][2]["faces"], 10);
+  EXPECT_EQ(json["levels"][2]["far_from_input"], false);
+  EXPECT_TRUE(holds(run.err,
+                    "asked for 3 faces: fewer faces would be further than 5 % of the diagonal "
+                    "from the input"))
+      << run.err;
+  EXPECT_FALSE(holds(run.err, "warning")) << run.err;
+}
+
+TEST_F(LodsCommand, LevelsOfAPersonsChoiceAreMadeWithAWarning) {
+  const Finished run = mesher({"lods", "cactus", "-o", "c.ply", "--ratios", "1,0.5,0.1", "--json"});
+  const auto levels = nlohmann::json::parse(run.out)["levels"];
+  EXPECT_EQ(levels[2]["faces"], 26);
+  EXPECT_EQ(levels[1]["far_from_input"], false);
+  EXPECT_EQ(levels[2]["far_from_input"], true);
+  EXPECT_TRUE(holds(run.err, "warning: level 2 is far from the input: ")) << run.err;
+  EXPECT_FALSE(holds(run.err, "warning: level 1")) << run.err;
+  // Of a file, too.
+  ASSERT_EQ(mesher({"progressive", "cactus", "-o", "p.pm", "--base-faces", "24"}).exit_code, 0);
+  const Finished read = mesher({"lods", "p.pm", "-o", "c.ply", "--ratios", "1,0.1"});
+  EXPECT_TRUE(holds(read.err, "warning: level 1 is far from the input: ")) << read.err;
+}
+
+TEST_F(LodsCommand, EachLevelIsPrunedByItsOwnError) {
+  folder_.write("s.obj", obj_of(torus_with_specks(40, 0.02F)));
+  const auto json =
+      mesher_json({"lods", "s.obj", "-o", "l.ply", "--ratios", "1,0.5,0.04,0.03", "--prune"});
+  const auto& levels = json["levels"];
+  EXPECT_EQ(levels[0]["faces"], 5280);
+  EXPECT_TRUE(levels[0]["pruned"].is_null());
+  EXPECT_TRUE(levels[1]["pruned"].is_null());
+  EXPECT_EQ(levels[2]["pruned"]["parts"], 40);
+  EXPECT_EQ(levels[2]["faces"], 210);  // 0.04 of 5,280, one less: the rest is closed
+  EXPECT_EQ(levels[3]["pruned"]["faces"], 480);
+  EXPECT_EQ(levels[3]["repeats_previous"], false);
+  EXPECT_EQ(json["faces_before"], 5280);
+  EXPECT_EQ(json["stop_reason"], "target_reached");
+  EXPECT_EQ(mesher_json({"info", "l_lod2.ply"})["statistics"]["components"], 1);
+  // Where nothing is pruned, the levels are simply those of simplification.
+  ASSERT_EQ(mesher({"simplify", "s.obj", "-o", "d.ply", "--ratio", "0.5"}).exit_code, 0);
+  EXPECT_TRUE(read_bytes(folder_ / "d.ply") == read_bytes(folder_ / "l_lod1.ply"));
+  // A progressive mesh is taken in full detail.
+  ASSERT_EQ(mesher({"progressive", "s.obj", "-o", "s.pm"}).exit_code, 0);
+  EXPECT_EQ(mesher_json({"lods", "s.pm", "-o", "p.ply", "--ratios", "0.04",
+                         "--prune"})["levels"][0]["pruned"]["parts"],
+            40);
+}
+
+TEST_F(LodsCommand, SaysWhichLevelIsTheOneBefore) {
+  const Finished run =
+      mesher({"lods", "bunny", "-o", "b.glb", "--ratios", "1,0.0001,0.00001", "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(holds(run.err, "the same mesh as level 1")) << run.err;
+  EXPECT_FALSE(holds(run.err, "the same mesh as level 0")) << run.err;
+  const auto levels = nlohmann::json::parse(run.out)["levels"];
+  EXPECT_EQ(levels[0]["repeats_previous"], false);
+  EXPECT_EQ(levels[1]["repeats_previous"], false);
+  EXPECT_EQ(levels[2]["repeats_previous"], true);
+}
+
+TEST_F(LodsCommand, RefusalsLeaveNothing) {
+  const std::vector<std::vector<std::string>> bad{
+      {"lods", "cube"},
+      {"lods", "cube", "-o", "x.unknown"},
+      {"lods", "cube", "-o", "x.pm"},
+      {"lods", "cube", "-o", "x.glb", "--ratios", "1,2"},
+      {"lods", "cube", "-o", "x.glb", "--ratios", "0.5,1"},
+      {"lods", "cube", "-o", "x.glb", "--ratios", "1,0"},
+      {"lods", "cube", "-o", "x.glb", "--ratios", "nan"},
+      {"lods", "cube", "-o", "x.glb", "--coverage", "0.5"},
+      {"lods", "cube", "-o", "x.glb", "--coverage", "0.1,0.2,0.3"},
+      {"lods", "cube", "-o", "x.glb", "--cost", "vanity"}};
+  for (const auto& arguments : bad) {
+    const Finished run = mesher(arguments);
+    EXPECT_EQ(run.exit_code, 1) << arguments.back() << ": " << run.err;
+  }
+  EXPECT_EQ(mesher({"lods", "missing.obj", "-o", "x.glb"}).exit_code, 2);
+  EXPECT_EQ(mesher({"lods", "missing.obj", "-o", "no/such/x.glb"}).exit_code, 4);
+  EXPECT_EQ(folder_.count_files(), 0U);
+  // One of the files cannot be: none is written.
+  std::filesystem::create_directory(folder_ / "x_lod1.obj");
+  EXPECT_EQ(mesher({"lods", "cube", "-o", "x.obj"}).exit_code, 4);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "x_lod0.obj"));
+}
+
+}  // namespace
+}  // namespace mesher::test

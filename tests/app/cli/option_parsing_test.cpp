@@ -1,0 +1,91 @@
+#include "app/cli/option_parsing.h"
+
+#include <gtest/gtest.h>
+
+#include "app/document/json.h"
+#include "app/document/progressive_view.h"
+#include "engine/render/settings.h"
+#include "engine/simplify/options.h"
+#include "engine/subdivide/options.h"
+
+namespace mesher::app {
+namespace {
+
+/// Parses words as the options of one table.
+template <class S, std::size_t N>
+S parsed(const std::array<Option<S>, N>& table, std::vector<std::string> words) {
+  CLI::App command;
+  S options{};
+  add_options(command, table, options);
+  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  command.parse(std::move(words));
+  return options;
+}
+
+/// Every choice of every enumeration in the table is parsed into its value and printed as its key;
+/// no other word is taken.
+template <class S, std::size_t N>
+void expect_choices_parsed(const std::array<Option<S>, N>& table) {
+  for (const Option<S>& option : table) {
+    const auto* member = std::get_if<EnumMember<S>>(&option.member);
+    if (member == nullptr) continue;
+    const std::string name = std::string("--") + option.key;
+    for (std::size_t i = 0; i < member->count; ++i) {
+      const ChoiceText& text = member->text(i);
+      const S options = parsed(table, {name, text.key});
+      EXPECT_EQ(member->get(options), i) << name << " " << text.key;
+      EXPECT_EQ(options_json(table, options)[json_key(option)], text.key);
+      if (text.alias == nullptr) continue;
+      EXPECT_EQ(member->get(parsed(table, {name, text.alias})), i);
+    }
+    EXPECT_THROW((void)parsed(table, {name, "no-such-word"}), CLI::ParseError);
+    EXPECT_THROW((void)parsed(table, {name, ""}), CLI::ParseError);
+  }
+}
+
+TEST(OptionParsing, EveryChoiceIsParsedAndPrinted) {
+  expect_choices_parsed(kSimplifyRules);
+  expect_choices_parsed(kSubdivideRules);
+  expect_choices_parsed(render::kRenderOptions);
+  EXPECT_EQ(parsed(kSimplifyRules, {"--cost", "qem"}).cost, CostPolicy::quadric);
+}
+
+TEST(OptionParsing, NothingGivenMeansTheDefaults) {
+  EXPECT_EQ(parsed(kSimplifyRules, {}), SimplifyOptions{});
+  EXPECT_EQ(parsed(kSubdivideRules, {}), SubdivideOptions{});
+  EXPECT_EQ(parsed(render::kRenderOptions, {}), render::Settings{});
+}
+
+TEST(OptionParsing, NumbersAndFlagsReachTheirMembers) {
+  const SimplifyOptions o = parsed(kSimplifyRules, {"--crease-angle", "30", "--seed",
+                                                    "18446744073709551615", "--no-intersections"});
+  EXPECT_EQ(o.crease_angle_deg, 30.0F);
+  EXPECT_EQ(o.seed, ~std::uint64_t{0});
+  EXPECT_TRUE(o.no_intersections);
+  EXPECT_TRUE(parsed(kSubdivideRules, {"--limit"}).limit);
+}
+
+TEST(OptionParsing, NumbersOutOfRangeAreRefused) {
+  for (const char* angle : {"-1", "180.5", "nan", "inf", "x", "", "30x"})
+    EXPECT_THROW((void)parsed(kSimplifyRules, {"--crease-angle", angle}), CLI::ParseError) << angle;
+  for (const char* seed : {"-1", "1.5", "x", "18446744073709551616"})
+    EXPECT_THROW((void)parsed(kSimplifyRules, {"--seed", seed}), CLI::ParseError) << seed;
+}
+
+TEST(OptionParsing, HelpNamesUnitAndDefault) {
+  EXPECT_EQ(help_text(option_named(kSimplifyRules, "cost")),
+            "which edge to collapse first (default: quadric)");
+  EXPECT_EQ(help_text(option_named(kSimplifyRules, "crease-angle")),
+            "also keep edges as creases whose face normals differ by more than this [deg] "
+            "(default: 180: tagged only)");
+}
+
+TEST(OptionParsing, JsonKeysCarryTheUnit) {
+  const Json json = options_json(kSimplifyRules, SimplifyOptions{});
+  EXPECT_EQ(json["crease_angle_deg"], 180.0F);
+  EXPECT_EQ(json["no_intersections"], false);
+  EXPECT_EQ(options_json(kProgressiveOptions, ProgressiveSettings{})["tolerance_px"], 1.0F);
+}
+
+}  // namespace
+}  // namespace mesher::app

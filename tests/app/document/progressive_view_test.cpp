@@ -1,0 +1,412 @@
+#include "app/document/progressive_view.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "app/document/automatic_level.h"
+#include "app/document/json.h"
+#include "app/document/shown.h"
+#include "app/edit/edits.h"
+#include "app/edit/progressive_edits.h"
+#include "app/files/save.h"
+#include "app/input/commands.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::app {
+namespace {
+
+void press(Session& session, const char* keys) {
+  for (const KeyPress& key : parse_keys(keys)) {
+    const auto command = command_for(key);
+    ASSERT_NE(command, nullptr) << to_text(key);
+    run(session, *command);
+    run_waiting_edits(session);
+    session.progressive.settle(shown_pixels_per_unit(session));
+  }
+}
+
+bool has_same_arrays(const Mesh& a, const Mesh& b) {
+  return difference(a, b).is_empty();
+}
+
+class ProgressiveViewTest : public testing::Test {
+ protected:
+  ProgressiveViewTest() { show(test::torus(40, 30)); }
+
+  void show(Soup soup) {
+    Model model;
+    model.name = "torus.obj";
+    model.mesh = build_mesh(std::move(soup)).mesh;
+    show_model(session_, std::move(model), "torus.obj");
+  }
+  ProgressiveView& view() { return session_.progressive; }
+  std::uint32_t faces() { return view().mesh().mesh().face_count(); }
+  void change(const auto& how) {
+    ProgressiveSettings settings = view().settings();
+    how(settings);
+    view().change(settings);
+  }
+
+  Session session_;
+};
+
+TEST_F(ProgressiveViewTest, PShowsTheModelInItsFullDetailAndAgainAsItWas) {
+  const Mesh before = session_.model.mesh;
+  press(session_, "p");
+  ASSERT_TRUE(view().is_on());
+  EXPECT_TRUE(view().has_geomorph());
+  EXPECT_EQ(faces(), 2400U);
+  EXPECT_EQ(view().position(), 1.0);
+  EXPECT_LE(view().mesh().base_face_count(), 200U);
+  EXPECT_EQ(shown_mesh(session_).face_count(), 2400U);
+  press(session_, "home");
+  EXPECT_EQ(faces(), view().mesh().base_face_count());
+  EXPECT_EQ(&shown_mesh(session_), &view().mesh().mesh());
+  press(session_, "p");
+  EXPECT_FALSE(view().is_on());
+  EXPECT_EQ(&shown_mesh(session_), &session_.model.mesh);
+  EXPECT_TRUE(has_same_arrays(session_.model.mesh, before));
+  EXPECT_EQ(session_.edits.history.undo_depth(), 0U);
+  EXPECT_EQ(shown_settings(session_), session_.settings);
+}
+
+TEST_F(ProgressiveViewTest, WhatWasMadeIsKeptUntilTheModelChanges) {
+  press(session_, "p home p");
+  EXPECT_TRUE(view().has_mesh());
+  press(session_, "p");
+  EXPECT_EQ(faces(), view().mesh().base_face_count()) << "where it was";
+  press(session_, "p d");
+  EXPECT_FALSE(view().has_mesh());
+  press(session_, "p");
+  EXPECT_EQ(faces(), session_.statistics.faces);
+}
+
+TEST_F(ProgressiveViewTest, EscapeLeavesTheModeFirst) {
+  press(session_, "p esc");
+  EXPECT_FALSE(view().is_on());
+  EXPECT_FALSE(session_.wants_quit);
+  press(session_, "esc");
+  EXPECT_TRUE(session_.wants_quit);
+}
+
+TEST_F(ProgressiveViewTest, KeysReachEveryLevel) {
+  press(session_, "p shift+g home");
+  EXPECT_EQ(view().mesh().level(), 0U);
+  press(session_, "] ] . [");
+  EXPECT_EQ(view().mesh().level(), 2U);
+  press(session_, "[ , , ,");
+  EXPECT_EQ(view().mesh().level(), 0U);
+  press(session_, "end");
+  EXPECT_EQ(faces(), 2400U);
+  press(session_, "]");
+  EXPECT_EQ(faces(), 2400U);
+  press(session_, "pagedown shift+[");
+  EXPECT_NEAR(view().position(), 0.8, 1e-9);
+  EXPECT_LT(faces(), 2400U);
+  press(session_, "pageup shift+] pageup");
+  EXPECT_EQ(view().position(), 1.0);
+}
+
+TEST_F(ProgressiveViewTest, GrowthIsContinuousAndNothingJumpsWhenItIsTurnedOnOrOff) {
+  press(session_, "p");
+  view().move_to_level(500);
+  EXPECT_GE(view().mesh().level(), 500U);
+  EXPECT_NE(view().growth(), GeomorphTime::done());
+  press(session_, "shift+g");
+  EXPECT_EQ(view().mesh().level(), 500U);
+  EXPECT_EQ(view().growth(), GeomorphTime::done());
+  press(session_, "shift+g");
+  EXPECT_NEAR(view().range().grown(view().time()), 500.0, 1e-6);
+  change([](ProgressiveSettings& s) { s.window = 0.4F; });
+  EXPECT_NEAR(view().range().grown(view().time()), 500.0, 1e-6);
+  press(session_, "end shift+g");
+  EXPECT_TRUE(view().is_at_end());
+  press(session_, "shift+g");
+  EXPECT_TRUE(view().is_at_end());
+  EXPECT_EQ(view().growth(), GeomorphTime::done());
+  press(session_, "home shift+g");
+  EXPECT_EQ(view().time(), 0.0);
+  press(session_, "shift+g");
+  EXPECT_EQ(view().time(), 0.0);
+}
+
+TEST_F(ProgressiveViewTest, PlaysToAndFro) {
+  press(session_, "p home");
+  change([](ProgressiveSettings& s) { s.seconds = 2.0F; });
+  EXPECT_FALSE(view().advance(0.5, 100.0)) << "nothing moves yet";
+  press(session_, "space");
+  EXPECT_TRUE(view().is_playing());
+  EXPECT_TRUE(view().advance(0.5, 100.0));
+  EXPECT_NEAR(view().position(), 0.25, 1e-6);
+  view().advance(1.0, 100.0);
+  EXPECT_NEAR(view().position(), 0.75, 1e-6);
+  view().advance(1.0, 100.0);  // turns at the end
+  EXPECT_NEAR(view().position(), 0.75, 1e-6);
+  view().advance(0.5, 100.0);
+  EXPECT_NEAR(view().position(), 0.5, 1e-6);
+  view().advance(1.5, 100.0);  // and at the base
+  EXPECT_NEAR(view().position(), 0.25, 1e-6);
+  view().advance(4.0 * 7, 100.0);
+  EXPECT_NEAR(view().position(), 0.25, 1e-6) << "whole turns";
+  press(session_, "space");
+  EXPECT_FALSE(view().advance(1.0, 100.0));
+  press(session_, "end space");
+  view().advance(0.5, 100.0);
+  EXPECT_NEAR(view().position(), 0.75, 1e-6) << "from the end down";
+  press(session_, "[");
+  EXPECT_FALSE(view().is_playing()) << "a hand on it";
+}
+
+TEST_F(ProgressiveViewTest, ErrorsFallFromTheBaseToNothing) {
+  press(session_, "p");
+  const LevelErrors& errors = view().levels().errors;
+  const std::uint32_t splits = view().mesh().split_count();
+  EXPECT_GT(errors.error(0), 0.0);
+  EXPECT_EQ(errors.error(splits), 0.0);
+  for (std::uint32_t i = 0; i < splits; ++i) {
+    ASSERT_GE(errors.error(i), errors.error(i + 1));
+    const std::uint32_t within = errors.level_within(errors.error(i));
+    ASSERT_LE(within, i);
+    ASSERT_EQ(errors.error(within), errors.error(i));
+  }
+  EXPECT_EQ(errors.level_within(1e9), 0U);
+  EXPECT_EQ(errors.level_within(-1.0), splits);
+}
+
+TEST_F(ProgressiveViewTest, TheAutomaticLevelFollowsTheSizeWithSomeReluctance) {
+  press(session_, "p");
+  const LevelErrors& errors = view().levels().errors;
+  const double unit = 0.5 / errors.error(300);  // level 300 is off by half a pixel
+  const std::uint32_t level = automatic_level(errors, 0, 0.5, unit);
+  EXPECT_LE(level, 300U);
+  EXPECT_LE(errors.error(level) * unit, 0.5 * (1.0 + 1e-6));
+  EXPECT_EQ(automatic_level(errors, level, 0.5, unit), level);
+  EXPECT_EQ(automatic_level(errors, level, 0.5, 0.9 * unit), level) << "a little farther off";
+  EXPECT_LT(automatic_level(errors, level, 0.5, 0.3 * unit), level);
+  EXPECT_GT(automatic_level(errors, level, 0.5, 3.0 * unit), level);
+  EXPECT_EQ(automatic_level(errors, 7, 0.5, 1e12), view().mesh().split_count());
+}
+
+TEST_F(ProgressiveViewTest, ItTravelsToTheAutomaticLevelAndComesToRest) {
+  press(session_, "p");
+  press(session_, "home");
+  change([](ProgressiveSettings& s) {
+    s.is_automatic = true;
+    s.tolerance_px = 1.0F;
+  });
+  const double unit = 1.0 / view().levels().errors.error(400);
+  const std::uint32_t goal = automatic_level(view().levels().errors, 0, 1.0, unit);
+  double last = view().position();
+  int frames = 0;
+  while (view().advance(1.0 / 60, unit) && ++frames < 1000) {
+    EXPECT_GE(view().position(), last);
+    last = view().position();
+  }
+  EXPECT_GT(frames, 10) << "not at a bound";
+  EXPECT_LT(frames, 120);
+  EXPECT_NEAR(view().range().grown(view().time()), goal, 1e-6);
+  EXPECT_FALSE(view().advance(1.0 / 60, 0.9 * unit));
+  EXPECT_TRUE(view().advance(1.0 / 60, 0.1 * unit));
+  view().settle(0.1 * unit);
+  EXPECT_LT(view().range().grown(view().time()), goal);
+  view().move_by(1);
+  EXPECT_FALSE(view().settings().is_automatic) << "a hand on it";
+}
+
+TEST_F(ProgressiveViewTest, NearerIsFiner) {
+  press(session_, "p a");
+  session_.camera.zoom(0.02);
+  view().settle(shown_pixels_per_unit(session_));
+  const std::uint32_t far = faces();
+  session_.camera.zoom(50.0);
+  view().settle(shown_pixels_per_unit(session_));
+  const std::uint32_t near = faces();
+  EXPECT_LT(far, near);
+  session_.camera.zoom(1000.0);
+  EXPECT_LT(shown_pixels_per_unit(session_), 1e9) << "inside the model";
+}
+
+TEST_F(ProgressiveViewTest, EditsAreRefusedAndTheNoticeSaysWhatToDo) {
+  press(session_, "d d ctrl+z p");
+  const std::uint32_t faces_before = session_.statistics.faces;
+  for (const char* key :
+       {"d", "shift+d", "s", "shift+s", "ctrl+z", "ctrl+y", "c", "shift+c", "+", "ctrl+a", "m"}) {
+    press(session_, key);
+    EXPECT_NE(session_.notice.find("or K to use this level as the model"), std::string::npos)
+        << key;
+    EXPECT_TRUE(view().is_on());
+    EXPECT_FALSE(session_.creases.is_on);
+    EXPECT_EQ(session_.edits.history.undo_depth(), 1U);
+    EXPECT_EQ(session_.statistics.faces, faces_before);
+  }
+}
+
+TEST_F(ProgressiveViewTest, WithoutAProgressiveMeshItsKeysSayHowToGetOne) {
+  for (const char* key :
+       {"space", "[", "]", "home", "end", "pageup", "shift+g", "a", "shift+b", "k"}) {
+    press(session_, key);
+    EXPECT_EQ(session_.notice.find("press P first"), 0U) << key << session_.notice;
+  }
+  EXPECT_EQ(view().settings(), ProgressiveSettings());
+}
+
+TEST_F(ProgressiveViewTest, TheModeEndsThatOfCreases) {
+  press(session_, "c ctrl+a p");
+  EXPECT_TRUE(view().is_on());
+  EXPECT_FALSE(session_.creases.is_on);
+  EXPECT_TRUE(marked_edges(session_).selected.empty());
+}
+
+TEST_F(ProgressiveViewTest, AKeptLevelIsAModelThatCanBeTakenBack) {
+  const Mesh before = session_.model.mesh;
+  press(session_, "p");
+  view().move_to_level(view().mesh().split_count() / 2);
+  const Mesh level = view().mesh().mesh();
+  press(session_, "k");
+  EXPECT_FALSE(view().is_on());
+  EXPECT_TRUE(has_same_arrays(session_.model.mesh, level));
+  EXPECT_EQ(session_.statistics.faces, level.face_count());
+  EXPECT_TRUE(validate(session_.model.mesh).empty());
+  EXPECT_EQ(session_.edits.history.undo_name(),
+            "keep a level of " + std::to_string(level.face_count() / 1000) + "," +
+                std::to_string(level.face_count() % 1000 + 1000).substr(1) + " faces");
+  press(session_, "d");  // it can be edited
+  EXPECT_LT(session_.statistics.faces, level.face_count());
+  press(session_, "ctrl+z ctrl+z");
+  EXPECT_TRUE(has_same_arrays(session_.model.mesh, before));
+  press(session_, "ctrl+y");
+  EXPECT_TRUE(has_same_arrays(session_.model.mesh, level));
+}
+
+TEST_F(ProgressiveViewTest, AKeptLevelCarriesWhatItsVerticesSay) {
+  Attributes& attributes = session_.model.attributes;
+  const Mesh& mesh = session_.model.mesh;
+  attributes.color.resize(mesh.halfedge_count());
+  attributes.group.resize(mesh.face_count());
+  attributes.group_names = {"low", "high"};
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+    const std::uint32_t v = mesh.origin(Halfedge(h)).index();
+    attributes.color[h] = {v % 256, v / 256, 7, 255};
+  }
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
+    attributes.group[f] = f < 1200 ? 0 : 1;
+  press(session_, "p end");
+  const auto& source = view().levels().vertex_source;
+  const Shape shape = shown_shape(session_);
+  ASSERT_EQ(shape.attributes.color.size(), shape.mesh.halfedge_count());
+  for (std::uint32_t h = 0; h < shape.mesh.halfedge_count(); ++h) {
+    const std::uint32_t v = source[shape.mesh.origin(Halfedge(h)).index()].index();
+    EXPECT_EQ(shape.attributes.color[h], glm::u8vec4(v % 256, v / 256, 7, 255));
+  }
+  press(session_, "pagedown pagedown k");
+  EXPECT_EQ(session_.model.attributes.color.size(), session_.model.mesh.halfedge_count());
+  EXPECT_EQ(session_.model.attributes.group.size(), session_.model.mesh.face_count());
+}
+
+TEST_F(ProgressiveViewTest, SavingTakesTheLevelThatIsShown) {
+  press(session_, "p pagedown pagedown");
+  session_.saving.waiting = "somewhere.obj";
+  const auto task = begin_save(session_);
+  ASSERT_TRUE(task);
+  EXPECT_EQ(task->shape->mesh.face_count(), faces());
+}
+
+TEST_F(ProgressiveViewTest, AnotherBaseIsMadeOnRequest) {
+  press(session_, "p home");
+  const std::uint32_t coarse = view().mesh().base_face_count();
+  change([](ProgressiveSettings& s) { s.base_faces = 1000; });
+  request_rebuilt_progressive(session_);
+  run_waiting_edits(session_);
+  EXPECT_TRUE(view().is_on());
+  EXPECT_GT(view().mesh().base_face_count(), coarse);
+  EXPECT_LE(view().mesh().base_face_count(), 1000U);
+  EXPECT_EQ(to_json(session_)["progressive"]["base_faces"], 1000);
+  change([](ProgressiveSettings& s) { s.base_faces = 0; });
+  request_rebuilt_progressive(session_);
+  run_waiting_edits(session_);
+  EXPECT_EQ(view().mesh().base_face_count(), coarse);
+  EXPECT_TRUE(to_json(session_)["progressive"]["base_faces"].is_null());
+}
+
+TEST_F(ProgressiveViewTest, TheNoticeSaysWhatIsToBeKnownOfTheBase) {
+  press(session_, "p");
+  EXPECT_EQ(session_.notice, "200 to 2,400 faces: Space plays, PageUp and PageDown refine");
+  ASSERT_TRUE(view().levels().report.has_value());
+  EXPECT_EQ(view().levels().report->faces_reached, 200U);
+  show(test::cube());
+  press(session_, "p");
+  EXPECT_LT(view().mesh().base_face_count(), 12U) << "there is something to refine";
+  EXPECT_TRUE(session_.notice.starts_with("4 to 12 faces: ") &&
+              session_.notice.find("; the base is far from the model: ") != std::string::npos)
+      << session_.notice;
+  // A base that a person asks for, however far.
+  show(test::cube());
+  change([](ProgressiveSettings& s) { s.base_faces = 4; });
+  press(session_, "p");
+  EXPECT_EQ(view().mesh().base_face_count(), 4U);
+  EXPECT_NE(session_.notice.find("far from the model"), std::string::npos) << session_.notice;
+}
+
+TEST_F(ProgressiveViewTest, KeepingALevelFarFromTheModelIsSaid) {
+  show(test::cube());
+  press(session_, "p home k");
+  EXPECT_EQ(session_.model.mesh.face_count(), 4U);
+  EXPECT_TRUE(session_.notice.starts_with("far from the model: ")) << session_.notice;
+  show(test::torus(40, 30));
+  press(session_, "p home k");
+  EXPECT_EQ(session_.model.mesh.face_count(), 200U);
+  EXPECT_EQ(session_.notice.find("far from"), std::string::npos) << session_.notice;
+}
+
+TEST_F(ProgressiveViewTest, AnotherModelEndsIt) {
+  press(session_, "p shift+b");
+  show(test::cube());
+  EXPECT_FALSE(view().is_on());
+  EXPECT_FALSE(view().has_mesh());
+  EXPECT_TRUE(view().settings().colors_births) << "tastes stay";
+  press(session_, "p");
+  EXPECT_TRUE(view().is_on()) << "of a base alone, too";
+  press(session_, "home ] [ end pageup a space");
+  view().advance(1.0, 100.0);
+  EXPECT_LE(faces(), 12U);
+}
+
+TEST_F(ProgressiveViewTest, SettingsSayWhatIsDrawn) {
+  press(session_, "p");
+  view().move_to(0.5);
+  press(session_, "shift+b");
+  const render::Settings settings = shown_settings(session_);
+  EXPECT_TRUE(settings.colors_births);
+  EXPECT_EQ(settings.first_birth, view().mesh().base_vertex_count());
+  EXPECT_EQ(settings.geomorph, view().growth());
+  const render::Sources sources = shown_sources(session_);
+  EXPECT_EQ(sources.morph.heads.size(), shown_mesh(session_).vertex_count());
+  EXPECT_EQ(sources.vertex_normals.size(), shown_mesh(session_).vertex_count());
+  EXPECT_EQ(sources.morph.splits.size(), view().mesh().split_count());
+}
+
+std::vector<std::string> keys_of(const Json& json) {
+  std::vector<std::string> keys;
+  for (const auto& item : json.items())
+    keys.push_back(item.key());
+  return keys;
+}
+
+TEST_F(ProgressiveViewTest, TheStateSaysWhereItIs) {
+  const Json off = to_json(session_)["progressive"];
+  EXPECT_EQ(off["on"], false);
+  EXPECT_EQ(off["ready"], false);
+  EXPECT_TRUE(off["level"].is_null());
+  press(session_, "p home ]");
+  const Json json = to_json(session_)["progressive"];
+  EXPECT_EQ(json["on"], true);
+  EXPECT_EQ(json["level"], 1U);
+  EXPECT_EQ(json["faces"], view().mesh().face_count(1));
+  EXPECT_EQ(json["time"], 1.0);
+  EXPECT_EQ(keys_of(json), keys_of(off)) << "whoever waits for a value finds its name";
+  EXPECT_EQ(to_json(session_)["faces"], 2400U) << "the model's";
+}
+
+}  // namespace
+}  // namespace mesher::app

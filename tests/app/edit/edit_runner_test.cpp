@@ -1,0 +1,112 @@
+#include "app/edit/edit_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "app/edit/edits.h"
+#include "app/edit/subdivide_edit.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::app {
+namespace {
+
+using Request = void (*)(Session&);
+
+class EditRunnerTest : public testing::Test {
+ protected:
+  EditRunnerTest() { show_torus(session_); }
+  static void show_torus(Session& session) {
+    Model model;
+    model.mesh = build_mesh(test::torus(12, 10)).mesh;
+    show_model(session, std::move(model), "torus.obj");
+  }
+  void ask(Request request) { request(session_); }
+
+  Session session_;
+  EditRunner runner_{session_, nullptr};
+};
+
+TEST_F(EditRunnerTest, DoesInOrderWhatWaits) {
+  EXPECT_FALSE(runner_.advance());
+  for (const Request request :
+       {request_collapse_edge, request_collapse_edge, request_undo, request_collapse_edge})
+    ask(request);
+  EXPECT_TRUE(runner_.advance());
+  EXPECT_TRUE(runner_.is_running());
+  EXPECT_EQ(runner_.job()->title(), "Collapsing an edge");
+  EXPECT_EQ(session_.edits.waiting.size(), 3U);
+  runner_.finish();
+  EXPECT_FALSE(runner_.is_running());
+  EXPECT_EQ(session_.statistics.faces, 236U);
+  EXPECT_EQ(session_.edits.history.undo_depth(), 2U);
+  test::expect_valid(session_.model.mesh);
+}
+
+TEST_F(EditRunnerTest, GivesTheSameAsAScript) {
+  Session script;
+  show_torus(script);
+  for (const Request request :
+       {request_remove_tenth, request_remove_tenth, request_collapse_edge}) {
+    ask(request);
+    request(script);
+  }
+  runner_.finish();
+  run_waiting_edits(script);
+  EXPECT_TRUE(difference(session_.model.mesh, script.model.mesh).is_empty());
+}
+
+TEST_F(EditRunnerTest, CancellingForgetsWhatWaitsToo) {
+  for (int i = 0; i < 50; ++i)
+    ask(request_remove_tenth);
+  runner_.advance();
+  runner_.cancel();
+  runner_.finish();
+  EXPECT_TRUE(session_.edits.waiting.empty());
+  EXPECT_EQ(session_.edits.history.undo_depth(), 0U);
+}
+
+TEST_F(EditRunnerTest, WhatIsDoneButCancelledIsDropped) {
+  ask(request_remove_tenth);
+  runner_.advance();
+  while (!runner_.job()->is_done())
+    std::this_thread::yield();
+  runner_.cancel();
+  EXPECT_TRUE(runner_.advance());
+  EXPECT_EQ(session_.statistics.faces, 240U);
+  EXPECT_EQ(session_.notice, "cancelled");
+}
+
+TEST_F(EditRunnerTest, CancellingTakesTheRulesBackToThoseOfTheLevelShown) {
+  ask(request_subdivide);
+  runner_.finish();
+  ask(request_subdivide);
+  runner_.advance();
+  session_.subdivide.scheme = Scheme::butterfly;
+  apply_subdivide_settings(session_);
+  runner_.cancel();
+  runner_.finish();
+  EXPECT_EQ(session_.subdivide, session_.edits.subdivision->rules);
+  EXPECT_EQ(session_.subdivide.scheme, Scheme::loop);
+}
+
+TEST_F(EditRunnerTest, StoppingLeavesTheModelAlone) {
+  ask(request_remove_tenth);
+  ask(request_remove_tenth);
+  runner_.advance();
+  runner_.stop();
+  EXPECT_FALSE(runner_.is_running());
+  EXPECT_FALSE(runner_.advance());
+  EXPECT_EQ(session_.statistics.faces, 240U);
+  EXPECT_EQ(session_.notice, "");
+}
+
+TEST_F(EditRunnerTest, NothingToUndoIsSaidAtOnce) {
+  ask(request_undo);
+  EXPECT_TRUE(runner_.advance());
+  EXPECT_FALSE(runner_.is_running());
+  EXPECT_EQ(session_.notice, "nothing to undo");
+}
+
+}  // namespace
+}  // namespace mesher::app

@@ -1,0 +1,276 @@
+#include "app/edit/edits.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "app/document/session.h"
+#include "app/edit/simplify_edit.h"
+#include "app/input/commands.h"
+#include "engine/core/error.h"
+#include "engine/io/read.h"
+#include "engine/simplify/simplify.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::app {
+namespace {
+
+Session session_with(Soup soup) {
+  Session session;
+  Model model;
+  model.mesh = build_mesh(std::move(soup)).mesh;
+  show_model(session, std::move(model), "model.obj");
+  session.model.mesh.changes().clear();
+  return session;
+}
+
+Session session_with_cactus() {
+  Session session;
+  show_model(session, read_model(MESHER_SOURCE_DIR "/assets/cactus.obj"), "cactus.obj");
+  return session;
+}
+
+void press(Session& session, const char* keys) {
+  for (const KeyPress& key : parse_keys(keys)) {
+    run(session, *command_for(key));
+    run_waiting_edits(session);
+  }
+}
+
+void simplify_to(Session& session, std::uint32_t faces) {
+  request_simplify_to(session, faces);
+  run_waiting_edits(session);
+}
+
+bool is_same(const Mesh& a, const Mesh& b) {
+  return difference(a, b).is_empty();
+}
+
+/// Counts are those of the mesh, which is sound.
+void expect_consistent(const Session& session) {
+  test::expect_valid(session.model.mesh);
+  const Statistics fresh = statistics(session.model.mesh);
+  EXPECT_EQ(session.statistics.faces, fresh.faces);
+  EXPECT_EQ(session.statistics.vertices, fresh.vertices);
+  EXPECT_EQ(session.statistics.edges, fresh.edges);
+  EXPECT_EQ(session.statistics.area, fresh.area);
+}
+
+TEST(Edits, DRemovesATenthAndTheCameraStays) {
+  Session s = session_with(test::torus(12, 10));
+  const render::Camera camera = s.camera;
+  press(s, "d");
+  EXPECT_LE(s.statistics.faces, 216U);
+  EXPECT_GE(s.statistics.faces, 215U);
+  expect_consistent(s);
+  EXPECT_TRUE(s.camera == camera);
+  EXPECT_EQ(s.model_generation, 1U);
+  ASSERT_TRUE(s.edits.last);
+  EXPECT_EQ(s.edits.last->report.faces_asked, 216U);
+  EXPECT_EQ(s.edits.history.undo_name(),
+            "simplify to " + std::to_string(s.statistics.faces) + " faces");
+  EXPECT_EQ(s.notice, "");
+}
+
+TEST(Edits, ShiftDCollapsesOneEdge) {
+  Session s = session_with(test::torus(12, 10));
+  press(s, "shift+d");
+  EXPECT_EQ(s.statistics.faces, 238U);
+  EXPECT_EQ(s.edits.last->report.collapses, 1U);
+  expect_consistent(s);
+  // Only what changed is noted for the mirror.
+  EXPECT_FALSE(s.model.mesh.changes().is_whole(GpuArray::origin));
+  std::uint32_t noted = 0;
+  for (const ChangedRange r : s.model.mesh.changes().merged(GpuArray::origin))
+    noted += r.end - r.begin;
+  EXPECT_LT(noted, 60U);
+}
+
+TEST(Edits, DGoesOnToTheLastLegalCollapseAndSaysSo) {
+  Session s = session_with(test::cube());
+  const auto is_at_end = [&] { return s.notice.starts_with("no legal collapse is left: "); };
+  for (int i = 0; i < 20 && !is_at_end(); ++i)
+    press(s, "d");
+  const std::string notice =
+      "no legal collapse is left: " + std::to_string(s.statistics.faces) + " faces";
+  EXPECT_GE(s.statistics.faces, 4U);
+  EXPECT_TRUE(s.notice.starts_with(notice)) << s.notice;
+  const std::size_t depth = s.edits.history.undo_depth();
+  press(s, "d");
+  EXPECT_TRUE(s.notice.starts_with(notice)) << s.notice;
+  EXPECT_EQ(s.edits.history.undo_depth(), depth) << "nothing was done";
+  press(s, "shift+d");
+  EXPECT_TRUE(s.notice.starts_with(notice)) << s.notice;
+  expect_consistent(s);
+}
+
+TEST(Edits, UndoAndRedoRestoreTheVeryArrays) {
+  Session s = session_with(test::join(test::torus(12, 10), test::grid(6), {0, 0, 5}));
+  std::vector<Mesh> states{s.model.mesh};
+  for (const char* key : {"d", "shift+d", "d", "d"}) {
+    press(s, key);
+    states.push_back(s.model.mesh);
+  }
+  for (std::size_t i = states.size() - 1; i-- > 0;) {
+    press(s, "ctrl+z");
+    EXPECT_TRUE(is_same(s.model.mesh, states[i])) << i;
+    expect_consistent(s);
+  }
+  press(s, "ctrl+z");
+  EXPECT_EQ(s.notice, "nothing to undo");
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    press(s, i % 2 == 0 ? "ctrl+y" : "ctrl+shift+z");
+    EXPECT_TRUE(is_same(s.model.mesh, states[i])) << i;
+    expect_consistent(s);
+  }
+  press(s, "ctrl+y");
+  EXPECT_EQ(s.notice, "nothing to redo");
+}
+
+TEST(Edits, TheSliderBringsDetailBack) {
+  Session s = session_with(test::torus(12, 10));
+  const Mesh opened = s.model.mesh;
+  simplify_to(s, 120);
+  EXPECT_LE(s.statistics.faces, 120U);
+  const Mesh coarse = s.model.mesh;
+  simplify_to(s, 150);
+  EXPECT_LE(s.statistics.faces, 150U);
+  EXPECT_GE(s.statistics.faces, 149U);
+  expect_consistent(s);
+  simplify_to(s, 240);
+  EXPECT_TRUE(is_same(s.model.mesh, opened));
+  EXPECT_EQ(s.edits.last->report.reason, StopReason::already_there);
+  press(s, "ctrl+z ctrl+z");
+  EXPECT_TRUE(is_same(s.model.mesh, coarse));
+  press(s, "ctrl+z");
+  EXPECT_TRUE(is_same(s.model.mesh, opened));
+}
+
+TEST(Edits, FarFromWhatWasOpenedIsSaid) {
+  Session s = session_with_cactus();
+  simplify_to(s, 100);
+  EXPECT_FALSE(s.edits.last->is_far());
+  EXPECT_EQ(s.notice, "");
+  simplify_to(s, 24);
+  EXPECT_TRUE(s.edits.last->is_far());
+  EXPECT_NE(s.notice.find("far from what was opened: "), std::string::npos) << s.notice;
+}
+
+/// No single step is far from the one before it.
+TEST(Edits, DAddsUpTheDistanceFromWhatWasOpened) {
+  Session s = session_with_cactus();
+  press(s, "d");
+  EXPECT_FALSE(s.edits.last->error_from_opened.has_value()) << "it starts from what was opened";
+  bool was_near = false;
+  for (int i = 0; i < 60 && s.notice.empty(); ++i) {
+    was_near = !s.edits.last->is_far();
+    press(s, "d");
+  }
+  EXPECT_TRUE(was_near);
+  ASSERT_TRUE(s.edits.last->error_from_opened.has_value());
+  EXPECT_TRUE(s.edits.last->is_far());
+  EXPECT_LT(s.edits.last->percent(s.edits.last->report.estimated_error), 5.0);
+  EXPECT_TRUE(s.notice.starts_with("far from what was opened: ")) << s.notice;
+}
+
+TEST(Edits, TheSliderStartsFromWhatWasOpenedNotFromWhatIsShown) {
+  Session by_detour = session_with(test::torus(12, 10));
+  press(by_detour, "d d shift+d");
+  simplify_to(by_detour, 100);
+  Session direct = session_with(test::torus(12, 10));
+  simplify_to(direct, 100);
+  EXPECT_TRUE(is_same(by_detour.model.mesh, direct.model.mesh));
+}
+
+TEST(Edits, SettingsReachTheSimplifier) {
+  const SimplifySettings settings{.rules = {.cost = CostPolicy::random,
+                                            .placement = Placement::midpoint,
+                                            .boundary = BoundaryRule::lock,
+                                            .crease_angle_deg = 40.0F,
+                                            .seed = 9},
+                                  .max_error_percent = 2.0F};
+  const SimplifyOptions options = options_of(settings, 10.0);
+  EXPECT_EQ(options.cost, CostPolicy::random);
+  EXPECT_EQ(options.placement, Placement::midpoint);
+  EXPECT_EQ(options.boundary, BoundaryRule::lock);
+  EXPECT_EQ(options.crease_angle_deg, 40.0F);
+  EXPECT_NEAR(options.max_error, 0.2, 1e-6);
+  EXPECT_EQ(options.seed, 9U);
+  EXPECT_EQ(options.order, ResultOrder::fill_holes);
+
+  Session s = session_with(test::grid(6));
+  s.simplify = settings;
+  request_remove_tenth(s);
+  const auto task = start_next_edit(s);
+  ASSERT_TRUE(task);
+  EXPECT_EQ(task->title(), "Simplifying to 64 faces");
+  task->perform(nullptr);
+  task->finish(s);
+  SimplifyOptions same = options_of(settings, s.edits.last->diagonal);
+  same.target_faces = 64;
+  EXPECT_TRUE(is_same(s.model.mesh, simplify(build_mesh(test::grid(6)).mesh, same).mesh));
+}
+
+TEST(Edits, SettingsAreThoseThatHeldWhenTheEditWasRequested) {
+  Session early = session_with(test::grid(6));
+  early.simplify.rules.cost = CostPolicy::random;
+  request_remove_tenth(early);
+  early.simplify.rules.cost = CostPolicy::quadric;
+  run_waiting_edits(early);
+  Session steady = session_with(test::grid(6));
+  steady.simplify.rules.cost = CostPolicy::random;
+  request_remove_tenth(steady);
+  run_waiting_edits(steady);
+  EXPECT_TRUE(is_same(early.model.mesh, steady.model.mesh));
+  Session other = session_with(test::grid(6));
+  request_remove_tenth(other);
+  run_waiting_edits(other);
+  EXPECT_FALSE(is_same(early.model.mesh, other.model.mesh));
+}
+
+TEST(Edits, AttributesFollowOrAreDroppedWithANoticeAndComeBack) {
+  Session s = session_with(test::grid(6));
+  Attributes& a = s.model.attributes;
+  const Mesh& mesh = s.model.mesh;
+  for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
+    a.texcoord.emplace_back(static_cast<float>(i), 0.0F);  // all seams
+    a.color.push_back({static_cast<std::uint8_t>(mesh.origin(Halfedge(i)).index()), 0, 0, 255});
+  }
+  press(s, "d");
+  EXPECT_TRUE(a.texcoord.empty());
+  EXPECT_EQ(a.color.size(), mesh.halfedge_count());
+  EXPECT_NE(s.notice.find("dropped texture coordinates"), std::string::npos) << s.notice;
+  press(s, "ctrl+z");
+  EXPECT_EQ(a.texcoord.size(), mesh.halfedge_count());
+  EXPECT_EQ(a.texcoord[17].x, 17.0F);
+}
+
+TEST(Edits, OfNothingSaySo) {
+  Session s = session_with({});
+  press(s, "d shift+d");
+  EXPECT_EQ(s.notice, "there is nothing to simplify");
+}
+
+TEST(Edits, AnotherModelForgetsThem) {
+  Session s = session_with(test::torus(12, 10));
+  press(s, "d");
+  Model model;
+  model.mesh = build_mesh(test::cube()).mesh;
+  show_model(s, std::move(model), "cube.obj");
+  EXPECT_EQ(s.edits.history.undo_depth(), 0U);
+  EXPECT_EQ(s.edits.opened, nullptr);
+  EXPECT_EQ(s.edits.opened_faces, 12U);
+  EXPECT_FALSE(s.edits.last);
+}
+
+TEST(Edits, StopWhenCancelled) {
+  Session s = session_with(test::torus(12, 10));
+  request_remove_tenth(s);
+  const auto task = start_next_edit(s);
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(task->perform(&progress), Cancelled);
+}
+
+}  // namespace
+}  // namespace mesher::app

@@ -1,0 +1,344 @@
+#include "app/edit/subdivide_edit.h"
+
+#include <gtest/gtest.h>
+
+#include "app/document/json.h"
+#include "app/document/session.h"
+#include "app/document/shown.h"
+#include "app/edit/edits.h"
+#include "app/edit/model_edit.h"
+#include "app/input/commands.h"
+#include "engine/core/error.h"
+#include "engine/core/memory.h"
+#include "engine/subdivide/subdivide.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::app {
+namespace {
+
+Session session_with(Soup soup) {
+  Session session;
+  Model model;
+  BuildResult built = build_mesh(std::move(soup));
+  model.mesh = std::move(built.mesh);
+  model.attributes = std::move(built.attributes);
+  show_model(session, std::move(model), "model.obj");
+  return session;
+}
+
+Soup creased_cube() {
+  Soup soup = test::cube();
+  soup.creases = {{0, 1, kInfinitelySharp}, {1, 3, 2.0F}};
+  return soup;
+}
+
+void press(Session& session, const char* keys) {
+  for (const KeyPress& key : parse_keys(keys)) {
+    run(session, *command_for(key));
+    run_waiting_edits(session);
+    test::expect_valid(session.model.mesh);
+    EXPECT_EQ(session.statistics.faces, session.model.mesh.face_count());
+  }
+}
+
+bool is_same(const Mesh& a, const Mesh& b) {
+  return difference(a, b).is_empty();
+}
+
+TEST(Subdivision, SMakesFourFacesOfEachAndTheCameraStays) {
+  Session s = session_with(test::cube());
+  const Mesh coarse = s.model.mesh;
+  const render::Camera camera = s.camera;
+  press(s, "s");
+  EXPECT_EQ(s.statistics.faces, 4 * coarse.face_count());
+  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {}).mesh));
+  EXPECT_TRUE(s.camera == camera);
+  EXPECT_EQ(shown_level(s), 1U);
+  EXPECT_EQ(s.statistics.boundary_edges, 0U);
+}
+
+TEST(Subdivision, BowTiesStayTogetherThroughEditsAndUndo) {
+  Session s = session_with(test::bow_tie({test::torus(8, 6), test::cube(), test::grid(6)}));
+  const Mesh coarse = s.model.mesh;
+  ASSERT_EQ(coarse.bow_tie_copies().size(), 3U);
+  for (const char* keys : {"s", "l", "d", "r", "d", "s", "ctrl+z", "m", "ctrl+z", "ctrl+y", "d"}) {
+    press(s, keys);
+    ASSERT_EQ(s.model.mesh.bow_tie_copies().size(), 3U) << keys;
+    for (const BowTieCopy& copy : s.model.mesh.bow_tie_copies())
+      EXPECT_EQ(s.model.mesh.position(copy.v), glm::vec3(0.0F)) << keys;
+    EXPECT_TRUE(s.model.mesh.vertex_sharpnesses().empty());
+  }
+  for (int i = 0; i < 12; ++i)
+    press(s, "ctrl+z");
+  EXPECT_TRUE(is_same(s.model.mesh, coarse));
+}
+
+TEST(Subdivision, TwiceOnceIsOnceTwice) {
+  Session s = session_with(creased_cube());
+  const Mesh coarse = s.model.mesh;
+  press(s, "s s s");
+  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.levels = 3}).mesh));
+}
+
+TEST(Subdivision, LevelsGoUpAndDownWithoutLoss) {
+  Session s = session_with(creased_cube());
+  std::vector<Mesh> levels{s.model.mesh};
+  for (int i = 0; i < 3; ++i) {
+    press(s, "s");
+    levels.push_back(s.model.mesh);
+  }
+  for (std::uint32_t level = 3; level-- > 0;) {
+    press(s, "shift+s");
+    EXPECT_EQ(shown_level(s), level);
+    EXPECT_TRUE(is_same(s.model.mesh, levels[level]));
+  }
+  press(s, "shift+s");
+  EXPECT_EQ(s.notice, "already at the coarsest level");
+  press(s, "s s");
+  EXPECT_TRUE(is_same(s.model.mesh, levels[2]));
+}
+
+TEST(Subdivision, UndoAndRedoKnowTheLevels) {
+  Session s = session_with(creased_cube());
+  const Mesh coarse = s.model.mesh;
+  press(s, "s s");
+  const Mesh fine = s.model.mesh;
+  press(s, "ctrl+z");
+  EXPECT_EQ(shown_level(s), 1U);
+  press(s, "ctrl+z");
+  EXPECT_EQ(shown_level(s), 0U);
+  EXPECT_TRUE(is_same(s.model.mesh, coarse));
+  press(s, "ctrl+y ctrl+y");
+  EXPECT_EQ(shown_level(s), 2U);
+  EXPECT_TRUE(is_same(s.model.mesh, fine));
+  press(s, "shift+s shift+s");
+  EXPECT_TRUE(is_same(s.model.mesh, coarse));
+}
+
+TEST(Subdivision, GoesInAnyOrderWithSimplification) {
+  Session s = session_with(creased_cube());
+  press(s, "s s s d d");
+  EXPECT_EQ(shown_level(s), 0U);  // that is no level of anything
+  EXPECT_GT(s.statistics.crease_edges, 0U);
+  const Mesh simplified = s.model.mesh;
+  press(s, "s");
+  EXPECT_EQ(s.statistics.faces, 4 * simplified.face_count());
+  EXPECT_GT(s.statistics.crease_edges, 0U);
+  press(s, "shift+s");
+  EXPECT_TRUE(is_same(s.model.mesh, simplified));
+  press(s, "ctrl+z ctrl+z ctrl+z ctrl+z");
+  EXPECT_EQ(shown_level(s), 3U);  // as before the simplification
+  press(s, "shift+s");
+  EXPECT_EQ(shown_level(s), 2U);
+}
+
+TEST(Subdivision, ACreaseEditStartsFromWhatIsShown) {
+  Session s = session_with(test::cube());
+  press(s, "s");
+  const Mesh level = s.model.mesh;
+  s.creases.selected = {level.edge(Halfedge(0))};
+  request_crease_edit(s, {.kind = CreaseRequest::Kind::set, .value = 3.0F});
+  run_waiting_edits(s);
+  EXPECT_EQ(shown_level(s), 0U);
+  press(s, "shift+s");
+  EXPECT_EQ(s.notice, "already at the coarsest level");
+  press(s, "s shift+s");
+  EXPECT_EQ(s.model.mesh.sharpness(Halfedge(0)), 3.0F);
+  press(s, "ctrl+z ctrl+z ctrl+z shift+s");
+  EXPECT_EQ(s.statistics.faces, 12U);
+}
+
+TEST(Subdivision, OtherRulesMakeTheLevelAnew) {
+  Session s = session_with(creased_cube());
+  const Mesh coarse = s.model.mesh;
+  press(s, "s s r");
+  EXPECT_EQ(s.notice, "subdivision: loop, derose98");
+  EXPECT_TRUE(is_same(s.model.mesh,
+                      subdivide(coarse, {.levels = 2, .creases = CreaseRules::derose98}).mesh));
+  press(s, "m");
+  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.levels = 2,
+                                                       .scheme = Scheme::butterfly,
+                                                       .creases = CreaseRules::derose98})
+                                        .mesh));
+  press(s, "m m r");
+  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.levels = 2}).mesh));
+  EXPECT_EQ(shown_level(s), 2U);
+}
+
+TEST(Subdivision, RulesOfNothingAreKeptForLater) {
+  Session s = session_with(test::cube());
+  const Mesh coarse = s.model.mesh;
+  press(s, "r");
+  EXPECT_EQ(s.edits.history.undo_depth(), 0U);
+  EXPECT_TRUE(is_same(s.model.mesh, coarse));
+  EXPECT_EQ(s.notice, "subdivision: loop, derose98");
+}
+
+TEST(Subdivision, TheLimitComesWithItsNormals) {
+  Session s = session_with(creased_cube());
+  const Mesh coarse = s.model.mesh;
+  press(s, "s s");
+  EXPECT_TRUE(shading_normals(s).empty());
+  press(s, "l");
+  const Subdivided expected = subdivide(coarse, {.levels = 2, .limit = true});
+  EXPECT_TRUE(is_same(s.model.mesh, expected.mesh));
+  EXPECT_TRUE(std::ranges::equal(shading_normals(s), expected.limit_normal));
+  press(s, "l");
+  EXPECT_TRUE(shading_normals(s).empty());
+  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.levels = 2}).mesh));
+}
+
+TEST(Subdivision, ALevelIsMadeByTheRulesThatHeldWhenItWasAskedFor) {
+  Session s = session_with(creased_cube());
+  const Mesh coarse = s.model.mesh;
+  run(s, "subdivide");
+  run(s, "next_scheme");  // while the first still waits
+  run_waiting_edits(s);
+  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.scheme = Scheme::butterfly}).mesh));
+  press(s, "ctrl+z");
+  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {}).mesh));
+}
+
+TEST(Subdivision, TheRulesShownAreThoseOfTheLevelShown) {
+  Session s = session_with(creased_cube());
+  press(s, "s s r");
+  EXPECT_EQ(s.subdivide.creases, CreaseRules::derose98);
+  press(s, "ctrl+z");
+  EXPECT_EQ(s.subdivide.creases, CreaseRules::hoppe94);
+  press(s, "ctrl+y");
+  EXPECT_EQ(s.subdivide.creases, CreaseRules::derose98);
+  EXPECT_EQ(level_refusal(s, kMaxLevel + 1, {}), "this is the finest level");
+  s.subdivide.scheme = Scheme::butterfly;
+  const MemoryLimit nothing(1);
+  press(s, "s");
+  EXPECT_NE(s.notice.find("of memory; "), std::string::npos) << s.notice;
+  EXPECT_EQ(s.subdivide.scheme, Scheme::loop);
+}
+
+TEST(Subdivision, AnUndoLeavesAloneTheRulesThatAreAskedForAfterIt) {
+  Session s = session_with(creased_cube());
+  const Mesh coarse = s.model.mesh;
+  press(s, "s s");
+  run(s, "undo");
+  run(s, "next_scheme");
+  run_waiting_edits(s);
+  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.scheme = Scheme::butterfly}).mesh));
+  EXPECT_EQ(s.subdivide.scheme, Scheme::butterfly);
+}
+
+TEST(Subdivision, RulesThatChangeNothingAreNotTriedAgain) {
+  Session s = session_with(test::cube());
+  press(s, "s r");
+  EXPECT_EQ(s.edits.history.undo_depth(), 1U);
+  EXPECT_EQ(s.edits.subdivision->rules.creases, CreaseRules::derose98);
+  request_same_level(s);
+  EXPECT_FALSE(start_next_edit(s));
+}
+
+TEST(Subdivision, WhatCannotBeShownIsTakenBackForGood) {
+  Session s = session_with(creased_cube());
+  EXPECT_FALSE(take_back_last_edit(s));
+  press(s, "s");
+  const Mesh level = s.model.mesh;
+  press(s, "m");
+  const std::uint64_t revision = s.edits.revision;
+  EXPECT_TRUE(take_back_last_edit(s));
+  EXPECT_TRUE(is_same(s.model.mesh, level));
+  EXPECT_EQ(s.statistics.faces, level.face_count());
+  EXPECT_EQ(shown_level(s), 1U);
+  EXPECT_EQ(s.subdivide.scheme, Scheme::loop);
+  EXPECT_EQ(s.edits.history.redo_depth(), 0U);
+  EXPECT_GT(s.edits.revision, revision);
+  EXPECT_TRUE(take_back_last_edit(s));
+  EXPECT_EQ(shown_level(s), 0U);
+  EXPECT_EQ(s.statistics.faces, 12U);
+}
+
+TEST(Subdivision, AnUndoThatCannotBeShownIsDoneAgain) {
+  Session s = session_with(creased_cube());
+  press(s, "s s shift+s shift+s");
+  const Mesh coarse = s.model.mesh;
+  press(s, "ctrl+z ctrl+z");
+  EXPECT_EQ(shown_level(s), 2U);
+  EXPECT_TRUE(take_back_last_edit(s));
+  EXPECT_EQ(shown_level(s), 1U);
+  EXPECT_TRUE(take_back_last_edit(s));
+  EXPECT_EQ(shown_level(s), 0U);
+  EXPECT_TRUE(is_same(s.model.mesh, coarse));
+  EXPECT_EQ(s.edits.history.undo_depth(), 4U);
+}
+
+TEST(Subdivision, RefusesWhatMemoryCannotHoldAndSaysHowMuch) {
+  Session s = session_with(test::torus(40, 40));
+  const std::string finest = level_refusal(s, 12, {});
+  EXPECT_NE(finest.find("subdividing 12 times would make"), std::string::npos) << finest;
+  const MemoryLimit scarce(1'000'000'000);
+  const std::string fine = level_refusal(s, 9, {});
+  EXPECT_NE(fine.find(" GB of memory; "), std::string::npos) << fine;
+}
+
+TEST(Subdivision, CountsWhatIsShownButNeverRefusesToGoBack) {
+  Session s = session_with(test::torus(100, 100));
+  press(s, "s s s");
+  const std::uint64_t twice = 2 * s.model.mesh.memory_bytes();
+  const MemoryLimit scarce(twice);  // level 1 takes an eighth of that
+  const std::string refusal = level_refusal(s, 1, {});
+  EXPECT_NE(refusal.find("of memory; "), std::string::npos) << refusal;
+  EXPECT_NE(level_refusal(s, 3, {.scheme = Scheme::butterfly}), "");
+  EXPECT_EQ(level_refusal(s, 0, {}), "");
+  press(s, "shift+s");
+  EXPECT_NE(s.notice.find("of memory; "), std::string::npos) << s.notice;
+  EXPECT_EQ(shown_level(s), 3U);
+}
+
+TEST(Subdivision, TheModelIsCopiedOnce) {
+  Session s = session_with(test::cube());
+  request_subdivide(s);
+  const auto task = start_next_edit(s);
+  ASSERT_TRUE(task);
+  task->perform(nullptr);
+  task->finish(s);
+  EXPECT_EQ(s.edits.subdivision->base, s.edits.opened);
+}
+
+TEST(Subdivision, OfNothingSaysSo) {
+  Session s;
+  press(s, "s");
+  EXPECT_EQ(s.notice, "there is nothing to subdivide");
+}
+
+TEST(Subdivision, CarriesTextureCoordinates) {
+  Soup soup = test::cube();
+  soup.attributes.texcoord.assign(soup.corners.size(), glm::vec2(0.25F, 0.75F));
+  Session s = session_with(std::move(soup));
+  press(s, "s");
+  ASSERT_EQ(s.model.attributes.texcoord.size(), s.model.mesh.halfedge_count());
+  EXPECT_EQ(s.model.attributes.texcoord.back(), glm::vec2(0.25F, 0.75F));
+  press(s, "shift+s");
+  EXPECT_EQ(s.model.attributes.texcoord.size(), s.model.mesh.halfedge_count());
+}
+
+TEST(Subdivision, IsInTheStateThatScriptsSee) {
+  Session s = session_with(test::cube());
+  press(s, "s s l");
+  const Json json = to_json(s);
+  EXPECT_EQ(json["subdivision_level"], 2);
+  EXPECT_EQ(json["subdivide"]["scheme"], "loop");
+  EXPECT_EQ(json["subdivide"]["limit"], true);
+  EXPECT_EQ(json["last_subdivision"]["faces"], 192);
+}
+
+TEST(Subdivision, CancelledLeavesTheModelAlone) {
+  Session s = session_with(test::torus(40, 40));
+  request_subdivide(s);
+  const auto task = start_next_edit(s);
+  ASSERT_TRUE(task);
+  EXPECT_EQ(task->title(), "Subdividing to level 1");
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(task->perform(&progress), Cancelled);
+  EXPECT_EQ(shown_level(s), 0U);
+}
+
+}  // namespace
+}  // namespace mesher::app

@@ -1,0 +1,145 @@
+#include "app/files/arrival_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "app/edit/crease_edits.h"
+#include "app/edit/edits.h"
+#include "app/input/commands.h"
+#include "engine/core/memory.h"
+#include "engine/progressive/build.h"
+#include "engine/progressive/pm_write.h"
+#include "tests/support/meshes.h"
+#include "tests/support/temp_folder.h"
+
+namespace mesher::app {
+namespace {
+
+class ArrivalRunnerTest : public testing::Test {
+ protected:
+  ArrivalRunnerTest() {
+    Model model;
+    model.mesh = build_mesh(test::cube()).mesh;
+    show_model(session_, std::move(model), "cube.obj");
+  }
+  std::filesystem::path torus_file(std::uint32_t around = 40, std::uint32_t across = 30) {
+    Progressive progressive =
+        make_progressive(build_mesh(test::torus(around, across)).mesh, {.target_faces = 100});
+    std::string bytes;
+    write_pm(progressive.mesh, {}, [&](std::span<const std::byte> piece) {
+      bytes.append(reinterpret_cast<const char*>(piece.data()), piece.size());
+    });
+    return file_of(bytes, "torus.pm");
+  }
+  std::filesystem::path file_of(const std::string& bytes, const char* name) {
+    const std::filesystem::path file = folder_ / name;
+    std::ofstream(file, std::ios::binary) << bytes;
+    return file;
+  }
+  void arrive() {
+    for (int i = 0; i < 5000 && arrivals_.is_running(); ++i) {
+      arrivals_.advance(0.01);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    EXPECT_FALSE(arrivals_.is_running());
+  }
+  ProgressiveView& view() { return session_.progressive; }
+
+  test::TempFolder folder_;
+  Session session_;
+  EditRunner edits_{session_, nullptr};
+  ArrivalRunner arrivals_{session_, edits_, nullptr};
+};
+
+TEST_F(ArrivalRunnerTest, WhatCannotBeOpenedEndsNoWork) {
+  ASSERT_TRUE(arrivals_.open(torus_file()));
+  arrive();
+  EXPECT_EQ(edits_.job(), nullptr);
+  edits_.advance();
+  ASSERT_TRUE(edits_.is_running()) << "geomorphs";
+  EXPECT_FALSE(arrivals_.open("no such file.pm"));
+  EXPECT_NE(session_.error, "");
+  ASSERT_TRUE(arrivals_.open(file_of("no mesh at all", "wrong.pm")));
+  arrive();
+  EXPECT_NE(session_.error.find("wrong.pm"), std::string::npos) << session_.error;
+  edits_.finish();
+  EXPECT_TRUE(view().has_geomorph());
+  EXPECT_EQ(session_.statistics.faces, 2400U);
+}
+
+TEST_F(ArrivalRunnerTest, TheBaseEndsWhatRunsForTheModelBefore) {
+  request_collapse_edge(session_);
+  edits_.advance();
+  ASSERT_TRUE(edits_.is_running());
+  ASSERT_TRUE(arrivals_.open(torus_file()));
+  EXPECT_TRUE(edits_.is_running());
+  arrive();
+  edits_.finish();
+  EXPECT_EQ(session_.statistics.faces, 2400U);
+  EXPECT_EQ(session_.edits.history.undo_depth(), 0U);
+  EXPECT_TRUE(view().has_geomorph()) << "asked for when the last split had come";
+}
+
+TEST_F(ArrivalRunnerTest, WithoutMemoryToKeepItInTheBaseStays) {
+  ASSERT_TRUE(arrivals_.open(torus_file(120, 80)));
+  for (int i = 0; i < 5000 && !view().has_mesh(); ++i) {
+    arrivals_.advance(0.0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  ASSERT_TRUE(arrivals_.is_running()) << "a block at a time";
+  {
+    const MemoryLimit limit(1);
+    EXPECT_NO_THROW(arrivals_.stop());
+  }
+  EXPECT_FALSE(arrivals_.is_running());
+  EXPECT_FALSE(view().has_mesh());
+  EXPECT_FALSE(view().is_on());
+  EXPECT_NE(session_.error, "");
+  test::expect_valid(session_.model.mesh);
+  EXPECT_EQ(session_.statistics.faces, session_.model.mesh.face_count());
+}
+
+TEST_F(ArrivalRunnerTest, WhoLeavesTheModeMeanwhileIsNotTakenBack) {
+  ASSERT_TRUE(arrivals_.open(torus_file()));
+  arrive();
+  edits_.advance();
+  ASSERT_TRUE(edits_.is_running());
+  run(session_, "toggle_progressive");
+  set_crease_mode(session_, true);
+  edits_.finish();
+  EXPECT_FALSE(view().is_on());
+  EXPECT_TRUE(session_.creases.is_on);
+  EXPECT_TRUE(view().has_geomorph()) << "kept for the next time";
+}
+
+TEST_F(ArrivalRunnerTest, CreasesTurnedOnWhileAMeshIsMadeStayOn) {
+  set_crease_mode(session_, true);
+  run(session_, "toggle_progressive");
+  EXPECT_FALSE(session_.creases.is_on);
+  edits_.advance();
+  set_crease_mode(session_, true);
+  edits_.finish();
+  EXPECT_TRUE(view().has_mesh());
+  EXPECT_FALSE(view().is_on());
+  EXPECT_TRUE(session_.creases.is_on);
+}
+
+TEST_F(ArrivalRunnerTest, GeomorphsThatWereCancelledComeWithTheNextTurn) {
+  ASSERT_TRUE(arrivals_.open(torus_file()));
+  arrive();
+  edits_.advance();
+  edits_.cancel();
+  edits_.finish();
+  EXPECT_FALSE(view().has_geomorph());
+  run(session_, "toggle_progressive");
+  run(session_, "toggle_progressive");
+  edits_.finish();
+  EXPECT_TRUE(view().is_on());
+  EXPECT_TRUE(view().has_geomorph());
+}
+
+}  // namespace
+}  // namespace mesher::app

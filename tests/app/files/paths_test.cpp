@@ -1,0 +1,43 @@
+#include "app/files/paths.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "tests/support/temp_folder.h"
+
+namespace mesher::app {
+namespace {
+
+TEST(Paths, ABareNameIsLookedForInAssets) {
+  EXPECT_EQ(find_model("cube.obj").parent_path().filename(), "assets");
+  EXPECT_EQ(find_model("cube").filename(), "cube.obj");
+  EXPECT_EQ(find_model("no_such_model.obj"), "no_such_model.obj");
+  EXPECT_EQ(find_model("./cube.obj"), "./cube.obj");  // a folder is named: no guessing
+}
+
+TEST(Paths, AFileThatIsThereComesFirst) {
+  const test::TempFolder folder;
+  const auto file = folder.write("cube.obj", "");
+  EXPECT_EQ(find_model(file.string()), file);
+}
+
+TEST(Paths, ScreenshotsDoNotOverwriteOneAnother) {
+  const test::TempFolder folder;
+  setenv("XDG_PICTURES_DIR", folder.path().c_str(), 1);
+  const auto first = next_screenshot("bunny.obj");
+  EXPECT_EQ(first, folder / "mesher-bunny.png");
+  folder.write("mesher-bunny.png", "");
+  EXPECT_EQ(next_screenshot("bunny.obj"), folder / "mesher-bunny-2.png");
+  unsetenv("XDG_PICTURES_DIR");
+}
+
+TEST(Paths, TypedPathsLoseBlanksAndQuotes) {
+  EXPECT_EQ(typed_path("  'a b.obj' "), "a b.obj");
+  EXPECT_EQ(typed_path(" \t"), "");
+  setenv("HOME", "/somewhere", 1);
+  EXPECT_EQ(typed_path("~/x.obj"), "/somewhere/x.obj");
+}
+
+}  // namespace
+}  // namespace mesher::app

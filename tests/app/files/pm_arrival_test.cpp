@@ -1,0 +1,269 @@
+#include "app/files/pm_arrival.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "app/document/shown.h"
+#include "app/edit/edits.h"
+#include "app/edit/progressive_edits.h"
+#include "app/input/commands.h"
+#include "engine/core/error.h"
+#include "engine/io/pm_file.h"
+#include "engine/progressive/build.h"
+#include "engine/progressive/pm_write.h"
+#include "tests/support/meshes.h"
+#include "tests/support/temp_folder.h"
+
+namespace mesher::app {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+class PmArrivalTest : public testing::Test {
+ protected:
+  PmArrivalTest() {
+    Progressive progressive =
+        make_progressive(build_mesh(test::torus(120, 80)).mesh, {.target_faces = 200});
+    mesh_ = std::move(progressive.mesh);
+    write_pm(mesh_, {}, [&](std::span<const std::byte> piece) {
+      bytes_.insert(bytes_.end(), piece.begin(), piece.end());
+    });
+    mesh_.go_to(mesh_.split_count());
+    Model model;
+    model.mesh = build_mesh(test::cube()).mesh;
+    show_model(session_, std::move(model), "cube.obj");
+  }
+
+  std::filesystem::path file_of(std::span<const std::byte> bytes, const char* name = "torus.pm") {
+    const std::filesystem::path file = folder_ / name;
+    std::ofstream(file, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+    return file;
+  }
+  /// A named pipe; open for writing until `close`.
+  std::filesystem::path pipe() {
+    const std::filesystem::path file = folder_ / "pipe";
+    EXPECT_EQ(mkfifo(file.c_str(), 0600), 0);
+    pipe_ = ::open(file.c_str(), O_RDWR);
+    return file;
+  }
+  void put(std::size_t begin, std::size_t end) {
+    EXPECT_EQ(::write(pipe_, bytes_.data() + begin, end - begin), ssize_t(end - begin));
+  }
+  /// Comes back when it has been read but for what a pipe holds.
+  void put(std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+      const ssize_t count = ::write(pipe_, bytes.data(), bytes.size());
+      ASSERT_GT(count, 0);
+      bytes = bytes.subspan(std::size_t(count));
+    }
+  }
+  void close() { ::close(pipe_); }
+  /// Until what has been put is there.
+  void advance(PmArrival& arrival, const auto& is_enough) {
+    for (int i = 0; i < 5000 && !is_enough(); ++i) {
+      arrival.advance(session_, 0.01);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    EXPECT_TRUE(is_enough());
+  }
+  ProgressiveView& view() { return session_.progressive; }
+
+  test::TempFolder folder_;
+  ProgressiveMesh mesh_;
+  Bytes bytes_;
+  int pipe_ = -1;
+  Session session_;
+};
+
+TEST_F(PmArrivalTest, KnowsWhatArrives) {
+  EXPECT_TRUE(is_pm_file("model.pm"));
+  EXPECT_TRUE(is_pm_file("MODEL.PM"));
+  EXPECT_FALSE(is_pm_file("model.obj"));
+  EXPECT_FALSE(is_pm_file("no such file"));
+  EXPECT_TRUE(is_pm_file(file_of(bytes_, "without ending")));
+  EXPECT_FALSE(is_pm_file(file_of(std::span(bytes_).first(4), "short")));
+  EXPECT_TRUE(is_pm_file(pipe()));
+  close();
+  EXPECT_THROW(PmArrival("no such file.pm"), InputError);
+}
+
+TEST_F(PmArrivalTest, AFileBecomesTheModelInProgressiveMode) {
+  PmArrival arrival(file_of(bytes_));
+  arrival.finish(session_);
+  EXPECT_TRUE(arrival.is_done());
+  EXPECT_TRUE(view().is_on());
+  EXPECT_FALSE(view().is_arriving());
+  EXPECT_TRUE(difference(session_.model.mesh, mesh_.mesh()).is_empty());
+  EXPECT_EQ(session_.model.name, "torus.pm");
+  EXPECT_EQ(session_.statistics.faces, 19'200U);
+  EXPECT_EQ(session_.edits.opened_faces, 19'200U);
+  EXPECT_EQ(session_.error, "");
+  EXPECT_FALSE(view().has_geomorph());
+  run_waiting_edits(session_);
+  EXPECT_TRUE(view().has_geomorph());
+  EXPECT_TRUE(view().is_at_end());
+  run(session_, "least_detail");
+  EXPECT_EQ(shown_mesh(session_).face_count(), mesh_.base_face_count());
+  run(session_, "keep_level");
+  run_waiting_edits(session_);
+  EXPECT_EQ(session_.statistics.faces, mesh_.base_face_count());
+  run(session_, "undo");
+  run_waiting_edits(session_);
+  EXPECT_EQ(session_.statistics.faces, 19'200U);
+}
+
+TEST_F(PmArrivalTest, APipeIsShownAsFarAsItHasCome) {
+  const std::size_t most = bytes_.size() - bytes_.size() / 20;  // but for the last block
+  PmArrival arrival(pipe());
+  put(0, bytes_.size() / 4);
+  arrival.wait_for_base(session_);
+  EXPECT_TRUE(view().is_on());
+  EXPECT_TRUE(view().is_arriving());
+  EXPECT_GE(session_.statistics.faces, mesh_.base_face_count());
+  put(bytes_.size() / 4, bytes_.size() / 2);
+  advance(arrival, [&] { return view().mesh().split_count() > 0; });
+  EXPECT_TRUE(view().is_at_end()) << "follows what arrives";
+  EXPECT_EQ(view().mesh().level(), view().mesh().split_count());
+  // Neither can be left nor kept yet.
+  run(session_, "toggle_progressive");
+  EXPECT_TRUE(view().is_on());
+  run(session_, "keep_level");
+  EXPECT_NE(session_.notice.find("still loading"), std::string::npos);
+  // A hand on the slider: what arrives no longer moves it.
+  run(session_, "least_detail");
+  run(session_, "one_split_up");
+  const std::uint32_t splits = view().mesh().split_count();
+  put(bytes_.size() / 2, most);
+  advance(arrival, [&] { return view().mesh().split_count() > splits; });
+  EXPECT_EQ(view().mesh().level(), 1U);
+  put(most, bytes_.size());
+  close();
+  arrival.finish(session_);
+  EXPECT_EQ(view().mesh().level(), 1U);
+  EXPECT_TRUE(difference(session_.model.mesh, mesh_.mesh()).is_empty());
+  run_waiting_edits(session_);
+  EXPECT_TRUE(view().has_geomorph());
+  EXPECT_NEAR(view().range().grown(view().time()), 1.0, 1e-6);
+}
+
+TEST_F(PmArrivalTest, WhatIsCutOffIsShownAndSaid) {
+  PmArrival arrival(file_of(std::span(bytes_).first(bytes_.size() / 2)));
+  arrival.finish(session_);
+  EXPECT_GT(session_.statistics.faces, mesh_.base_face_count());
+  EXPECT_LT(session_.statistics.faces, 19'200U);
+  EXPECT_NE(session_.error.find("torus.pm"), std::string::npos) << session_.error;
+  run_waiting_edits(session_);
+  EXPECT_TRUE(view().has_geomorph());
+  test::expect_valid(session_.model.mesh);
+}
+
+TEST_F(PmArrivalTest, WithoutABaseWhatWasShownStays) {
+  for (const std::size_t size : {std::size_t{0}, std::size_t{5}, std::size_t{20}}) {
+    PmArrival cut(file_of(std::span(bytes_).first(size)));
+    EXPECT_THROW(cut.finish(session_), InputError) << size;
+  }
+  Bytes garbage(100'000, std::byte{0x5A});
+  PmArrival arrival(file_of(garbage));
+  EXPECT_THROW(arrival.finish(session_), InputError);
+  EXPECT_EQ(session_.statistics.faces, 12U);
+  EXPECT_FALSE(view().has_mesh());
+}
+
+TEST_F(PmArrivalTest, NothingIsReadBehindTheLastSplitOrDamage) {
+  for (const bool is_damaged : {false, true}) {
+    Bytes endless = bytes_;
+    if (is_damaged) endless[bytes_.size() / 2] ^= std::byte{0x10};
+    endless.resize(bytes_.size() + 30'000);
+    PmArrival arrival(pipe());  // that stays open: its end never comes
+    put(endless);
+    arrival.finish(session_);
+    EXPECT_TRUE(arrival.is_done());
+    EXPECT_NE(session_.error.find(is_damaged ? "splits were read" : "bytes follow"),
+              std::string::npos)
+        << session_.error;
+    EXPECT_EQ(session_.statistics.faces == 19'200U, !is_damaged);
+    close();
+    std::filesystem::remove(folder_ / "pipe");
+  }
+}
+
+TEST_F(PmArrivalTest, ReadingOnBelowFullDetailTakesLargerBites) {
+  const auto bites = [&](bool follows) {
+    PmArrival arrival(file_of(bytes_));
+    arrival.wait_for_base(session_);
+    if (!follows) view().move_to(0.0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));  // all of it waits now
+    int count = 0;
+    for (int i = 0; i < 5000 && !arrival.is_done(); ++i) {
+      if (arrival.advance(session_, 0.0)) ++count;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    EXPECT_TRUE(arrival.is_done());
+    return count;
+  };
+  EXPECT_GE(bites(true), 3) << "a block each, as there is no time for more";
+  EXPECT_LE(bites(false), 2) << "each takes the way up and back";
+}
+
+TEST_F(PmArrivalTest, APipeWithoutAWriterIsSilentAndKeepsNobodyWaiting) {
+  const std::filesystem::path file = folder_ / "pipe";
+  ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
+  PmArrival arrival(file);
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_FALSE(arrival.has_news(session_)) << "that is not its end";
+  pipe_ = ::open(file.c_str(), O_WRONLY);
+  std::thread writer([this] {
+    put(bytes_);
+    close();
+  });
+  arrival.finish(session_);
+  writer.join();
+  EXPECT_EQ(session_.statistics.faces, 19'200U);
+  EXPECT_EQ(session_.error, "");
+}
+
+TEST_F(PmArrivalTest, StoppingKeepsWhatHasCome) {
+  PmArrival arrival(pipe());
+  put(0, bytes_.size() / 2);
+  advance(arrival, [&] { return view().has_mesh() && view().mesh().split_count() > 0; });
+  const std::uint32_t faces = view().mesh().full_face_count();
+  arrival.stop(session_);
+  EXPECT_TRUE(arrival.is_done());
+  EXPECT_FALSE(view().is_arriving());
+  EXPECT_EQ(session_.statistics.faces, faces);
+  EXPECT_FALSE(arrival.advance(session_, 0.1));
+  close();
+}
+
+TEST_F(PmArrivalTest, ASilentPipeKeepsNobodyWaiting) {
+  const auto begin = std::chrono::steady_clock::now();
+  {
+    PmArrival arrival(pipe());
+    EXPECT_FALSE(arrival.advance(session_, 1.0));
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+  close();
+}
+
+TEST_F(PmArrivalTest, AStreamReadsNoFurtherAheadThanItMay) {
+  Bytes large(3 * ByteStream::kMostAhead, std::byte{1});
+  ByteStream stream(file_of(large, "large"));
+  stream.wait();
+  std::size_t taken = 0;
+  while (!stream.is_at_end()) {
+    stream.wait();
+    taken += stream.take().size();
+  }
+  EXPECT_EQ(taken, large.size());
+  EXPECT_EQ(stream.failure(), "");
+}
+
+}  // namespace
+}  // namespace mesher::app

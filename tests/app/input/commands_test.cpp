@@ -1,0 +1,188 @@
+#include "app/input/commands.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "app/edit/edits.h"
+#include "tests/support/meshes.h"
+
+namespace mesher::app {
+namespace {
+
+using render::Shading;
+
+Session session_with_cube() {
+  Session session;
+  Model model;
+  model.name = "cube.obj";
+  model.mesh = build_mesh(test::cube()).mesh;
+  show_model(session, std::move(model), "cube.obj");
+  return session;
+}
+
+void press(Session& session, const char* keys) {
+  for (const KeyPress& key : parse_keys(keys)) {
+    const auto command = command_for(key);
+    ASSERT_NE(command, nullptr) << to_text(key);
+    run(session, *command);
+  }
+}
+
+TEST(Commands, NoKeyIsBoundTwice) {
+  std::set<std::string> seen;
+  for (const Command& command : commands()) {
+    for (const KeyPress& key : parse_keys(command.keys)) {
+      EXPECT_TRUE(seen.insert(to_text(key)).second) << to_text(key);
+    }
+  }
+  EXPECT_EQ(command_for({"f9", false, false}), nullptr);
+  EXPECT_EQ(command_for({"w", false, true}), nullptr);
+}
+
+TEST(Commands, EachHasItsOwnIdAndAHelpText) {
+  std::set<std::string> ids;
+  for (const Command& command : commands()) {
+    EXPECT_TRUE(ids.insert(command.id).second) << command.id;
+    EXPECT_EQ(command_named(command.id), &command);
+    EXPECT_NE(std::string(command.help), "") << command.id;
+    EXPECT_NE(command.function, nullptr) << command.id;
+    EXPECT_EQ(command_for(parse_keys(command.keys).front()), &command) << command.id;
+  }
+  EXPECT_EQ(command_named("no_such_command"), nullptr);
+}
+
+TEST(Commands, WhatCannotRunNowSaysWhyAndChangesNothing) {
+  Session s = session_with_cube();
+  for (const Command& command : commands()) {
+    if (command.blocked == nullptr) continue;
+    run(s, command);
+    EXPECT_EQ(s.notice, "press P first: this key works in progressive mode") << command.id;
+    EXPECT_FALSE(s.progressive.is_playing());
+    EXPECT_TRUE(s.edits.waiting.empty());
+  }
+}
+
+TEST(Commands, WTogglesWireframe) {
+  Session s = session_with_cube();
+  EXPECT_FALSE(s.settings.wireframe);
+  press(s, "w");
+  EXPECT_TRUE(s.settings.wireframe);
+  EXPECT_EQ(s.settings.shading, Shading::flat);
+  press(s, "w");
+  EXPECT_FALSE(s.settings.wireframe);
+}
+
+TEST(Commands, GTogglesGouraud) {
+  Session s = session_with_cube();
+  press(s, "g");
+  EXPECT_EQ(s.settings.shading, Shading::gouraud);
+  press(s, "g");
+  EXPECT_EQ(s.settings.shading, Shading::flat);
+}
+
+TEST(Commands, ThereIsAlwaysSomethingToSee) {
+  Session s = session_with_cube();
+  press(s, "shift+w");
+  EXPECT_EQ(s.settings.shading, Shading::none);
+  EXPECT_TRUE(s.settings.wireframe);
+  press(s, "w");  // no lines any more: the surface comes back
+  EXPECT_FALSE(s.settings.wireframe);
+  EXPECT_EQ(s.settings.shading, Shading::flat);
+  press(s, "shift+w shift+w");
+  EXPECT_EQ(s.settings.shading, Shading::flat);
+}
+
+TEST(Commands, ViewsLookAlongTheAxes) {
+  Session s = session_with_cube();
+  press(s, "1");
+  EXPECT_NEAR(s.camera.forward().z, -1.0, 1e-12);
+  press(s, "3");
+  EXPECT_NEAR(s.camera.forward().x, -1.0, 1e-12);
+  press(s, "7");
+  EXPECT_NEAR(s.camera.forward().y, -1.0, 1e-12);
+  press(s, "5");
+  EXPECT_TRUE(s.camera.is_orthographic());
+  press(s, "5");
+  EXPECT_FALSE(s.camera.is_orthographic());
+}
+
+TEST(Commands, FFramesTheModelAgain) {
+  Session s = session_with_cube();
+  const render::Camera before = s.camera;
+  s.camera.zoom(7.0);
+  s.camera.pan({200, 100}, s.window);
+  EXPECT_FALSE(before == s.camera);
+  press(s, "f");
+  EXPECT_NEAR(s.camera.distance(), before.distance(), 1e-12);
+  EXPECT_EQ(s.camera.pivot(), before.pivot());
+}
+
+TEST(Commands, HelpHasThreeKeys) {
+  for (const char* key : {"f1", "h", "?"}) {
+    Session s = session_with_cube();
+    press(s, key);
+    EXPECT_TRUE(s.shows_help) << key;
+  }
+}
+
+TEST(Commands, EscapeClosesTheInnermostThingFirst) {
+  Session s = session_with_cube();
+  s.error = "bad file";
+  press(s, "h ctrl+o");
+  press(s, "esc");
+  EXPECT_FALSE(s.shows_open_dialog);
+  EXPECT_TRUE(s.shows_help);
+  press(s, "esc");
+  EXPECT_FALSE(s.shows_help);
+  EXPECT_FALSE(s.error.empty());
+  press(s, "esc");
+  EXPECT_TRUE(s.error.empty());
+  EXPECT_FALSE(s.wants_quit);
+  press(s, "esc");
+  EXPECT_TRUE(s.wants_quit);
+}
+
+TEST(Commands, PanelBackgroundScreenshotAndQuit) {
+  Session s = session_with_cube();
+  press(s, "tab b f12");
+  EXPECT_FALSE(s.shows_info);
+  EXPECT_EQ(s.settings.background, render::Background::dark);
+  EXPECT_TRUE(s.wants_screenshot);
+  EXPECT_FALSE(s.wants_quit);
+  press(s, "q");
+  EXPECT_TRUE(s.wants_quit);
+}
+
+TEST(Commands, EditsAreQueuedInOrder) {
+  Session s = session_with_cube();
+  press(s, "d shift+d ctrl+z ctrl+shift+z ctrl+y");
+  ASSERT_EQ(s.edits.waiting.size(), 5U);
+  EXPECT_EQ(s.statistics.faces, 12U);
+  const char* expected[] = {"Simplifying to 10 faces", "Collapsing an edge"};
+  for (const char* title : expected) {
+    const auto task = start_next_edit(s);
+    ASSERT_TRUE(task);
+    EXPECT_EQ(task->title(), title);
+    task->perform(nullptr);
+    task->finish(s);
+  }
+  EXPECT_EQ(s.edits.history.undo_depth(), 2U);
+  EXPECT_FALSE(start_next_edit(s));  // an undo is finished at once
+  EXPECT_EQ(s.edits.history.undo_depth(), 1U);
+  EXPECT_FALSE(start_next_edit(s));
+  EXPECT_EQ(s.edits.history.undo_depth(), 2U);
+  EXPECT_FALSE(start_next_edit(s));
+  EXPECT_EQ(s.notice, "nothing to redo");
+}
+
+TEST(Session, ShowingAModelCountsAndFramesIt) {
+  Session s = session_with_cube();
+  EXPECT_EQ(s.statistics.faces, 12U);
+  EXPECT_EQ(s.model_generation, 1U);
+  EXPECT_EQ(s.camera.pivot(), glm::dvec3(0.0));
+  EXPECT_GT(s.camera.distance(), 1.0);
+}
+
+}  // namespace
+}  // namespace mesher::app
