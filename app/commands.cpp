@@ -44,7 +44,7 @@ constexpr std::array kBindings{
     Binding{Command::least_detail, "home", "the base"},
     Binding{Command::toggle_geomorphs, "shift+g", "splits grow (geomorphs) or pop"},
     Binding{Command::toggle_automatic, "a", "automatic level, by size on the screen"},
-    Binding{Command::toggle_births, "shift+b", "colors by birth"},
+    Binding{Command::toggle_split_order_colors, "shift+b", "colors by birth"},
     Binding{Command::keep_level, "k", "keep this level as the model"},
     Binding{Command::toggle_info, "tab", "panels on and off"},
     Binding{Command::toggle_help, "f1 h shift+/", "this help"},
@@ -247,7 +247,7 @@ void run(Session& session, Command command) {
     case Command::most_detail:
     case Command::toggle_geomorphs:
     case Command::toggle_automatic:
-    case Command::toggle_births:
+    case Command::toggle_split_order_colors:
       return run_progressive(session, command);
     case Command::toggle_info:
       return toggle(session.shows_info);

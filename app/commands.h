@@ -46,7 +46,7 @@ enum class Command {
   most_detail,
   toggle_geomorphs,
   toggle_automatic,
-  toggle_births,
+  toggle_split_order_colors,
   keep_level,
   toggle_info,
   toggle_help,

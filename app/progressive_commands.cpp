@@ -19,8 +19,8 @@ void change_settings(Session& session, Command command) {
     settings.is_automatic = !settings.is_automatic;
     session.notice = "automatic level" + on_off(settings.is_automatic);
   } else {
-    settings.colors_births = !settings.colors_births;
-    session.notice = "colors by birth" + on_off(settings.colors_births);
+    settings.colors_by_split_order = !settings.colors_by_split_order;
+    session.notice = "colors by birth" + on_off(settings.colors_by_split_order);
   }
   session.progressive.change(settings);
 }

@@ -15,13 +15,13 @@ namespace mesher::app {
 
 /// How progressive meshes are looked at, and made.
 struct ProgressiveSettings {
-  std::uint32_t base_faces = 0;  ///< of the base; 0: chosen by size and error (choose_base)
-  bool geomorphs = true;         ///< vertices move apart; otherwise they pop
-  float window = 0.125F;         ///< see DetailRange
-  bool colors_births = false;    ///< faces of later splits are tinted
-  float seconds = 6.0F;          ///< that playing takes from one end to the other
-  bool is_automatic = false;     ///< the level follows from the size on the screen
-  float tolerance_px = 1.0F;     ///< how far off the surface may be then
+  std::uint32_t base_faces = 0;        ///< of the base; 0: chosen by size and error (choose_base)
+  bool geomorphs = true;               ///< vertices move apart; otherwise they pop
+  float geomorph_range = 0.125F;       ///< see DetailRange
+  bool colors_by_split_order = false;  ///< faces of later splits are tinted
+  float seconds = 6.0F;                ///< that playing takes from one end to the other
+  bool is_automatic = false;           ///< the level follows from the size on the screen
+  float tolerance_px = 1.0F;           ///< how far off the surface may be then
 
   friend bool operator==(const ProgressiveSettings&, const ProgressiveSettings&) = default;
 };

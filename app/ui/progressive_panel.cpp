@@ -71,11 +71,11 @@ void draw_growth(const ProgressiveView& view, ProgressiveSettings& settings) {
   ImGui::EndDisabled();
   label("window");
   ImGui::BeginDisabled(!settings.geomorphs || !view.has_geomorph());
-  float percent = 100.0F * settings.window;
-  constexpr float kMost = 100.0F * float(DetailRange::kMostWindow);
+  float percent = 100.0F * settings.geomorph_range;
+  constexpr float kMost = 100.0F * float(DetailRange::kMaxGeomorphRange);
   if (ImGui::SliderFloat("##window", &percent, 0.1F, kMost, "%.1f %%",
                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {
-    settings.window = percent / 100.0F;
+    settings.geomorph_range = percent / 100.0F;
   }
   tooltip("How many splits grow at a time, as a share of the vertices that there are by then.");
   ImGui::EndDisabled();
@@ -84,7 +84,7 @@ void draw_growth(const ProgressiveView& view, ProgressiveSettings& settings) {
                      ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
   tooltip("From one end to the other.");
   label("births");
-  ImGui::Checkbox("colors##births", &settings.colors_births);
+  ImGui::Checkbox("colors##births", &settings.colors_by_split_order);
   tooltip("Shift+B: from violet to yellow, the later a vertex came.");
 }
 

@@ -73,7 +73,7 @@ class ProgressiveBuilder {
       if (work == 0) number_faces();
       if (work == 1) number_vertices();
     });
-    place_parts();
+    renumber_parts();
     fill_arrays();
     fill_sharpness();
     go_down();
@@ -90,18 +90,18 @@ class ProgressiveBuilder {
     const std::uint32_t vertices = full_.vertex_count();
     const std::uint32_t base = vertices - split_count();
     result_.mesh.base_vertices_ = base;
-    place_.resize(vertices);
+    new_vertex_.resize(vertices);
     result_.vertex_source.resize(vertices);
-    std::fill(place_.begin(), place_.end(), Vertex{});
+    std::fill(new_vertex_.begin(), new_vertex_.end(), Vertex{});
     for (std::uint32_t i = 0; i < split_count(); ++i) {
       const Vertex removed = collapses_[i].removed;
-      place_[removed.index()] = Vertex(base + i);
+      new_vertex_[removed.index()] = Vertex(base + i);
       result_.vertex_source[base + i] = removed;
     }
     std::uint32_t next = 0;
     for (std::uint32_t v = 0; v < vertices; ++v) {
-      if (place_[v].is_valid()) continue;
-      place_[v] = Vertex(next);
+      if (new_vertex_[v].is_valid()) continue;
+      new_vertex_[v] = Vertex(next);
       result_.vertex_source[next++] = Vertex(v);
     }
   }
@@ -123,48 +123,49 @@ class ProgressiveBuilder {
   }
 
   /// Vertices and faces that splits bring, some at a time, then the faces of the base.
-  void place_parts() {
+  void renumber_parts() {
     const std::uint32_t vertices = full_.vertex_count();
     const std::uint32_t faces = full_.face_count();
     arrays_.position.resize(vertices);
     if (!full_.vertex_sharpnesses().empty()) arrays_.vertex_sharpness.resize(vertices);
-    face_place_.assign(faces, Halfedge{});
+    new_first_corner_.assign(faces, Halfedge{});
     result_.face_source.resize(faces);
     in_pieces({split_count(), vertices}, [&](std::size_t work, IndexRange range) {
-      if (work == 0) place_split_faces(range);
+      if (work == 0) renumber_split_faces(range);
       if (work == 1) fill_vertices(range);
     });
     std::uint32_t next = 0;
     for (std::uint32_t f = 0; f < faces; ++f) {
-      if (!face_place_[f].is_valid()) place_face(Halfedge(3 * f), next++);
+      if (!new_first_corner_[f].is_valid()) renumber_face(Halfedge(3 * f), next++);
     }
   }
 
-  void place_split_faces(IndexRange splits) {
+  void renumber_split_faces(IndexRange splits) {
     std::uint32_t next = first_faces_[splits.begin / kGrain];
     for (std::size_t i = splits.begin; i < splits.end; ++i) {
       const CollapseRecord& c = collapses_[i];
       result_.mesh.splits_[i].first_face = next;
-      place_face(c.halfedge, next++);
-      if (c.twin.is_valid()) place_face(c.twin, next++);
+      renumber_face(c.halfedge, next++);
+      if (c.twin.is_valid()) renumber_face(c.twin, next++);
     }
   }
 
   /// The face of `first` becomes `f`, with that half-edge as its first.
-  void place_face(Halfedge first, std::uint32_t f) {
+  void renumber_face(Halfedge first, std::uint32_t f) {
     const std::uint32_t corner = Mesh::corner(first);
-    face_place_[Mesh::face(first).index()] = turned(Halfedge(3 * f), corner == 0 ? 0 : 3 - corner);
+    new_first_corner_[Mesh::face(first).index()] =
+        turned(Halfedge(3 * f), corner == 0 ? 0 : 3 - corner);
     result_.face_source[f] = first;
   }
 
-  Halfedge placed(Halfedge h) const {
-    return h.is_valid() ? turned(face_place_[Mesh::face(h).index()], Mesh::corner(h)) : h;
+  Halfedge renumbered(Halfedge h) const {
+    return h.is_valid() ? turned(new_first_corner_[Mesh::face(h).index()], Mesh::corner(h)) : h;
   }
 
   void fill_vertices(IndexRange vertices) {
     const bool has_own = !arrays_.vertex_sharpness.empty();
     for (auto v = static_cast<std::uint32_t>(vertices.begin); v < vertices.end; ++v) {
-      const std::uint32_t to = place_[v].index();
+      const std::uint32_t to = new_vertex_[v].index();
       arrays_.position[to] = full_.position(Vertex(v));
       if (has_own) arrays_.vertex_sharpness[to] = full_.sharpness(Vertex(v));
     }
@@ -181,13 +182,13 @@ class ProgressiveBuilder {
     fill_outgoing();
   }
 
-  /// In the order of the input, whose neighbours lie near each other: what is read is at hand, and
+  /// In the order of the input, whose neighbors lie near each other: what is read is at hand, and
   /// no one waits for what is written far away.
   void fill_twins(IndexRange faces) {
     for (auto f = static_cast<std::uint32_t>(faces.begin); f < faces.end; ++f) {
-      Halfedge to = face_place_[f];
+      Halfedge to = new_first_corner_[f];
       for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
-        arrays_.twin[to.index()] = placed(full_.twin(Halfedge(h)));
+        arrays_.twin[to.index()] = renumbered(full_.twin(Halfedge(h)));
         to = Mesh::next(to);
       }
     }
@@ -204,7 +205,7 @@ class ProgressiveBuilder {
       for (auto i = static_cast<std::uint32_t>(halfedges.begin); i < halfedges.end; ++i) {
         const Halfedge h(i);
         Halfedge& its = lowest[b.full_.origin(h).index()];
-        its = std::min(its, b.placed(h));  // none is the highest of all
+        its = std::min(its, b.renumbered(h));  // none is the highest of all
         if (b.full_.is_boundary(h)) starts.push_back(h);
       }
     }
@@ -214,11 +215,12 @@ class ProgressiveBuilder {
   void fill_outgoing() {
     arrays_.outgoing.resize(full_.vertex_count());
     for (std::uint32_t v = 0; v < full_.vertex_count(); ++v) {
-      arrays_.outgoing[place_[v].index()] = std::min(lower_half_.lowest[v], upper_half_.lowest[v]);
+      arrays_.outgoing[new_vertex_[v].index()] =
+          std::min(lower_half_.lowest[v], upper_half_.lowest[v]);
     }
     for (const Outgoing* half : {&lower_half_, &upper_half_}) {
       for (const Halfedge h : half->starts)
-        arrays_.outgoing[place_[full_.origin(h).index()].index()] = placed(h);
+        arrays_.outgoing[new_vertex_[full_.origin(h).index()].index()] = renumbered(h);
     }
   }
 
@@ -226,7 +228,7 @@ class ProgressiveBuilder {
   void note_positions() {
     for (std::uint32_t i = split_count(); i-- > 0;) {
       VertexSplit& split = result_.mesh.splits_[i];
-      split.parent = place_[collapses_[i].kept.index()];
+      split.parent = new_vertex_[collapses_[i].kept.index()];
       glm::vec3& at_parent = arrays_.position[split.parent.index()];
       split.child_position = arrays_.position[result_.mesh.child(i).index()];
       split.fine_position = at_parent;
@@ -241,7 +243,7 @@ class ProgressiveBuilder {
     } else {
       arrays_.sharpness.resize(sharpness.size());
       for (std::uint32_t h = 0; h < full_.halfedge_count(); ++h)
-        arrays_.sharpness[placed(Halfedge(h)).index()] = sharpness[h];
+        arrays_.sharpness[renumbered(Halfedge(h)).index()] = sharpness[h];
       result_.mesh.sharpness_.resize(split_count());
       result_.mesh.has_sharp_base_ = true;
     }
@@ -301,7 +303,7 @@ class ProgressiveBuilder {
   }
   Vertex present_origin(std::uint32_t h) {
     const Halfedge source = turned(result_.face_source[h / 3], h % 3);
-    return present(place_[full_.origin(source).index()]);
+    return present(new_vertex_[full_.origin(source).index()]);
   }
 
   void fill_base_origins() {
@@ -343,9 +345,9 @@ class ProgressiveBuilder {
     BowTieFollower follower(full_);
     for (std::uint32_t i = split_count(); i-- > 0;)
       follower.merge(collapses_[i].removed, collapses_[i].kept, collapses_[i].position);
-    const auto placed = [&](Vertex v) { return place_[v.index()]; };
-    result_.mesh.full_bow_tie_copies_ = renamed(follower.before(), placed);
-    arrays_.bow_tie_copies = renamed(follower.after(), placed);
+    const auto renumbered = [&](Vertex v) { return new_vertex_[v.index()]; };
+    result_.mesh.full_bow_tie_copies_ = renamed(follower.before(), renumbered);
+    arrays_.bow_tie_copies = renamed(follower.after(), renumbered);
   }
 
   Halfedge twin(Halfedge h) const { return arrays_.twin[h.index()]; }
@@ -412,8 +414,8 @@ class ProgressiveBuilder {
   const Mesh& full_;
   Array<CollapseRecord> collapses_;  ///< in the order of the splits
   Progress* progress_;
-  Array<Vertex> place_;                     ///< of the input's vertices
-  Array<Halfedge> face_place_;              ///< where the first corner of each of its faces is
+  Array<Vertex> new_vertex_;                ///< of the input's vertices
+  Array<Halfedge> new_first_corner_;        ///< where the first corner of each of its faces is
   std::vector<std::uint32_t> first_faces_;  ///< of each kGrain splits
   Array<Vertex> merged_into_;               ///< of the progressive mesh's vertices; none: it lives
   Outgoing lower_half_;

@@ -10,7 +10,7 @@
 namespace mesher {
 
 /// Which edges at the parent open. Going around, each slot is told to be one of the two or not:
-/// short edges open more often than long ones, and neighbours seldom both.
+/// short edges open more often than long ones, and neighbors seldom both.
 class CutModel {
  public:
   template <class Coder>
@@ -35,7 +35,7 @@ class CutModel {
     double sum = 0.0;
     const std::uint32_t slots = ring.slots();
     for (std::uint32_t i = 0; i < slots; ++i) {
-      square_[i] = dot(ring.place(i), ring.place(i));
+      square_[i] = dot(ring.offset(i), ring.offset(i));
       sum += square_[i];
     }
     const double mean = sum / slots;
@@ -70,10 +70,10 @@ class CutModel {
 
   std::array<double, kFewSlots> square_{};         ///< of the ring at hand, used again
   std::array<std::uint32_t, kFewSlots> length_{};  ///< the same
-  BitModel is_pair_;
-  BitModel first_[kFewSlots + 1][kLengths];
-  BitModel second_[kFewSlots + 1][kFarthest + 1][kLengths];
-  BitModel is_turned_[6];
+  AdaptiveBitModel is_pair_;
+  AdaptiveBitModel first_[kFewSlots + 1][kLengths];
+  AdaptiveBitModel second_[kFewSlots + 1][kFarthest + 1][kLengths];
+  AdaptiveBitModel is_turned_[6];
 };
 
 }  // namespace mesher

@@ -32,20 +32,20 @@ struct SplitSides {
     } else {
       sum(ring, cut.left, cut.right, child, child_normal);
       sum(ring, cut.right, cut.left, parent, parent_normal);
-      opening = ring.place(cut.right) - ring.place(cut.left);
+      opening = ring.offset(cut.right) - ring.offset(cut.left);
     }
   }
 
  private:
   static void sum(const SplitRing& ring, std::uint32_t begin, std::uint32_t end, glm::dvec3& middle,
                   glm::dvec3& normal) {
-    middle = ring.place(begin);
+    middle = ring.offset(begin);
     double count = 1.0;
     for (std::uint32_t slot = begin; slot != end; count += 1.0) {
       const std::uint32_t next = ring.after(slot);
-      middle += ring.place(next);
+      middle += ring.offset(next);
       // Past the end of an open fan there is no face.
-      if (ring.is_closed() || next != 0) normal += cross(ring.place(slot), ring.place(next));
+      if (ring.is_closed() || next != 0) normal += cross(ring.offset(slot), ring.offset(next));
       slot = next;
     }
     middle /= count;
@@ -53,7 +53,7 @@ struct SplitSides {
 };
 
 /// Where a point is thought to be, and how far off that may be in which direction.
-struct PlaceGuess {
+struct PositionPrediction {
   glm::dvec3 mean;
   glm::dvec3 normal;       ///< not zero
   bool has_plane = false;  ///< dot(normal, point) is `plane`, but for rounding
@@ -71,21 +71,22 @@ inline Coordinates coordinates(const glm::dvec3& v) {
 
 /// Coordinates are told in order, the one along which the normal is longest at last. What is known
 /// of the first two says something of the next. "Of a step" is of its coordinate.
-class PlaceOrder {
+class CoordinateOrder {
  public:
-  explicit PlaceOrder(const PlaceGuess& guess) : has_plane_(guess.has_plane), plane_(guess.plane) {
-    const glm::dvec3& n = guess.normal;
+  explicit CoordinateOrder(const PositionPrediction& prediction)
+      : has_plane_(prediction.has_plane), plane_(prediction.plane) {
+    const glm::dvec3& n = prediction.normal;
     const Coordinates size{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
     const bool is_x_first = size[0] >= size[1];
     const int larger = is_x_first ? 0 : 1;
     axis_[2] = size[static_cast<std::size_t>(larger)] >= size[2] ? larger : 2;
     axis_[0] = axis_[2] == 0 ? 1 : 0;
     axis_[1] = axis_[2] == 2 ? 1 : 2;
-    mean_ = by_step(guess.mean);
-    normal_ = by_step(guess.normal);
-    const Coordinates stretch = by_step(guess.stretch);
+    mean_ = by_step(prediction.mean);
+    normal_ = by_step(prediction.normal);
+    const Coordinates stretch = by_step(prediction.stretch);
     const double nn = dot(n, n);
-    const double ss = dot(guess.stretch, guess.stretch);
+    const double ss = dot(prediction.stretch, prediction.stretch);
     const double weight = ss > 0.0 ? 2.0 / ss : 0.0;
     const auto covariance = [&](std::size_t a, std::size_t b) {
       const double flat = (a == b ? 1.0 : 0.0) - normal_[a] * normal_[b] / nn;
@@ -93,9 +94,9 @@ class PlaceOrder {
     };
     const double first = covariance(0, 0);
     follow_ = covariance(0, 1) / first;
-    variance_[0] = guess.variance * first;
-    variance_[1] = guess.variance * (covariance(1, 1) - follow_ * covariance(0, 1));
-    variance_[2] = guess.variance * nn / (normal_[2] * normal_[2]);
+    variance_[0] = prediction.variance * first;
+    variance_[1] = prediction.variance * (covariance(1, 1) - follow_ * covariance(0, 1));
+    variance_[2] = prediction.variance * nn / (normal_[2] * normal_[2]);
   }
 
   int axis(std::size_t step) const { return axis_[step]; }
@@ -128,7 +129,7 @@ class PlaceOrder {
 };
 
 /// Differences between what coordinates are and were thought to be.
-class DifferenceModel {
+class ResidualModel {
  public:
   /// `width`: of what is expected, about, in bits. `shift`: how many bits finer than elsewhere the
   /// numbers are here.
@@ -154,8 +155,8 @@ class DifferenceModel {
   }
   static unsigned lowest(unsigned at, unsigned below) { return at < below ? 0 : at - below; }
 
-  ScaledModel side_[3][kContexts];
-  ScaledModel plane_[kContexts];
+  HintedIntegerModel side_[3][kContexts];
+  HintedIntegerModel plane_[kContexts];
   std::uint64_t recent_ = 0;
 };
 
@@ -167,12 +168,12 @@ inline int exponent_of(double value) {
 /// A collapse that keeps the volume puts its vertex in a plane that follows from where the two
 /// were (P. Lindstrom, G. Turk, "Fast and memory efficient polygonal simplification", 1998); so one
 /// coordinate of the six is known. `plane`: of dot(normal, point), far off where it says nothing.
-inline void use_plane(PlaceGuess& guess, const glm::dvec3& normal, double plane) {
+inline void use_plane(PositionPrediction& prediction, const glm::dvec3& normal, double plane) {
   const double nn = dot(normal, normal);
-  if (!(nn > 0.0) || plane * plane > 16.0 * guess.variance * nn) return;
-  guess.normal = normal;
-  guess.plane = plane;
-  guess.has_plane = true;
+  if (!(nn > 0.0) || plane * plane > 16.0 * prediction.variance * nn) return;
+  prediction.normal = normal;
+  prediction.plane = plane;
+  prediction.has_plane = true;
 }
 
 inline glm::dvec3 normal_of(const SplitSides& s) {
@@ -181,19 +182,19 @@ inline glm::dvec3 normal_of(const SplitSides& s) {
 }
 
 /// Which of the two is where the vertex was before the split.
-enum class Stays : std::uint8_t { neither = 0, parent = 1, child = 2 };
+enum class UnmovedEnd : std::uint8_t { neither = 0, parent = 1, child = 2 };
 
-class StaysModel {
+class UnmovedEndModel {
  public:
   template <class Coder>
-  Stays code(Coder& coder, Stays stays) {
-    if (!coder.bit(any_, stays != Stays::neither)) return Stays::neither;
-    return coder.bit(which_, stays == Stays::child) ? Stays::child : Stays::parent;
+  UnmovedEnd code(Coder& coder, UnmovedEnd unmoved) {
+    if (!coder.bit(any_, unmoved != UnmovedEnd::neither)) return UnmovedEnd::neither;
+    return coder.bit(which_, unmoved == UnmovedEnd::child) ? UnmovedEnd::child : UnmovedEnd::parent;
   }
 
  private:
-  BitModel any_;
-  BitModel which_;
+  AdaptiveBitModel any_;
+  AdaptiveBitModel which_;
 };
 
 }  // namespace mesher

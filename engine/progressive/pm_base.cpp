@@ -137,9 +137,9 @@ class BaseCoder {
   Coder& coder_;
   std::uint32_t next_ = 0;
   std::uint32_t last_which_ = 0;
-  BitTree<3> which_[24];
-  SignedModel difference_[3];
-  SignedModel position_[3];
+  BitTreeModel<3> which_[24];
+  SignedIntegerModel difference_[3];
+  SignedIntegerModel position_[3];
   SharpnessModel edge_;
   SharpnessModel corner_;
 };

@@ -97,7 +97,7 @@ PmBlockHeader pm_parse_block(std::span<const std::byte> bytes);
 std::uint32_t pm_block_check(std::uint32_t before, std::uint32_t splits,
                              std::span<const std::byte> payload);
 
-/// Floats as integers in the same order: neighbours differ by 1. -0 comes just below +0.
+/// Floats as integers in the same order: neighbors differ by 1. -0 comes just below +0.
 inline std::int32_t pm_ordered(float value) {
   const auto bits = std::bit_cast<std::int32_t>(value);
   return bits ^ ((bits >> 31) & 0x7FFFFFFF);

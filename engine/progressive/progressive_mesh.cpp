@@ -131,12 +131,12 @@ void ProgressiveMesh::append(const NewSplit& split) {
 NewSplit ProgressiveMesh::next_split() const {
   const VertexSplit& s = splits_[level_];
   Array<Halfedge> memory;
-  const Spokes spokes(gather_fan(mesh_, s.parent, memory));
+  const ParentSlots slots(gather_fan(mesh_, s.parent, memory));
   NewSplit split{.parent = s.parent,
-                 .cut = {.left = spokes.slot_of(s.beyond[1])},
+                 .cut = {.left = slots.slot_of(s.beyond[1])},
                  .parent_position = s.fine_position,
                  .child_position = s.child_position};
-  if (face_count(level_ + 1) - s.first_face == 2) split.cut.right = spokes.slot_of(s.beyond[3]);
+  if (face_count(level_ + 1) - s.first_face == 2) split.cut.right = slots.slot_of(s.beyond[3]);
   if (!sharpness_.empty()) split.sharpness = sharpness_[level_];
   if (!corner_sharpness_.empty()) {
     split.parent_corner_sharpness = corner_sharpness_[level_].fine_parent;

@@ -19,7 +19,7 @@ namespace mesher {
 /// How likely a bit is to be 0, of 65536: the mean of two estimates, one that adapts fast and one
 /// that adapts slowly. Neither comes nearer to 0 or 65536 than 31. No branch: which bit comes is
 /// what a processor cannot foresee.
-class BitModel {
+class AdaptiveBitModel {
  public:
   std::uint32_t zero() const { return static_cast<std::uint32_t>(fast_ + slow_) >> 1U; }
   void update(bool bit) {
@@ -38,7 +38,7 @@ class RangeEncoder {
  public:
   static constexpr bool kDecodes = false;
 
-  bool bit(BitModel& model, bool value) {
+  bool bit(AdaptiveBitModel& model, bool value) {
     const std::uint64_t bound = (range_ >> 16U) * model.zero();
     if (value) {
       add(bound);
@@ -104,10 +104,10 @@ class RangeDecoder {
     code_ |= word();
   }
 
-  bool bit(BitModel& model, bool = false) {
+  bool bit(AdaptiveBitModel& model, bool = false) {
     const std::uint64_t bound = (range_ >> 16U) * model.zero();
     const bool value = code_ >= bound;
-    // No branch, as in BitModel: all ones or none.
+    // No branch, as in AdaptiveBitModel: all ones or none.
     const std::uint64_t ones = -std::uint64_t{value};
     code_ -= bound & ones;
     range_ = bound + ((range_ - 2 * bound) & ones);
@@ -183,7 +183,7 @@ inline std::uint32_t RangeDecoder::word() {
 
 /// A number of `kBits` bits, from the highest on, each bit with a model for what came before it.
 template <unsigned kBits>
-class BitTree {
+class BitTreeModel {
  public:
   template <class Coder>
   std::uint32_t code(Coder& coder, std::uint32_t value) {
@@ -194,28 +194,28 @@ class BitTree {
   }
 
  private:
-  BitModel models_[1U << kBits];
+  AdaptiveBitModel models_[1U << kBits];
 };
 
 /// A number with a sign, less than 2^40 from 0: what only a hostile file says is cut off there. The
 /// bit after the leading one is told by a model, then the rest as it is, the sign last. How many
 /// bits there are, `width`, is the caller's to tell.
-class DigitsModel {
+class MagnitudeBitsModel {
  public:
   template <class Coder>
   std::int64_t code(Coder& coder, unsigned width, std::int64_t value) {
     constexpr std::uint64_t most = (std::uint64_t{1} << 40U) - 1;
     if (width == 0) return 0;
-    const auto told = static_cast<std::uint64_t>(value < 0 ? -value : value);
+    const auto magnitude = static_cast<std::uint64_t>(value < 0 ? -value : value);
     std::uint64_t size = 1;
     unsigned left = width - 1;
     if (left > 0 && width <= kMostLearned) {
       --left;
-      size = 2 | std::uint64_t{coder.bit(second_[width], (told >> left & 1U) != 0)};
+      size = 2 | std::uint64_t{coder.bit(second_[width], (magnitude >> left & 1U) != 0)};
     }
     for (; left > 24; left -= 24)
-      size = size << 24U | coder.bits(low_bits(told >> (left - 24), 24), 24);
-    const std::uint32_t last = low_bits(told, left) << 1U | (value < 0 ? 1U : 0U);
+      size = size << 24U | coder.bits(low_bits(magnitude >> (left - 24), 24), 24);
+    const std::uint32_t last = low_bits(magnitude, left) << 1U | (value < 0 ? 1U : 0U);
     const std::uint32_t rest = coder.bits(last, left + 1);
     size = std::min(size << left | rest >> 1U, most);
     return (rest & 1U) != 0 ? -static_cast<std::int64_t>(size) : static_cast<std::int64_t>(size);
@@ -234,28 +234,28 @@ class DigitsModel {
   // Of a longer number it is nearly as likely to be 0 as 1: not worth its time.
   static constexpr unsigned kMostLearned = 8;
 
-  BitModel second_[kMostLearned + 1];
+  AdaptiveBitModel second_[kMostLearned + 1];
 };
 
 /// The same with a width of which nothing is known.
-class SignedModel {
+class SignedIntegerModel {
  public:
   template <class Coder>
   std::int64_t code(Coder& coder, std::int64_t value) {
-    return digits_.code(coder, width_.code(coder, DigitsModel::width(value)), value);
+    return digits_.code(coder, width_.code(coder, MagnitudeBitsModel::width(value)), value);
   }
 
  private:
-  BitTree<6> width_;
-  DigitsModel digits_;
+  BitTreeModel<6> width_;
+  MagnitudeBitsModel digits_;
 };
 
 /// The same where the width is most likely one of the seven from `lowest` on.
-class ScaledModel {
+class HintedIntegerModel {
  public:
   template <class Coder>
   std::int64_t code(Coder& coder, unsigned lowest, std::int64_t value) {
-    unsigned width = DigitsModel::width(value);
+    unsigned width = MagnitudeBitsModel::width(value);
     unsigned near = width - lowest;
     near = near_.code(coder, near < kNear ? near : kNear);
     width = near < kNear ? lowest + near : far_.code(coder, width);
@@ -265,9 +265,9 @@ class ScaledModel {
  private:
   static constexpr unsigned kNear = 7;
 
-  BitTree<3> near_;
-  BitTree<6> far_;
-  DigitsModel digits_;
+  BitTreeModel<3> near_;
+  BitTreeModel<6> far_;
+  MagnitudeBitsModel digits_;
 };
 
 }  // namespace mesher

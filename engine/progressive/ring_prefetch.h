@@ -17,14 +17,14 @@ class RingPrefetch {
     if (v_.is_valid()) __builtin_prefetch(&mesh.outgoings()[v_.index()]);
   }
 
-  /// `place`: the address of where a vertex is.
-  template <class Place>
-  void step(const Place& place) {
+  /// `prefetch_position`: the address of where a vertex is.
+  template <class PrefetchPosition>
+  void step(const PrefetchPosition& prefetch_position) {
     if (at_.is_valid()) {
-      place(mesh_->target(at_));
+      prefetch_position(mesh_->target(at_));
       turn_to(mesh_->twin(Mesh::prev(at_)));
     } else if (v_.is_valid()) {
-      place(v_);
+      prefetch_position(v_);
       turn_to(mesh_->outgoing(v_));
       v_ = Vertex{};
     }

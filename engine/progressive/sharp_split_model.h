@@ -46,8 +46,8 @@ class SharpSplitModel {
 
   SharpnessModel edge_;
   SharpnessModel other_;
-  BitModel has_first_[2];
-  BitModel has_second_[2];
+  AdaptiveBitModel has_first_[2];
+  AdaptiveBitModel has_second_[2];
 };
 
 /// The sharpness of parent and child themselves.
@@ -70,7 +70,7 @@ class SharpCornerModel {
     return is_sharpness(value);
   }
 
-  BitModel stays_[4];
+  AdaptiveBitModel stays_[4];
   SharpnessModel value_;
 };
 

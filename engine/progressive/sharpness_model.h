@@ -22,8 +22,8 @@ class SharpnessModel {
   }
 
  private:
-  BitModel is_sharp_;
-  BitModel is_infinite_;
+  AdaptiveBitModel is_sharp_;
+  AdaptiveBitModel is_infinite_;
 };
 
 inline bool is_sharpness(float value) {

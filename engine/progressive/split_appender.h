@@ -9,7 +9,7 @@
 
 namespace mesher {
 
-struct Spokes;
+struct ParentSlots;
 
 /// Appends splits to a progressive mesh, with room for all of them from the beginning. While it
 /// lives the arrays of the mesh are longer than its level needs, and nothing else changes them.
@@ -26,7 +26,7 @@ class SplitAppender {
   void append(const NewSplit& split, const ParentFan& fan);
 
  private:
-  void write_record(const NewSplit& split, const Spokes& spokes, VertexSplit& record) const;
+  void write_record(const NewSplit& split, const ParentSlots& slots, VertexSplit& record) const;
   void add_sharpness(const NewSplit& split);
 
   ProgressiveMesh& mesh_;

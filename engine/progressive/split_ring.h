@@ -54,7 +54,7 @@ class SplitRing {
   /// A half of the edge in a slot.
   Halfedge halfedge(std::uint32_t slot) const { return slot < faces_ ? out_[slot] : last_; }
   const glm::dvec3& at() const { return at_; }  ///< the parent
-  const glm::dvec3& place(std::uint32_t slot) const { return places_[slot]; }
+  const glm::dvec3& offset(std::uint32_t slot) const { return offsets_[slot]; }
 
   /// How many faces a cut gives to the child.
   std::uint32_t moved(const SplitCut& cut) const {
@@ -66,17 +66,17 @@ class SplitRing {
   void resize(std::uint32_t size) {
     out_.resize(size);
     vertices_.resize(size);
-    places_.resize(size);
+    offsets_.resize(size);
   }
   template <class Position>
   void add(std::uint32_t slot, Vertex v, const Position& position) {
     vertices_[slot] = v;
-    places_[slot] = position(v) - at_;
+    offsets_[slot] = position(v) - at_;
   }
 
   Array<Halfedge> out_;
   Array<Vertex> vertices_;
-  Array<glm::dvec3> places_;
+  Array<glm::dvec3> offsets_;
   glm::dvec3 at_{0.0};
   Halfedge last_;
   std::uint32_t faces_ = 0;

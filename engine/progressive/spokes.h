@@ -22,8 +22,8 @@ inline ParentFan gather_fan(const Mesh& mesh, Vertex v, Array<Halfedge>& memory)
 }
 
 /// The same with the two halves of the edge in each slot (see SplitCut); either may be none.
-struct Spokes : ParentFan {
-  explicit Spokes(const ParentFan& fan) : ParentFan(fan) {}
+struct ParentSlots : ParentFan {
+  explicit ParentSlots(const ParentFan& fan) : ParentFan(fan) {}
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(out.size()); }
   Halfedge out_of(std::uint32_t slot) const { return slot < size() ? out[slot] : Halfedge{}; }

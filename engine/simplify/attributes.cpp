@@ -7,7 +7,7 @@ namespace mesher {
 namespace {
 
 /// Which input corner speaks for a vertex, and where corners contradict each other.
-struct Spokesmen {
+struct RepresentativeCorners {
   std::vector<Halfedge>
       corner;  ///< for each input vertex one of its corners; none: no face uses it
   std::vector<bool> has_seam;
@@ -20,9 +20,9 @@ bool is_same(const T& a, const T& b) {
 }
 
 template <class T>
-Spokesmen find_spokesmen(const Array<T>& values, std::span<const Vertex> origins,
-                         std::size_t vertices) {
-  Spokesmen found{std::vector<Halfedge>(vertices), std::vector<bool>(vertices)};
+RepresentativeCorners find_representatives(const Array<T>& values, std::span<const Vertex> origins,
+                                           std::size_t vertices) {
+  RepresentativeCorners found{std::vector<Halfedge>(vertices), std::vector<bool>(vertices)};
   for (std::uint32_t i = 0; i < origins.size(); ++i) {
     const std::uint32_t v = origins[i].index();
     Halfedge& corner = found.corner[v];
@@ -40,7 +40,7 @@ template <class T>
 Array<T> carry(const Array<T>& values, std::span<const Vertex> origins, const Survivors& result,
                std::string_view name, std::vector<std::string>& dropped) {
   if (values.empty()) return {};
-  const Spokesmen input = find_spokesmen(values, origins, result.vertices_before);
+  const RepresentativeCorners input = find_representatives(values, origins, result.vertices_before);
   std::size_t seams = 0;
   for (const Vertex source : result.vertex_source)
     seams += input.has_seam[source.index()] ? 1 : 0;

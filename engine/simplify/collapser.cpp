@@ -51,8 +51,8 @@ class FirstCosts {
       });
     }
     costs_.resize(count);
-    context_.policy.evaluate_costs(context_.surface, std::span(edges_).first(count), context_.care,
-                                   costs_.data());
+    context_.policy.evaluate_costs(context_.surface, std::span(edges_).first(count),
+                                   context_.precision, costs_.data());
     for (std::size_t i = 0; i < count; ++i)
       note(edges_[i], costs_[i]);
   }
@@ -93,7 +93,7 @@ CollapseOutcome Collapser::run(std::span<const Vertex> vertices) {
     guard_.emplace(context_.surface, *context_.space, limits_.region, vertices);
   }
   fill_queue(vertices);
-  take_turns();
+  process_queue();
   const Vertex next = queue_.front();
   const bool compares = next.is_valid() && context_.policy.costs_are_errors();
   const float most = compares ? kMostForOneFace * state(next).cost : kNever;
@@ -102,7 +102,7 @@ CollapseOutcome Collapser::run(std::span<const Vertex> vertices) {
     if (!remove_one_face(vertices, most)) {
       ++limits_.faces;  // no boundary edge will do: two faces or none
       fill_queue(vertices);
-      take_turns();
+      process_queue();
     }
     empty_queue(vertices);
   }
@@ -131,8 +131,8 @@ void Collapser::empty_queue(std::span<const Vertex> vertices) {
     queue_.remove(v);
 }
 
-void Collapser::take_turns() {
-  constexpr std::uint32_t kTurnsBetweenReports = 1024;
+void Collapser::process_queue() {
+  constexpr std::uint32_t kStepsBetweenReports = 1024;
   std::uint32_t reported = outcome_.removed_faces;
   const auto note_progress = [&] {
     const std::uint32_t all = context_.removed_faces += outcome_.removed_faces - reported;
@@ -140,12 +140,12 @@ void Collapser::take_turns() {
     report(context_.progress,
            static_cast<float>(all) / static_cast<float>(context_.faces_to_remove));
   };
-  for (std::uint32_t turn = 1; outcome_.removed_faces + 1 < limits_.faces; ++turn) {
+  for (std::uint32_t step = 1; outcome_.removed_faces + 1 < limits_.faces; ++step) {
     const Vertex v = queue_.front();
     if (!v.is_valid()) break;
     look_ahead(v);
-    take_turn(v);
-    if (turn % kTurnsBetweenReports == 0) note_progress();
+    collapse_or_requeue(v);
+    if (step % kStepsBetweenReports == 0) note_progress();
   }
   note_progress();
 }
@@ -170,7 +170,7 @@ void Collapser::look_ahead(Vertex v) {
 }
 
 /// Either collapses the vertex's cheapest edge, or puts the vertex back where it belongs.
-void Collapser::take_turn(Vertex v) {
+void Collapser::collapse_or_requeue(Vertex v) {
   Surface& surface = context_.surface;
   const Mesh& mesh = surface.mesh();
   const std::uint32_t bucket = queue_.bucket(v);
@@ -237,9 +237,9 @@ bool Collapser::remove_one_face(std::span<const Vertex> vertices, float most) {
 }
 
 Candidate Collapser::evaluate(Halfedge h) {
-  const Fit fit = context_.surface.fit(h);
-  if (fit == Fit::nowhere) return {};
-  return context_.policy.evaluate(context_.surface, h, fit);
+  const AllowedPlacement allowed = context_.surface.allowed_placement(h);
+  if (allowed == AllowedPlacement::nowhere) return {};
+  return context_.policy.evaluate(context_.surface, h, allowed);
 }
 
 void Collapser::choose_cheapest_edge(Vertex v) {
@@ -247,11 +247,11 @@ void Collapser::choose_cheapest_edge(Vertex v) {
   const Mesh& mesh = surface.mesh();
   Cheapest cheapest;
   visit_spokes(mesh, v, limits_.valence, [&](Halfedge h) { cheapest.offer(h, surface.cost(h)); });
-  wait_for(v, cheapest);
+  enqueue(v, cheapest);
 }
 
 /// Puts a vertex where its cheapest edge belongs in the queue.
-void Collapser::wait_for(Vertex v, const Cheapest& cheapest) {
+void Collapser::enqueue(Vertex v, const Cheapest& cheapest) {
   const float cost = cheapest.cost();
   state(v).best = cheapest.halfedge();
   state(v).cost = cost;
@@ -263,7 +263,7 @@ void Collapser::evaluate_fan(Vertex v) {
   Surface& surface = context_.surface;
   const Mesh& mesh = surface.mesh();
   costs_.resize(fan_.size() + 8);
-  context_.policy.evaluate_around(context_.surface, v, fan_, context_.care, costs_.data());
+  context_.policy.evaluate_around(context_.surface, v, fan_, context_.precision, costs_.data());
   Cheapest cheapest;
   for (std::size_t i = 0; i < fan_.size(); ++i) {
     const Halfedge h = fan_.spokes()[i];
@@ -272,14 +272,14 @@ void Collapser::evaluate_fan(Vertex v) {
     surface.set_cost(Mesh::prev(h), kNever);
     cheapest.offer(h, costs_[i]);
   }
-  wait_for(v, cheapest);
+  enqueue(v, cheapest);
   if (fan_.is_closed() || fan_.size() == 0) return;
-  // The last edge of an open fan has no half out of the vertex: the neighbour answers for it.
+  // The last edge of an open fan has no half out of the vertex: the neighbor answers for it.
   const Halfedge last = Mesh::prev(fan_.spokes().back());
-  const Vertex neighbour = mesh.origin(last);
+  const Vertex neighbor = mesh.origin(last);
   surface.set_cost(last, costs_[fan_.size()]);
-  queue_.remove(neighbour);
-  choose_cheapest_edge(neighbour);
+  queue_.remove(neighbor);
+  choose_cheapest_edge(neighbor);
 }
 
 /// Looks again at what was refused at `v`, and answers for it.
@@ -353,7 +353,7 @@ bool Collapser::is_ring_ours() const {
   return is_ours;
 }
 
-/// What else has to be known of the neighbours, in one loop without branches.
+/// What else has to be known of the neighbors, in one loop without branches.
 void Collapser::survey_ring() {
   ring_ = {};
   for (const Vertex v : fan_.ring()) {
@@ -416,7 +416,7 @@ void Collapser::collapse(Halfedge h, const Candidate& candidate, const Appraisal
   if (context_.samples != nullptr) context_.samples->collapsed(fan_);
   outcome_.removed_faces += t.is_valid() ? 2 : 1;
   evaluate_fan(kept);
-  wake_ring();
+  retry_refused_in_ring();
   if (outcome_.removed_faces > limits_.fresh_after) refresh_ring(kept);
 }
 
@@ -436,7 +436,7 @@ void Collapser::refresh_ring(Vertex kept) {
     });
   }
   costs_.resize(stale_.size());
-  context_.policy.evaluate_costs(surface, stale_, Care::exact, costs_.data());
+  context_.policy.evaluate_costs(surface, stale_, CostPrecision::exact, costs_.data());
   for (std::size_t i = 0; i < stale_.size(); ++i)
     surface.set_cost(stale_[i], costs_[i]);
   Vertex last;
@@ -450,7 +450,7 @@ void Collapser::refresh_ring(Vertex kept) {
 }
 
 /// What was refused near a collapse may be allowed after it.
-void Collapser::wake_ring() {
+void Collapser::retry_refused_in_ring() {
   if (!ring_.has_refused) return;
   for (const Vertex v : fan_.ring()) {
     if (!state(v).has_refused) continue;

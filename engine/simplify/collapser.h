@@ -36,7 +36,8 @@ struct CollapseContext {
   /// region, and after all of earlier rounds, since what is far on the surface may be near in
   /// space.
   std::uint16_t least_rank = 0;
-  Care care = Care::exact;  ///< with which edges are looked at before their turn
+  CostPrecision precision =
+      CostPrecision::exact;  ///< with which edges are looked at before their turn
   Progress* progress = nullptr;
   std::uint32_t faces_to_remove = 0;            ///< in all
   std::atomic<std::uint32_t> removed_faces{0};  ///< so far, for the progress
@@ -76,7 +77,7 @@ struct CollapseOutcome {
 /// O(F), parallel. Throws Cancelled.
 ///
 /// From then on a cost may be out of date: a collapse evaluates the edges of its own vertex, not
-/// those of the neighbours. An edge is looked at again when its turn comes (costs mostly rise, so
+/// those of the neighbors. An edge is looked at again when its turn comes (costs mostly rise, so
 /// that nothing cheap is missed).
 void evaluate_all(const CollapseContext& context);
 
@@ -108,7 +109,7 @@ class Collapser {
   [[nodiscard]] CollapseOutcome run_refused(std::span<const Vertex> vertices);
 
  private:
-  /// What the neighbours of an edge say of a collapse.
+  /// What the neighbors of an edge say of a collapse.
   struct RingSurvey {
     bool has_refused = false;  ///< one has a refused edge
     std::uint16_t rank = 0;    ///< the highest
@@ -118,13 +119,13 @@ class Collapser {
   bool is_ours(Vertex v) const { return context_.surface.state(v).region == limits_.region; }
   void fill_queue(std::span<const Vertex> vertices);
   void empty_queue(std::span<const Vertex> vertices);
-  void take_turns();
+  void process_queue();
   void look_ahead(Vertex v);
-  void take_turn(Vertex v);
+  void collapse_or_requeue(Vertex v);
   bool remove_one_face(std::span<const Vertex> vertices, float most);
   Candidate evaluate(Halfedge h);
   void choose_cheapest_edge(Vertex v);
-  void wait_for(Vertex v, const Cheapest& cheapest);
+  void enqueue(Vertex v, const Cheapest& cheapest);
   void evaluate_fan(Vertex v);
   void evaluate_refused(Vertex v);
   void refuse(Halfedge h, Rejection cause);
@@ -140,7 +141,7 @@ class Collapser {
   void merge(Halfedge h, const glm::vec3& p);
   void merge_near_feature(Halfedge h, const glm::vec3& p);
   void merge_smooth(Halfedge h, const glm::vec3& p);
-  void wake_ring();
+  void retry_refused_in_ring();
   void refresh_ring(Vertex kept);
 
   CollapseContext& context_;

@@ -19,7 +19,7 @@ struct Candidate {
 
 /// How well costs have to be known. Where the target is far the exact order does not matter, and a
 /// policy may guess: an edge whose turn has come is looked at properly anyway.
-enum class Care { guess, exact };
+enum class CostPrecision { guess, exact };
 
 /// Which edge goes first, and where its vertex goes. `evaluate` and its siblings are called from
 /// several threads at once; `collapsed` for vertices of different regions at once.
@@ -27,19 +27,20 @@ class CollapsePolicy {
  public:
   virtual ~CollapsePolicy() = default;
 
-  /// Pre: fit(h) of the surface is `fit`, and not nowhere.
-  virtual Candidate evaluate(const Surface& surface, Halfedge h, Fit fit) const = 0;
+  /// Pre: allowed_placement(h) of the surface is `allowed`, and not nowhere.
+  virtual Candidate evaluate(const Surface& surface, Halfedge h,
+                             AllowedPlacement allowed) const = 0;
 
-  /// The costs alone of several edges; kNever where fit(h) is nowhere. Where a policy has a faster
-  /// way for many edges it gives the same bits, unless a guess will do.
-  virtual void evaluate_costs(const Surface& surface, std::span<const Halfedge> edges, Care care,
-                              float* costs) const;
+  /// The costs alone of several edges; kNever where allowed_placement(h) is nowhere. Where a policy
+  /// has a faster way for many edges it gives the same bits, unless a guess will do.
+  virtual void evaluate_costs(const Surface& surface, std::span<const Halfedge> edges,
+                              CostPrecision precision, float* costs) const;
 
-  /// The costs of the edges from the fan's vertex to each of its neighbours (around a closed fan,
+  /// The costs of the edges from the fan's vertex to each of its neighbors (around a closed fan,
   /// of which the last is the first again, that many less one). Writes up to eight places more.
   /// Pre: the fan is that of `v` as it is now, shapes included.
-  virtual void evaluate_around(const Surface& surface, Vertex v, const Fan& fan, Care care,
-                               float* costs) const;
+  virtual void evaluate_around(const Surface& surface, Vertex v, const Fan& fan,
+                               CostPrecision precision, float* costs) const;
 
   /// Whether costs are areas times squared distances, so that other harm compares with them
   /// (appraisal.h). For a policy whose costs are something else, a collapse that turns or folds a
@@ -60,8 +61,9 @@ struct Placed {
   glm::vec3 position;
 };
 
-/// Where placement and fit put the vertex. Pre: `edge` is that of `h`, `fit` is not nowhere.
+/// Where placement and allowed put the vertex. Pre: `edge` is that of `h`, `allowed` is not
+/// nowhere.
 Placed place(const Surface& surface, Halfedge h, const EdgeQuadric<float>& edge,
-             Placement placement, Fit fit);
+             Placement placement, AllowedPlacement allowed);
 
 }  // namespace mesher

@@ -50,9 +50,9 @@ inline LaneBox join(const LaneBox& a, const LaneBox& b) {
 /// lost half of its faces should be built again.
 class FaceTree {
  public:
-  /// `place_of`: by face, written for the faces of this tree alone, so that trees of different
+  /// `slot_of`: by face, written for the faces of this tree alone, so that trees of different
   /// regions can share it.
-  explicit FaceTree(std::span<std::uint32_t> place_of) : place_of_(place_of) {}
+  explicit FaceTree(std::span<std::uint32_t> slot_of) : slot_of_(slot_of) {}
 
   /// Pre: faces that are near in space are near in the order. O(faces).
   void build(const Surface& surface, std::vector<Face> faces);
@@ -92,7 +92,7 @@ class FaceTree {
  private:
   static constexpr std::size_t kLeafFaces = 8;
 
-  std::span<std::uint32_t> place_of_;
+  std::span<std::uint32_t> slot_of_;
   std::vector<Face> faces_;
   std::vector<LaneBox> boxes_;  ///< of the faces
   /// The root is 1, the children of i are 2 i and 2 i + 1. Leaves are filled up to a power of two

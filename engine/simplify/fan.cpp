@@ -73,7 +73,8 @@ Fan::Fan() {
 void Fan::reserve(std::size_t faces) {
   spokes_.resize(faces + kLanes);
   ring_.resize(faces + kLanes);
-  for (std::vector<float>* numbers : {&x_, &y_, &z_, &area_, &place_x_, &place_y_, &place_z_})
+  for (std::vector<float>* numbers :
+       {&x_, &y_, &z_, &area_, &neighbor_x_, &neighbor_y_, &neighbor_z_})
     numbers->resize(faces + kLanes, 0.0F);
 }
 
@@ -82,8 +83,8 @@ bool Fan::gather(const Surface& surface, Halfedge h, std::size_t limit) {
   edge_ = h;
   size_ = 0;
   // A vertex on the boundary is not free.
-  has_smooth_ends_ = surface.freedom(mesh.origin(h)) == Freedom::free &&
-                     surface.freedom(mesh.target(h)) == Freedom::free;
+  has_smooth_ends_ = surface.constraint(mesh.origin(h)) == VertexConstraint::free &&
+                     surface.constraint(mesh.target(h)) == VertexConstraint::free;
   const bool is_open =
       !has_smooth_ends_ && (mesh.is_boundary(mesh.origin(h)) || mesh.is_boundary(mesh.target(h)));
   is_closed_ = !is_open;
@@ -98,7 +99,7 @@ bool Fan::has_smooth_ring(const Surface& surface) const {
   if (!surface.is_constrained()) return true;
   bool is_smooth = has_smooth_ends_;
   for (const Vertex v : ring())
-    is_smooth &= surface.freedom(v) == Freedom::free;
+    is_smooth &= surface.constraint(v) == VertexConstraint::free;
   return is_smooth;
 }
 
@@ -156,19 +157,19 @@ bool Fan::gather_open(const Mesh& mesh, std::size_t limit) {
   return true;
 }
 
-bool Fan::has_repeated_neighbour() const {
-  const auto neighbours = ring().first(is_closed_ ? size_ : std::min(size_ + 1, ring().size()));
+bool Fan::has_repeated_neighbor() const {
+  const auto neighbors = ring().first(is_closed_ ? size_ : std::min(size_ + 1, ring().size()));
   // Mostly their lowest bits tell them apart already.
   std::array<std::uint64_t, 4> seen{};
   bool is_met_twice = false;
-  for (const Vertex v : neighbours) {
+  for (const Vertex v : neighbors) {
     std::uint64_t& word = seen[v.index() >> 6U & 3U];
     const std::uint64_t bit = std::uint64_t{1} << (v.index() & 63U);
     is_met_twice |= (word & bit) != 0;
     word |= bit;
   }
   if (!is_met_twice) return false;
-  std::vector<Vertex> sorted(neighbours.begin(), neighbours.end());
+  std::vector<Vertex> sorted(neighbors.begin(), neighbors.end());
   std::sort(sorted.begin(), sorted.end());
   return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
 }
@@ -177,7 +178,7 @@ Rejection Fan::check_topology(const Surface& surface) const {
   if (!has_smooth_ends_ && !keeps_boundary(surface.mesh())) return Rejection::boundary;
   // Two faces around a closed vertex would have the same corners: a tetrahedron flattened.
   if (is_closed_ && size_ < 3) return Rejection::link_condition;
-  return has_repeated_neighbour() ? Rejection::link_condition : kLegal;
+  return has_repeated_neighbor() ? Rejection::link_condition : kLegal;
 }
 
 /// Neither joins two places of the boundary nor takes a face that hangs on by one side.
@@ -195,10 +196,10 @@ bool Fan::keeps_boundary(const Mesh& mesh) const {
   return true;
 }
 
-/// Four faces: their neighbours' positions (five), and what they and the faces beyond the rim are.
+/// Four faces: their neighbors' positions (five), and what they and the faces beyond the rim are.
 /// Places past the last face repeat it.
 struct Fan::Block {
-  Vec3<Float4> first;   ///< of the neighbour where each face begins
+  Vec3<Float4> first;   ///< of the neighbor where each face begins
   Vec3<Float4> second;  ///< and of that where it ends
   ShapeLanes before;
   ShapeLanes beyond;  ///< where there is no face beyond, the face itself
@@ -210,16 +211,18 @@ Fan::Block Fan::load(const Surface& surface, std::size_t i) const {
   std::array<Face, 4> faces;
   std::array<Face, 4> outer;
   std::array<Float4, 4> rows;
-  const auto place = [&](std::size_t k) { return load4(&surface.state(ring_[k]).quadric.g.z); };
+  const auto position_row = [&](std::size_t k) {
+    return load4(&surface.state(ring_[k]).quadric.g.z);
+  };
   for (std::size_t lane = 0; lane < 4; ++lane) {
     const std::size_t k = std::min(i + lane, size_ - 1);
     const Halfedge beyond = mesh.twin(Mesh::next(spokes_[k]));
     faces[lane] = Mesh::face(spokes_[k]);
     outer[lane] = beyond.is_valid() ? Mesh::face(beyond) : faces[lane];
-    rows[lane] = place(k);
+    rows[lane] = position_row(k);
   }
-  // Places past the last face begin at the last neighbour but one, as it does, and end at the last.
-  const Float4 last = place(std::min(i + 4, size_));
+  // Places past the last face begin at the last neighbor but one, as it does, and end at the last.
+  const Float4 last = position_row(std::min(i + 4, size_));
   std::array<Float4, 4> ends{rows[1], rows[2], rows[3], last};
   for (std::size_t lane = 0; lane < 4; ++lane) {
     if (i + lane + 1 >= size_) ends[lane] = last;
@@ -245,9 +248,9 @@ Rejection Fan::check_shape(const Surface& surface, const glm::vec3& p) {
   Int4 is_folded{};
   for (std::size_t i = 0; i < size_; i += 4) {
     const Block block = load(surface, i);
-    store4(&place_x_[i], block.first.x);
-    store4(&place_y_[i], block.first.y);
-    store4(&place_z_[i], block.first.z);
+    store4(&neighbor_x_[i], block.first.x);
+    store4(&neighbor_y_[i], block.first.y);
+    store4(&neighbor_z_[i], block.first.z);
     const Vec3<Float4> a = block.first - center;
     const Vec3<Float4> b = block.second - center;
     const Vec3<Float4> c = b - a;
@@ -275,7 +278,7 @@ Rejection Fan::check_shape(const Surface& surface, const glm::vec3& p) {
                  (dot(after.unit, next) < all(kFoldedCosine));
   }
   if (any(is_bad)) return Rejection::fold_over;
-  end_places(surface);
+  pad_positions(surface);
   turned_area_ = turned[0] + turned[1] + turned[2] + turned[3];
   x_[0] = x_[size_];
   y_[0] = y_[size_];
@@ -292,13 +295,13 @@ Rejection Fan::check_shape(const Surface& surface, const glm::vec3& p) {
 }
 
 /// The last neighbor's place, and again for lanes past the last face.
-void Fan::end_places(const Surface& surface) {
+void Fan::pad_positions(const Surface& surface) {
   if (size_ == 0) return;
   const Vec3<float>& last = surface.state(ring_[size_]).position;
   for (std::size_t i = size_; i < size_ + 5; ++i) {
-    place_x_[i] = last.x;
-    place_y_[i] = last.y;
-    place_z_[i] = last.z;
+    neighbor_x_[i] = last.x;
+    neighbor_y_[i] = last.y;
+    neighbor_z_[i] = last.z;
   }
 }
 

@@ -30,7 +30,7 @@ class Fan {
 
   std::size_t size() const { return size_; }
   bool is_closed() const { return is_closed_; }
-  /// Both ends and all neighbours are free, so that no face of the fan or of the edge has a
+  /// Both ends and all neighbors are free, so that no face of the fan or of the edge has a
   /// feature.
   bool is_smooth() const { return is_smooth_; }
   /// For each face the half-edge in it that starts at the end of the edge to which it belongs.
@@ -40,7 +40,7 @@ class Fan {
   std::span<const Vertex> ring() const { return {ring_.data(), size_ == 0 ? 0 : size_ + 1}; }
 
   /// Whether the collapse keeps a manifold of the same topology; agrees with `check_collapse`.
-  /// O(valence) for few neighbours, O(valence log valence) for many. Pre: gathered.
+  /// O(valence) for few neighbors, O(valence log valence) for many. Pre: gathered.
   Rejection check_topology(const Surface& surface) const;
   /// Whether a face, with the vertex at `p`, turns over (by more than 120 degrees) or loses its
   /// area. Smaller turns and folds are a matter of degree: see turned_area. O(valence). Pre:
@@ -54,8 +54,8 @@ class Fan {
   /// Where the neighbors are between which faces i to i + 3 lie: at their first ones and, one
   /// further, at their second ones. Past the last neighbor they repeat it. Pre: `check_shape` was
   /// asked.
-  Vec3<Float4> four_places(std::size_t i) const {
-    return {load4(&place_x_[i]), load4(&place_y_[i]), load4(&place_z_[i])};
+  Vec3<Float4> four_positions(std::size_t i) const {
+    return {load4(&neighbor_x_[i]), load4(&neighbor_y_[i]), load4(&neighbor_z_[i])};
   }
   /// The shape of face i with the vertex where `check_shape` was last asked about.
   FaceShape shape(std::size_t i) const { return {{x_[i + 1], y_[i + 1], z_[i + 1]}, area_[i + 1]}; }
@@ -87,9 +87,9 @@ class Fan {
   bool gather_closed(const Mesh& mesh, std::size_t limit);
   bool gather_open(const Mesh& mesh, std::size_t limit);
   bool keeps_boundary(const Mesh& mesh) const;
-  bool has_repeated_neighbour() const;
+  bool has_repeated_neighbor() const;
   Block load(const Surface& surface, std::size_t i) const;
-  void end_places(const Surface& surface);
+  void pad_positions(const Surface& surface);
   float folded_area_after(const Surface& surface) const;
   float folded_area_before(const Surface& surface) const;
 
@@ -103,7 +103,8 @@ class Fan {
   std::vector<Vertex> ring_;
   // Of the faces, one place further than in spokes_: the place before is the last face's.
   std::vector<float> x_, y_, z_, area_;
-  std::vector<float> place_x_, place_y_, place_z_;  ///< of the neighbors, as four_places
+  std::vector<float> neighbor_x_, neighbor_y_,
+      neighbor_z_;  ///< of the neighbors, as four_positions
 };
 
 }  // namespace mesher

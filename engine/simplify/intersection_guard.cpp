@@ -53,7 +53,7 @@ std::vector<Face> faces_of(const Surface& surface, std::uint32_t region,
 
 IntersectionGuard::IntersectionGuard(const Surface& surface, GuardedSpace& space,
                                      std::uint32_t region, std::span<const Vertex> vertices)
-    : space_(space), region_(region), tree_(space.place_of) {
+    : space_(space), region_(region), tree_(space.slot_of) {
   tree_.build(surface, faces_of(surface, region, vertices));
 }
 

@@ -18,9 +18,9 @@ namespace mesher {
 
 /// What guards of all regions share.
 struct GuardedSpace {
-  explicit GuardedSpace(std::uint32_t faces) : place_of(faces) {}
+  explicit GuardedSpace(std::uint32_t faces) : slot_of(faces) {}
 
-  Array<std::uint32_t> place_of;  ///< by face: see FaceTree
+  Array<std::uint32_t> slot_of;  ///< by face: see FaceTree
   Territory territory;
   bool has_regions = false;  ///< the territory counts
 };

@@ -17,8 +17,8 @@ struct MortonGrid {
   float shift = 0.0F;
 };
 
-/// Sorts vertices along a Z-shaped curve through their box (G. Morton, 1966), so that neighbours on
-/// the surface are mostly neighbours in the order. Stable. O(n).
+/// Sorts vertices along a Z-shaped curve through their box (G. Morton, 1966), so that neighbors on
+/// the surface are mostly neighbors in the order. Stable. O(n).
 Array<Vertex> morton_order(std::span<const glm::vec3> positions, std::span<const Vertex> vertices,
                            const MortonGrid& grid);
 

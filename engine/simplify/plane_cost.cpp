@@ -20,7 +20,7 @@ std::optional<StarCost> star_cost(const Surface& surface, Vertex v, Vertex other
   const Mesh& mesh = surface.mesh();
   const glm::vec3 to_point = p - mesh.position(v);
   const glm::vec3 to_other = mesh.position(other) - mesh.position(v);
-  const bool has_features = surface.freedom(v) != Freedom::free;
+  const bool has_features = surface.constraint(v) != VertexConstraint::free;
   StarCost sum;
   const auto add = [&](const glm::vec3& normal, float weight) {
     const float point = glm::dot(normal, to_point);

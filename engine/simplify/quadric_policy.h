@@ -12,10 +12,10 @@ class QuadricPolicy : public CollapsePolicy {
   explicit QuadricPolicy(Placement placement) : placement_(placement) {}
 
   bool costs_are_errors() const override { return true; }
-  Candidate evaluate(const Surface& surface, Halfedge h, Fit fit) const override;
-  void evaluate_costs(const Surface& surface, std::span<const Halfedge> edges, Care care,
-                      float* costs) const override;
-  void evaluate_around(const Surface& surface, Vertex v, const Fan& fan, Care care,
+  Candidate evaluate(const Surface& surface, Halfedge h, AllowedPlacement allowed) const override;
+  void evaluate_costs(const Surface& surface, std::span<const Halfedge> edges,
+                      CostPrecision precision, float* costs) const override;
+  void evaluate_around(const Surface& surface, Vertex v, const Fan& fan, CostPrecision precision,
                        float* costs) const override;
 
  private:

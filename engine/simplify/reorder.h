@@ -15,7 +15,7 @@ struct Reordered {
 /// Vertices along a Morton curve, faces by their first vertex there: what is near on the surface is
 /// near in memory, whatever order a file had (meshoptimizer's time on 2 million triangles halves
 /// from shuffled to ordered). O(V + F), parallel.
-Reordered reorder_by_place(const Mesh& mesh);
+Reordered reorder_by_position(const Mesh& mesh);
 
 /// Which vertices and faces of a mesh with holes are left, and where each goes.
 struct KeptIds {

@@ -20,7 +20,7 @@ enum class Rejection : std::uint8_t {
   link_condition,  ///< would change the topology, or make an edge of three faces
   boundary,        ///< would pinch, close or move a boundary that is kept
   crease,          ///< would bend a crease or take a corner
-  fold_over,       ///< a face would turn over, against its neighbours or its original
+  fold_over,       ///< a face would turn over, against its neighbors or its original
   error_bound,     ///< would go further from the input than allowed
   intersection,    ///< would make two faces intersect
 };

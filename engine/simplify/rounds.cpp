@@ -95,7 +95,7 @@ Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, Transla
   for (std::uint32_t v = 0; v < surface_.mesh().vertex_count(); ++v)
     (surface_.mesh().is_isolated(Vertex(v)) ? isolated_ : live_).emplace_back(v);
   if (faces_to_remove() == 0) return;
-  context_.care = is_far() ? Care::guess : Care::exact;
+  context_.precision = is_far() ? CostPrecision::guess : CostPrecision::exact;
   evaluate_all(context_);
 }
 
@@ -147,7 +147,7 @@ Rounds::Share Rounds::share(std::span<const float> costs) const {
 void Rounds::run_regions(std::uint32_t round) {
   constexpr std::uint32_t kBitsOfGrid = 7;
   constexpr float kGoldenRatio = 0.618034F;  // its multiples spread evenly over 0 to 1
-  context_.care = is_far() ? Care::guess : Care::exact;
+  context_.precision = is_far() ? CostPrecision::guess : CostPrecision::exact;
   const float shift = kGoldenRatio * static_cast<float>(round + 1);
   live_ = morton_order(surface_.mesh().positions(), live_,
                        {.bits = kBitsOfGrid, .shift = shift - std::floor(shift)});
@@ -193,7 +193,7 @@ void Rounds::run_regions(std::uint32_t round) {
 }
 
 void Rounds::run_to_the_end() {
-  context_.care = Care::exact;
+  context_.precision = CostPrecision::exact;
   if (space_ != nullptr) space_->has_regions = false;
   for (const Vertex v : live_)
     surface_.state(v).region = 0;
@@ -270,7 +270,7 @@ void Rounds::count_constrained() {
   for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
     const Halfedge h(i);
     if (surface_.is_removed(Mesh::face(h)) || !(h < mesh.twin(h))) continue;
-    if (surface_.fit(h) != Fit::nowhere) continue;
+    if (surface_.allowed_placement(h) != AllowedPlacement::nowhere) continue;
     const bool is_at_boundary =
         mesh.is_boundary(mesh.origin(h)) && mesh.is_boundary(mesh.target(h));
     const Rejection cause = is_at_boundary ? Rejection::boundary : Rejection::crease;

@@ -146,13 +146,13 @@ Array<Id> in_order(const Array<Id>& source, ResultOrder order, const Array<Id>& 
     return result;
   }
   std::size_t mover = left.size();
-  for (std::size_t place = 0; place < left.size(); ++place) {
-    if (by_source[place] == kNone) {
+  for (std::size_t slot = 0; slot < left.size(); ++slot) {
+    if (by_source[slot] == kNone) {
       while (by_source[mover] == kNone)
         ++mover;
       result.push_back(Id(by_source[mover++]));
     } else {
-      result.push_back(Id(by_source[place]));
+      result.push_back(Id(by_source[slot]));
     }
   }
   return result;
@@ -209,7 +209,7 @@ Simplified run_once(Mesh&& mesh, const SimplifyOptions& options, std::span<const
   SimplifyReport report{.faces_before = mesh.face_count(),
                         .faces_asked = options.target_faces,
                         .vertices_before = mesh.vertex_count()};
-  Reordered order = reorder_by_place(mesh);
+  Reordered order = reorder_by_position(mesh);
   mesh = Mesh{};
   if (trace != nullptr) trace->before = order.mesh;
   const Units units(order.mesh);

@@ -35,7 +35,7 @@ Surface::Surface(Mesh&& mesh, const SimplifyOptions& options) : mesh_(std::move(
   find_shapes();
   find_features(options);
   find_states();
-  find_freedoms(options);
+  find_constraints(options);
 }
 
 void Surface::find_shapes() {
@@ -80,7 +80,7 @@ void Surface::find_features(const SimplifyOptions& options) {
   if (!has_features_) feature_ = {};
 }
 
-void Surface::find_freedoms(const SimplifyOptions& options) {
+void Surface::find_constraints(const SimplifyOptions& options) {
   const bool has_own = !mesh_.vertex_sharpnesses().empty();
   is_constrained_ = has_features_ || has_own || !mesh_.bow_tie_copies().empty();
   if (!is_constrained_) return;
@@ -103,13 +103,13 @@ void Surface::find_freedoms(const SimplifyOptions& options) {
     const bool is_fixed =
         (has_own && mesh_.sharpness(v) > 0.0F) || (locks && met > 0 && mesh_.is_boundary(v));
     if (is_fixed || met == 1 || met > 2) {
-      vertices_[i].freedom = Freedom::corner;
+      vertices_[i].constraint = VertexConstraint::corner;
     } else if (met == 2) {
-      vertices_[i].freedom = Freedom::line;
+      vertices_[i].constraint = VertexConstraint::line;
     }
   });
   for (const BowTieCopy& copy : mesh_.bow_tie_copies())
-    vertices_[copy.v.index()].freedom = Freedom::corner;
+    vertices_[copy.v.index()].constraint = VertexConstraint::corner;
 }
 
 void Surface::find_states() {
@@ -165,14 +165,16 @@ std::array<Quadric<float>, 3> Surface::contributions(Face f) const {
   return result;
 }
 
-Fit Surface::constrained_fit(Halfedge h, Freedom from, Freedom to) const {
-  if (from == Freedom::free) return Fit::at_target;
-  if (to == Freedom::free) return Fit::at_origin;
-  if (!is_feature(h) || (from == Freedom::corner && to == Freedom::corner)) {
-    return Fit::nowhere;
+AllowedPlacement Surface::constrained_placement(Halfedge h, VertexConstraint from,
+                                                VertexConstraint to) const {
+  if (from == VertexConstraint::free) return AllowedPlacement::at_target;
+  if (to == VertexConstraint::free) return AllowedPlacement::at_origin;
+  if (!is_feature(h) || (from == VertexConstraint::corner && to == VertexConstraint::corner)) {
+    return AllowedPlacement::nowhere;
   }
-  if (to == Freedom::corner) return Fit::at_target;
-  return from == Freedom::corner ? Fit::at_origin : Fit::anywhere;
+  if (to == VertexConstraint::corner) return AllowedPlacement::at_target;
+  return from == VertexConstraint::corner ? AllowedPlacement::at_origin
+                                          : AllowedPlacement::anywhere;
 }
 
 EdgeQuadric<Float8> Surface::edge_quadrics(const std::array<Halfedge, 8>& edges) const {

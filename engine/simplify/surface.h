@@ -16,7 +16,7 @@
 namespace mesher {
 
 /// How far a vertex is free.
-enum class Freedom : std::uint8_t {
+enum class VertexConstraint : std::uint8_t {
   free,  ///< no feature edge
   line,  ///< two feature edges: may go along them
   /// One, three or more feature edges, a sharpness of its own, a copy of a bow-tie vertex, or
@@ -25,7 +25,7 @@ enum class Freedom : std::uint8_t {
 };
 
 /// Where the vertex of a merged edge may be.
-enum class Fit : std::uint8_t { anywhere, at_origin, at_target, nowhere };
+enum class AllowedPlacement : std::uint8_t { anywhere, at_origin, at_target, nowhere };
 
 /// Unit normal and area of a face; a zero normal where it has no area. Loaded as four floats.
 struct alignas(16) FaceShape {
@@ -68,7 +68,7 @@ struct alignas(64) VertexState {
   std::uint32_t region = 0;  ///< whose turn it is to change the vertex; kGone: it is removed
   /// The highest CollapseRecord::rank of the collapses in whose one-rings the vertex was.
   std::uint16_t rank : 13 = 0;
-  Freedom freedom : 2 = Freedom::free;
+  VertexConstraint constraint : 2 = VertexConstraint::free;
   bool has_refused : 1 = false;  ///< an edge of the vertex was refused for its surroundings
   std::uint16_t retreat_bits = 0;
   /// How far the surface around has retreated (appraisal.h): 8 significant bits, rounded down.
@@ -138,7 +138,8 @@ inline Quadric<float> plane_quadric(const FaceShape& shape) {
 ///  S1. shape(f) is that of the face's corners as they are.
 ///  S2. state(v).quadric is the sum of the contributions of the faces at v (within rounding), and
 ///      state(v).position is the mesh's.
-///  S3. freedom(v) follows from the feature edges at v as Freedom says. Both halves of an edge
+///  S3. constraint(v) follows from the feature edges at v as VertexConstraint says. Both halves of
+///  an edge
 ///      agree on being a feature; boundary edges are features.
 ///  S4. A removed face has origins that are none; a removed vertex has no outgoing half-edge.
 class Surface {
@@ -196,7 +197,7 @@ class Surface {
              pair(p.g, q.g)},
             pair(low.position, high.position)};
   }
-  Freedom freedom(Vertex v) const { return state(v).freedom; }
+  VertexConstraint constraint(Vertex v) const { return state(v).constraint; }
   /// Of the edge of `h`, as last known, if the origin of `h` answers for it; else kNever. O(1).
   float cost(Halfedge h) const { return faces_[Mesh::face(h).index()].cost[Mesh::corner(h)]; }
   bool is_feature(Halfedge h) const { return has_features_ && feature_[h.index()] != 0; }
@@ -206,11 +207,12 @@ class Surface {
   bool is_constrained() const { return is_constrained_; }
 
   /// Where the edge of `h` may merge: features go along themselves only. O(1).
-  Fit fit(Halfedge h) const {
-    const Freedom from = freedom(mesh_.origin(h));
-    const Freedom to = freedom(mesh_.target(h));
-    if (from == Freedom::free && to == Freedom::free) return Fit::anywhere;
-    return constrained_fit(h, from, to);
+  AllowedPlacement allowed_placement(Halfedge h) const {
+    const VertexConstraint from = constraint(mesh_.origin(h));
+    const VertexConstraint to = constraint(mesh_.target(h));
+    if (from == VertexConstraint::free && to == VertexConstraint::free)
+      return AllowedPlacement::anywhere;
+    return constrained_placement(h, from, to);
   }
   /// O(1).
   Vec3<float> midpoint(Halfedge h) const {
@@ -245,7 +247,7 @@ class Surface {
   void set_shape(Face f, Float4 shape) { store4(&faces_[f.index()].shape.normal.x, shape); }
   void set_feature(Halfedge h, bool is) { feature_[h.index()] = is ? 1 : 0; }
   /// Moves a vertex, and empties its quadric.
-  void place_anew(Vertex v, const glm::vec3& p) {
+  void move_and_clear_quadric(Vertex v, const glm::vec3& p) {
     state(v).quadric = {};
     state(v).position = {p.x, p.y, p.z};
   }
@@ -280,13 +282,14 @@ class Surface {
   }
 
  private:
-  Fit constrained_fit(Halfedge h, Freedom from, Freedom to) const;
+  AllowedPlacement constrained_placement(Halfedge h, VertexConstraint from,
+                                         VertexConstraint to) const;
   Quadric<float> across_quadric(Halfedge h) const;
   void add_features(Halfedge h);
   void find_shapes();
   void find_features(const SimplifyOptions& options);
   void find_states();
-  void find_freedoms(const SimplifyOptions& options);
+  void find_constraints(const SimplifyOptions& options);
 
   Mesh mesh_;
   bool has_features_ = false;    ///< edges

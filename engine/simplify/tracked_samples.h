@@ -33,7 +33,7 @@ class TrackedSamples {
   void collapsed(const Fan& fan);
 
  private:
-  struct Place {
+  struct TrackedPoint {
     std::uint32_t next = kNone;  ///< of the same face
     float squared_distance = 0.0F;
   };
@@ -48,7 +48,7 @@ class TrackedSamples {
   const ErrorSamples& samples_;
   double weight_ = 0.0;               ///< of a point: the cost of its squared distance
   std::vector<std::uint32_t> first_;  ///< point of each face
-  std::vector<Place> places_;         ///< of the points
+  std::vector<TrackedPoint> points_;  ///< of the points
   std::vector<Moved> moved_;          ///< by the collapse that was last asked about
   double before_ = 0.0;               ///< the squared distances of those, summed
 };
