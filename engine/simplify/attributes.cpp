@@ -6,14 +6,13 @@
 namespace mesher {
 namespace {
 
-/// Which input corner speaks for a vertex, and where corners contradict each other.
+/// One representative input corner per vertex, and the vertices whose corners disagree.
 struct RepresentativeCorners {
-  std::vector<Halfedge>
-      corner;  ///< for each input vertex one of its corners; none: no face uses it
+  std::vector<Halfedge> corner;  ///< by input vertex; none: no face uses it
   std::vector<bool> has_seam;
 };
 
-// Bit for bit: a corner without a value has NaN, which equals nothing.
+// Bitwise, because a corner without a value has NaN, which equals nothing.
 template <class T>
 bool is_same(const T& a, const T& b) {
   return std::memcmp(&a, &b, sizeof(T)) == 0;
@@ -35,7 +34,8 @@ RepresentativeCorners find_representatives(const Array<T>& values, std::span<con
   return found;
 }
 
-/// Empty, with a word in `dropped`, where a survivor has a seam.
+/// Returns the carried values. If a surviving vertex has a seam, returns none and appends to
+/// `dropped`.
 template <class T>
 Array<T> carry(const Array<T>& values, std::span<const Vertex> origins, const Survivors& result,
                std::string_view name, std::vector<std::string>& dropped) {

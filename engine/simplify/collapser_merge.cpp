@@ -1,5 +1,4 @@
-// The part of Collapser that does a collapse: changes the mesh, and brings shapes and quadrics up
-// to date.
+// The part of Collapser that performs a collapse: changes the mesh and updates shapes and quadrics.
 #include <algorithm>
 #include <array>
 
@@ -18,7 +17,7 @@ void Collapser::add_contributions(Face f, float sign) {
   }
 }
 
-/// Merges, and brings shapes and quadrics up to date, whatever the faces contribute.
+/// Merges the edge and updates shapes and quadrics; handles faces with features.
 void Collapser::merge_near_feature(Halfedge h, const glm::vec3& p) {
   Surface& surface = context_.surface;
   const Mesh& mesh = surface.mesh();
@@ -36,7 +35,7 @@ void Collapser::merge_near_feature(Halfedge h, const glm::vec3& p) {
     add_contributions(Mesh::face(spoke), 1.0F);
 }
 
-/// The same where faces contribute their planes alone: each neighbor is written once.
+/// Same, for faces that contribute only their planes: writes each neighbor once.
 void Collapser::merge_smooth(Halfedge h, const glm::vec3& p) {
   Surface& surface = context_.surface;
   const Mesh& mesh = surface.mesh();
@@ -75,7 +74,7 @@ void Collapser::merge(Halfedge h, const glm::vec3& p) {
   surface.state(kept).constraint = std::max(surface.constraint(kept), surface.constraint(removed));
   if (!fan_.is_smooth()) {
     edit.join_sharpness(h);
-    // Two edges become one: a feature if either was.
+    // Two edges become one, which is a feature if either was.
     for (const Halfedge side : {h, t}) {
       if (!side.is_valid()) continue;
       const bool is_feature =

@@ -12,13 +12,13 @@
 namespace mesher {
 namespace {
 
-/// What the policies share that place the vertex as the default does.
+/// Base of the policies that place the vertex like the default policy.
 class PlacedPolicy : public CollapsePolicy {
  public:
   explicit PlacedPolicy(Placement placement) : placement_(placement) {}
 
  protected:
-  /// With a cost of 0.
+  /// Returns the candidate with a cost of 0.
   Candidate placed(const Surface& surface, Halfedge h, AllowedPlacement allowed) const {
     const EdgeQuadric<float> edge = surface.edge_quadric(h);
     const Placed at = place(surface, h, edge, placement_, allowed);
@@ -59,7 +59,7 @@ class RandomPolicy : public PlacedPolicy {
   }
 
  private:
-  /// The finaliser of splitmix64 (S. Vigna, 2015).
+  /// The finalizer of splitmix64 (S. Vigna, 2015).
   static std::uint64_t mixed(std::uint64_t x) {
     x += 0x9E3779B97F4A7C15U;
     x = (x ^ x >> 30U) * 0xBF58476D1CE4E5B9U;
@@ -76,7 +76,7 @@ class ShapePolicy : public PlacedPolicy {
 
   Candidate evaluate(const Surface& surface, Halfedge h, AllowedPlacement allowed) const override {
     Candidate candidate = placed(surface, h, allowed);
-    // Each thread has its own, so that none waits and nothing is allocated.
+    // One per thread, to avoid locks and allocations.
     thread_local Fan fan;
     if (!fan.gather(surface, h, kFewFaces)) {
       candidate.cost = std::numeric_limits<float>::max();
@@ -96,10 +96,10 @@ class ShapePolicy : public PlacedPolicy {
 
  private:
   static constexpr std::size_t kFewFaces = 64;
-  static constexpr float kTwoRootThree = 3.4641016F;  // by twice the area
+  static constexpr float kTwoRootThree = 3.4641016F;  // for twice the area
 };
 
-/// x^T a x + 2 b.x + c, from a fixed origin.
+/// x^T a x + 2 b.x + c, relative to a fixed origin.
 struct FullQuadric {
   glm::dmat3 a{0.0};
   glm::dvec3 b{0.0};
@@ -174,7 +174,7 @@ class AccumulatedPolicy : public CollapsePolicy {
   }
 
   struct At {
-    glm::dvec3 x;  ///< from the origin of the quadrics
+    glm::dvec3 x;  ///< relative to the origin of the quadrics
     glm::vec3 position;
   };
 
@@ -193,7 +193,7 @@ class AccumulatedPolicy : public CollapsePolicy {
     return {x, glm::vec3(x + origin_)};
   }
 
-  /// As best_offset: damped toward the midpoint, and within the ball around the edge.
+  /// Same as best_offset: damped toward the midpoint, and within the ball around the edge.
   static glm::dvec3 best_of(const FullQuadric& q, const glm::dvec3& middle,
                             const glm::dvec3& edge) {
     const double damping = kPlacementDamping * (q.a[0][0] + q.a[1][1] + q.a[2][2]);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kMostFaces = 64;
 
-/// What the planes of one end say of two places.
+/// Costs of two positions with respect to the planes at one end.
 struct StarCost {
   float at_point = 0.0F;
   float at_other_end = 0.0F;
@@ -50,7 +50,7 @@ std::optional<PlaneCosts> plane_costs(const Surface& surface, Halfedge h, const 
   if (!of_origin) return std::nullopt;
   const std::optional<StarCost> of_target = star_cost(surface, target, origin, p);
   if (!of_target) return std::nullopt;
-  // The planes of an end all go through it.
+  // All planes at an end pass through it.
   return PlaneCosts{of_origin->at_point + of_target->at_point, of_target->at_other_end,
                     of_origin->at_other_end};
 }

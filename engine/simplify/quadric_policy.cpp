@@ -8,7 +8,7 @@
 namespace mesher {
 namespace {
 
-// By how many tie-breaks an end has to be cheaper than the optimum to take its place.
+// By how many tie-breaks an end must be cheaper than the optimum to replace it.
 constexpr float kClearlyCheaper = 10.0F;
 
 template <class F>
@@ -25,7 +25,7 @@ StateLanes<F> broadcast_state(const VertexState& s) {
           {all(s.position.x), all(s.position.y), all(s.position.z)}};
 }
 
-/// Edges that wait until there are eight of them.
+/// Collects edges and evaluates them in batches of eight.
 class EightEdges {
  public:
   EightEdges(const Surface& surface, CostPrecision precision, float* costs)
@@ -67,8 +67,8 @@ class EightEdges {
   std::size_t count_ = 0;
 };
 
-/// Finds the cost without rounding. Damping moves the optimum off a corner of flat parts, so an end
-/// that is cheaper by more than `clearly` takes its place.
+/// Recomputes the cost without cancellation. Damping moves the optimum off a corner of flat parts,
+/// so an end that is cheaper by more than `clearly` replaces it.
 void evaluate_planes(const Surface& surface, Halfedge h, float clearly, Candidate& candidate) {
   const std::optional<PlaneCosts> costs = plane_costs(surface, h, candidate.position);
   if (!costs) return;

@@ -4,9 +4,9 @@
 
 namespace mesher {
 
-/// The default: least area-weighted squared distance to the planes of the faces as they are, at a
-/// place that keeps the volume (engine/simplify/quadric.h). Where nothing is a feature it takes
-/// eight edges at a time.
+/// The default policy: least area-weighted squared distance to the planes of the current faces, at
+/// a position that preserves the volume (engine/simplify/quadric.h). Processes eight edges at a
+/// time where there are no features.
 class QuadricPolicy : public CollapsePolicy {
  public:
   explicit QuadricPolicy(Placement placement) : placement_(placement) {}

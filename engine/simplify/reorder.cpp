@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kGrain = 1U << 13;
 
-/// For each old id its new one; kNone where it is gone.
+/// Returns the new id by old id; kNone if it is gone.
 template <class Id>
 Array<std::uint32_t> new_ids(const Array<Id>& source, std::uint32_t old_count) {
   Array<std::uint32_t> new_id(old_count);
@@ -46,7 +46,7 @@ Array<Face> faces_by_vertex(const Mesh& mesh, const Array<std::uint32_t>& new_ve
   return order;
 }
 
-/// A mesh of the given vertices and faces. `new_vertex_id` is the inverse of `vertices`.
+/// Returns a mesh of the given vertices and faces. `new_vertex_id` is the inverse of `vertices`.
 Mesh rearranged(const Mesh& mesh, const Array<Vertex>& vertices, const Array<Face>& faces,
                 const Array<std::uint32_t>& new_vertex_id) {
   const Array<std::uint32_t> new_face_id = new_ids(faces, mesh.face_count());

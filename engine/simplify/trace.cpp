@@ -5,7 +5,7 @@
 namespace mesher {
 namespace {
 
-/// For each vertex the one that it has become one with in the end.
+/// Returns, for each vertex, the surviving vertex into which it was merged.
 Array<std::uint32_t> find_survivors(const Surface& surface) {
   const std::uint32_t n = surface.mesh().vertex_count();
   Array<std::uint32_t> into(n);
@@ -17,7 +17,7 @@ Array<std::uint32_t> find_survivors(const Surface& surface) {
     std::uint32_t last = v;
     while (into[last] != last)
       last = into[last];
-    // Shortens the way for all that come past later.
+    // Path compression.
     for (std::uint32_t at = v; at != last;)
       at = std::exchange(into[at], last);
   }

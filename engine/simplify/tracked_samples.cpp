@@ -11,7 +11,7 @@ namespace mesher {
 namespace {
 
 constexpr std::size_t kGrain = 64;
-// So many points are trusted as much as the planes.
+// With this many points, they weigh as much as the planes.
 constexpr float kTrustInPlanes = 8.0F;
 
 }  // namespace
@@ -33,12 +33,12 @@ TrackedSamples::TrackedSamples(const Surface& surface, const ErrorSamples& sampl
   }
 }
 
-/// Finds where the points of a face would go.
+/// Finds the new face and distance of each point of a face.
 void TrackedSamples::find_moved(Face f, const Fan& fan, const glm::vec3& p) {
   const Vec3<Float4> origin = in_all_lanes({0.0F, 0.0F, 0.0F});
   for (std::uint32_t s = first_[f.index()]; s != kNone; s = points_[s].next) {
     const glm::dvec3& point = samples_.point(s);
-    // Differences in double, so that nothing is lost far from the model's origin.
+    // Differences in double, so that no precision is lost far from the model's origin.
     const glm::vec3 to_center(glm::dvec3(p) - point);
     const Vec3<Float4> center = in_all_lanes({to_center.x, to_center.y, to_center.z});
     const Vec3<Float4> back = center - in_all_lanes({p.x, p.y, p.z});
