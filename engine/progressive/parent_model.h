@@ -12,11 +12,11 @@
 
 namespace mesher {
 
-/// Which vertex is split. Vertices of many edges are split more often than those of few, so that
-/// the number of edges is told first, then which of the vertices that have as many.
+/// Models which vertex is split. Vertices of many edges are split more often than those of few, so
+/// the number of edges is coded first, then the vertex among those with that number.
 class ParentModel {
  public:
-  /// Those of the base. O(V + F). Pre: the mesh is at its base.
+  /// Starts with the vertices of the base. O(V + F). Pre: the mesh is at its base.
   void begin(const ProgressiveMesh& pm) {
     const Mesh& base = pm.mesh();
     edges_.assign(pm.base_vertex_count(), 0);
@@ -31,7 +31,7 @@ class ParentModel {
     }
   }
 
-  /// None where there is no such vertex.
+  /// Codes a parent. When decoding, returns none if there is no such vertex.
   template <class Coder>
   Vertex code(Coder& coder, Vertex parent) {
     std::uint32_t which = 0;
@@ -46,7 +46,7 @@ class ParentModel {
     return Vertex(members[slot]);
   }
 
-  /// After a split of the vertex with this ring.
+  /// Updates the edge counts for a split of the vertex with this ring.
   void note(const SplitRing& ring, Vertex parent, const SplitCut& cut) {
     const bool is_pair = cut.right != kNone;
     const std::uint32_t opened = is_pair ? 2 : 1;
@@ -71,7 +71,7 @@ class ParentModel {
     slot_[v] = static_cast<std::uint32_t>(members.size());
     members.push_back(v);
   }
-  /// The last member takes its slot.
+  /// Removes a vertex from its class: the last member moves to its slot.
   void remove(std::uint32_t v) {
     Array<std::uint32_t>& members = classes_[class_of(v)];
     const std::uint32_t last = members.back();
@@ -91,7 +91,7 @@ class ParentModel {
   void grow(std::uint32_t v) { change(v, edges_[v] + 1); }
 
   Array<std::uint32_t> edges_;  ///< of each vertex
-  Array<std::uint32_t> slot_;   ///< in its class
+  Array<std::uint32_t> slot_;   ///< by vertex, its slot in the class
   std::array<Array<std::uint32_t>, kMost + 1> classes_;
   BitTreeModel<kClassBits> class_;
 };

@@ -12,11 +12,11 @@
 namespace mesher {
 namespace {
 
-// A longer way is noted as a change of everything: past about as many ranges one plain copy is
-// cheaper than many.
+// A longer way is recorded as a change of everything: beyond about this many ranges, one large copy
+// is cheaper than many small ones.
 constexpr std::uint32_t kLongWay = 4096;
 
-/// How many faces are at a vertex, and whether they close around it.
+/// Number of faces at a vertex, and whether they close around it.
 struct FanSize {
   std::uint32_t faces = 0;
   bool is_closed = false;
@@ -64,7 +64,7 @@ SplitStep ProgressiveMesh::step(std::uint32_t i) const {
           corner_sharpness_.empty() ? nullptr : &corner_sharpness_[i]};
 }
 
-/// A copy that a level does not have yet is there as the vertex that it will be split off.
+/// A copy that a level does not have yet is replaced by the ancestor from which it will be split.
 Array<BowTieCopy> ProgressiveMesh::bow_tie_copies(std::uint32_t level) const {
   return renamed(full_bow_tie_copies_, [&](Vertex v) {
     while (v.index() >= base_vertices_ + level)

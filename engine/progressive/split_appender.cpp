@@ -12,8 +12,8 @@ Halfedge lowest(std::span<const Halfedge> of) {
   return *std::min_element(of.begin(), of.end());
 }
 
-/// What a cut makes of the faces at the parent: those in slots [begin, end) are `inner`'s, all
-/// others the other's.
+/// How a cut divides the faces at the parent: the inner part has the slots [begin, end), the outer
+/// part all others. One part becomes the child's.
 struct Parts {
   std::uint32_t begin;
   std::uint32_t end;
@@ -27,7 +27,7 @@ struct Parts {
   }
 };
 
-/// Appends the corners that become the child's, in the order of P4.
+/// Appends the corners that move to the child, in the order of P4.
 void add_moved(const ParentSlots& slots, const Parts& parts, Array<Halfedge>& moved) {
   const auto at = [&](std::uint32_t slot) { return slots.out.begin() + slot; };
   if (parts.is_inner_child) {
@@ -42,7 +42,8 @@ void add_moved(const ParentSlots& slots, const Parts& parts, Array<Halfedge>& mo
 /// Fills in fine_outgoing and child_outgoing.
 void find_outgoing(const ParentSlots& slots, const Parts& parts, bool is_pair, VertexSplit& split) {
   const std::uint32_t e = 3 * split.first_face;
-  // Of an open fan the outer part has the boundary: its first side is a new one where that is cut.
+  // The outer part of an open fan has the boundary. If the cut is there, its first side is a new
+  // one.
   const auto start = [&](std::uint32_t opened) {
     return parts.begin == 0 ? Halfedge(opened) : slots.out.front();
   };
@@ -56,7 +57,7 @@ void find_outgoing(const ParentSlots& slots, const Parts& parts, bool is_pair, V
   if (!slots.is_closed) {
     outer = start(parts.is_inner_child ? e + 1 : e + 4);
   } else {
-    // The lowest of all is the first.
+    // The first spoke is the lowest of all (P3).
     outer = parts.begin == 0 ? lowest(all.subspan(parts.end)) : slots.out.front();
   }
   const Halfedge inner = lowest(all.subspan(parts.begin, parts.end - parts.begin));
@@ -109,8 +110,8 @@ void SplitAppender::append(const NewSplit& split, const ParentFan& fan) {
   }
 }
 
-// In its place: what is put together elsewhere in small pieces and then copied in large ones waits
-// for the processor to put it together.
+// Writes the record in place. Assembling it elsewhere with small stores and copying it with large
+// loads would stall on store forwarding.
 void SplitAppender::write_record(const NewSplit& split, const ParentSlots& slots,
                                  VertexSplit& record) const {
   const auto& [left, right] = split.cut;

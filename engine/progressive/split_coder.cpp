@@ -19,17 +19,17 @@
 namespace mesher {
 namespace {
 
-/// From the middle of what will be around the parent to that around the child, as a guess of how
-/// one will lie to the other: so much of it (the best on scans, and much the same on all).
+/// Predicted offset from parent to child, as a fraction of the vector between the means of their
+/// future neighbors (best on scans, and about equally good on all models).
 constexpr double kApart = 0.609375;
 
-// The three steps of a point, each with code of its own: what differs between them is decided when
-// this is compiled.
+// The three steps of a point. Each gets its own code, so that their differences are resolved at
+// compile time.
 constexpr std::integral_constant<std::size_t, 0> kFirst;
 constexpr std::integral_constant<std::size_t, 1> kSecond;
 constexpr std::integral_constant<std::size_t, 2> kThird;
 
-/// Positions as floats, exactly: first the parent, then the child.
+/// Codes positions as exact floats: first the parent, then the child.
 class FloatPositionCoder {
  public:
   template <class Coder>
@@ -79,7 +79,7 @@ class FloatPositionCoder {
            pm_ordered(a.z) == pm_ordered(b.z);
   }
 
-  /// Of the last place of a float near a number: the exponent of a double for it, and 23.
+  /// Returns the biased double exponent of a float's last place near `value`, plus 23.
   static int fineness(double value) {
     constexpr int least = 1023 - 126;
     return std::max(exponent_of(value), least);
@@ -126,7 +126,7 @@ class FloatPositionCoder {
   ResidualModel child_;
 };
 
-/// Positions on a grid: first how the child lies to the parent, then the parent.
+/// Codes positions on a grid: first the offset of the child from the parent, then the parent.
 class GridPositionCoder {
  public:
   explicit GridPositionCoder(Array<glm::ivec3>&& numbers) : numbers_(std::move(numbers)) {}
@@ -193,7 +193,7 @@ class GridPositionCoder {
   static void code_point(Coder& coder, ResidualModel& model, const glm::ivec3& at,
                          const PositionPrediction& prediction, const Ahead& ahead,
                          glm::ivec3& numbers) {
-    // Outside the grid by far; what is hostile ends there.
+    // Far outside the grid; clamps values that only hostile files contain.
     constexpr std::int64_t most = std::int64_t{1} << 26U;
     const CoordinateOrder order(prediction);
     const Coordinates from = order.by_step(glm::dvec3(at));
@@ -217,7 +217,7 @@ class GridPositionCoder {
     numbers = {coded[0], coded[1], coded[2]};
   }
 
-  /// The nearest whole number, the upper of two; 0 for what is no number.
+  /// Returns the nearest integer, rounding halves up; 0 for NaN.
   static std::int64_t nearest(double value, std::int64_t most) {
     const double limit = static_cast<double>(most);
     if (!(value > -limit)) return value <= -limit ? -most : 0;
@@ -256,7 +256,7 @@ struct SplitCoder<Coder>::State {
 
   State(const PmHeader& h, Array<glm::ivec3>&& numbers) : header(h), grid(std::move(numbers)) {}
 
-  /// The parent of split i, where the models know the splits before it.
+  /// Codes the parent of split i. Pre: the models have adapted to all splits before it.
   void code_parent(Coder& coder, const ProgressiveMesh& pm, std::uint32_t i) {
     Vertex actual;
     if constexpr (!Coder::kDecodes) actual = pm.splits()[i].parent;
@@ -277,7 +277,7 @@ struct SplitCoder<Coder>::State {
 
   std::string_view code_cut(Coder& coder, const ProgressiveMesh& pm, NewSplit& split) {
     split.cut = cut.code(coder, ring, split.cut);
-    // What a model says of the ring is in range; the rest of can_append is this.
+    // The model yields slots of the ring only; these are the remaining conditions of can_append.
     constexpr std::uint32_t most_faces = kNone / 3 - 2;
     if (split.cut.left == split.cut.right || pm.full_face_count() > most_faces) {
       return "a split cuts where it cannot";
@@ -319,7 +319,7 @@ std::string_view SplitCoder<Coder>::code(Coder& coder, const ProgressiveMesh& pm
   split.parent = s.next_parent;
   if (const auto why = s.gather(mesh, split.parent); !why.empty()) return why;
   if (const auto why = s.code_cut(coder, pm, split); !why.empty()) return why;
-  // The next parent is told before where the vertices are: reading around it can begin early.
+  // The next parent is coded before the positions, so that prefetching around it can begin early.
   s.next_parent = Vertex{};
   if (i + 1 < s.block_end) s.code_parent(coder, pm, i + 1);
   s.prefetch.begin(mesh, pm.base_vertex_count() + i, s.next_parent);

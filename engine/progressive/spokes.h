@@ -9,7 +9,7 @@
 
 namespace mesher {
 
-/// Walks around a vertex. The memory is used again.
+/// Returns the fan around a vertex. It refers to `memory`, which is reused.
 inline ParentFan gather_fan(const Mesh& mesh, Vertex v, Array<Halfedge>& memory) {
   memory.clear();
   const Halfedge start = mesh.outgoing(v);
@@ -21,7 +21,8 @@ inline ParentFan gather_fan(const Mesh& mesh, Vertex v, Array<Halfedge>& memory)
   return {memory, h.is_valid()};
 }
 
-/// The same with the two halves of the edge in each slot (see SplitCut); either may be none.
+/// A parent's fan with both halves of the edge in each slot (see SplitCut); either half may be
+/// none.
 struct ParentSlots : ParentFan {
   explicit ParentSlots(const ParentFan& fan) : ParentFan(fan) {}
 
