@@ -36,9 +36,9 @@ struct GeomorphTime {
   float rate = 0.0F;
   float fixed = 1.0F;
 
-  /// Continuous: split i grows while `time` goes from i to i + window. Draw level min(splits,
-  /// ceil(time)). At time = splits + window everything has grown. Pre: time >= 0, window > 0.
-  static GeomorphTime continuous(double time, double window);
+  /// Continuous: split i grows while `time` goes from i to i + range. Draw level min(splits,
+  /// ceil(time)). At time = splits + range everything has grown. Pre: time >= 0, range > 0.
+  static GeomorphTime continuous(double time, double range);
   /// Between two levels: splits from `coarse` on have all grown by `alpha`.
   static GeomorphTime between(std::uint32_t coarse, float alpha);
   /// Everything has grown: the mesh as it is.

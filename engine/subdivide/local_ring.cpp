@@ -142,7 +142,7 @@ void LocalRing::step() {
   vertex_ = next_vertex();
   std::swap(spokes_, next_spokes_);
   own_ = decayed(own_);
-  wear();
+  decay_spoke_sharpness();
 }
 
 glm::dvec3 LocalRing::next_vertex() const {
@@ -174,7 +174,7 @@ glm::dvec3 LocalRing::next_end(std::size_t i, VertexKind own_kind) const {
                           smooth);
 }
 
-void LocalRing::wear() {
+void LocalRing::decay_spoke_sharpness() {
   for (Spoke& spoke : spokes_) {
     // Now the edge ends at a new vertex, beyond which its other half goes on.
     spoke.sharpness = spoke.near_left;

@@ -54,7 +54,7 @@ class LocalRing {
   void centre_on_vertex();
   glm::dvec3 next_vertex() const;
   glm::dvec3 next_end(std::size_t i, VertexKind kind) const;
-  void wear();
+  void decay_spoke_sharpness();
   glm::dvec3 smooth_normal() const;
   glm::dvec3 sector_normal(VertexKind own_kind, std::size_t first, std::size_t count) const;
   glm::dvec3 fan_normal(std::size_t first, std::size_t count) const;
