@@ -1,9 +1,5 @@
 #include "engine/simplify/cost_policy.h"
 
-#include "engine/core/assert.h"
-#include "engine/simplify/comparison_policies.h"
-#include "engine/simplify/quadric_policy.h"
-
 namespace mesher {
 
 void CollapsePolicy::evaluate_costs(const Surface& surface, std::span<const Halfedge> edges,
@@ -38,23 +34,6 @@ Placed place(const Surface& surface, Halfedge h, const EdgeQuadric<float>& edge,
   const Vec3<float> y = placement == Placement::optimal ? best_offset(edge) : Vec3<float>{};
   const Vec3<float> p = surface.midpoint(h) + y;
   return {y, {p.x, p.y, p.z}};
-}
-
-std::unique_ptr<CollapsePolicy> make_policy(const SimplifyOptions& options,
-                                            const Surface& surface) {
-  switch (options.cost) {
-    case CostPolicy::accumulated_quadric:
-      return make_accumulated_policy(options.placement, surface);
-    case CostPolicy::edge_length:
-      return make_length_policy(options.placement);
-    case CostPolicy::shape:
-      return make_shape_policy(options.placement);
-    case CostPolicy::random:
-      return make_random_policy(options.placement, options.seed);
-    case CostPolicy::quadric:
-      break;
-  }
-  return std::make_unique<QuadricPolicy>(options.placement);
 }
 
 }  // namespace mesher

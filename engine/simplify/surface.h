@@ -232,8 +232,7 @@ class Surface {
   /// Returns the states of both ends of eight edges.
   std::pair<StateLanes<Float8>, StateLanes<Float8>> ends(
       const std::array<Halfedge, 8>& edges) const {
-    std::array<Vertex, 8> from;
-    std::array<Vertex, 8> to;
+    std::array<Vertex, 8> from, to;
     for (std::size_t lane = 0; lane < 8; ++lane) {
       from[lane] = mesh_.origin(edges[lane]);
       to[lane] = mesh_.target(edges[lane]);
@@ -244,7 +243,6 @@ class Surface {
   EdgeQuadric<Float8> edge_quadrics(const std::array<Halfedge, 8>& edges) const;
 
   // Changes by a collapse, besides those to the mesh itself.
-
   void set_shape(Face f, Float4 shape) { store4(&faces_[f.index()].shape.normal.x, shape); }
   void set_feature(Halfedge h, bool is) { feature_[h.index()] = is ? 1 : 0; }
   /// Moves a vertex and clears its quadric.
@@ -260,7 +258,6 @@ class Surface {
     store4(at + 8, load4(at + 8) + rows.c);
   }
   VertexState& state(Vertex v) { return vertices_[v.index()]; }
-  /// Prefetches the data of a vertex, or of a half-edge and its face.
   void will_need(Vertex v) const { prefetch(&vertices_[v.index()]); }
   void will_need(Halfedge h) const {
     prefetch(&faces_[Mesh::face(h).index()]);
@@ -271,12 +268,11 @@ class Surface {
     faces_[Mesh::face(h).index()].cost[Mesh::corner(h)] = cost;
   }
 
-  /// Returns what a face with its stored shape adds to the quadrics of its corners, in their order:
-  /// its plane weighted by area, and for each feature edge a plane across it, which keeps features
-  /// in place. O(1).
+  /// Returns what a face adds to the quadrics of its corners, in their order: its plane weighted by
+  /// area, and for each feature edge a plane across it, which keeps features in place. O(1).
   std::array<Quadric<float>, 3> contributions(Face f) const;
-  /// Returns the vector perpendicular to the feature edge of `h`, in the plane of its face, as long
-  /// as the edge.
+  /// Returns the vector across the feature edge of `h` in the plane of its face, as long as the
+  /// edge.
   glm::vec3 across(Halfedge h) const;
   bool has_feature(Face f) const {
     const std::uint32_t h = 3 * f.index();

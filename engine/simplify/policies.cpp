@@ -1,4 +1,4 @@
-#include "engine/simplify/comparison_policies.h"
+#include "engine/simplify/quadric_policy.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -35,6 +35,7 @@ float squared_length(const Surface& surface, Halfedge h) {
   return glm::dot(edge, edge);
 }
 
+/// Cost: the squared length of the edge.
 class LengthPolicy : public PlacedPolicy {
  public:
   using PlacedPolicy::PlacedPolicy;
@@ -45,6 +46,8 @@ class LengthPolicy : public PlacedPolicy {
   }
 };
 
+/// Cost: a pseudorandom number in [0, 1) from the seed and both ends. All orders are equally
+/// likely.
 class RandomPolicy : public PlacedPolicy {
  public:
   RandomPolicy(Placement placement, std::uint64_t seed) : PlacedPolicy(placement), seed_(seed) {}
@@ -70,6 +73,10 @@ class RandomPolicy : public PlacedPolicy {
   std::uint64_t seed_;
 };
 
+/// Cost: deviation of the new faces from equilateral. Each face contributes the sum of its squared
+/// sides minus 4 sqrt(3) times its area, which is zero for an equilateral triangle (I.
+/// Weitzenboeck, 1919). The squared length of the edge is added, so that among equal shapes the
+/// smallest goes first.
 class ShapePolicy : public PlacedPolicy {
  public:
   using PlacedPolicy::PlacedPolicy;
@@ -122,6 +129,9 @@ struct FullQuadric {
   }
 };
 
+/// Quadrics of the input's planes, weighted by area and summed along all collapses (M. Garland, P.
+/// Heckbert, "Surface simplification using quadric error metrics", 1997). In double precision,
+/// relative to the first vertex. 104 bytes per vertex.
 class AccumulatedPolicy : public CollapsePolicy {
  public:
   AccumulatedPolicy(Placement placement, const Surface& surface)
@@ -211,21 +221,22 @@ class AccumulatedPolicy : public CollapsePolicy {
 
 }  // namespace
 
-std::unique_ptr<CollapsePolicy> make_accumulated_policy(Placement placement,
-                                                        const Surface& surface) {
-  return std::make_unique<AccumulatedPolicy>(placement, surface);
-}
-
-std::unique_ptr<CollapsePolicy> make_length_policy(Placement placement) {
-  return std::make_unique<LengthPolicy>(placement);
-}
-
-std::unique_ptr<CollapsePolicy> make_shape_policy(Placement placement) {
-  return std::make_unique<ShapePolicy>(placement);
-}
-
-std::unique_ptr<CollapsePolicy> make_random_policy(Placement placement, std::uint64_t seed) {
-  return std::make_unique<RandomPolicy>(placement, seed);
+std::unique_ptr<CollapsePolicy> make_policy(const SimplifyOptions& options,
+                                            const Surface& surface) {
+  const Placement placement = options.placement;
+  switch (options.cost) {
+    case CostPolicy::accumulated_quadric:
+      return std::make_unique<AccumulatedPolicy>(placement, surface);
+    case CostPolicy::edge_length:
+      return std::make_unique<LengthPolicy>(placement);
+    case CostPolicy::shape:
+      return std::make_unique<ShapePolicy>(placement);
+    case CostPolicy::random:
+      return std::make_unique<RandomPolicy>(placement, options.seed);
+    case CostPolicy::quadric:
+      break;
+  }
+  return std::make_unique<QuadricPolicy>(placement);
 }
 
 }  // namespace mesher
