@@ -230,14 +230,13 @@ class Surface {
     return {from.quadric, to.quadric, shared, to.position - from.position};
   }
   /// Returns the states of both ends of eight edges.
-  std::pair<StateLanes<Float8>, StateLanes<Float8>> ends(
-      const std::array<Halfedge, 8>& edges) const {
+  auto ends(const std::array<Halfedge, 8>& edges) const {
     std::array<Vertex, 8> from, to;
     for (std::size_t lane = 0; lane < 8; ++lane) {
       from[lane] = mesh_.origin(edges[lane]);
       to[lane] = mesh_.target(edges[lane]);
     }
-    return {states(from), states(to)};
+    return std::pair{states(from), states(to)};
   }
   /// Returns the quadrics of eight edges. Pre: none of them is a feature or on the boundary.
   EdgeQuadric<Float8> edge_quadrics(const std::array<Halfedge, 8>& edges) const;
