@@ -85,9 +85,9 @@ struct alignas(64) VertexState {
 
 /// Both are written whole, in parallel, before they are read.
 template <>
-inline constexpr bool kLeftAsItWas<FaceState> = true;
+inline constexpr bool kLeftUninitialized<FaceState> = true;
 template <>
-inline constexpr bool kLeftAsItWas<VertexState> = true;
+inline constexpr bool kLeftUninitialized<VertexState> = true;
 
 /// Several of them at once.
 template <class F>
