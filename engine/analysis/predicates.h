@@ -9,13 +9,12 @@ namespace mesher {
 /// Exact signs of determinants of points (J. Shewchuk, "Adaptive precision floating-point
 /// arithmetic and fast robust geometric predicates", 1997).
 ///
-/// A determinant is computed in double first, with a bound for its error. If the bound does not
-/// decide the sign, it is computed again as an expansion: an unevaluated sum of doubles that holds
-/// every bit.
+/// A determinant is computed in double first, with an error bound. If the bound does not decide the
+/// sign, it is computed again as an expansion: an unevaluated sum of doubles that holds every bit.
 ///
-/// Pre, for all: each coordinate is the value of a finite float. Then every sign is right, over
-/// the whole range of float, subnormal numbers included: all terms are multiples of 2^-447 and
-/// below 2^392 in magnitude, so that nothing overflows and no rounding error underflows in double.
+/// Pre, for all: each coordinate is the value of a finite float. Then every sign is right, over the
+/// whole range of float, subnormal numbers included: all terms are multiples of 2^-447 and below
+/// 2^392 in magnitude, so that nothing overflows and no rounding error underflows in double.
 
 namespace detail {
 
