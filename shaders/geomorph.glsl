@@ -99,11 +99,11 @@ void morph(GeomorphConstants time, uvec2 vertices, inout vec3 a, inout vec3 b) {
 // has one color. The same step each time that their number has doubled, and even steps to the eye: a
 // polynomial near viridis (S. van der Walt, N. Smith, 2015),
 // whose lightness rises evenly.
-vec3 birth_color(GeomorphConstants time, uint vertex, vec3 base) {
-  if (time.birth_scale < 0.0) return vec3(-1.0);
-  if (vertex < time.first_birth) return base;
-  const float doublings = log2(float(vertex + 1) / float(time.first_birth + 1));
-  const float t = clamp(mix(0.12, 1.0, doublings * time.birth_scale), 0.0, 1.0);
+vec3 split_order_color(GeomorphConstants time, uint vertex, vec3 base) {
+  if (time.split_order_scale < 0.0) return vec3(-1.0);
+  if (vertex < time.first_split_vertex) return base;
+  const float doublings = log2(float(vertex + 1) / float(time.first_split_vertex + 1));
+  const float t = clamp(mix(0.12, 1.0, doublings * time.split_order_scale), 0.0, 1.0);
   const vec3 c0 = vec3(0.2777273272, 0.0054073445, 0.3340998053);
   const vec3 c1 = vec3(0.1050930431, 1.4046135299, 1.3845901627);
   const vec3 c2 = vec3(-0.3308618287, 0.2148475595, 0.0950951630);

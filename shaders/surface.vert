@@ -96,7 +96,7 @@ void main() {
 #else
   morph(geomorph(), vertex, position);  // normals of corners stay
 #endif
-  out_tint = birth_color(geomorph(), vertex, decode_color(constants.front));
+  out_tint = split_order_color(geomorph(), vertex, decode_color(constants.front));
 #endif
 #ifdef PULLED
   out_barycentric = barycentric(gl_VertexIndex);

@@ -119,7 +119,7 @@ void reduce(LoadedLevels& opened, const DetailArguments& detail, const CommonOpt
 DetailMoment detail_moment(double lod, std::uint32_t base_vertices, std::uint32_t splits) {
   const DetailRange range{.base_vertices = double(base_vertices),
                           .splits = splits,
-                          .window = ProgressiveSettings{}.window};
+                          .geomorph_range = ProgressiveSettings{}.geomorph_range};
   const double time = lod * range.end();
   return {.time = time,
           .window = range.growing(time),

@@ -70,10 +70,11 @@ void ProgressiveView::turn(bool on) {
 
 DetailRange ProgressiveView::range() const {
   const bool morphs = settings_.geomorphs && has_geomorph_;
-  return {
-      .base_vertices = std::max(1.0, double(mesh().base_vertex_count())),
-      .splits = mesh().split_count(),
-      .window = morphs ? std::clamp(double(settings_.window), 0.0, DetailRange::kMostWindow) : 0.0};
+  return {.base_vertices = std::max(1.0, double(mesh().base_vertex_count())),
+          .splits = mesh().split_count(),
+          .geomorph_range = morphs ? std::clamp(double(settings_.geomorph_range), 0.0,
+                                                DetailRange::kMaxGeomorphRange)
+                                   : 0.0};
 }
 
 void ProgressiveView::set_time(double time) {

@@ -17,13 +17,13 @@ namespace mesher::app {
 
 /// How progressive meshes are shown and built.
 struct ProgressiveSettings {
-  std::uint32_t base_faces = 0;  ///< of the base; 0: chosen by size and error (choose_base)
-  bool geomorphs = true;         ///< vertices move to their new positions; otherwise they jump
-  float window = 0.125F;         ///< geomorph range, see DetailRange
-  bool colors_births = false;    ///< faces are colored by split order
-  float seconds = 6.0F;          ///< duration of playing from one end to the other
-  bool is_automatic = false;     ///< the level follows from the screen-space error
-  float tolerance_px = 1.0F;     ///< the largest screen-space error of the automatic level
+  std::uint32_t base_faces = 0;   ///< of the base; 0: chosen by size and error (choose_base)
+  bool geomorphs = true;          ///< vertices move to their new positions; otherwise they jump
+  float geomorph_range = 0.125F;  ///< share of the vertices, see DetailRange
+  bool colors_by_split_order = false;  ///< faces are colored by split order
+  float seconds = 6.0F;                ///< duration of playing from one end to the other
+  bool is_automatic = false;           ///< the level follows from the screen-space error
+  float tolerance_px = 1.0F;           ///< the largest screen-space error of the automatic level
 
   friend bool operator==(const ProgressiveSettings&, const ProgressiveSettings&) = default;
 };
@@ -44,13 +44,13 @@ inline constexpr std::array kProgressiveOptions{
         .key = "geomorph-range",
         .label = "range",
         .help = "number of splits that are animated at a time, as a share of the vertices",
-        .member = &ProgressiveSettings::window,
+        .member = &ProgressiveSettings::geomorph_range,
         .least = 0.001,
-        .most = DetailRange::kMostWindow},
+        .most = DetailRange::kMaxGeomorphRange},
     Option<ProgressiveSettings>{.key = "split-colors",
                                 .label = "split order",
                                 .help = "color faces by split order, from violet (first) to yellow",
-                                .member = &ProgressiveSettings::colors_births},
+                                .member = &ProgressiveSettings::colors_by_split_order},
     Option<ProgressiveSettings>{.key = "seconds",
                                 .label = "duration",
                                 .help = "duration of playing from one end to the other",

@@ -51,8 +51,8 @@ render::Settings shown_settings(const Session& session) {
   const ProgressiveView& view = session.progressive;
   if (!view.is_on()) return settings;
   settings.geomorph = view.growth();
-  settings.colors_births = view.settings().colors_births;
-  settings.first_birth = view.mesh().base_vertex_count();
+  settings.colors_by_split_order = view.settings().colors_by_split_order;
+  settings.first_split_vertex = view.mesh().base_vertex_count();
   return settings;
 }
 

@@ -151,7 +151,7 @@ void toggle_automatic(Session& session) {
 }
 
 void toggle_split_colors(Session& session) {
-  toggle_setting(session, &ProgressiveSettings::colors_births, "colors by split order");
+  toggle_setting(session, &ProgressiveSettings::colors_by_split_order, "colors by split order");
 }
 
 void toggle_info(Session& session) {

@@ -65,7 +65,7 @@ constexpr Command kCommands[] = {
      need_progressive},
     {"toggle_automatic", "a", Group::progressive, "level by screen-space error", toggle_automatic,
      need_progressive},
-    {"toggle_births", "shift+b", Group::progressive, "color faces by split order",
+    {"toggle_split_order_colors", "shift+b", Group::progressive, "color faces by split order",
      toggle_split_colors, need_progressive},
     {"keep_level", "k", Group::progressive, "use this level as the model", request_keep_level,
      need_progressive},

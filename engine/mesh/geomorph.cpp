@@ -25,16 +25,16 @@ void for_each_growing(std::uint32_t head, std::span<const SplitMorph> splits,
 
 }  // namespace
 
-GeomorphTime GeomorphTime::continuous(double time, double window) {
-  MESHER_ASSERT(time >= 0.0 && window > 0.0);
-  // Beyond this number nothing grows, and up to it differences from split numbers are exact.
+GeomorphTime GeomorphTime::continuous(double time, double range) {
+  MESHER_ASSERT(time >= 0.0 && range > 0.0);
+  // At this time every split is complete, and differences from split numbers are still exact.
   constexpr double kMost = 2147483647.0;
   const double whole = std::floor(std::min(time, kMost));
-  const double first = std::max(0.0, std::floor(std::min(time - window, kMost)));
+  const double first = std::max(0.0, std::floor(std::min(time - range, kMost)));
   return {.first_growing = static_cast<std::uint32_t>(first),
           .whole = static_cast<std::int32_t>(whole),
           .fraction = static_cast<float>(std::min(time, kMost) - whole),
-          .rate = static_cast<float>(1.0 / window),
+          .rate = static_cast<float>(1.0 / range),
           .fixed = 0.0F};
 }
 

@@ -37,10 +37,10 @@ struct GeomorphTime {
   float rate = 0.0F;
   float fixed = 1.0F;
 
-  /// Returns the state at a continuous time: split i grows while `time` goes from i to i + window.
-  /// Draw level min(splits, ceil(time)). At time = splits + window all splits are complete. Pre:
-  /// time >= 0, window > 0.
-  static GeomorphTime continuous(double time, double window);
+  /// Returns the state at a continuous time: split i grows while `time` goes from i to i + range.
+  /// Draw level min(splits, ceil(time)). At time = splits + range all splits are complete. Pre:
+  /// time >= 0, range > 0.
+  static GeomorphTime continuous(double time, double range);
   /// Returns a state between two levels: all splits from `coarse` on have the state `alpha`.
   static GeomorphTime between(std::uint32_t coarse, float alpha);
   /// Returns the state with all splits complete: the mesh as it is.

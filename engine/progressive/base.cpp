@@ -5,7 +5,7 @@
 namespace mesher {
 namespace {
 
-// Three octaves to refine, where the error allows it; two where it does not.
+// Three octaves to refine if the error allows it, otherwise two.
 constexpr std::uint32_t kMostOfModel = 8;
 constexpr std::uint32_t kAlwaysOfModel = 4;
 

@@ -6,15 +6,15 @@
 
 namespace mesher {
 
-/// Faces of the base of a progressive mesh, unless the model is small or suffers.
+/// Default number of faces of a progressive mesh's base; smaller models and large errors change it.
 inline constexpr std::uint32_t kUsualBaseFaces = 200;
 
-/// Sets how far `options` simplify a model of so many faces and that diagonal (model units) for the
-/// base of a progressive mesh. The base has kUsualBaseFaces, but at most an eighth of the model, so
-/// that there is something to refine. It stops earlier where the estimated error would pass
-/// kFarFromInput of the diagonal, though not before a quarter of the model is reached: a cube has
-/// nothing to refine otherwise. Where the faces cannot be collapsed that far, the base is as coarse
-/// as it gets. O(1).
+/// Sets how far `options` simplify a model for the base of a progressive mesh. `diagonal`: of the
+/// model's bounding box, in model units. The base gets kUsualBaseFaces, but at most an eighth of
+/// the model's faces, so that something is left to refine. Simplification stops earlier if the
+/// estimated error would exceed kFarFromInput of the diagonal, but not before a quarter of the
+/// faces is reached; otherwise a cube would have nothing to refine. If no legal collapse leads that
+/// far, the base is as coarse as possible. O(1).
 void choose_base(SimplifyOptions& options, std::uint32_t faces, double diagonal);
 
 }  // namespace mesher

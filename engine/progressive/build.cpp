@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kGrain = 1U << 13;
 constexpr std::uint32_t kStepsBetweenReports = 1U << 16;
 
-/// By rank, the highest first, the last before the first of the same rank: the order of the splits.
+/// Sorts by rank, highest first, and reverses equal ranks: the order of the splits.
 Array<CollapseRecord> sorted_by_rank(std::span<const CollapseRecord> collapses) {
   Array<std::uint32_t> start(std::size_t{CollapseRecord::kRanks} + 1);
   std::fill(start.begin(), start.end(), 0U);
@@ -30,7 +30,7 @@ Array<CollapseRecord> sorted_by_rank(std::span<const CollapseRecord> collapses) 
   return sorted;
 }
 
-/// Calls work(i, range) for pieces of [0, counts[i]), in any order, several at a time.
+/// Calls work(i, range) for pieces of [0, counts[i]), in any order, several at once.
 template <class Work>
 void in_pieces(std::initializer_list<std::size_t> counts, const Work& work) {
   struct Piece {
@@ -39,7 +39,7 @@ void in_pieces(std::initializer_list<std::size_t> counts, const Work& work) {
   };
   std::vector<Piece> pieces;
   std::size_t i = counts.size();
-  // The last work first: it is what cannot be cut.
+  // The last work comes first, because it cannot be split.
   for (const std::size_t* count = counts.end(); count != counts.begin();) {
     --count;
     --i;
@@ -52,7 +52,7 @@ void in_pieces(std::initializer_list<std::size_t> counts, const Work& work) {
   });
 }
 
-/// The half-edge of h's face that is `steps` corners after it. Pre: steps < 3.
+/// Returns the half-edge `steps` corners after h in its face. Pre: steps < 3.
 Halfedge turned(Halfedge h, std::uint32_t steps) {
   const std::uint32_t corner = Mesh::corner(h) + steps;
   return Halfedge(h.index() + steps - (corner >= 3 ? 3 : 0));
@@ -60,7 +60,7 @@ Halfedge turned(Halfedge h, std::uint32_t steps) {
 
 }  // namespace
 
-/// The stages of build_progressive, in order, over the data they share.
+/// The stages of build_progressive, in order, with the data they share.
 class ProgressiveBuilder {
  public:
   ProgressiveBuilder(const Mesh& full, std::span<const CollapseRecord> collapses,
@@ -73,7 +73,7 @@ class ProgressiveBuilder {
       if (work == 0) number_faces();
       if (work == 1) number_vertices();
     });
-    place_parts();
+    renumber_parts();
     fill_arrays();
     fill_sharpness();
     go_down();
@@ -85,28 +85,29 @@ class ProgressiveBuilder {
  private:
   std::uint32_t split_count() const { return static_cast<std::uint32_t>(collapses_.size()); }
 
-  /// Survivors first, in the input's order, then the removed ones as splits bring them back.
+  /// Survivors come first, in the input's order, then the removed vertices in the order of the
+  /// splits.
   void number_vertices() {
     const std::uint32_t vertices = full_.vertex_count();
     const std::uint32_t base = vertices - split_count();
     result_.mesh.base_vertices_ = base;
-    place_.resize(vertices);
+    new_vertex_.resize(vertices);
     result_.vertex_source.resize(vertices);
-    std::fill(place_.begin(), place_.end(), Vertex{});
+    std::fill(new_vertex_.begin(), new_vertex_.end(), Vertex{});
     for (std::uint32_t i = 0; i < split_count(); ++i) {
       const Vertex removed = collapses_[i].removed;
-      place_[removed.index()] = Vertex(base + i);
+      new_vertex_[removed.index()] = Vertex(base + i);
       result_.vertex_source[base + i] = removed;
     }
     std::uint32_t next = 0;
     for (std::uint32_t v = 0; v < vertices; ++v) {
-      if (place_[v].is_valid()) continue;
-      place_[v] = Vertex(next);
+      if (new_vertex_[v].is_valid()) continue;
+      new_vertex_[v] = Vertex(next);
       result_.vertex_source[next++] = Vertex(v);
     }
   }
 
-  /// Where the faces of each piece of the splits begin: after those of the base.
+  /// Finds where the faces of each chunk of splits begin, after those of the base.
   void number_faces() {
     const std::uint32_t faces = full_.face_count();
     std::uint32_t removed = 0;
@@ -122,49 +123,50 @@ class ProgressiveBuilder {
     result_.mesh.splits_.resize(split_count());
   }
 
-  /// Vertices and faces that splits bring, some at a time, then the faces of the base.
-  void place_parts() {
+  /// Renumbers the vertices and faces that splits add, in parallel, then the faces of the base.
+  void renumber_parts() {
     const std::uint32_t vertices = full_.vertex_count();
     const std::uint32_t faces = full_.face_count();
     arrays_.position.resize(vertices);
     if (!full_.vertex_sharpnesses().empty()) arrays_.vertex_sharpness.resize(vertices);
-    face_place_.assign(faces, Halfedge{});
+    new_first_corner_.assign(faces, Halfedge{});
     result_.face_source.resize(faces);
     in_pieces({split_count(), vertices}, [&](std::size_t work, IndexRange range) {
-      if (work == 0) place_split_faces(range);
+      if (work == 0) renumber_split_faces(range);
       if (work == 1) fill_vertices(range);
     });
     std::uint32_t next = 0;
     for (std::uint32_t f = 0; f < faces; ++f) {
-      if (!face_place_[f].is_valid()) place_face(Halfedge(3 * f), next++);
+      if (!new_first_corner_[f].is_valid()) renumber_face(Halfedge(3 * f), next++);
     }
   }
 
-  void place_split_faces(IndexRange splits) {
+  void renumber_split_faces(IndexRange splits) {
     std::uint32_t next = first_faces_[splits.begin / kGrain];
     for (std::size_t i = splits.begin; i < splits.end; ++i) {
       const CollapseRecord& c = collapses_[i];
       result_.mesh.splits_[i].first_face = next;
-      place_face(c.halfedge, next++);
-      if (c.twin.is_valid()) place_face(c.twin, next++);
+      renumber_face(c.halfedge, next++);
+      if (c.twin.is_valid()) renumber_face(c.twin, next++);
     }
   }
 
-  /// The face of `first` becomes `f`, with that half-edge as its first.
-  void place_face(Halfedge first, std::uint32_t f) {
+  /// The face of `first` becomes `f`, with `first` as its first half-edge.
+  void renumber_face(Halfedge first, std::uint32_t f) {
     const std::uint32_t corner = Mesh::corner(first);
-    face_place_[Mesh::face(first).index()] = turned(Halfedge(3 * f), corner == 0 ? 0 : 3 - corner);
+    new_first_corner_[Mesh::face(first).index()] =
+        turned(Halfedge(3 * f), corner == 0 ? 0 : 3 - corner);
     result_.face_source[f] = first;
   }
 
-  Halfedge placed(Halfedge h) const {
-    return h.is_valid() ? turned(face_place_[Mesh::face(h).index()], Mesh::corner(h)) : h;
+  Halfedge renumbered(Halfedge h) const {
+    return h.is_valid() ? turned(new_first_corner_[Mesh::face(h).index()], Mesh::corner(h)) : h;
   }
 
   void fill_vertices(IndexRange vertices) {
     const bool has_own = !arrays_.vertex_sharpness.empty();
     for (auto v = static_cast<std::uint32_t>(vertices.begin); v < vertices.end; ++v) {
-      const std::uint32_t to = place_[v].index();
+      const std::uint32_t to = new_vertex_[v].index();
       arrays_.position[to] = full_.position(Vertex(v));
       if (has_own) arrays_.vertex_sharpness[to] = full_.sharpness(Vertex(v));
     }
@@ -181,20 +183,20 @@ class ProgressiveBuilder {
     fill_outgoing();
   }
 
-  /// In the order of the input, whose neighbours lie near each other: what is read is at hand, and
-  /// no one waits for what is written far away.
+  /// In input order, whose neighbors are close in memory: the reads hit the cache, and the
+  /// scattered writes stall nothing.
   void fill_twins(IndexRange faces) {
     for (auto f = static_cast<std::uint32_t>(faces.begin); f < faces.end; ++f) {
-      Halfedge to = face_place_[f];
+      Halfedge to = new_first_corner_[f];
       for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
-        arrays_.twin[to.index()] = placed(full_.twin(Halfedge(h)));
+        arrays_.twin[to.index()] = renumbered(full_.twin(Halfedge(h)));
         to = Mesh::next(to);
       }
     }
   }
 
-  /// Of the full mesh, by the numbers of the input: the lowest half-edge out of each vertex among
-  /// some, and those that begin a fan at a boundary.
+  /// By vertex of the full mesh, numbered as in the input: the lowest half-edge out of it among a
+  /// range of half-edges. Also the half-edges of the range that begin a fan at a boundary.
   struct Outgoing {
     Array<Halfedge> lowest;
     std::vector<Halfedge> starts;
@@ -204,29 +206,30 @@ class ProgressiveBuilder {
       for (auto i = static_cast<std::uint32_t>(halfedges.begin); i < halfedges.end; ++i) {
         const Halfedge h(i);
         Halfedge& its = lowest[b.full_.origin(h).index()];
-        its = std::min(its, b.placed(h));  // none is the highest of all
+        its = std::min(its, b.renumbered(h));  // an invalid half-edge has the highest index
         if (b.full_.is_boundary(h)) starts.push_back(h);
       }
     }
   };
 
-  /// P3 at full detail, and where fans start at a boundary.
+  /// P3 at full detail; at a boundary, the half-edge where the fan begins.
   void fill_outgoing() {
     arrays_.outgoing.resize(full_.vertex_count());
     for (std::uint32_t v = 0; v < full_.vertex_count(); ++v) {
-      arrays_.outgoing[place_[v].index()] = std::min(lower_half_.lowest[v], upper_half_.lowest[v]);
+      arrays_.outgoing[new_vertex_[v].index()] =
+          std::min(lower_half_.lowest[v], upper_half_.lowest[v]);
     }
     for (const Outgoing* half : {&lower_half_, &upper_half_}) {
       for (const Halfedge h : half->starts)
-        arrays_.outgoing[place_[full_.origin(h).index()].index()] = placed(h);
+        arrays_.outgoing[new_vertex_[full_.origin(h).index()].index()] = renumbered(h);
     }
   }
 
-  /// What positions splits lead from and to; those of the base are left in the array.
+  /// Records the positions before and after each split; those of the base remain in the array.
   void note_positions() {
     for (std::uint32_t i = split_count(); i-- > 0;) {
       VertexSplit& split = result_.mesh.splits_[i];
-      split.parent = place_[collapses_[i].kept.index()];
+      split.parent = new_vertex_[collapses_[i].kept.index()];
       glm::vec3& at_parent = arrays_.position[split.parent.index()];
       split.child_position = arrays_.position[result_.mesh.child(i).index()];
       split.fine_position = at_parent;
@@ -241,15 +244,15 @@ class ProgressiveBuilder {
     } else {
       arrays_.sharpness.resize(sharpness.size());
       for (std::uint32_t h = 0; h < full_.halfedge_count(); ++h)
-        arrays_.sharpness[placed(Halfedge(h)).index()] = sharpness[h];
+        arrays_.sharpness[renumbered(Halfedge(h)).index()] = sharpness[h];
       result_.mesh.sharpness_.resize(split_count());
       result_.mesh.has_sharp_base_ = true;
     }
     if (!arrays_.vertex_sharpness.empty()) result_.mesh.corner_sharpness_.resize(split_count());
   }
 
-  /// Collapses the last split first, and notes what it takes to undo that. Origins are left out:
-  /// they are needed at the base only.
+  /// Undoes the splits from the last to the first and records what is needed to redo them. Origins
+  /// are not maintained, because only the base needs them.
   void go_down() {
     auto& moved = result_.mesh.moved_;
     moved.reserve(4 * std::size_t{split_count()});
@@ -289,8 +292,8 @@ class ProgressiveBuilder {
     merged_into_[result_.mesh.child(i).index()] = split.parent;
   }
 
-  /// Into what a vertex of the full mesh has been merged so far. Halves the way for the next who
-  /// asks.
+  /// Returns the vertex into which a vertex of the full mesh has been merged so far, with path
+  /// halving.
   Vertex present(Vertex v) {
     while (merged_into_[v.index()].is_valid()) {
       Vertex& next = merged_into_[v.index()];
@@ -301,7 +304,7 @@ class ProgressiveBuilder {
   }
   Vertex present_origin(std::uint32_t h) {
     const Halfedge source = turned(result_.face_source[h / 3], h % 3);
-    return present(place_[full_.origin(source).index()]);
+    return present(new_vertex_[full_.origin(source).index()]);
   }
 
   void fill_base_origins() {
@@ -310,7 +313,7 @@ class ProgressiveBuilder {
       arrays_.origin[h] = present_origin(h);
   }
 
-  /// They were gathered from the last to the first.
+  /// The moved corners were gathered from the last split to the first.
   void turn_moved_around() {
     auto& moved = result_.mesh.moved_;
     const auto count = static_cast<std::uint32_t>(moved.size());
@@ -343,14 +346,15 @@ class ProgressiveBuilder {
     BowTieFollower follower(full_);
     for (std::uint32_t i = split_count(); i-- > 0;)
       follower.merge(collapses_[i].removed, collapses_[i].kept, collapses_[i].position);
-    const auto placed = [&](Vertex v) { return place_[v.index()]; };
-    result_.mesh.full_bow_tie_copies_ = renamed(follower.before(), placed);
-    arrays_.bow_tie_copies = renamed(follower.after(), placed);
+    const auto renumbered = [&](Vertex v) { return new_vertex_[v.index()]; };
+    result_.mesh.full_bow_tie_copies_ = renamed(follower.before(), renumbered);
+    arrays_.bow_tie_copies = renamed(follower.after(), renumbered);
   }
 
   Halfedge twin(Halfedge h) const { return arrays_.twin[h.index()]; }
 
-  /// Everything of split i that its finer level shows. Corners that it moves are appended.
+  /// Records everything about split i that its finer level shows. Appends the corners that it
+  /// moves.
   void note_split(std::uint32_t i, bool is_pair) {
     VertexSplit& split = result_.mesh.splits_[i];
     const std::uint32_t e = 3 * split.first_face;
@@ -378,7 +382,7 @@ class ProgressiveBuilder {
     }
   }
 
-  /// outgoing(parent) before the split (P3, and the start of the fan at a boundary).
+  /// Returns outgoing(parent) before the split: by P3, or the begin of the fan at a boundary.
   Halfedge merged_outgoing(const VertexSplit& split, bool is_pair) const {
     const std::uint32_t e = 3 * split.first_face;
     const bool is_parent_open = !twin(split.fine_outgoing).is_valid();
@@ -386,7 +390,7 @@ class ProgressiveBuilder {
     if (!is_parent_open && !is_child_open) {
       return std::min(split.fine_outgoing, split.child_outgoing);
     }
-    // Where the fan starts with a side that vanishes, it starts with what lies beyond.
+    // If the fan begins with a side that vanishes, it begins with the half-edge beyond that side.
     const Halfedge start = is_parent_open ? split.fine_outgoing : split.child_outgoing;
     if (start == Halfedge(e + 1)) return split.beyond[1];
     if (is_pair && start == Halfedge(e + 4)) return split.beyond[3];
@@ -412,10 +416,11 @@ class ProgressiveBuilder {
   const Mesh& full_;
   Array<CollapseRecord> collapses_;  ///< in the order of the splits
   Progress* progress_;
-  Array<Vertex> place_;                     ///< of the input's vertices
-  Array<Halfedge> face_place_;              ///< where the first corner of each of its faces is
-  std::vector<std::uint32_t> first_faces_;  ///< of each kGrain splits
-  Array<Vertex> merged_into_;               ///< of the progressive mesh's vertices; none: it lives
+  Array<Vertex> new_vertex_;  ///< by the input's vertices
+  /// By the input's faces, the new half-edge of their first corner
+  Array<Halfedge> new_first_corner_;
+  std::vector<std::uint32_t> first_faces_;  ///< by chunk of kGrain splits
+  Array<Vertex> merged_into_;               ///< by the progressive mesh's vertices; none: alive
   Outgoing lower_half_;
   Outgoing upper_half_;
   MeshArrays arrays_;

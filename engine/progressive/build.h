@@ -12,25 +12,25 @@
 
 namespace mesher {
 
-/// A progressive mesh and where its parts come from.
+/// A progressive mesh and the source of each vertex and face.
 struct Progressive {
   ProgressiveMesh mesh;         ///< at its base
-  Array<Vertex> vertex_source;  ///< for each vertex of the full mesh the input's
-  /// For each face the half-edge of the input that is its first: corners may be turned, so that the
-  /// edge that opens in a split comes first.
+  Array<Vertex> vertex_source;  ///< by vertex of the full mesh, the input's vertex
+  /// By face, the half-edge of the input that became its first half-edge. Corners may be rotated,
+  /// so that the edge that opens in a split comes first.
   Array<Halfedge> face_source;
-  SimplifyReport report;  ///< of the simplification that led to the base
+  SimplifyReport report;  ///< of the simplification to the base
 };
 
-/// Turns the collapses that `simplify` told of a mesh around into splits. They are sorted by rank
-/// first, so that each level is about what simplification to its size would give. At full detail
-/// the arrays are the input's bit for bit, ids mapped. O(F + collapses). Throws Cancelled. Pre:
-/// `collapses` were recorded on `full` and end at the base.
+/// Turns the collapses recorded by `simplify` into splits. Sorts them by rank first, so that each
+/// level is close to what simplification to its size would yield. At full detail the arrays equal
+/// the input's bit for bit, with mapped ids. O(F + collapses). Throws Cancelled. Pre: `collapses`
+/// were recorded on `full` and end at the base.
 Progressive build_progressive(const Mesh& full, std::span<const CollapseRecord> collapses,
                               Progress* progress = nullptr);
 
-/// Simplifies a copy of the mesh as `options` say (whose observer is not told) and makes a
-/// progressive mesh of what happened. Throws Cancelled. Pre: the mesh is valid.
+/// Simplifies a copy of the mesh by `options` and makes a progressive mesh of the collapses. Does
+/// not notify the observer of `options`. Throws Cancelled. Pre: the mesh is valid.
 Progressive make_progressive(const Mesh& full, const SimplifyOptions& options);
 
 }  // namespace mesher

@@ -9,8 +9,8 @@
 
 namespace mesher {
 
-/// Which edges at the parent open. Going around, each slot is told to be one of the two or not:
-/// short edges open more often than long ones, and neighbours seldom both.
+/// Models which edges at the parent open. Going around, it codes one bit per slot: cut or not.
+/// Short edges open more often than long ones, and the two cuts are seldom adjacent.
 class CutModel {
  public:
   template <class Coder>
@@ -27,15 +27,15 @@ class CutModel {
   }
 
  private:
-  static constexpr std::uint32_t kFewSlots = 16;  ///< more are not learned
+  static constexpr std::uint32_t kFewSlots = 16;  ///< rings of more slots are not modeled
   static constexpr std::uint32_t kLengths = 7;
 
-  /// Sorts the edges into classes by the squares of their lengths.
+  /// Classifies the edges by squared length.
   void measure(const SplitRing& ring) {
     double sum = 0.0;
     const std::uint32_t slots = ring.slots();
     for (std::uint32_t i = 0; i < slots; ++i) {
-      square_[i] = dot(ring.place(i), ring.place(i));
+      square_[i] = dot(ring.offset(i), ring.offset(i));
       sum += square_[i];
     }
     const double mean = sum / slots;
@@ -68,12 +68,12 @@ class CutModel {
 
   static constexpr std::uint32_t kFarthest = 10;
 
-  std::array<double, kFewSlots> square_{};         ///< of the ring at hand, used again
-  std::array<std::uint32_t, kFewSlots> length_{};  ///< the same
-  BitModel is_pair_;
-  BitModel first_[kFewSlots + 1][kLengths];
-  BitModel second_[kFewSlots + 1][kFarthest + 1][kLengths];
-  BitModel is_turned_[6];
+  std::array<double, kFewSlots> square_{};         ///< squared lengths of the current ring
+  std::array<std::uint32_t, kFewSlots> length_{};  ///< length classes of the current ring
+  AdaptiveBitModel is_pair_;
+  AdaptiveBitModel first_[kFewSlots + 1][kLengths];
+  AdaptiveBitModel second_[kFewSlots + 1][kFarthest + 1][kLengths];
+  AdaptiveBitModel is_turned_[6];
 };
 
 }  // namespace mesher

@@ -6,12 +6,12 @@
 namespace mesher {
 
 double DetailRange::growing(double time) const {
-  return std::max(1.0, window * (base_vertices + time));
+  return std::max(1.0, geomorph_range * (base_vertices + time));
 }
 
-// The inverse of `grown`, which is linear on either side of where the window gets wider than 1.
+// The inverse of `grown`, which is linear on either side of where the range gets wider than 1.
 double DetailRange::time_of(double grown) const {
-  const double wide = (grown - 1.0 + window * base_vertices) / (1.0 - window);
+  const double wide = (grown - 1.0 + geomorph_range * base_vertices) / (1.0 - geomorph_range);
   return std::max({0.0, grown, wide});
 }
 
@@ -32,7 +32,7 @@ std::uint32_t DetailRange::level(double time) const {
 }
 
 GeomorphTime DetailRange::growth(double time) const {
-  if (window <= 0.0 || time >= end()) return GeomorphTime::done();
+  if (geomorph_range <= 0.0 || time >= end()) return GeomorphTime::done();
   return GeomorphTime::continuous(time, growing(time));
 }
 

@@ -18,9 +18,9 @@ namespace mesher {
 struct DetailRange {
   double base_vertices = 1.0;
   std::uint32_t splits = 0;
-  double window = 0.0;  ///< share of the vertices, 0 to kMostWindow; 0: splits pop
+  double geomorph_range = 0.0;  ///< share of the vertices, 0 to kMaxGeomorphRange; 0: splits pop
 
-  static constexpr double kMostWindow = 0.5;
+  static constexpr double kMaxGeomorphRange = 0.5;
 
   /// Everything has grown.
   double end() const { return time_of_level(splits); }

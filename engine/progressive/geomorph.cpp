@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kStepsBetweenReports = 1U << 16;
 
-/// Normals of vertices, each as long as the area that the vertex stands for.
+/// Returns vertex normals, each as long as the area that the vertex represents.
 Array<glm::vec3> area_normals(const Mesh& mesh) {
   Array<glm::vec3> normals = vertex_normals(mesh);
   Array<float> area(mesh.vertex_count());
@@ -82,7 +82,7 @@ void Geomorph::find_normals(ProgressiveMesh& mesh, Progress* progress) {
       report(progress, 1.0F - static_cast<float>(i) / static_cast<float>(all));
     }
   }
-  // The base's; from there up.
+  // Start with the base's normals and refine to the current level.
   packed.resize(mesh.base_vertex_count());
   normals_ = std::move(packed);
   normals_.resize(heads_.size());

@@ -10,36 +10,36 @@
 
 namespace mesher {
 
-/// What a geomorph of a progressive mesh needs beside its mesh. A vertex is drawn where the level's
-/// mesh has it, less what the splits that are still growing have yet to add; a child starts where
-/// its parent is drawn. So the surface is continuous in time.
+/// Data of a geomorph beside the progressive mesh. A vertex is drawn at its position in the level's
+/// mesh, minus what the growing splits have not added yet; a child starts where its parent is
+/// drawn. So the surface is continuous in time.
 ///
-/// Normals are one a vertex: at full detail those of the input; a parent's before a split is the
-/// sum of both after it, by area. So a coarse level is shaded as the part of the input that its
-/// vertices stand for, and a split changes no normals but those of parent and child, which grow
-/// with it. (Creases are not split in it.)
+/// There is one normal per vertex. At full detail it is that of the input; a parent's normal before
+/// a split is the area-weighted sum of both normals after it. So a coarse level is shaded like the
+/// part of the input that its vertices represent, and a split changes only the normals of parent
+/// and child, which are interpolated with it. (Normals are not split at creases.)
 class Geomorph {
  public:
   Geomorph() = default;
-  /// Of all splits, with normals, at the mesh's level, which stays what it is. O(F + splits).
-  /// Throws Cancelled. 40 bytes a split, 12 a vertex.
+  /// For all splits, with normals, at the mesh's current level; `mesh` ends at the level it had.
+  /// O(F + splits). Throws Cancelled. 40 bytes per split, 12 per vertex.
   explicit Geomorph(ProgressiveMesh& mesh, Progress* progress = nullptr);
 
-  /// Takes the splits that have been appended since. Normals are forgotten: those of coarse levels
-  /// follow from full detail. O(new splits).
+  /// Adds the splits that were appended since. Clears the normals, because those of coarse levels
+  /// depend on full detail. O(new splits).
   void extend(const ProgressiveMesh& mesh);
-  /// Makes normals as said above, for the splits that there are. Leaves `mesh` at its level. O(F +
-  /// splits). Throws Cancelled. Pre: nothing has been appended since `extend`.
+  /// Computes normals as described above for all current splits. Leaves `mesh` at its level. O(F +
+  /// splits). Throws Cancelled. Pre: nothing was appended since `extend`.
   void find_normals(ProgressiveMesh& mesh, Progress* progress = nullptr);
 
-  /// Brings heads and normals to the level at which `mesh` is. What differs afterwards are those of
-  /// vertices whose positions the way there has noted as changed. O(steps). Pre: nothing has been
-  /// appended since `extend`.
+  /// Updates heads and normals to the level of `mesh`. They change only for vertices whose
+  /// positions mesh().changes() lists for the same steps. O(steps). Pre: nothing was appended since
+  /// `extend`.
   void follow(const ProgressiveMesh& mesh);
 
   std::span<const SplitMorph> splits() const { return splits_; }
-  std::span<const std::uint32_t> heads() const { return heads_; }  ///< one a live vertex
-  /// One a live vertex, or empty where they are not known.
+  std::span<const std::uint32_t> heads() const { return heads_; }  ///< one per live vertex
+  /// One per live vertex; empty if unknown.
   std::span<const std::uint32_t> normals() const { return normals_; }
 
  private:
@@ -50,7 +50,7 @@ class Geomorph {
   Array<SplitMorph> splits_;
   Array<std::uint32_t> heads_;
   Array<std::uint32_t> normals_;
-  Array<std::uint32_t> top_heads_;  ///< at full detail, one a vertex
+  Array<std::uint32_t> top_heads_;  ///< at full detail, one per vertex
 };
 
 }  // namespace mesher

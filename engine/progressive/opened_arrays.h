@@ -7,12 +7,13 @@
 
 namespace mesher {
 
-/// The mesh's arrays, all resized together.
+/// The mesh's arrays, resized together.
 class OpenedArrays {
  public:
   explicit OpenedArrays(Mesh& mesh) : arrays_(MeshArrays::open(mesh)) {}
 
-  /// Throws std::bad_alloc; sizes may differ then, but nothing is lost (`shrink` to what was).
+  /// Throws std::bad_alloc; sizes may differ afterwards, but no data is lost: resize to the
+  /// previous sizes.
   void resize(std::size_t vertices, std::size_t faces) {
     arrays_.position.resize(vertices);
     arrays_.outgoing.resize(vertices);

@@ -13,7 +13,7 @@
 namespace mesher {
 namespace {
 
-/// Codes a base in one direction; arrays have their sizes before.
+/// Encodes or decodes a base. Arrays must have their final sizes before.
 template <class Coder>
 class BaseCoder {
  public:
@@ -64,8 +64,8 @@ class BaseCoder {
   static constexpr std::uint32_t kNext = 0;
   static constexpr std::uint32_t kElsewhere = 7;
 
-  /// What a corner may be told by: 0 the lowest vertex not seen, 1 to 6 a corner of the two faces
-  /// before, 7 a difference.
+  /// Vertex that a code stands for: 0 is the lowest vertex not seen yet, 1 to 6 are the corners of
+  /// the two faces before, 7 is a difference.
   std::uint32_t candidate(std::size_t h, std::uint32_t which) const {
     if (which == kNext) return next_;
     const std::size_t face = h - h % 3;
@@ -89,7 +89,8 @@ class BaseCoder {
     return result < 0 || result >= kNone ? kNone : static_cast<std::uint32_t>(result);
   }
 
-  /// For each vertex the highest below it that shares a face with it, otherwise the one before.
+  /// Returns, by vertex, the highest lower vertex that shares a face with it; if none, the one
+  /// before it.
   Array<std::uint32_t> neighbors() const {
     Array<std::uint32_t> near;
     near.assign(header_.base_vertices, kNone);
@@ -137,14 +138,15 @@ class BaseCoder {
   Coder& coder_;
   std::uint32_t next_ = 0;
   std::uint32_t last_which_ = 0;
-  BitTree<3> which_[24];
-  SignedModel difference_[3];
-  SignedModel position_[3];
+  BitTreeModel<3> which_[24];
+  SignedIntegerModel difference_[3];
+  SignedIntegerModel position_[3];
   SharpnessModel edge_;
   SharpnessModel corner_;
 };
 
-/// Whether no face uses a vertex twice and no edge is used twice in one direction; finds twins.
+/// Finds twins. Returns whether no face uses a vertex twice and no edge is used twice in one
+/// direction.
 bool find_twins(const PmHeader& header, MeshArrays& arrays) {
   for (std::size_t h = 0; h < arrays.origin.size(); h += 3) {
     const Vertex* v = &arrays.origin[h];

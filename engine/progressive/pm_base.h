@@ -11,17 +11,18 @@
 
 namespace mesher {
 
-/// A base mesh as a file has it.
+/// A base mesh as stored in a file.
 struct PmBase {
   MeshArrays arrays;       ///< positions, origins, twins, sharpness; the rest may be empty
-  Array<glm::ivec3> grid;  ///< the positions' numbers; empty where coordinates are floats
+  Array<glm::ivec3> grid;  ///< quantized positions; empty if coordinates are floats
 };
 
-/// The payload of the base. `base.grid` is what is written where the header has a grid.
+/// Returns the payload of the base. If the header has a grid, `base.grid` is written instead of
+/// positions.
 Array<std::byte> encode_base(const PmHeader& header, const PmBase& base);
 
-/// Makes a base of a payload; what is wrong with it, or empty. Everything but the invariants that
-/// `validate` checks is checked here. O(F log F).
+/// Decodes a base. Returns what is wrong, or an empty string. Checks everything except the
+/// invariants that `validate` checks. O(F log F).
 std::string_view decode_base(const PmHeader& header, std::span<const std::byte> payload,
                              PmBase& base);
 

@@ -9,7 +9,7 @@
 namespace mesher {
 namespace {
 
-// Eight bytes at a time, each with a table for how far it is from the end of the eight.
+// Processes eight bytes at a time, with one table per byte position.
 constexpr auto make_crc_tables() {
   std::array<std::array<std::uint32_t, 256>, 8> tables{};
   for (std::uint32_t i = 0; i < 256; ++i) {
@@ -28,7 +28,7 @@ constexpr auto make_crc_tables() {
 constexpr auto kCrcTables = make_crc_tables();
 static_assert(std::endian::native == std::endian::little, "eight bytes are read as one word");
 
-/// Little-endian numbers one after another.
+/// Writes little-endian numbers one after another.
 class Put {
  public:
   explicit Put(std::byte* to) : to_(to) {}
@@ -63,7 +63,7 @@ bool is_usable(const PmGrid& grid, std::uint32_t bits) {
   const double side = grid.step * static_cast<double>((std::uint32_t{1} << bits) - 1);
   if (!(grid.step > 0.0)) return false;
   return std::all_of(grid.origin.begin(), grid.origin.end(), [&](double origin) {
-    // What rounds to the highest float is one, too.
+    // Values that round to the largest float are usable, too.
     constexpr double most = std::numeric_limits<float>::max() * (1.0 + 1e-9);
     return std::abs(origin) <= most && std::abs(origin + side) <= most;
   });

@@ -14,7 +14,7 @@
 
 namespace mesher {
 
-// What docs/pm-format.md says of bytes, checksums and limits, for writer and reader.
+// Bytes, checksums and limits of docs/pm-format.md, shared by writer and reader.
 
 inline constexpr std::array<unsigned char, 8> kPmMagic{0x89, 'M', 'P', 'M', '\r', '\n', 0x1A, '\n'};
 inline constexpr std::uint32_t kPmVersion = 1;
@@ -25,21 +25,22 @@ inline constexpr unsigned kPmMostCoordinateBits = 24;
 inline constexpr std::size_t kPmHeaderBytes = 76;
 inline constexpr std::size_t kPmBlockHeaderBytes = 12;
 
-// Limits: nothing that a file announces takes memory or time out of proportion to its bytes.
+// Limits: nothing that a file announces takes memory or time out of proportion to its size.
 
 inline constexpr std::uint32_t kPmMostBlockSplits = 8192;
 inline constexpr std::uint32_t kPmMostFan = 65'535;  ///< faces at a parent
-/// The fewest bytes that announce so many splits, or so many vertices or faces of the base.
+/// Returns the minimum number of bytes that may announce this many splits.
 constexpr std::uint64_t pm_least_bytes(std::uint64_t splits) {
   return splits <= 8 ? 0 : (splits - 8 + 1) / 2;
 }
+/// Same, for this many vertices or faces of the base.
 constexpr std::uint64_t pm_least_base_bytes(std::uint64_t elements) {
   return elements <= 64 ? 1 : (elements - 64 + 3) / 4;
 }
 constexpr std::uint64_t pm_most_bytes(std::uint64_t splits) {
   return 128 * splits + 64;
 }
-/// For all splits up to the end of a block together; ids of moved corners have 32 bits.
+/// Maximum for all splits up to the end of a block together; ids of moved corners have 32 bits.
 constexpr std::uint64_t pm_most_moved(std::uint64_t splits) {
   return std::min(64 * splits + 65'536, std::uint64_t{kNone});
 }
@@ -47,7 +48,7 @@ constexpr std::uint64_t pm_most_walked(std::uint64_t splits) {
   return 4096 * splits + (std::uint64_t{1} << 20U);
 }
 
-/// Coordinates are `origin + step * number`.
+/// Quantization grid: a coordinate is `origin + step * number`.
 struct PmGrid {
   std::array<double, 3> origin{};
   double step = 0.0;
@@ -56,7 +57,7 @@ struct PmGrid {
     return {static_cast<float>(origin[0] + step * p.x), static_cast<float>(origin[1] + step * p.y),
             static_cast<float>(origin[2] + step * p.z)};
   }
-  /// The nearest numbers of `bits` bits.
+  /// Returns the nearest grid point, with `bits` bits per coordinate.
   glm::ivec3 numbers(const glm::vec3& position, unsigned bits) const;
 };
 
@@ -82,27 +83,29 @@ struct PmBlockHeader {
   std::uint32_t check = 0;
 };
 
-/// CRC-32 as in PNG and zlib; goes on from the checksum of what came before.
+/// Returns the CRC-32 of PNG and zlib. `before`: checksum of the preceding bytes, from which it
+/// continues.
 std::uint32_t pm_check(std::uint32_t before, std::span<const std::byte> bytes);
 
-/// The bytes of a header; fills in its checksum and, for this payload of the base, the other.
+/// Returns the bytes of a header. Fills in its checksum and, for this payload of the base,
+/// base_check.
 std::array<std::byte, kPmHeaderBytes> pm_bytes(PmHeader& header, std::span<const std::byte> base);
-/// What is wrong with it; empty: nothing. Pre: kPmHeaderBytes bytes.
+/// Parses a header. Returns what is wrong, or an empty string. Pre: kPmHeaderBytes bytes.
 std::string_view pm_parse(std::span<const std::byte> bytes, PmHeader& header);
 
-/// The bytes of a block's header. `check`: over its first 8 bytes and the payload.
+/// Returns the bytes of a block's header. `check` covers its first 8 bytes and the payload.
 std::array<std::byte, kPmBlockHeaderBytes> pm_bytes(const PmBlockHeader& header);
 PmBlockHeader pm_parse_block(std::span<const std::byte> bytes);
-/// Of a block whose payload is this, after one whose checksum is `before`.
+/// Returns the checksum of a block with this payload, continued from `before`.
 std::uint32_t pm_block_check(std::uint32_t before, std::uint32_t splits,
                              std::span<const std::byte> payload);
 
-/// Floats as integers in the same order: neighbours differ by 1. -0 comes just below +0.
+/// Maps floats to integers in the same order: adjacent floats differ by 1. -0 comes just below +0.
 inline std::int32_t pm_ordered(float value) {
   const auto bits = std::bit_cast<std::int32_t>(value);
   return bits ^ ((bits >> 31) & 0x7FFFFFFF);
 }
-/// Whether it is one of a finite float.
+/// Returns whether the integer maps to a finite float.
 inline bool is_finite_ordered(std::int64_t ordered) {
   return ordered >= -std::int64_t{0x7F800000} && ordered < std::int64_t{0x7F800000};
 }

@@ -24,7 +24,7 @@ std::string grouped(std::uint64_t number) {
   return text;
 }
 
-/// What comes next in the file.
+/// The part of the file expected next.
 enum class Stage { header, base, block, done, damaged };
 
 }  // namespace
@@ -32,10 +32,10 @@ enum class Stage { header, base, block, done, damaged };
 struct PmReader::State {
   std::string name;
   Stage stage = Stage::header;
-  Array<std::byte> waiting;      ///< bytes that have arrived and were not used
-  std::uint64_t used_bytes = 0;  ///< those before them
+  Array<std::byte> waiting;      ///< bytes that have arrived but were not consumed
+  std::uint64_t used_bytes = 0;  ///< number of consumed bytes before `waiting`
   PmHeader header;
-  std::uint32_t check = 0;  ///< of all so far
+  std::uint32_t check = 0;  ///< checksum of everything so far
   ProgressiveMesh mesh;
   bool has_base = false;
   std::unique_ptr<SplitCoder<RangeDecoder>> coder;
@@ -59,7 +59,7 @@ struct PmReader::State {
              grouped(header.splits) + " splits were read";
   }
 
-  /// Uses what of `bytes` is whole; returns how many that were. `used_bytes` are before them.
+  /// Consumes the complete part at the start of `bytes`; returns its size. `used_bytes` precede it.
   std::size_t take(std::span<const std::byte> bytes) {
     switch (stage) {
       case Stage::header:
@@ -103,7 +103,7 @@ struct PmReader::State {
     const auto violations = validate(first, 1);
     if (!violations.empty()) refuse(used_bytes, "the base is no mesh: " + violations.front().what);
     mesh = ProgressiveMesh(std::move(first));
-    mesh.mesh().changes().note_all();  // nobody has seen it; what follows need not be noted apart
+    mesh.mesh().changes().note_all();  // nobody has seen it, so later changes need not be recorded
     coder = std::make_unique<SplitCoder<RangeDecoder>>(header, std::move(base.grid));
     check = header.base_check;
     has_base = true;
@@ -129,7 +129,7 @@ struct PmReader::State {
     try {
       if (!append(block.splits, payload)) return 0;
     } catch (const std::bad_alloc&) {
-      // The models know splits that the mesh lacks: what follows cannot be read.
+      // The models have adapted to splits that the mesh lacks, so the rest cannot be decoded.
       end_early(used_bytes, "memory ran out");
       throw;
     }
@@ -146,8 +146,9 @@ struct PmReader::State {
     return {};
   }
 
-  /// For as many splits as the bytes that have arrived may hold (most take more), and for several
-  /// times those that there are: memory that is not written to costs nothing, moving arrays does.
+  /// Reserves memory for as many splits as the arrived bytes may hold (most splits take more
+  /// bytes), or for several times the current number: unwritten memory costs nothing, but moving
+  /// arrays does.
   void reserve(std::uint32_t count) {
     constexpr std::uint64_t usual_bytes = 4;
     constexpr std::uint64_t growth = 4;

@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint32_t kFirstBlockSplits = 64;
 constexpr std::uint32_t kLargestBlockSplits = kPmMostBlockSplits;
 
-/// Brings the mesh back to its level, whatever happens.
+/// Restores the mesh's level on scope exit, also after exceptions.
 class LevelKept {
  public:
   explicit LevelKept(ProgressiveMesh& mesh) : mesh_(mesh), level_(mesh.level()) {}
@@ -34,7 +34,7 @@ class LevelKept {
   throw OutputError("", reason);
 }
 
-/// The box of all levels. Pre: at the base.
+/// Returns the grid over the bounding box of all levels. Pre: at the base.
 PmGrid grid_of(const ProgressiveMesh& mesh, unsigned bits) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   glm::vec3 low(infinity);

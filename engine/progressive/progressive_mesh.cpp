@@ -12,11 +12,11 @@
 namespace mesher {
 namespace {
 
-// A longer way is noted as a change of everything: past about as many ranges one plain copy is
-// cheaper than many.
+// A longer way is recorded as a change of everything: beyond about this many ranges, one large copy
+// is cheaper than many small ones.
 constexpr std::uint32_t kLongWay = 4096;
 
-/// How many faces are at a vertex, and whether they close around it.
+/// Number of faces at a vertex, and whether they close around it.
 struct FanSize {
   std::uint32_t faces = 0;
   bool is_closed = false;
@@ -64,7 +64,7 @@ SplitStep ProgressiveMesh::step(std::uint32_t i) const {
           corner_sharpness_.empty() ? nullptr : &corner_sharpness_[i]};
 }
 
-/// A copy that a level does not have yet is there as the vertex that it will be split off.
+/// A copy that a level does not have yet is replaced by the ancestor from which it will be split.
 Array<BowTieCopy> ProgressiveMesh::bow_tie_copies(std::uint32_t level) const {
   return renamed(full_bow_tie_copies_, [&](Vertex v) {
     while (v.index() >= base_vertices_ + level)
@@ -131,12 +131,12 @@ void ProgressiveMesh::append(const NewSplit& split) {
 NewSplit ProgressiveMesh::next_split() const {
   const VertexSplit& s = splits_[level_];
   Array<Halfedge> memory;
-  const Spokes spokes(gather_fan(mesh_, s.parent, memory));
+  const ParentSlots slots(gather_fan(mesh_, s.parent, memory));
   NewSplit split{.parent = s.parent,
-                 .cut = {.left = spokes.slot_of(s.beyond[1])},
+                 .cut = {.left = slots.slot_of(s.beyond[1])},
                  .parent_position = s.fine_position,
                  .child_position = s.child_position};
-  if (face_count(level_ + 1) - s.first_face == 2) split.cut.right = spokes.slot_of(s.beyond[3]);
+  if (face_count(level_ + 1) - s.first_face == 2) split.cut.right = slots.slot_of(s.beyond[3]);
   if (!sharpness_.empty()) split.sharpness = sharpness_[level_];
   if (!corner_sharpness_.empty()) {
     split.parent_corner_sharpness = corner_sharpness_[level_].fine_parent;

@@ -11,36 +11,35 @@ namespace mesher {
 
 struct SplitStep;
 
-/// A mesh in every level of detail from a coarse base to the full model: a base mesh and the vertex
-/// splits that refine it, with a cursor that goes up and down (H. Hoppe, "Efficient implementation
-/// of progressive meshes", 1998). Level i is the base after the first i splits.
+/// A mesh at every level of detail from a coarse base to the full model: a base mesh, the vertex
+/// splits that refine it, and a current level that can move both ways (H. Hoppe, "Efficient
+/// implementation of progressive meshes", 1998). Level i is the base after the first i splits.
 ///
-/// Vertices and faces are numbered in the order in which they appear, so that every level is a
-/// prefix of the full arrays, and a split writes nothing but the corners around it. At each level
-/// `mesh()` is a valid Mesh: its arrays are those that the GPU draws from.
+/// Vertices and faces are numbered in order of appearance, so every level is a prefix of the full
+/// arrays, and a split writes only the corners around it. At each level `mesh()` is a valid Mesh;
+/// the GPU draws directly from its arrays.
 ///
-/// Invariants beside those of Mesh:
+/// Invariants besides those of Mesh:
 ///  P1. Level i has base_vertex_count() + i vertices and face_count(i) faces.
-///  P2. A level's arrays do not depend on the way to it.
-///  P3. outgoing(v) of a vertex inside the surface is the lowest half-edge out of it.
-///  P4. moved(i) are the corners of faces of level i at the parent of split i that are its child's
-///      in level i + 1: first those that follow left -> child counter-clockwise, then, where they
-///      end at a boundary, those that precede child -> right clockwise.
+///  P2. A level's arrays do not depend on the path to it.
+///  P3. outgoing(v) of an interior vertex is its lowest outgoing half-edge.
+///  P4. moved(i) are the corners of faces of level i at the parent of split i that belong to its
+///      child in level i + 1: first those that follow left -> child counter-clockwise; then, if
+///      these end at a boundary, those that precede child -> right clockwise.
 ///
-/// The copies of bow-tie vertices are listed at every level. A split that is appended may move one,
-/// so a mesh that is put together of a base and splits (as one from a file is) lists none.
+/// The copies of bow-tie vertices are listed at every level. An appended split may move one, so a
+/// mesh assembled from a base and splits (such as one from a file) lists none.
 ///
-/// Beside the mesh it takes 76 bytes a split and 4 for each moved corner (3 to 4 a split).
+/// Memory beside the mesh: 76 bytes per split and 4 per moved corner (3 to 4 corners per split).
 class ProgressiveMesh {
  public:
   ProgressiveMesh() = default;
-  /// A base without splits. Gives its vertices the outgoing half-edges of P3. O(F).
+  /// A base without splits. Sets the outgoing half-edges of its vertices by P3. O(F).
   explicit ProgressiveMesh(Mesh&& base);
 
-  /// At the current level.
+  /// Returns the mesh at the current level.
   const Mesh& mesh() const { return mesh_; }
-  /// To clear its changes, or to take it away. Whoever changes anything else ends what is said
-  /// here.
+  /// For clearing its changes or moving it out. Any other change breaks the invariants above.
   Mesh& mesh() { return mesh_; }
   std::uint32_t level() const { return level_; }
   std::uint32_t split_count() const { return static_cast<std::uint32_t>(splits_.size()); }
@@ -50,43 +49,44 @@ class ProgressiveMesh {
     return level < split_count() ? splits_[level].first_face : full_faces_;
   }
   std::uint32_t full_face_count() const { return full_faces_; }
-  /// The highest level of at most `faces` faces, or the base. O(log splits).
+  /// Returns the highest level of at most `faces` faces; the base if there is none. O(log splits).
   std::uint32_t level_for_faces(std::uint32_t faces) const;
 
-  /// Steps up or down, split by split. Notes what it touches in mesh().changes(); a long way counts
-  /// as a change of everything. O(steps). Pre: level <= split_count().
+  /// Moves to a level, split by split. Records what it writes in mesh().changes(); a long way
+  /// counts as a change of everything. O(steps). Pre: level <= split_count().
   void go_to(std::uint32_t level);
 
   std::span<const VertexSplit> splits() const { return splits_; }
   Vertex child(std::uint32_t split) const { return Vertex(base_vertices_ + split); }
-  /// See P4.
+  /// Returns the moved corners of a split, see P4.
   std::span<const Halfedge> moved(std::uint32_t split) const {
     const std::uint32_t begin = splits_[split].first_moved;
     const bool is_last = split + 1 == split_count();
     return std::span(moved_).subspan(
         begin, (is_last ? moved_.size() : splits_[split + 1].first_moved) - begin);
   }
-  /// Empty where no edge of any level is sharp; otherwise one a split.
+  /// One per split; empty if no edge of any level is sharp.
   std::span<const SplitSharpness> sharpnesses() const { return sharpness_; }
-  /// The same for the sharpness of vertices.
+  /// One per split; empty if vertices have no sharpness of their own.
   std::span<const SplitCornerSharpness> corner_sharpnesses() const { return corner_sharpness_; }
 
-  /// Whether a split may be appended with this cut: slots exist, differ, and there are ids left.
-  /// Any such split of a valid mesh gives a valid mesh. O(faces at the parent). Pre: level() ==
-  /// split_count().
+  /// Returns whether a split with this cut may be appended: its slots exist and differ, and there
+  /// are ids left. Any such split of a valid mesh yields a valid mesh. O(faces at the parent). Pre:
+  /// level() == split_count().
   bool can_append(Vertex parent, const SplitCut& cut) const;
-  /// Makes room for so many splits in all, so that arrays need not move as they are appended.
-  /// Throws std::bad_alloc.
+  /// Reserves memory for this many splits in total, so that appending does not move arrays. Throws
+  /// std::bad_alloc.
   void reserve(std::uint32_t splits);
-  /// For how many splits there is room.
+  /// Returns the number of splits for which memory is reserved.
   std::size_t split_capacity() const { return splits_.capacity(); }
-  /// Adds a split after the last and goes up to it. O(faces at the parent). Throws std::bad_alloc.
-  /// Pre: can_append; level() == split_count(); positions are finite.
+  /// Appends a split and moves to it. O(faces at the parent). Throws std::bad_alloc. Pre:
+  /// can_append; level() == split_count(); positions are finite.
   void append(const NewSplit& split);
-  /// Split `level()` as `append` takes it. O(faces at the parent). Pre: level() < split_count().
+  /// Returns split `level()` in the form that `append` takes. O(faces at the parent). Pre: level()
+  /// < split_count().
   NewSplit next_split() const;
 
-  /// Bytes that mesh and splits occupy.
+  /// Returns the bytes occupied by mesh and splits.
   std::size_t memory_bytes() const;
 
  private:

@@ -5,7 +5,7 @@
 namespace mesher {
 
 void RangeEncoder::carry() {
-  // The number written so far is below 1, so that a carry ends before the first byte.
+  // The number written so far is below 1, so a carry never passes the first byte.
   std::size_t i = bytes_.size();
   while (bytes_[--i] == std::byte{0xFF})
     bytes_[i] = std::byte{0};
@@ -18,7 +18,7 @@ void RangeEncoder::put(unsigned count) {
 }
 
 Array<std::byte> RangeEncoder::finish(std::uint64_t least) {
-  // The fewest bytes that lie in the interval whatever comes after them.
+  // The fewest bytes that stay in the interval whatever follows them.
   for (unsigned count = 0; count <= 8; ++count) {
     const std::uint64_t spread = count == 8 ? 0 : ~std::uint64_t{0} >> 8 * count;
     const std::uint64_t distance = ((low_ + spread) & ~spread) - low_;

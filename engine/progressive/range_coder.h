@@ -11,15 +11,15 @@
 
 namespace mesher {
 
-// An adaptive binary range coder (G. Martin, "Range encoding", 1979) as docs/pm-format.md says. Its
-// interval has 64 bits and gives up 32 at a time. Encoder and decoder have the same functions, so
-// that a model is written once for both: a function takes the value and returns it; the decoder
-// does not look at what it is given.
+// An adaptive binary range coder (G. Martin, "Range encoding", 1979) as specified by
+// docs/pm-format.md. Its interval has 64 bits and is shifted by 32 at a time. Encoder and decoder
+// have the same functions, so a model is written once for both: each function takes the value and
+// returns it; the decoder ignores the value passed.
 
-/// How likely a bit is to be 0, of 65536: the mean of two estimates, one that adapts fast and one
-/// that adapts slowly. Neither comes nearer to 0 or 65536 than 31. No branch: which bit comes is
-/// what a processor cannot foresee.
-class BitModel {
+/// Adaptive probability that a bit is 0, in units of 1/65536: the mean of a fast and a slow
+/// estimate. Neither comes closer than 31 to 0 or 65536. Branch-free, because the bits are
+/// unpredictable.
+class AdaptiveBitModel {
  public:
   std::uint32_t zero() const { return static_cast<std::uint32_t>(fast_ + slow_) >> 1U; }
   void update(bool bit) {
@@ -33,12 +33,12 @@ class BitModel {
   std::uint16_t slow_ = 0x8000;
 };
 
-/// Writes into memory; one block at a time.
+/// Encodes into memory, one block at a time.
 class RangeEncoder {
  public:
   static constexpr bool kDecodes = false;
 
-  bool bit(BitModel& model, bool value) {
+  bool bit(AdaptiveBitModel& model, bool value) {
     const std::uint64_t bound = (range_ >> 16U) * model.zero();
     if (value) {
       add(bound);
@@ -50,15 +50,15 @@ class RangeEncoder {
     normalize();
     return value;
   }
-  /// A number below `n`, all equally likely. Pre: n > 0.
+  /// Codes a number below `n`, all equally likely. Pre: n > 0.
   std::uint32_t uniform(std::uint32_t value, std::uint32_t n) {
     range_ /= n;
     add(range_ * value);
     normalize();
     return value;
   }
-  /// A number of `count` bits, none more likely than another; they are kept apart from the rest.
-  /// Pre: count <= 32.
+  /// Codes a number of `count` equiprobable bits. These raw bits are stored apart from the coded
+  /// ones. Pre: count <= 32.
   std::uint32_t bits(std::uint32_t value, unsigned count) {
     plain_ |= std::uint64_t{value} << plain_count_;
     plain_count_ += count;
@@ -66,8 +66,8 @@ class RangeEncoder {
       plain_bytes_.push_back(static_cast<std::byte>(plain_));
     return value;
   }
-  /// Ends the block and returns its bytes, `least` of them or more; the next call of any function
-  /// begins another.
+  /// Ends the block and returns its bytes, padded to at least `least`. The next call of any
+  /// function begins a new block.
   Array<std::byte> finish(std::uint64_t least);
 
  private:
@@ -82,18 +82,18 @@ class RangeEncoder {
     low_ <<= 32U;
     range_ <<= 32U;
   }
-  /// The highest bytes of low.
+  /// Writes the highest bytes of low.
   void put(unsigned count);
 
   std::uint64_t low_ = 0;
   std::uint64_t range_ = ~std::uint64_t{0};
   Array<std::byte> bytes_;
-  std::uint64_t plain_ = 0;  ///< less than 8 bits that wait
+  std::uint64_t plain_ = 0;  ///< fewer than 8 bits, not written yet
   unsigned plain_count_ = 0;
   Array<std::byte> plain_bytes_;
 };
 
-/// Reads a block; past its ends come zeros. Any bytes decode to something in range.
+/// Decodes a block; reads zeros past its ends. Any bytes decode to values in range.
 class RangeDecoder {
  public:
   static constexpr bool kDecodes = true;
@@ -104,10 +104,10 @@ class RangeDecoder {
     code_ |= word();
   }
 
-  bool bit(BitModel& model, bool = false) {
+  bool bit(AdaptiveBitModel& model, bool = false) {
     const std::uint64_t bound = (range_ >> 16U) * model.zero();
     const bool value = code_ >= bound;
-    // No branch, as in BitModel: all ones or none.
+    // Branch-free as in AdaptiveBitModel: a mask of all ones or all zeros.
     const std::uint64_t ones = -std::uint64_t{value};
     code_ -= bound & ones;
     range_ = bound + ((range_ - 2 * bound) & ones);
@@ -133,12 +133,12 @@ class RangeDecoder {
     const std::uint64_t quotient = code_ / range_;
     const auto value = static_cast<std::uint32_t>(quotient < highest ? quotient : highest);
     code_ -= range_ * value;
-    // A block that no encoder wrote may leave more than the interval holds.
+    // A block not written by the encoder may leave more than the interval holds.
     if (code_ >= range_) code_ = range_ - 1;
     normalize();
     return value;
   }
-  /// Four bytes more, from the end of the block on.
+  /// Reads four more bytes of raw bits, from the end of the block backward.
   void fill() {
     if (plain_next_ - begin_ >= 4) {
       plain_next_ -= 4;
@@ -156,7 +156,7 @@ class RangeDecoder {
     code_ = code_ << 32U | word();
     range_ <<= 32U;
   }
-  /// Four bytes, the first the highest.
+  /// Reads four bytes, most significant first.
   std::uint32_t word();
 
   std::uint64_t code_ = 0;
@@ -181,9 +181,9 @@ inline std::uint32_t RangeDecoder::word() {
   return value;
 }
 
-/// A number of `kBits` bits, from the highest on, each bit with a model for what came before it.
+/// Models a number of `kBits` bits, from the highest on; each bit has a model per prefix.
 template <unsigned kBits>
-class BitTree {
+class BitTreeModel {
  public:
   template <class Coder>
   std::uint32_t code(Coder& coder, std::uint32_t value) {
@@ -194,28 +194,28 @@ class BitTree {
   }
 
  private:
-  BitModel models_[1U << kBits];
+  AdaptiveBitModel models_[1U << kBits];
 };
 
-/// A number with a sign, less than 2^40 from 0: what only a hostile file says is cut off there. The
-/// bit after the leading one is told by a model, then the rest as it is, the sign last. How many
-/// bits there are, `width`, is the caller's to tell.
-class DigitsModel {
+/// Models a signed integer of known bit width, below 2^40 in magnitude: larger values, which only
+/// hostile files contain, are clamped. The bit after the leading one is modeled; the other bits are
+/// raw, and the sign comes last. The caller codes the bit width, `width`.
+class MagnitudeBitsModel {
  public:
   template <class Coder>
   std::int64_t code(Coder& coder, unsigned width, std::int64_t value) {
     constexpr std::uint64_t most = (std::uint64_t{1} << 40U) - 1;
     if (width == 0) return 0;
-    const auto told = static_cast<std::uint64_t>(value < 0 ? -value : value);
+    const auto magnitude = static_cast<std::uint64_t>(value < 0 ? -value : value);
     std::uint64_t size = 1;
     unsigned left = width - 1;
     if (left > 0 && width <= kMostLearned) {
       --left;
-      size = 2 | std::uint64_t{coder.bit(second_[width], (told >> left & 1U) != 0)};
+      size = 2 | std::uint64_t{coder.bit(second_[width], (magnitude >> left & 1U) != 0)};
     }
     for (; left > 24; left -= 24)
-      size = size << 24U | coder.bits(low_bits(told >> (left - 24), 24), 24);
-    const std::uint32_t last = low_bits(told, left) << 1U | (value < 0 ? 1U : 0U);
+      size = size << 24U | coder.bits(low_bits(magnitude >> (left - 24), 24), 24);
+    const std::uint32_t last = low_bits(magnitude, left) << 1U | (value < 0 ? 1U : 0U);
     const std::uint32_t rest = coder.bits(last, left + 1);
     size = std::min(size << left | rest >> 1U, most);
     return (rest & 1U) != 0 ? -static_cast<std::int64_t>(size) : static_cast<std::int64_t>(size);
@@ -231,31 +231,31 @@ class DigitsModel {
     return static_cast<std::uint32_t>(value) & ((1U << count) - 1);
   }
 
-  // Of a longer number it is nearly as likely to be 0 as 1: not worth its time.
+  // The second bit of longer numbers is nearly uniform, so modeling it does not pay.
   static constexpr unsigned kMostLearned = 8;
 
-  BitModel second_[kMostLearned + 1];
+  AdaptiveBitModel second_[kMostLearned + 1];
 };
 
-/// The same with a width of which nothing is known.
-class SignedModel {
+/// Models a signed integer of unknown bit width.
+class SignedIntegerModel {
  public:
   template <class Coder>
   std::int64_t code(Coder& coder, std::int64_t value) {
-    return digits_.code(coder, width_.code(coder, DigitsModel::width(value)), value);
+    return digits_.code(coder, width_.code(coder, MagnitudeBitsModel::width(value)), value);
   }
 
  private:
-  BitTree<6> width_;
-  DigitsModel digits_;
+  BitTreeModel<6> width_;
+  MagnitudeBitsModel digits_;
 };
 
-/// The same where the width is most likely one of the seven from `lowest` on.
-class ScaledModel {
+/// Models a signed integer whose bit width is probably one of the seven from `lowest` on.
+class HintedIntegerModel {
  public:
   template <class Coder>
   std::int64_t code(Coder& coder, unsigned lowest, std::int64_t value) {
-    unsigned width = DigitsModel::width(value);
+    unsigned width = MagnitudeBitsModel::width(value);
     unsigned near = width - lowest;
     near = near_.code(coder, near < kNear ? near : kNear);
     width = near < kNear ? lowest + near : far_.code(coder, width);
@@ -265,9 +265,9 @@ class ScaledModel {
  private:
   static constexpr unsigned kNear = 7;
 
-  BitTree<3> near_;
-  BitTree<6> far_;
-  DigitsModel digits_;
+  BitTreeModel<3> near_;
+  BitTreeModel<6> far_;
+  MagnitudeBitsModel digits_;
 };
 
 }  // namespace mesher

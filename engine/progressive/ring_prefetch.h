@@ -4,12 +4,12 @@
 
 namespace mesher {
 
-/// Walks around the next parent a step at a time while something else is computed, so that what
-/// will be read there is on its way from memory. It changes nothing but the time: the mesh is that
-/// before the split at hand.
+/// Prefetches the ring of the next parent, one step at a time, while other work is done, so that
+/// its data is in cache when read. Does not affect the result: it reads the mesh as it is before
+/// the current split.
 class RingPrefetch {
  public:
-  /// `v`: may be none, or no vertex yet: not one of the first `vertices`.
+  /// `v` may be none, or a vertex that does not exist yet: not one of the first `vertices`.
   void begin(const Mesh& mesh, std::uint32_t vertices, Vertex v) {
     mesh_ = &mesh;
     v_ = v.index() < vertices ? v : Vertex{};
@@ -17,14 +17,14 @@ class RingPrefetch {
     if (v_.is_valid()) __builtin_prefetch(&mesh.outgoings()[v_.index()]);
   }
 
-  /// `place`: the address of where a vertex is.
-  template <class Place>
-  void step(const Place& place) {
+  /// `prefetch_position`: function that prefetches the position of a vertex.
+  template <class PrefetchPosition>
+  void step(const PrefetchPosition& prefetch_position) {
     if (at_.is_valid()) {
-      place(mesh_->target(at_));
+      prefetch_position(mesh_->target(at_));
       turn_to(mesh_->twin(Mesh::prev(at_)));
     } else if (v_.is_valid()) {
-      place(v_);
+      prefetch_position(v_);
       turn_to(mesh_->outgoing(v_));
       v_ = Vertex{};
     }

@@ -11,7 +11,7 @@
 
 namespace mesher {
 
-/// How sharp the edges are that a split makes and those that it opens.
+/// Models the sharpness of the edges that a split adds and of those that it opens.
 class SharpSplitModel {
  public:
   template <class Coder>
@@ -32,7 +32,8 @@ class SharpSplitModel {
   }
 
  private:
-  /// The larger of the two is what the edge had before.
+  /// Codes both halves of an opened edge. The larger sharpness of the two is that of the edge
+  /// before.
   template <class Coder>
   bool code_side(Coder& coder, float before, float& first, float& second) {
     const bool is_first = coder.bit(has_first_[before > 0.0F], has_same_bits(first, before));
@@ -46,11 +47,11 @@ class SharpSplitModel {
 
   SharpnessModel edge_;
   SharpnessModel other_;
-  BitModel has_first_[2];
-  BitModel has_second_[2];
+  AdaptiveBitModel has_first_[2];
+  AdaptiveBitModel has_second_[2];
 };
 
-/// The sharpness of parent and child themselves.
+/// Models the sharpness of the parent and child vertices themselves.
 class SharpCornerModel {
  public:
   template <class Coder>
@@ -70,7 +71,7 @@ class SharpCornerModel {
     return is_sharpness(value);
   }
 
-  BitModel stays_[4];
+  AdaptiveBitModel stays_[4];
   SharpnessModel value_;
 };
 

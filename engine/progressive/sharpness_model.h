@@ -9,10 +9,10 @@
 
 namespace mesher {
 
-/// A sharpness: 0, infinity, or the bits of a float.
+/// Models a sharpness: 0, infinity, or the bits of a float.
 class SharpnessModel {
  public:
-  /// Decoded, it may be no sharpness at all: see is_sharpness.
+  /// A decoded value may be invalid: see is_sharpness.
   template <class Coder>
   float code(Coder& coder, float value) {
     const auto bits = std::bit_cast<std::uint32_t>(value);
@@ -22,8 +22,8 @@ class SharpnessModel {
   }
 
  private:
-  BitModel is_sharp_;
-  BitModel is_infinite_;
+  AdaptiveBitModel is_sharp_;
+  AdaptiveBitModel is_infinite_;
 };
 
 inline bool is_sharpness(float value) {

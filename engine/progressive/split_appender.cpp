@@ -12,8 +12,8 @@ Halfedge lowest(std::span<const Halfedge> of) {
   return *std::min_element(of.begin(), of.end());
 }
 
-/// What a cut makes of the faces at the parent: those in slots [begin, end) are `inner`'s, all
-/// others the other's.
+/// How a cut divides the faces at the parent: the inner part has the slots [begin, end), the outer
+/// part all others. One part becomes the child's.
 struct Parts {
   std::uint32_t begin;
   std::uint32_t end;
@@ -27,37 +27,38 @@ struct Parts {
   }
 };
 
-/// Appends the corners that become the child's, in the order of P4.
-void add_moved(const Spokes& spokes, const Parts& parts, Array<Halfedge>& moved) {
-  const auto at = [&](std::uint32_t slot) { return spokes.out.begin() + slot; };
+/// Appends the corners that move to the child, in the order of P4.
+void add_moved(const ParentSlots& slots, const Parts& parts, Array<Halfedge>& moved) {
+  const auto at = [&](std::uint32_t slot) { return slots.out.begin() + slot; };
   if (parts.is_inner_child) {
     moved.insert(moved.end(), at(parts.begin), at(parts.end));
     return;
   }
-  moved.insert(moved.end(), at(parts.end), spokes.out.end());
+  moved.insert(moved.end(), at(parts.end), slots.out.end());
   moved.insert(moved.end(), at(0), at(parts.begin));
-  if (!spokes.is_closed) std::reverse(moved.end() - parts.begin, moved.end());
+  if (!slots.is_closed) std::reverse(moved.end() - parts.begin, moved.end());
 }
 
 /// Fills in fine_outgoing and child_outgoing.
-void find_outgoing(const Spokes& spokes, const Parts& parts, bool is_pair, VertexSplit& split) {
+void find_outgoing(const ParentSlots& slots, const Parts& parts, bool is_pair, VertexSplit& split) {
   const std::uint32_t e = 3 * split.first_face;
-  // Of an open fan the outer part has the boundary: its first side is a new one where that is cut.
+  // The outer part of an open fan has the boundary. If the cut is there, its first side is a new
+  // one.
   const auto start = [&](std::uint32_t opened) {
-    return parts.begin == 0 ? Halfedge(opened) : spokes.out.front();
+    return parts.begin == 0 ? Halfedge(opened) : slots.out.front();
   };
   if (!is_pair) {
     split.child_outgoing = Halfedge(e);
     split.fine_outgoing = start(e + 1);
     return;
   }
-  const auto all = spokes.out;
+  const auto all = slots.out;
   Halfedge outer;
-  if (!spokes.is_closed) {
+  if (!slots.is_closed) {
     outer = start(parts.is_inner_child ? e + 1 : e + 4);
   } else {
-    // The lowest of all is the first.
-    outer = parts.begin == 0 ? lowest(all.subspan(parts.end)) : spokes.out.front();
+    // The first spoke is the lowest of all (P3).
+    outer = parts.begin == 0 ? lowest(all.subspan(parts.end)) : slots.out.front();
   }
   const Halfedge inner = lowest(all.subspan(parts.begin, parts.end - parts.begin));
   split.child_outgoing = parts.is_inner_child ? inner : outer;
@@ -86,12 +87,12 @@ SplitAppender::~SplitAppender() {
 }
 
 void SplitAppender::append(const NewSplit& split, const ParentFan& fan) {
-  const Spokes spokes(fan);
+  const ParentSlots slots(fan);
   const bool is_pair = split.cut.right != kNone;
   const std::size_t moved = mesh_.moved_.size();
   try {
-    write_record(split, spokes, mesh_.splits_.emplace_back());
-    add_moved(spokes, Parts(split.cut, spokes.size()), mesh_.moved_);
+    write_record(split, slots, mesh_.splits_.emplace_back());
+    add_moved(slots, Parts(split.cut, slots.size()), mesh_.moved_);
     add_sharpness(split);
   } catch (...) {
     mesh_.splits_.resize(mesh_.level_);
@@ -109,9 +110,9 @@ void SplitAppender::append(const NewSplit& split, const ParentFan& fan) {
   }
 }
 
-// In its place: what is put together elsewhere in small pieces and then copied in large ones waits
-// for the processor to put it together.
-void SplitAppender::write_record(const NewSplit& split, const Spokes& spokes,
+// Writes the record in place. Assembling it elsewhere with small stores and copying it with large
+// loads would stall on store forwarding.
+void SplitAppender::write_record(const NewSplit& split, const ParentSlots& slots,
                                  VertexSplit& record) const {
   const auto& [left, right] = split.cut;
   const std::uint32_t parent = split.parent.index();
@@ -119,14 +120,14 @@ void SplitAppender::write_record(const NewSplit& split, const Spokes& spokes,
   record.first_face = mesh_.full_faces_;
   record.first_moved = static_cast<std::uint32_t>(mesh_.moved_.size());
   record.coarse_outgoing = at_.outgoing[parent];
-  record.beyond[0] = spokes.into(left);
-  record.beyond[1] = spokes.out_of(left);
-  record.beyond[2] = right != kNone ? spokes.into(right) : Halfedge{};
-  record.beyond[3] = right != kNone ? spokes.out_of(right) : Halfedge{};
+  record.beyond[0] = slots.into(left);
+  record.beyond[1] = slots.out_of(left);
+  record.beyond[2] = right != kNone ? slots.into(right) : Halfedge{};
+  record.beyond[3] = right != kNone ? slots.out_of(right) : Halfedge{};
   record.coarse_position = at_.position[parent];
   record.fine_position = split.parent_position;
   record.child_position = split.child_position;
-  find_outgoing(spokes, Parts(split.cut, spokes.size()), right != kNone, record);
+  find_outgoing(slots, Parts(split.cut, slots.size()), right != kNone, record);
 }
 
 void SplitAppender::add_sharpness(const NewSplit& split) {

@@ -9,30 +9,32 @@
 
 namespace mesher {
 
-struct Spokes;
+struct ParentSlots;
 
-/// Appends splits to a progressive mesh, with room for all of them from the beginning. While it
-/// lives the arrays of the mesh are longer than its level needs, and nothing else changes them.
+/// Appends splits to a progressive mesh, with memory for all of them allocated at the start. While
+/// it exists, the mesh's arrays are longer than its level needs, and nothing else may change them.
 class SplitAppender {
  public:
-  /// Room for so many splits. Throws std::bad_alloc. Pre: mesh.level() == mesh.split_count().
+  /// Allocates memory for this many splits. Throws std::bad_alloc. Pre: mesh.level() ==
+  /// mesh.split_count().
   SplitAppender(ProgressiveMesh& mesh, std::uint32_t splits);
   ~SplitAppender();
   SplitAppender(const SplitAppender&) = delete;
   SplitAppender& operator=(const SplitAppender&) = delete;
 
-  /// As ProgressiveMesh::append, for whoever has been around the parent already. O(moved). Throws
-  /// std::bad_alloc; nothing has changed then. Pre: there is room.
+  /// Same as ProgressiveMesh::append, for callers that have already gathered the parent's fan.
+  /// O(moved). Throws std::bad_alloc; the mesh is unchanged then. Pre: fewer splits were appended
+  /// than allocated.
   void append(const NewSplit& split, const ParentFan& fan);
 
  private:
-  void write_record(const NewSplit& split, const Spokes& spokes, VertexSplit& record) const;
+  void write_record(const NewSplit& split, const ParentSlots& slots, VertexSplit& record) const;
   void add_sharpness(const NewSplit& split);
 
   ProgressiveMesh& mesh_;
   OpenedArrays arrays_;
   StepArrays at_;
-  bool takes_notes_;  ///< otherwise everything counts as changed already
+  bool takes_notes_;  ///< false: everything is marked as changed already
 };
 
 }  // namespace mesher

@@ -19,18 +19,18 @@
 namespace mesher {
 namespace {
 
-/// From the middle of what will be around the parent to that around the child, as a guess of how
-/// one will lie to the other: so much of it (the best on scans, and much the same on all).
+/// Predicted offset from parent to child, as a fraction of the vector between the means of their
+/// future neighbors (best on scans, and about equally good on all models).
 constexpr double kApart = 0.609375;
 
-// The three steps of a point, each with code of its own: what differs between them is decided when
-// this is compiled.
+// The three steps of a point. Each gets its own code, so that their differences are resolved at
+// compile time.
 constexpr std::integral_constant<std::size_t, 0> kFirst;
 constexpr std::integral_constant<std::size_t, 1> kSecond;
 constexpr std::integral_constant<std::size_t, 2> kThird;
 
-/// Positions as floats, exactly: first the parent, then the child.
-class FloatPlaces {
+/// Codes positions as exact floats: first the parent, then the child.
+class FloatPositionCoder {
  public:
   template <class Coder>
   bool code(Coder& coder, const Mesh& mesh, const SplitRing& ring, RingPrefetch& next,
@@ -42,34 +42,35 @@ class FloatPlaces {
     ahead();
     const glm::dvec3 apart = s.child - s.parent;
     const glm::vec3 before = mesh.position(split.parent);
-    Stays stays = Stays::neither;
+    UnmovedEnd unmoved = UnmovedEnd::neither;
     if constexpr (!Coder::kDecodes) {
       if (has_same_bits(split.parent_position, before)) {
-        stays = Stays::parent;
+        unmoved = UnmovedEnd::parent;
       } else if (has_same_bits(split.child_position, before)) {
-        stays = Stays::child;
+        unmoved = UnmovedEnd::child;
       }
     }
-    stays = stays_.code(coder, stays);
-    if (stays == Stays::parent) split.parent_position = before;
-    if (stays == Stays::child) split.child_position = before;
-    PlaceGuess guess{.mean = 0.53125 * s.parent - 0.09375 * s.child,
-                     .normal = normal_of(s),
-                     .variance = dot(apart, apart)};
-    if (stays == Stays::child) guess.mean = -kApart * apart;
-    if (stays != Stays::parent &&
-        !code_point(coder, parent_, ring.at(), guess, ahead, split.parent_position)) {
+    unmoved = unmoved_.code(coder, unmoved);
+    if (unmoved == UnmovedEnd::parent) split.parent_position = before;
+    if (unmoved == UnmovedEnd::child) split.child_position = before;
+    PositionPrediction prediction{.mean = 0.53125 * s.parent - 0.09375 * s.child,
+                                  .normal = normal_of(s),
+                                  .variance = dot(apart, apart)};
+    if (unmoved == UnmovedEnd::child) prediction.mean = -kApart * apart;
+    if (unmoved != UnmovedEnd::parent &&
+        !code_point(coder, parent_, ring.at(), prediction, ahead, split.parent_position)) {
       return false;
     }
-    if (stays == Stays::child) return true;
+    if (unmoved == UnmovedEnd::child) return true;
     const glm::dvec3 parent = glm::dvec3(split.parent_position) - ring.at();
-    guess.mean = 0.125 * parent - 0.1875 * s.parent + 0.484375 * s.child;
-    if (stays == Stays::parent) {
-      guess.mean = kApart * apart;
+    prediction.mean = 0.125 * parent - 0.1875 * s.parent + 0.484375 * s.child;
+    if (unmoved == UnmovedEnd::parent) {
+      prediction.mean = kApart * apart;
     } else {
-      use_plane(guess, s.child_normal + cross(s.opening, parent), -dot(parent, s.parent_normal));
+      use_plane(prediction, s.child_normal + cross(s.opening, parent),
+                -dot(parent, s.parent_normal));
     }
-    return code_point(coder, child_, ring.at(), guess, ahead, split.child_position);
+    return code_point(coder, child_, ring.at(), prediction, ahead, split.child_position);
   }
 
  private:
@@ -78,19 +79,20 @@ class FloatPlaces {
            pm_ordered(a.z) == pm_ordered(b.z);
   }
 
-  /// Of the last place of a float near a number: the exponent of a double for it, and 23.
+  /// Returns the biased double exponent of a float's last place near `value`, plus 23.
   static int fineness(double value) {
     constexpr int least = 1023 - 126;
     return std::max(exponent_of(value), least);
   }
 
   template <class Coder, class Ahead>
-  static bool code_point(Coder& coder, DifferenceModel& model, const glm::dvec3& at,
-                         const PlaceGuess& guess, const Ahead& ahead, glm::vec3& position) {
-    const PlaceOrder order(guess);
+  static bool code_point(Coder& coder, ResidualModel& model, const glm::dvec3& at,
+                         const PositionPrediction& prediction, const Ahead& ahead,
+                         glm::vec3& position) {
+    const CoordinateOrder order(prediction);
     const double largest = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
     const Coordinates from = order.by_step(at);
-    const std::array<float, 3> told{position.x, position.y, position.z};
+    const std::array<float, 3> actual{position.x, position.y, position.z};
     std::array<float, 3> coded{};
     Coordinates point{};
     const auto code_step = [&]<std::size_t kStep>(std::integral_constant<std::size_t, kStep>) {
@@ -101,9 +103,9 @@ class FloatPlaces {
       const int width = (exponent_of(order.variance(kStep)) + 1023 + 46 - 2 * fine) / 2;
       const int shift = std::clamp(fineness(largest) - fine, 0, 15);
       const std::int64_t before = pm_ordered(static_cast<float>(near));
-      const std::int64_t difference = Coder::kDecodes ? 0 : pm_ordered(told[axis]) - before;
-      const std::int64_t number =
-          before + model.template code<kStep>(coder, guess.has_plane, width, shift, difference);
+      const std::int64_t difference = Coder::kDecodes ? 0 : pm_ordered(actual[axis]) - before;
+      const std::int64_t number = before + model.template code<kStep>(coder, prediction.has_plane,
+                                                                      width, shift, difference);
       if (!is_finite_ordered(number)) return false;
       coded[axis] = pm_float(static_cast<std::int32_t>(number));
       point[kStep] = double{coded[axis]} - from[kStep];
@@ -119,15 +121,15 @@ class FloatPlaces {
     return value >= -most ? std::min(value, most) : value < -most ? -most : 0.0;
   }
 
-  StaysModel stays_;
-  DifferenceModel parent_;
-  DifferenceModel child_;
+  UnmovedEndModel unmoved_;
+  ResidualModel parent_;
+  ResidualModel child_;
 };
 
-/// Positions on a grid: first how the child lies to the parent, then the parent.
-class GridPlaces {
+/// Codes positions on a grid: first the offset of the child from the parent, then the parent.
+class GridPositionCoder {
  public:
-  explicit GridPlaces(Array<glm::ivec3>&& numbers) : numbers_(std::move(numbers)) {}
+  explicit GridPositionCoder(Array<glm::ivec3>&& numbers) : numbers_(std::move(numbers)) {}
 
   const glm::ivec3& at(Vertex v) const { return numbers_[v.index()]; }
 
@@ -163,37 +165,39 @@ class GridPlaces {
     const SplitSides s(ring, split.cut);
     ahead();
     const glm::ivec3 before = numbers_[split.parent.index()];
-    Stays stays = parent == before  ? Stays::parent
-                  : child == before ? Stays::child
-                                    : Stays::neither;
-    stays = stays_.code(coder, stays);
+    UnmovedEnd unmoved = parent == before  ? UnmovedEnd::parent
+                         : child == before ? UnmovedEnd::child
+                                           : UnmovedEnd::neither;
+    unmoved = unmoved_.code(coder, unmoved);
     const glm::dvec3 apart = s.child - s.parent;
-    PlaceGuess guess{.mean = kApart * apart, .normal = normal_of(s), .variance = dot(apart, apart)};
+    PositionPrediction prediction{
+        .mean = kApart * apart, .normal = normal_of(s), .variance = dot(apart, apart)};
     glm::ivec3 offset = child - parent;
-    code_point(coder, difference_, glm::ivec3(0), guess, ahead, offset);
-    if (stays == Stays::parent) {
+    code_point(coder, difference_, glm::ivec3(0), prediction, ahead, offset);
+    if (unmoved == UnmovedEnd::parent) {
       parent = before;
-    } else if (stays == Stays::child) {
+    } else if (unmoved == UnmovedEnd::child) {
       parent = before - offset;
     } else {
       const glm::dvec3 d(offset);
-      guess.mean = -0.4921875 * d + 0.1875 * (s.parent + s.child);
-      guess.variance = dot(d, d);
-      guess.stretch = d;
-      use_plane(guess, guess.normal + cross(d, s.opening), -dot(d, s.child_normal));
-      code_point(coder, parent_, before, guess, ahead, parent);
+      prediction.mean = -0.4921875 * d + 0.1875 * (s.parent + s.child);
+      prediction.variance = dot(d, d);
+      prediction.stretch = d;
+      use_plane(prediction, prediction.normal + cross(d, s.opening), -dot(d, s.child_normal));
+      code_point(coder, parent_, before, prediction, ahead, parent);
     }
     child = parent + offset;
   }
 
   template <class Coder, class Ahead>
-  static void code_point(Coder& coder, DifferenceModel& model, const glm::ivec3& at,
-                         const PlaceGuess& guess, const Ahead& ahead, glm::ivec3& numbers) {
-    // Outside the grid by far; what is hostile ends there.
+  static void code_point(Coder& coder, ResidualModel& model, const glm::ivec3& at,
+                         const PositionPrediction& prediction, const Ahead& ahead,
+                         glm::ivec3& numbers) {
+    // Far outside the grid; clamps values that only hostile files contain.
     constexpr std::int64_t most = std::int64_t{1} << 26U;
-    const PlaceOrder order(guess);
+    const CoordinateOrder order(prediction);
     const Coordinates from = order.by_step(glm::dvec3(at));
-    const std::array<int, 3> told{numbers.x, numbers.y, numbers.z};
+    const std::array<int, 3> actual{numbers.x, numbers.y, numbers.z};
     std::array<int, 3> coded{};
     Coordinates point{};
     const auto code_step = [&]<std::size_t kStep>(std::integral_constant<std::size_t, kStep>) {
@@ -201,8 +205,9 @@ class GridPlaces {
       const auto axis = static_cast<std::size_t>(order.axis(kStep));
       const std::int64_t before = nearest(from[kStep] + order.mean<kStep>(point), most);
       const int width = (exponent_of(order.variance(kStep)) - 1023) / 2;
-      const std::int64_t number = before + model.template code<kStep>(coder, guess.has_plane, width,
-                                                                      0, told[axis] - before);
+      const std::int64_t number =
+          before +
+          model.template code<kStep>(coder, prediction.has_plane, width, 0, actual[axis] - before);
       coded[axis] = static_cast<int>(std::clamp(number, -most, most));
       point[kStep] = coded[axis] - from[kStep];
     };
@@ -212,7 +217,7 @@ class GridPlaces {
     numbers = {coded[0], coded[1], coded[2]};
   }
 
-  /// The nearest whole number, the upper of two; 0 for what is no number.
+  /// Returns the nearest integer, rounding halves up; 0 for NaN.
   static std::int64_t nearest(double value, std::int64_t most) {
     const double limit = static_cast<double>(most);
     if (!(value > -limit)) return value <= -limit ? -most : 0;
@@ -223,9 +228,9 @@ class GridPlaces {
   }
 
   Array<glm::ivec3> numbers_;
-  StaysModel stays_;
-  DifferenceModel difference_;
-  DifferenceModel parent_;
+  UnmovedEndModel unmoved_;
+  ResidualModel difference_;
+  ResidualModel parent_;
 };
 
 }  // namespace
@@ -236,8 +241,8 @@ struct SplitCoder<Coder>::State {
   SplitRing ring;
   ParentModel parents;
   CutModel cut;
-  FloatPlaces floats;
-  GridPlaces grid;
+  FloatPositionCoder floats;
+  GridPositionCoder grid;
   SharpSplitModel sharpness;
   SharpCornerModel corners;
   Vertex next_parent;
@@ -251,11 +256,11 @@ struct SplitCoder<Coder>::State {
 
   State(const PmHeader& h, Array<glm::ivec3>&& numbers) : header(h), grid(std::move(numbers)) {}
 
-  /// The parent of split i, where the models know the splits before it.
+  /// Codes the parent of split i. Pre: the models have adapted to all splits before it.
   void code_parent(Coder& coder, const ProgressiveMesh& pm, std::uint32_t i) {
-    Vertex told;
-    if constexpr (!Coder::kDecodes) told = pm.splits()[i].parent;
-    next_parent = parents.code(coder, told);
+    Vertex actual;
+    if constexpr (!Coder::kDecodes) actual = pm.splits()[i].parent;
+    next_parent = parents.code(coder, actual);
   }
 
   std::string_view gather(const Mesh& mesh, Vertex v) {
@@ -272,7 +277,7 @@ struct SplitCoder<Coder>::State {
 
   std::string_view code_cut(Coder& coder, const ProgressiveMesh& pm, NewSplit& split) {
     split.cut = cut.code(coder, ring, split.cut);
-    // What a model says of the ring is in range; the rest of can_append is this.
+    // The model yields slots of the ring only; these are the remaining conditions of can_append.
     constexpr std::uint32_t most_faces = kNone / 3 - 2;
     if (split.cut.left == split.cut.right || pm.full_face_count() > most_faces) {
       return "a split cuts where it cannot";
@@ -314,7 +319,7 @@ std::string_view SplitCoder<Coder>::code(Coder& coder, const ProgressiveMesh& pm
   split.parent = s.next_parent;
   if (const auto why = s.gather(mesh, split.parent); !why.empty()) return why;
   if (const auto why = s.code_cut(coder, pm, split); !why.empty()) return why;
-  // The next parent is told before where the vertices are: reading around it can begin early.
+  // The next parent is coded before the positions, so that prefetching around it can begin early.
   s.next_parent = Vertex{};
   if (i + 1 < s.block_end) s.code_parent(coder, pm, i + 1);
   s.prefetch.begin(mesh, pm.base_vertex_count() + i, s.next_parent);

@@ -11,24 +11,24 @@
 
 namespace mesher {
 
-/// Codes splits one after another with models that learn from all of them; what is said of each is
-/// in docs/pm-format.md. `Coder` is RangeEncoder or RangeDecoder, one a block.
+/// Codes splits one after another with models that adapt to all of them. docs/pm-format.md
+/// specifies the coded values. `Coder` is RangeEncoder or RangeDecoder, one per block.
 template <class Coder>
 class SplitCoder {
  public:
-  /// `grid`: the numbers of the base's positions, empty where coordinates are floats.
+  /// `grid`: the quantized positions of the base; empty if coordinates are floats.
   SplitCoder(const PmHeader& header, Array<glm::ivec3>&& grid);
   ~SplitCoder();
   SplitCoder(const SplitCoder&) = delete;
   SplitCoder& operator=(const SplitCoder&) = delete;
 
-  /// Splits [begin, end) are in the block that begins.
+  /// Begins a block with the splits [begin, end).
   void begin_block(std::uint32_t begin, std::uint32_t end);
-  /// Encodes the split, or decodes it into `split`. Returns why it cannot be, empty where it can:
-  /// decoded, it may be appended then. Pre: `pm` is at the level before it, and every split
-  /// before it went through here.
+  /// Encodes the split, or decodes into `split`. Returns what is wrong, or an empty string; a split
+  /// decoded without error may be appended. Pre: `pm` is at the level before the split, and every
+  /// earlier split was coded by this object.
   std::string_view code(Coder& coder, const ProgressiveMesh& pm, NewSplit& split);
-  /// Around the parent of the split that was coded last.
+  /// Returns the fan of the parent of the last coded split.
   ParentFan fan() const;
 
  private:

@@ -10,7 +10,7 @@
 
 namespace mesher {
 
-// Products as docs/pm-format.md writes them out: every reader rounds alike.
+// Products written out as in docs/pm-format.md, so that every reader rounds alike.
 
 inline double dot(const glm::dvec3& a, const glm::dvec3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -19,11 +19,11 @@ inline glm::dvec3 cross(const glm::dvec3& a, const glm::dvec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The edges at a vertex by slot (see SplitCut), in memory that is used again.
+/// The edges at a vertex by slot (see SplitCut). Reused to avoid allocations.
 class SplitRing {
  public:
-  /// With where its vertices are, seen from the parent. False where more faces than the format
-  /// allows are there. Pre: not isolated.
+  /// Gathers the edges, and the positions of their vertices relative to `v`. Returns false if there
+  /// are more faces than the format allows. Pre: not isolated.
   template <class Position>
   bool gather(const Mesh& mesh, Vertex v, const Position& position) {
     at_ = position(v);
@@ -49,14 +49,14 @@ class SplitRing {
   bool is_closed() const { return is_closed_; }
   ParentFan fan() const { return {std::span(out_).first(faces_), is_closed_}; }
   std::uint32_t after(std::uint32_t slot) const { return slot + 1 == slots() ? 0 : slot + 1; }
-  /// At the other end of the edge in a slot.
+  /// Returns the vertex at the other end of the edge in a slot.
   Vertex vertex(std::uint32_t slot) const { return vertices_[slot]; }
-  /// A half of the edge in a slot.
+  /// Returns one half of the edge in a slot.
   Halfedge halfedge(std::uint32_t slot) const { return slot < faces_ ? out_[slot] : last_; }
-  const glm::dvec3& at() const { return at_; }  ///< the parent
-  const glm::dvec3& place(std::uint32_t slot) const { return places_[slot]; }
+  const glm::dvec3& at() const { return at_; }  ///< position of the parent
+  const glm::dvec3& offset(std::uint32_t slot) const { return offsets_[slot]; }
 
-  /// How many faces a cut gives to the child.
+  /// Returns how many faces a cut moves to the child.
   std::uint32_t moved(const SplitCut& cut) const {
     if (cut.right == kNone) return faces() - cut.left;
     return cut.left < cut.right ? cut.right - cut.left : faces() - (cut.left - cut.right);
@@ -66,17 +66,17 @@ class SplitRing {
   void resize(std::uint32_t size) {
     out_.resize(size);
     vertices_.resize(size);
-    places_.resize(size);
+    offsets_.resize(size);
   }
   template <class Position>
   void add(std::uint32_t slot, Vertex v, const Position& position) {
     vertices_[slot] = v;
-    places_[slot] = position(v) - at_;
+    offsets_[slot] = position(v) - at_;
   }
 
   Array<Halfedge> out_;
   Array<Vertex> vertices_;
-  Array<glm::dvec3> places_;
+  Array<glm::dvec3> offsets_;
   glm::dvec3 at_{0.0};
   Halfedge last_;
   std::uint32_t faces_ = 0;

@@ -8,32 +8,32 @@
 
 namespace mesher {
 
-/// The arrays of a mesh that a step writes, long enough for the finer of its two levels.
+/// The mesh arrays that a step writes, long enough for the finer of its two levels.
 struct StepArrays {
   glm::vec3* position;
   Vertex* origin;
   Halfedge* twin;
   Halfedge* outgoing;
   float* sharpness;
-  float* corner_sharpness;  ///< null where the mesh has none
+  float* corner_sharpness;  ///< null if the mesh has none
 };
 
-/// One split with all that a step needs.
+/// A split with everything that a step needs.
 struct SplitStep {
   const VertexSplit& split;
   Vertex child;
-  bool is_pair;  ///< two faces
+  bool is_pair;  ///< adds two faces
   std::span<const Halfedge> moved;
   const SplitSharpness* sharpness;               ///< null: nothing is sharp
-  const SplitCornerSharpness* corner_sharpness;  ///< null where the mesh has none
+  const SplitCornerSharpness* corner_sharpness;  ///< null if the mesh has none
 };
 
-/// Takes no notes.
+/// Records nothing.
 struct NoNotes {
   void operator()(GpuArray, std::uint32_t, std::uint32_t = 1) const {}
 };
 
-/// Notes what a step touches of the GPU's arrays.
+/// Records what a step changes in the GPU's arrays.
 class Notes {
  public:
   explicit Notes(ChangeLog& log) : log_(log) {}
@@ -60,8 +60,7 @@ void note_step(const SplitStep& step, const Note& note) {
   note(GpuArray::edge_class, 3 * s.first_face, count);
 }
 
-/// Opens one face: the two half-edges `outer` and `inner`, which were twins, become those of its
-/// sides `side` and `side + 1`.
+/// Opens one face: `outer` and `inner`, twins so far, become the twins of `side` and `side + 1`.
 inline void open_side(const StepArrays& a, std::uint32_t side, Halfedge outer, Halfedge inner) {
   a.twin[side] = outer;
   a.twin[side + 1] = inner;
@@ -74,7 +73,7 @@ inline void close_side(Halfedge* twin, Halfedge outer, Halfedge inner) {
   if (inner.is_valid()) twin[inner.index()] = outer;
 }
 
-/// The vertex across from the parent on one side, before or after a split.
+/// Returns the vertex opposite the parent on one side, before or after a split.
 inline Vertex apex(const StepArrays& a, Halfedge into_parent, Halfedge out_of_parent) {
   return into_parent.is_valid() ? a.origin[into_parent.index()]
                                 : a.origin[Mesh::next(out_of_parent).index()];
@@ -111,7 +110,7 @@ inline void coarsen_sharpness(float* of, const VertexSplit& split, const SplitSh
   }
 }
 
-/// From level i to i + 1. O(moved).
+/// Goes from level i to i + 1. O(moved).
 template <class Note>
 void refine(const StepArrays& a, const SplitStep& step, const Note& note) {
   const VertexSplit& s = step.split;
@@ -147,7 +146,7 @@ void refine(const StepArrays& a, const SplitStep& step, const Note& note) {
   note_step(step, note);
 }
 
-/// From level i + 1 to i. O(moved).
+/// Goes from level i + 1 to i. O(moved).
 template <class Note>
 void coarsen(const StepArrays& a, const SplitStep& step, const Note& note) {
   const VertexSplit& s = step.split;

@@ -9,7 +9,7 @@
 
 namespace mesher {
 
-/// Walks around a vertex. The memory is used again.
+/// Returns the fan around a vertex. It refers to `memory`, which is reused.
 inline ParentFan gather_fan(const Mesh& mesh, Vertex v, Array<Halfedge>& memory) {
   memory.clear();
   const Halfedge start = mesh.outgoing(v);
@@ -21,9 +21,10 @@ inline ParentFan gather_fan(const Mesh& mesh, Vertex v, Array<Halfedge>& memory)
   return {memory, h.is_valid()};
 }
 
-/// The same with the two halves of the edge in each slot (see SplitCut); either may be none.
-struct Spokes : ParentFan {
-  explicit Spokes(const ParentFan& fan) : ParentFan(fan) {}
+/// A parent's fan with both halves of the edge in each slot (see SplitCut); either half may be
+/// none.
+struct ParentSlots : ParentFan {
+  explicit ParentSlots(const ParentFan& fan) : ParentFan(fan) {}
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(out.size()); }
   Halfedge out_of(std::uint32_t slot) const { return slot < size() ? out[slot] : Halfedge{}; }

@@ -9,34 +9,34 @@
 
 namespace mesher {
 
-/// One vertex split, the inverse of an edge collapse: a vertex, the parent, becomes two, and one or
+/// A vertex split, the inverse of an edge collapse: a vertex, the parent, becomes two, and one or
 /// two faces open between them (H. Hoppe, "Progressive meshes", 1996). Split i of a progressive
-/// mesh makes vertex `base vertices + i`, the child, and the faces from `first_face` on:
+/// mesh adds vertex `base vertices + i`, the child, and the faces from `first_face` on:
 ///
 ///   first:  3f   child -> parent,  3f+1 parent -> left,  3f+2 left -> child;
 ///   second: 3f+3 parent -> child,  3f+4 child -> right,  3f+5 right -> parent (none on a
 ///   boundary).
 ///
-/// Everything that a step up or down writes is here, so that neither has to look for anything.
+/// It holds everything that a step up or down writes, so neither has to search the mesh.
 struct VertexSplit {
   Vertex parent;
   std::uint32_t first_face = 0;
-  /// Into ProgressiveMesh::moved: corners that are the child's from now on, beside those of new
-  /// faces; they end where those of the next split begin.
+  /// Index into ProgressiveMesh::moved of the corners that move to the child, besides those of new
+  /// faces. They end where those of the next split begin.
   std::uint32_t first_moved = 0;
   Halfedge coarse_outgoing;  ///< outgoing(parent) before the split
-  Halfedge fine_outgoing;    ///< and after it
+  Halfedge fine_outgoing;    ///< outgoing(parent) after the split
   Halfedge child_outgoing;
   /// The twins of parent -> left, left -> child, child -> right and right -> parent after the
-  /// split. Before it the first two are each other's twins, and so are the last two.
+  /// split. Before the split, the first two are each other's twins, and so are the last two.
   std::array<Halfedge, 4> beyond;
-  glm::vec3 coarse_position;  ///< of the parent before the split
-  glm::vec3 fine_position;    ///< and after it
+  glm::vec3 coarse_position;  ///< position of the parent before the split
+  glm::vec3 fine_position;    ///< position of the parent after the split
   glm::vec3 child_position;
 };
 
-/// How sharp the edges are that a split changes. Before it, parent - left has the larger of the two
-/// values that parent - left and left - child have after it, and the same on the right.
+/// Sharpness of the edges that a split changes. Before the split, parent - left has the larger of
+/// the two values of parent - left and left - child after it; the same holds on the right.
 struct SplitSharpness {
   float edge = 0.0F;  ///< parent - child
   /// parent - left, left - child, child - right, right - parent
@@ -44,7 +44,7 @@ struct SplitSharpness {
   friend bool operator==(const SplitSharpness&, const SplitSharpness&) = default;
 };
 
-/// What the vertices of a split have of sharpness of their own.
+/// Sharpness of the vertices of a split themselves.
 struct SplitCornerSharpness {
   float coarse_parent = 0.0F;
   float fine_parent = 0.0F;
@@ -53,12 +53,13 @@ struct SplitCornerSharpness {
 };
 
 /// Where a split cuts the faces around its parent. The edges at the parent, counter-clockwise from
-/// outgoing(parent), have slots 0 to k-1; at a boundary there is one more, k, for the last edge,
-/// which has no half-edge out of the parent.
+/// outgoing(parent), have slots 0 to k-1. At a boundary there is one more slot, k, for the last
+/// edge, which has no half-edge out of the parent.
 ///
-/// Inside the surface, and where `right` is given: the faces from slot `left` counter-clockwise to
-/// slot `right` become the child's (past the end of an open fan, from its begin on). Without
-/// `right` one face opens at the boundary: faces from slot `left` to the end become the child's.
+/// With `right`, or inside the surface: the faces from slot `left` counter-clockwise to slot
+/// `right` become the child's (past the end of an open fan, it continues at the beginning). Without
+/// `right`, one face opens at the boundary: the faces from slot `left` to the end become the
+/// child's.
 struct SplitCut {
   std::uint32_t left = 0;
   std::uint32_t right = kNone;  ///< kNone: one face
@@ -72,14 +73,14 @@ struct ParentFan {
   bool is_closed = false;
 };
 
-/// A split as a file tells it: what cannot be derived.
+/// A split as stored in a file: only what cannot be derived.
 struct NewSplit {
   Vertex parent;
   SplitCut cut;
   glm::vec3 parent_position;
   glm::vec3 child_position;
   SplitSharpness sharpness;
-  /// After the split; of no account where the base's vertices have no sharpness of their own.
+  /// After the split; ignored if the base's vertices have no sharpness of their own.
   float parent_corner_sharpness = 0.0F;
   float child_corner_sharpness = 0.0F;
 };

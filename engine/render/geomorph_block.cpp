@@ -16,10 +16,10 @@ bool is_growing(const GpuMesh& mesh, const GeomorphTime& time) {
 
 /// One over how often the vertices from the first birth on double those before. By the number that
 /// may come, so that a color stays while levels go up and down.
-float birth_scale(const GpuMesh& mesh, std::uint32_t first) {
-  const std::uint32_t births = mesh.morph().split_count();
+float split_order_scale(const GpuMesh& mesh, std::uint32_t first) {
+  const std::uint32_t split_count = mesh.morph().split_count();
   const double all =
-      mesh.morph().is_empty() ? mesh.vertex_count() : static_cast<double>(first) + births;
+      mesh.morph().is_empty() ? mesh.vertex_count() : static_cast<double>(first) + split_count;
   const double doublings = std::log2((all + 1.0) / (first + 1.0));
   return static_cast<float>(1.0 / std::max(doublings, 1e-3));
 }
@@ -35,15 +35,17 @@ shared::GeomorphConstants constants_of(const GpuMesh& mesh, const Settings& sett
           .fraction = time.fraction,
           .rate = time.rate,
           .fixed_share = time.fixed,
-          .first_birth = settings.first_birth,
-          .birth_scale = settings.colors_births ? birth_scale(mesh, settings.first_birth) : -1.0F,
+          .first_split_vertex = settings.first_split_vertex,
+          .split_order_scale = settings.colors_by_split_order
+                                   ? split_order_scale(mesh, settings.first_split_vertex)
+                                   : -1.0F,
           .unused = 0};
 }
 
 }  // namespace
 
 bool needs_geomorph(const GpuMesh& mesh, const Settings& settings) {
-  return settings.colors_births || is_growing(mesh, settings.geomorph);
+  return settings.colors_by_split_order || is_growing(mesh, settings.geomorph);
 }
 
 VkDeviceAddress GeomorphBlock::write(VkCommandBuffer commands, const GpuMesh& mesh,

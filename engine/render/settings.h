@@ -60,11 +60,11 @@ struct Settings {
   unsigned samples = 4;
   /// How far splits have grown that the mirror has a MorphSource for; without one it is ignored.
   GeomorphTime geomorph = GeomorphTime::done();
-  /// The surface's front is colored by when a vertex came: `front` for those below `first_birth`,
-  /// from there on violet (early) over green to yellow (late), the same step each time that their
-  /// number has doubled.
-  bool colors_births = false;
-  std::uint32_t first_birth = 0;
+  /// The surface's front is colored by when a vertex came: `front` for those below
+  /// `first_split_vertex`, from there on violet (early) over green to yellow (late), the same step
+  /// each time that their number has doubled.
+  bool colors_by_split_order = false;
+  std::uint32_t first_split_vertex = 0;
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };

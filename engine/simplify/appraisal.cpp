@@ -8,9 +8,9 @@
 namespace mesher {
 namespace {
 
-// The squared length of the mean normal, by area, below which a vertex counts as pointed: 0.5 is
-// that of a right-angled ridge, a third that of a cube's corner. Ridges count too: below 0.5 the
-// worst point is a tenth worse.
+// Squared length of the area-weighted mean normal below which a vertex counts as pointed. A
+// right-angled ridge has 0.5, a cube's corner 1/3. Ridges count as pointed, too: with a threshold
+// below 0.5 the largest error is 10 % larger.
 constexpr float kPointed = 0.75F;
 
 bool is_pointed(const Surface& surface, Vertex v) {
@@ -18,9 +18,9 @@ bool is_pointed(const Surface& surface, Vertex v) {
   return dot(q.g, q.g) < kPointed * q.trace() * q.trace();
 }
 
-/// How far the ends of an edge are from the faces that will be there, and the merged vertex from
-/// those that are there now. All of it relative to the merged vertex, so that nothing is lost far
-/// from the model's origin.
+/// Distance of an edge's ends from the new faces, and of the merged vertex from the old ones. All
+/// positions are relative to the merged vertex, so no precision is lost far from the model's
+/// origin.
 class DistanceMoved {
  public:
   DistanceMoved(const Surface& surface, Halfedge h, const Fan& fan, const glm::vec3& p)
@@ -28,16 +28,16 @@ class DistanceMoved {
 
   float find() const {
     const Mesh& mesh = surface_.mesh();
-    const Vec3<Float4> from = in_all_lanes(place(mesh.origin(h_)));
-    const Vec3<Float4> to = in_all_lanes(place(mesh.target(h_)));
+    const Vec3<Float4> from = in_all_lanes(relative_position(mesh.origin(h_)));
+    const Vec3<Float4> to = in_all_lanes(relative_position(mesh.target(h_)));
     const Vec3<Float4> center = in_all_lanes({0.0F, 0.0F, 0.0F});
-    // As far as the merged vertex is from the ends, no more.
+    // The distance of the merged vertex from the ends is an upper bound.
     Float4 of_from = dot(from, from);
     Float4 of_to = dot(to, to);
     Float4 of_center = smaller_of(of_from, of_to);
     for (std::size_t i = 0; i < fan_.size(); i += 4) {
-      const Vec3<Float4> first = fan_.four_places(i) - in_all_lanes(center_);
-      const Vec3<Float4> second = fan_.four_places(i + 1) - in_all_lanes(center_);
+      const Vec3<Float4> first = fan_.four_positions(i) - in_all_lanes(center_);
+      const Vec3<Float4> second = fan_.four_positions(i + 1) - in_all_lanes(center_);
       const TriangleLanes after{center, first, second};
       of_from = smaller_of(of_from, squared_distances(from, after));
       of_to = smaller_of(of_to, squared_distances(to, after));
@@ -49,9 +49,9 @@ class DistanceMoved {
   }
 
  private:
-  Vec3<float> place(Vertex v) const { return surface_.state(v).position - center_; }
+  Vec3<float> relative_position(Vertex v) const { return surface_.state(v).position - center_; }
 
-  /// The end of the edge at which each of faces i to i + 3 is now.
+  /// Returns the end of the edge to which each of faces i to i + 3 currently belongs.
   Vec3<Float4> apexes(std::size_t i, const Vec3<Float4>& from, const Vec3<Float4>& to) const {
     const Mesh& mesh = surface_.mesh();
     const Vertex origin = mesh.origin(h_);
@@ -67,11 +67,11 @@ class DistanceMoved {
   TriangleLanes faces_at_edge() const {
     const Mesh& mesh = surface_.mesh();
     const Halfedge t = mesh.twin(h_);
-    const Vec3<float> left = place(mesh.origin(Mesh::prev(h_)));
-    const Vec3<float> right = t.is_valid() ? place(mesh.origin(Mesh::prev(t))) : left;
+    const Vec3<float> left = relative_position(mesh.origin(Mesh::prev(h_)));
+    const Vec3<float> right = t.is_valid() ? relative_position(mesh.origin(Mesh::prev(t))) : left;
     const auto two = [](float a, float b) { return Float4{a, b, a, b}; };
-    return {in_all_lanes(place(mesh.origin(h_))),
-            in_all_lanes(place(mesh.target(h_))),
+    return {in_all_lanes(relative_position(mesh.origin(h_))),
+            in_all_lanes(relative_position(mesh.target(h_))),
             {two(left.x, right.x), two(left.y, right.y), two(left.z, right.z)}};
   }
 

@@ -6,25 +6,25 @@
 
 namespace mesher {
 
-/// What a legal collapse does to the surface, harm included that its planes do not show.
+/// Cost of a legal collapse, including damage that the plane quadrics do not see.
 struct Appraisal {
   float cost = kNever;   ///< area times squared distance, as Candidate::cost
-  float retreat = 0.0F;  ///< what the merged vertex's VertexState::retreat will be
+  float retreat = 0.0F;  ///< the VertexState::retreat of the merged vertex
 };
 
-/// Adds two kinds of harm to the candidate's cost. Both compare with it, since both are an area
-/// times a squared distance; so a rule that is broken makes a collapse dearer, not impossible, and
-/// what is smaller than the error so far hardly counts.
+/// Returns the candidate's cost plus penalties for two kinds of damage. Both penalties are an area
+/// times a squared distance, so they are commensurable with the cost: breaking a rule makes a
+/// collapse more expensive, not impossible, and damage smaller than the error so far hardly counts.
 ///
-///  - The surface retreats. The planes of a thin part run along it: to them its tip may be cut off
-///    for little, and its area is small. So where the faces at an end point in many directions, the
-///    distance `d` from both ends to the new faces, and from the new vertex to the old ones, is
-///    found, and what the ends have retreated before is added: a part that is eaten in many small
-///    bites costs as much as one that is cut off at once. A part that sticks out by `d` is worth as
-///    much as an area of `d * d`: the harm is the fourth power of `d`.
-///  - Faces turn or fold (Fan::turned_area): the harm is the square of their area.
+///  - Retreat of the surface. The planes of a thin part run along it, so cutting off its tip costs
+///    them little, and the tip's area is small. Where the faces at an end point in many directions,
+///    `d` is the largest of the distances from either end to the new faces and from the new vertex
+///    to the old faces. The earlier retreat of the ends is added to `d`, so removing a part in many
+///    small steps costs as much as removing it at once. A part that sticks out by `d` counts as an
+///    area of `d * d`, so the penalty is `d` to the fourth power.
+///  - Faces that turn or fold (Fan::turned_area). The penalty is the square of their area.
 ///
-/// O(valence). Pre: `fan` is gathered for `h` and its shape is checked at the candidate's position.
+/// Pre: `fan` is gathered for `h` and its shape is checked at the candidate's position. O(valence).
 Appraisal appraise(const Surface& surface, Halfedge h, const Fan& fan, const Candidate& candidate);
 
 }  // namespace mesher

@@ -6,23 +6,22 @@
 namespace mesher {
 namespace {
 
-/// Which input corner speaks for a vertex, and where corners contradict each other.
-struct Spokesmen {
-  std::vector<Halfedge>
-      corner;  ///< for each input vertex one of its corners; none: no face uses it
+/// One representative input corner per vertex, and the vertices whose corners disagree.
+struct RepresentativeCorners {
+  std::vector<Halfedge> corner;  ///< by input vertex; none: no face uses it
   std::vector<bool> has_seam;
 };
 
-// Bit for bit: a corner without a value has NaN, which equals nothing.
+// Bitwise, because a corner without a value has NaN, which equals nothing.
 template <class T>
 bool is_same(const T& a, const T& b) {
   return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 
 template <class T>
-Spokesmen find_spokesmen(const Array<T>& values, std::span<const Vertex> origins,
-                         std::size_t vertices) {
-  Spokesmen found{std::vector<Halfedge>(vertices), std::vector<bool>(vertices)};
+RepresentativeCorners find_representatives(const Array<T>& values, std::span<const Vertex> origins,
+                                           std::size_t vertices) {
+  RepresentativeCorners found{std::vector<Halfedge>(vertices), std::vector<bool>(vertices)};
   for (std::uint32_t i = 0; i < origins.size(); ++i) {
     const std::uint32_t v = origins[i].index();
     Halfedge& corner = found.corner[v];
@@ -35,12 +34,13 @@ Spokesmen find_spokesmen(const Array<T>& values, std::span<const Vertex> origins
   return found;
 }
 
-/// Empty, with a word in `dropped`, where a survivor has a seam.
+/// Returns the carried values. If a surviving vertex has a seam, returns none and appends to
+/// `dropped`.
 template <class T>
 Array<T> carry(const Array<T>& values, std::span<const Vertex> origins, const Survivors& result,
                std::string_view name, std::vector<std::string>& dropped) {
   if (values.empty()) return {};
-  const Spokesmen input = find_spokesmen(values, origins, result.vertices_before);
+  const RepresentativeCorners input = find_representatives(values, origins, result.vertices_before);
   std::size_t seams = 0;
   for (const Vertex source : result.vertex_source)
     seams += input.has_seam[source.index()] ? 1 : 0;

@@ -11,12 +11,12 @@ namespace mesher {
 
 struct CarriedAttributes {
   Attributes attributes;
-  /// What could not be carried, as a person would read it: "texture coordinates (seams at 12 of the
-  /// vertices that are left)".
+  /// Attributes that could not be carried over, as text for the user: "texture coordinates (seams
+  /// at 12 of the vertices that are left)".
   std::vector<std::string> dropped;
 };
 
-/// What a simplification has left, and where it comes from, as Simplified says it.
+/// The remaining mesh and the source of each vertex and face, as in Simplified.
 struct Survivors {
   const Mesh& mesh;
   std::span<const Vertex> vertex_source;
@@ -24,15 +24,14 @@ struct Survivors {
   std::size_t vertices_before = 0;
 };
 
-/// Carries attributes over a simplification where that is plain: a texture coordinate, normal or
-/// color stays where, at every surviving vertex, all corners of the input say the same, bit for
-/// bit; one that has a seam at a survivor is dropped whole. Groups follow their faces. Where
-/// nothing was collapsed everything stays. `origins` are the input's (simplify takes the mesh
-/// itself over). O(faces before and after).
+/// Carries attributes over a simplification where this is unambiguous. A texture coordinate, normal
+/// or color is kept if, at every surviving vertex, all corners of the input have bitwise the same
+/// value. An attribute with a seam at a surviving vertex is dropped entirely. Groups follow their
+/// faces. If nothing was collapsed, everything is kept. `origins` are those of the input, because
+/// simplify consumes the mesh itself. O(faces before and after).
 CarriedAttributes carry_attributes(const Attributes& before, std::span<const Vertex> origins,
                                    const Simplified& result);
-/// The same for what something else than `simplify` has left of the input, such as a level of a
-/// progressive mesh.
+/// Same, for a result that does not come from `simplify`, such as a level of a progressive mesh.
 CarriedAttributes carry_attributes(const Attributes& before, std::span<const Vertex> origins,
                                    const Survivors& result);
 

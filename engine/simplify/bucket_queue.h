@@ -12,18 +12,18 @@
 
 namespace mesher {
 
-/// A vertex's place in a queue. A vertex is in at most one queue at a time, so that queues over
+/// Links of a vertex in a queue. A vertex is in at most one queue at a time, so queues over
 /// disjoint sets of vertices share one array.
 struct QueueEntry {
   std::uint32_t next = kNone;
   std::uint32_t previous = kNone;
-  std::uint32_t bucket = kNone;  ///< kNone: in no queue
+  std::uint32_t bucket = kNone;  ///< kNone: not in a queue
 };
 
-/// Vertices by cost, cheapest first, to within 1/32 of an octave (2 %); first come, first served
-/// within a bucket, so that equal costs spread over the surface instead of piling up in one place.
-/// The bucket is the upper bits of the float. Everything is O(1), finding the cheapest amortised
-/// over a bitmap.
+/// Queue of vertices by cost, cheapest first, to within 1/32 of an octave (2 %). Each bucket is
+/// first-in first-out, so that equal costs spread over the surface instead of clustering. The
+/// bucket is the upper bits of the float. All operations are O(1); front() is amortized over a
+/// bitmap.
 class BucketQueue {
   static constexpr std::uint32_t kShift = 18;
 
@@ -32,12 +32,12 @@ class BucketQueue {
 
   explicit BucketQueue(std::span<QueueEntry> entries) : entries_(entries), ends_(kBuckets) {}
 
-  /// Monotone in `cost`. Pre: cost >= 0 (infinity included). Whatever its bits, a bucket that
-  /// exists.
+  /// Returns the bucket of a cost; monotone in `cost`. Any bit pattern yields a valid bucket. Pre:
+  /// cost >= 0 (infinity included).
   static std::uint32_t bucket_of(float cost) {
     return (std::bit_cast<std::uint32_t>(cost) & 0x7FFFFFFFU) >> kShift;
   }
-  /// The highest cost in the buckets below this one; negative where there are none.
+  /// Returns the highest cost in the buckets below this one; negative if there are none.
   static float highest_below(std::uint32_t bucket) {
     return bucket == 0 ? -1.0F : std::bit_cast<float>((bucket << kShift) - 1);
   }
@@ -61,7 +61,7 @@ class BucketQueue {
   }
 
   bool contains(Vertex v) const { return bucket(v) != kNone; }
-  /// In which the vertex is; kNone where in none.
+  /// Returns the bucket of the vertex; kNone if it is not in a queue.
   std::uint32_t bucket(Vertex v) const { return entries_[v.index()].bucket; }
 
   void remove(Vertex v) {
@@ -76,11 +76,10 @@ class BucketQueue {
     entry.bucket = kNone;
   }
 
-  /// Who comes after this one, if nothing else happens: the vertex behind it in its bucket, or
-  /// none. Pre: the queue contains it.
+  /// Returns the next vertex in the same bucket, or none. Pre: the queue contains `v`.
   Vertex behind(Vertex v) const { return Vertex(entries_[v.index()].next); }
 
-  /// The cheapest vertex, or none.
+  /// Returns the cheapest vertex, or none.
   Vertex front() {
     for (; lowest_word_ < occupied_.size(); ++lowest_word_) {
       const std::uint64_t word = occupied_[lowest_word_];

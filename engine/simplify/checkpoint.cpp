@@ -10,7 +10,7 @@ Checkpoint::Checkpoint(const Mesh& mesh, std::span<const Vertex> live) {
     const Halfedge start = mesh.outgoing(v);
     vertices_.push_back({v, start, mesh.position(v), mesh.sharpness(v)});
     for (Halfedge h = start; h.is_valid();) {
-      // Each face once: for the lowest of its vertices.
+      // Copy each face once, at its lowest vertex.
       if (v < std::min(mesh.target(h), mesh.origin(Mesh::prev(h)))) copy_face(mesh, Mesh::face(h));
       h = mesh.rotate_ccw(h);
       if (h == start) break;

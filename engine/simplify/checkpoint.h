@@ -8,18 +8,17 @@
 
 namespace mesher {
 
-/// The part of a mesh under simplification that is still alive, so that collapses can be taken
-/// back. It holds the mesh alone, not what is kept beside it (Surface): after `restore` the mesh
-/// can be read, but not be simplified further. O(live) memory: about 56 bytes per face that is
-/// left.
+/// A copy of the live part of a mesh under simplification, from which collapses can be undone. It
+/// copies the mesh alone, not the Surface data kept beside it: after `restore` the mesh can be read
+/// but not simplified further. Memory: O(live), about 52 bytes per remaining face.
 class Checkpoint {
  public:
-  /// Copies all vertices of `live` and their faces. O(live). Pre: each vertex that has faces is in
+  /// Copies all vertices of `live` and their faces. O(live). Pre: every vertex that has faces is in
   /// `live`.
   Checkpoint(const Mesh& mesh, std::span<const Vertex> live);
 
-  /// Takes back all collapses since then; `live` becomes what it was. O(live). Pre: `mesh` is the
-  /// same mesh, changed by collapses only.
+  /// Undoes all collapses since construction and resets `live`. O(live). Pre: `mesh` is the same
+  /// mesh, changed by collapses only.
   void restore(Mesh& mesh, Array<Vertex>& live) const;
 
  private:

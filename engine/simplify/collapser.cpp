@@ -14,10 +14,10 @@ static_assert(CollapseRecord::kRanks == BucketQueue::kBuckets);
 
 namespace {
 
-// A single face may be removed for so many times what the next collapse costs, which removes two:
-// four times the distance.
+// Highest cost for removing a single face, relative to the next collapse, which removes two: four
+// times the distance.
 constexpr float kMostForOneFace = 16.0F;
-// Of a hub no more edges are evaluated again.
+// Maximum number of edges re-evaluated at a vertex, so that hubs stay cheap.
 constexpr std::size_t kFreshSpokes = 64;
 
 /// Calls `visit` for the half-edges out of `v`, at most `limit` of them.
@@ -31,7 +31,7 @@ void visit_spokes(const Mesh& mesh, Vertex v, std::size_t limit, const Visit& vi
   } while (h.is_valid() && h != start && --limit > 0);
 }
 
-/// Edges that vertices answer for, some vertices at a time.
+/// Computes the first costs of the edges owned by a range of vertices.
 class FirstCosts {
  public:
   explicit FirstCosts(const CollapseContext& context) : context_(context) {}
@@ -45,14 +45,14 @@ class FirstCosts {
       visit_spokes(mesh, v, kNone, [&](Halfedge h) {
         if (count == edges_.size()) edges_.resize(2 * count + 64);
         edges_[count] = h;
-        // None is the highest index of all, so the origin of a boundary edge answers for it. Which
-        // of the two halves is the lower cannot be guessed: so no branch.
+        // An invalid twin has the highest index, so the origin of a boundary edge owns it.
+        // Branch-free, because which half is the lower one is unpredictable.
         count += static_cast<std::size_t>(h < mesh.twin(h));
       });
     }
     costs_.resize(count);
-    context_.policy.evaluate_costs(context_.surface, std::span(edges_).first(count), context_.care,
-                                   costs_.data());
+    context_.policy.evaluate_costs(context_.surface, std::span(edges_).first(count),
+                                   context_.precision, costs_.data());
     for (std::size_t i = 0; i < count; ++i)
       note(edges_[i], costs_[i]);
   }
@@ -93,16 +93,16 @@ CollapseOutcome Collapser::run(std::span<const Vertex> vertices) {
     guard_.emplace(context_.surface, *context_.space, limits_.region, vertices);
   }
   fill_queue(vertices);
-  take_turns();
+  process_queue();
   const Vertex next = queue_.front();
   const bool compares = next.is_valid() && context_.policy.costs_are_errors();
   const float most = compares ? kMostForOneFace * state(next).cost : kNever;
   empty_queue(vertices);
   if (outcome_.removed_faces + 1 == limits_.faces) {
     if (!remove_one_face(vertices, most)) {
-      ++limits_.faces;  // no boundary edge will do: two faces or none
+      ++limits_.faces;  // no boundary edge is suitable: remove two faces or none
       fill_queue(vertices);
-      take_turns();
+      process_queue();
     }
     empty_queue(vertices);
   }
@@ -131,8 +131,8 @@ void Collapser::empty_queue(std::span<const Vertex> vertices) {
     queue_.remove(v);
 }
 
-void Collapser::take_turns() {
-  constexpr std::uint32_t kTurnsBetweenReports = 1024;
+void Collapser::process_queue() {
+  constexpr std::uint32_t kStepsBetweenReports = 1024;
   std::uint32_t reported = outcome_.removed_faces;
   const auto note_progress = [&] {
     const std::uint32_t all = context_.removed_faces += outcome_.removed_faces - reported;
@@ -140,25 +140,25 @@ void Collapser::take_turns() {
     report(context_.progress,
            static_cast<float>(all) / static_cast<float>(context_.faces_to_remove));
   };
-  for (std::uint32_t turn = 1; outcome_.removed_faces + 1 < limits_.faces; ++turn) {
+  for (std::uint32_t step = 1; outcome_.removed_faces + 1 < limits_.faces; ++step) {
     const Vertex v = queue_.front();
     if (!v.is_valid()) break;
     look_ahead(v);
-    take_turn(v);
-    if (turn % kTurnsBetweenReports == 0) note_progress();
+    collapse_or_requeue(v);
+    if (step % kStepsBetweenReports == 0) note_progress();
   }
   note_progress();
 }
 
-/// Asks for what the next three turns are likely to read, each a step further: of the third vertex
-/// its state, of the second its edge, of the next what lies around the face at the edge.
+/// Prefetches what the next three queue entries will probably read, one step ahead each: the state
+/// of the third vertex, the edge of the second, and the surroundings of the next edge's face.
 void Collapser::look_ahead(Vertex v) {
   const Surface& surface = context_.surface;
   const Mesh& mesh = surface.mesh();
   const Vertex next = queue_.behind(v);
   if (!next.is_valid()) return;
   const Halfedge h = surface.state(next).best;
-  // The edge may be gone by now.
+  // The edge may have been removed by now.
   if (const Vertex target = mesh.target(h); target.is_valid()) surface.will_need(target);
   for (const Halfedge side : {h, Mesh::prev(h), Mesh::next(h)}) {
     if (const Halfedge t = mesh.twin(side); t.is_valid()) surface.will_need(t);
@@ -169,18 +169,19 @@ void Collapser::look_ahead(Vertex v) {
   if (const Vertex third = queue_.behind(second); third.is_valid()) surface.will_need(third);
 }
 
-/// Either collapses the vertex's cheapest edge, or puts the vertex back where it belongs.
-void Collapser::take_turn(Vertex v) {
+/// Collapses the vertex's cheapest edge, or puts the vertex back into the queue at its current
+/// cost.
+void Collapser::collapse_or_requeue(Vertex v) {
   Surface& surface = context_.surface;
   const Mesh& mesh = surface.mesh();
   const std::uint32_t bucket = queue_.bucket(v);
   queue_.remove(v);
   const Halfedge h = state(v).best;
-  // The edge may be gone, have become dearer, or have another that answers for it.
+  // The edge may be removed, more expensive, or owned by another vertex by now.
   if (mesh.origin(h) != v || BucketQueue::bucket_of(surface.cost(h)) > bucket) {
     return choose_cheapest_edge(v);
   }
-  // Across the region's border: another time.
+  // The edge crosses the region's border: leave it to a later round.
   if (!is_ours(mesh.target(h))) return;
   const Candidate candidate = evaluate(h);
   surface.set_cost(h, candidate.cost);
@@ -194,7 +195,7 @@ void Collapser::take_turn(Vertex v) {
     if (BucketQueue::bucket_of(appraisal.cost) <= bucket + limits_.tolerance) {
       return collapse(h, candidate, appraisal);
     }
-    // Back into the queue at what it really costs.
+    // Requeue at the full cost.
     surface.set_cost(h, appraisal.cost);
   } else {
     refuse(h, *cause);
@@ -202,7 +203,7 @@ void Collapser::take_turn(Vertex v) {
   choose_cheapest_edge(v);
 }
 
-/// Pre: `check` has found the collapse legal.
+/// Pre: `check` returned kLegal for this collapse.
 Appraisal Collapser::appraise(Halfedge h, const Candidate& candidate) {
   if (!context_.policy.costs_are_errors()) return {candidate.cost, 0.0F};
   Appraisal appraisal = mesher::appraise(context_.surface, h, fan_, candidate);
@@ -212,8 +213,8 @@ Appraisal Collapser::appraise(Halfedge h, const Candidate& candidate) {
   return appraisal;
 }
 
-/// Where one face is left to remove: the cheapest legal collapse at the boundary that costs no more
-/// than `most`. False where there is none.
+/// Removes one face: does the cheapest legal boundary collapse that costs at most `most`. Returns
+/// false if there is none.
 bool Collapser::remove_one_face(std::span<const Vertex> vertices, float most) {
   const Mesh& mesh = context_.surface.mesh();
   std::vector<std::pair<float, Halfedge>> edges;
@@ -237,9 +238,9 @@ bool Collapser::remove_one_face(std::span<const Vertex> vertices, float most) {
 }
 
 Candidate Collapser::evaluate(Halfedge h) {
-  const Fit fit = context_.surface.fit(h);
-  if (fit == Fit::nowhere) return {};
-  return context_.policy.evaluate(context_.surface, h, fit);
+  const AllowedPlacement allowed = context_.surface.allowed_placement(h);
+  if (allowed == AllowedPlacement::nowhere) return {};
+  return context_.policy.evaluate(context_.surface, h, allowed);
 }
 
 void Collapser::choose_cheapest_edge(Vertex v) {
@@ -247,23 +248,23 @@ void Collapser::choose_cheapest_edge(Vertex v) {
   const Mesh& mesh = surface.mesh();
   Cheapest cheapest;
   visit_spokes(mesh, v, limits_.valence, [&](Halfedge h) { cheapest.offer(h, surface.cost(h)); });
-  wait_for(v, cheapest);
+  enqueue(v, cheapest);
 }
 
-/// Puts a vertex where its cheapest edge belongs in the queue.
-void Collapser::wait_for(Vertex v, const Cheapest& cheapest) {
+/// Sets a vertex's cheapest edge and inserts the vertex into the queue.
+void Collapser::enqueue(Vertex v, const Cheapest& cheapest) {
   const float cost = cheapest.cost();
   state(v).best = cheapest.halfedge();
   state(v).cost = cost;
   if (cost <= limits_.cost && cost < kNever) queue_.push(v, cost);
 }
 
-/// Gives every edge of the fan's vertex its cost, and the vertex its place in the queue.
+/// Evaluates every edge of the fan's vertex and inserts the vertex into the queue.
 void Collapser::evaluate_fan(Vertex v) {
   Surface& surface = context_.surface;
   const Mesh& mesh = surface.mesh();
   costs_.resize(fan_.size() + 8);
-  context_.policy.evaluate_around(context_.surface, v, fan_, context_.care, costs_.data());
+  context_.policy.evaluate_around(context_.surface, v, fan_, context_.precision, costs_.data());
   Cheapest cheapest;
   for (std::size_t i = 0; i < fan_.size(); ++i) {
     const Halfedge h = fan_.spokes()[i];
@@ -272,17 +273,17 @@ void Collapser::evaluate_fan(Vertex v) {
     surface.set_cost(Mesh::prev(h), kNever);
     cheapest.offer(h, costs_[i]);
   }
-  wait_for(v, cheapest);
+  enqueue(v, cheapest);
   if (fan_.is_closed() || fan_.size() == 0) return;
-  // The last edge of an open fan has no half out of the vertex: the neighbour answers for it.
+  // The last edge of an open fan has no half-edge out of the vertex, so the neighbor owns it.
   const Halfedge last = Mesh::prev(fan_.spokes().back());
-  const Vertex neighbour = mesh.origin(last);
+  const Vertex neighbor = mesh.origin(last);
   surface.set_cost(last, costs_[fan_.size()]);
-  queue_.remove(neighbour);
-  choose_cheapest_edge(neighbour);
+  queue_.remove(neighbor);
+  choose_cheapest_edge(neighbor);
 }
 
-/// Looks again at what was refused at `v`, and answers for it.
+/// Re-evaluates the refused edges at `v`, which owns them from then on.
 void Collapser::evaluate_refused(Vertex v) {
   Surface& surface = context_.surface;
   const Mesh& mesh = surface.mesh();
@@ -303,15 +304,15 @@ void Collapser::refuse(Halfedge h, Rejection cause) {
     state(v).has_refused = true;
 }
 
-/// What stands against a collapse; nothing is said where the ring reaches across the region's
-/// border. Leaves the fan gathered.
+/// Returns why a collapse is not allowed, or Fan::kLegal; returns nothing if the ring crosses the
+/// region's border. Leaves the fan gathered.
 std::optional<Rejection> Collapser::check(Halfedge h, const Candidate& candidate) {
   const Surface& surface = context_.surface;
   const bool is_whole = fan_.gather(surface, h, limits_.valence);
   if (!is_ring_ours()) return std::nullopt;
   survey_ring();
   if (!is_whole) return Rejection::link_condition;
-  // Coordinates at the ends of what a float holds may overflow on the way.
+  // Coordinates near the limits of float may have overflowed.
   const glm::vec3& p = candidate.position;
   if (!std::isfinite(p.x + p.y + p.z)) return Rejection::fold_over;
   Rejection cause = fan_.check_topology(surface);
@@ -345,7 +346,7 @@ std::optional<Rejection> Collapser::check_intersections(Halfedge h, const glm::v
   return std::nullopt;
 }
 
-/// By itself, since of other regions' vertices nothing may be read but whose they are.
+/// Separate from survey_ring, because of other regions' vertices only `region` may be read.
 bool Collapser::is_ring_ours() const {
   bool is_ours = true;
   for (const Vertex v : fan_.ring())
@@ -353,7 +354,7 @@ bool Collapser::is_ring_ours() const {
   return is_ours;
 }
 
-/// What else has to be known of the neighbours, in one loop without branches.
+/// Gathers the properties of the neighbors in one branch-free loop.
 void Collapser::survey_ring() {
   ring_ = {};
   for (const Vertex v : fan_.ring()) {
@@ -363,8 +364,8 @@ void Collapser::survey_ring() {
   }
 }
 
-/// Whether both other sides of a face at a feature edge are features: a loop of three, which must
-/// not close.
+/// Returns whether both other sides of a face at a feature edge are features. Such a loop of three
+/// must not collapse.
 bool Collapser::makes_feature_triangle(Halfedge h) const {
   const Surface& surface = context_.surface;
   if (!surface.is_feature(h)) return false;
@@ -377,7 +378,7 @@ bool Collapser::makes_feature_triangle(Halfedge h) const {
   return false;
 }
 
-/// The rank of the collapse that is about to be done, noted where later ones will look for it.
+/// Returns the rank of the next collapse and stores it where later ones look for it.
 std::uint16_t Collapser::take_rank(Halfedge h, float cost) {
   const Mesh& mesh = context_.surface.mesh();
   VertexState& kept = state(mesh.target(h));
@@ -416,12 +417,12 @@ void Collapser::collapse(Halfedge h, const Candidate& candidate, const Appraisal
   if (context_.samples != nullptr) context_.samples->collapsed(fan_);
   outcome_.removed_faces += t.is_valid() ? 2 : 1;
   evaluate_fan(kept);
-  wake_ring();
+  retry_refused_in_ring();
   if (outcome_.removed_faces > limits_.fresh_after) refresh_ring(kept);
 }
 
-/// Evaluates the edges of the neighbors again, whose quadrics the collapse has changed; those of
-/// the merged vertex are fresh.
+/// Re-evaluates the edges of the neighbors, whose quadrics the collapse has changed. Those of the
+/// merged vertex are up to date.
 void Collapser::refresh_ring(Vertex kept) {
   Surface& surface = context_.surface;
   const Mesh& mesh = surface.mesh();
@@ -436,7 +437,7 @@ void Collapser::refresh_ring(Vertex kept) {
     });
   }
   costs_.resize(stale_.size());
-  context_.policy.evaluate_costs(surface, stale_, Care::exact, costs_.data());
+  context_.policy.evaluate_costs(surface, stale_, CostPrecision::exact, costs_.data());
   for (std::size_t i = 0; i < stale_.size(); ++i)
     surface.set_cost(stale_[i], costs_[i]);
   Vertex last;
@@ -449,8 +450,8 @@ void Collapser::refresh_ring(Vertex kept) {
   }
 }
 
-/// What was refused near a collapse may be allowed after it.
-void Collapser::wake_ring() {
+/// Re-evaluates edges that were refused near the collapse: they may be legal now.
+void Collapser::retry_refused_in_ring() {
   if (!ring_.has_refused) return;
   for (const Vertex v : fan_.ring()) {
     if (!state(v).has_refused) continue;

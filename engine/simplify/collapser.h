@@ -24,27 +24,28 @@
 
 namespace mesher {
 
-/// What stays the same over a whole simplification.
+/// Data shared by all collapses of a simplification.
 struct CollapseContext {
   Surface& surface;
   CollapsePolicy& policy;
   std::span<QueueEntry> queue;  ///< by vertex
   ErrorBound* bound = nullptr;
-  TrackedSamples* samples = nullptr;  ///< where one region is left and costs are measured
-  GuardedSpace* space = nullptr;      ///< none where faces may come to intersect
-  /// With it: no collapse gets a lower rank. Each then also comes after those before it in its
-  /// region, and after all of earlier rounds, since what is far on the surface may be near in
-  /// space.
+  TrackedSamples* samples = nullptr;  ///< set once a single region is left and costs are measured
+  GuardedSpace* space = nullptr;      ///< null if new intersections are allowed
+  /// Lowest rank of new collapses. Used with `space` only: each collapse then also ranks at or
+  /// above those before it in its region and all those of earlier rounds, because parts that are
+  /// far apart on the surface may be close in space.
   std::uint16_t least_rank = 0;
-  Care care = Care::exact;  ///< with which edges are looked at before their turn
+  /// Of costs before an edge reaches the front of the queue.
+  CostPrecision precision = CostPrecision::exact;
   Progress* progress = nullptr;
-  std::uint32_t faces_to_remove = 0;            ///< in all
-  std::atomic<std::uint32_t> removed_faces{0};  ///< so far, for the progress
+  std::uint32_t faces_to_remove = 0;            ///< in total
+  std::atomic<std::uint32_t> removed_faces{0};  ///< so far, for progress reports
 };
 
-/// The cheapest of the edges that it is offered, of equals that of the lowest index. Which is
-/// cheaper cannot be guessed, so there is no branch: one number holds the cost's bits, which for
-/// costs that are not negative (-0 is) are in the order of the costs, above the half-edge's.
+/// The cheapest edge offered; ties go to the lowest index. The comparison is unpredictable, so it
+/// is branch-free: a 64-bit key holds the bits of the cost above the half-edge's index. The bits of
+/// nonnegative floats (without -0) sort like the floats themselves.
 class Cheapest {
  public:
   Cheapest() = default;
@@ -52,7 +53,8 @@ class Cheapest {
 
   void offer(Halfedge h, float cost) { least_ = std::min(least_, key(h, cost)); }
 
-  /// None, or an edge that must not be merged, where the cost is kNever.
+  /// Returns the cheapest edge: none, or an edge of cost kNever that must not be merged, if there
+  /// is no mergeable one.
   Halfedge halfedge() const { return Halfedge(static_cast<std::uint32_t>(least_)); }
   float cost() const { return std::bit_cast<float>(static_cast<std::uint32_t>(least_ >> 32U)); }
 
@@ -64,7 +66,7 @@ class Cheapest {
   std::uint64_t least_ = key(Halfedge(), kNever);
 };
 
-/// What came of the work on one region.
+/// Result of collapsing in one region.
 struct CollapseOutcome {
   std::uint32_t removed_faces = 0;
   double paid = 0.0;  ///< sum of Candidate::error
@@ -72,59 +74,60 @@ struct CollapseOutcome {
   std::array<std::uint64_t, kRejections.size()> rejected{};
 };
 
-/// Gives every edge its first cost, and every vertex its cheapest edge. Pre: they have none yet.
-/// O(F), parallel. Throws Cancelled.
+/// Computes the first cost of every edge and the cheapest edge of every vertex. Pre: no edge has a
+/// cost yet. O(F), parallel. Throws Cancelled.
 ///
-/// From then on a cost may be out of date: a collapse evaluates the edges of its own vertex, not
-/// those of the neighbours. An edge is looked at again when its turn comes (costs mostly rise, so
-/// that nothing cheap is missed).
+/// Costs may become stale later: a collapse re-evaluates the edges of its merged vertex, not those
+/// of the neighbors. The collapser re-evaluates an edge when it reaches the front of the queue.
+/// Costs mostly rise, so no cheap edge is missed.
 void evaluate_all(const CollapseContext& context);
 
-/// Collapses edges of one region (a set of vertices), cheapest first. Regions may be worked on at
-/// once: a collapse is done only where both ends and their whole one-rings are of the region, and
-/// touches nothing but them and the faces that they have; what belongs to a vertex of the region
-/// can only be changed by it. Other edges wait for a round in which the regions are cut
-/// differently.
+/// Collapses edges of one region (a set of vertices), cheapest first. Regions can run concurrently:
+/// a collapse is done only if both ends and their entire one-rings belong to the region, and it
+/// writes only those vertices and their faces. Hence only the region itself changes data of its
+/// vertices. Other edges are left to a later round with different regions.
 class Collapser {
  public:
   struct Limits {
     std::uint32_t region = 0;
-    float cost = kNever;          ///< nothing dearer is collapsed
-    std::uint32_t tolerance = 0;  ///< buckets that an edge may be dearer than was thought
-    /// At most so many are removed, or one more: a collapse inside the surface removes two. Where
-    /// one is left to remove, a legal collapse at the boundary is preferred, unless it is far
-    /// dearer.
+    float cost = kNever;  ///< edges of a higher cost are not collapsed
+    /// Number of buckets by which an edge may exceed its expected cost
+    std::uint32_t tolerance = 0;
+    /// Maximum number of faces to remove; one more is possible, because an interior collapse
+    /// removes two. If exactly one is left to remove, a legal boundary collapse is preferred unless
+    /// it is far more expensive.
     std::uint32_t faces = 0;
-    /// After so many the edges of a collapse's neighbors are evaluated again, too.
+    /// Once more faces than this are removed, the edges of the neighbors are re-evaluated after
+    /// each collapse, too.
     std::uint32_t fresh_after = kNone;
-    std::size_t valence = 0;  ///< no vertex of more faces is made
+    std::size_t valence = 0;  ///< maximum number of faces at a vertex after a collapse
   };
 
   Collapser(CollapseContext& context, const Limits& limits);
 
-  /// Works until nothing within the limits is left. Throws Cancelled. Call once.
+  /// Collapses edges until none within the limits is left. Throws Cancelled. Call once.
   [[nodiscard]] CollapseOutcome run(std::span<const Vertex> vertices);
-  /// The same, after all refused edges have been given a cost again.
+  /// Same, after re-evaluating all refused edges.
   [[nodiscard]] CollapseOutcome run_refused(std::span<const Vertex> vertices);
 
  private:
-  /// What the neighbours of an edge say of a collapse.
+  /// Properties of the neighbors of an edge that matter to a collapse.
   struct RingSurvey {
-    bool has_refused = false;  ///< one has a refused edge
-    std::uint16_t rank = 0;    ///< the highest
+    bool has_refused = false;  ///< a neighbor has a refused edge
+    std::uint16_t rank = 0;    ///< highest rank of the neighbors
   };
 
   VertexState& state(Vertex v) { return context_.surface.state(v); }
   bool is_ours(Vertex v) const { return context_.surface.state(v).region == limits_.region; }
   void fill_queue(std::span<const Vertex> vertices);
   void empty_queue(std::span<const Vertex> vertices);
-  void take_turns();
+  void process_queue();
   void look_ahead(Vertex v);
-  void take_turn(Vertex v);
+  void collapse_or_requeue(Vertex v);
   bool remove_one_face(std::span<const Vertex> vertices, float most);
   Candidate evaluate(Halfedge h);
   void choose_cheapest_edge(Vertex v);
-  void wait_for(Vertex v, const Cheapest& cheapest);
+  void enqueue(Vertex v, const Cheapest& cheapest);
   void evaluate_fan(Vertex v);
   void evaluate_refused(Vertex v);
   void refuse(Halfedge h, Rejection cause);
@@ -140,7 +143,7 @@ class Collapser {
   void merge(Halfedge h, const glm::vec3& p);
   void merge_near_feature(Halfedge h, const glm::vec3& p);
   void merge_smooth(Halfedge h, const glm::vec3& p);
-  void wake_ring();
+  void retry_refused_in_ring();
   void refresh_ring(Vertex kept);
 
   CollapseContext& context_;
@@ -149,7 +152,7 @@ class Collapser {
   Fan fan_;
   std::vector<float> costs_;     ///< scratch of evaluate_fan and refresh_ring
   std::vector<Halfedge> stale_;  ///< scratch of refresh_ring
-  RingSurvey ring_;              ///< of the fan, from a check that got so far to its collapse
+  RingSurvey ring_;              ///< of the fan; set by the check that precedes a collapse
   std::optional<IntersectionGuard> guard_;
   std::uint16_t least_rank_;
   CollapseOutcome outcome_;

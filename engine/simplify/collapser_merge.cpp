@@ -1,5 +1,4 @@
-// The part of Collapser that does a collapse: changes the mesh, and brings shapes and quadrics up
-// to date.
+// The part of Collapser that performs a collapse: changes the mesh and updates shapes and quadrics.
 #include <algorithm>
 #include <array>
 
@@ -18,7 +17,7 @@ void Collapser::add_contributions(Face f, float sign) {
   }
 }
 
-/// Merges, and brings shapes and quadrics up to date, whatever the faces contribute.
+/// Merges the edge and updates shapes and quadrics; handles faces with features.
 void Collapser::merge_near_feature(Halfedge h, const glm::vec3& p) {
   Surface& surface = context_.surface;
   const Mesh& mesh = surface.mesh();
@@ -29,14 +28,14 @@ void Collapser::merge_near_feature(Halfedge h, const glm::vec3& p) {
     if (side.is_valid()) add_contributions(Mesh::face(side), -1.0F);
   }
   merge(h, p);
-  surface.place_anew(kept, p);
+  surface.move_and_clear_quadric(kept, p);
   for (std::size_t i = 0; i < fan_.size(); ++i)
     surface.set_shape(Mesh::face(fan_.spokes()[i]), fan_.four_shapes(i)[0]);
   for (const Halfedge spoke : fan_.spokes())
     add_contributions(Mesh::face(spoke), 1.0F);
 }
 
-/// The same where faces contribute their planes alone: each neighbour is written once.
+/// Same, for faces that contribute only their planes: writes each neighbor once.
 void Collapser::merge_smooth(Halfedge h, const glm::vec3& p) {
   Surface& surface = context_.surface;
   const Mesh& mesh = surface.mesh();
@@ -61,7 +60,7 @@ void Collapser::merge_smooth(Halfedge h, const glm::vec3& p) {
   }
   surface.add(fan_.ring().back(), previous);
   merge(h, p);
-  surface.place_anew(kept, p);
+  surface.move_and_clear_quadric(kept, p);
   surface.add(kept, total);
 }
 
@@ -72,10 +71,10 @@ void Collapser::merge(Halfedge h, const glm::vec3& p) {
   const Halfedge t = mesh.twin(h);
   const Vertex removed = mesh.origin(h);
   const Vertex kept = mesh.target(h);
-  surface.state(kept).freedom = std::max(surface.freedom(kept), surface.freedom(removed));
+  surface.state(kept).constraint = std::max(surface.constraint(kept), surface.constraint(removed));
   if (!fan_.is_smooth()) {
     edit.join_sharpness(h);
-    // Two edges become one: a feature if either was.
+    // Two edges become one, which is a feature if either was.
     for (const Halfedge side : {h, t}) {
       if (!side.is_valid()) continue;
       const bool is_feature =

@@ -12,16 +12,16 @@
 namespace mesher {
 namespace {
 
-/// What the policies share that place the vertex as the default does.
+/// Base of the policies that place the vertex like the default policy.
 class PlacedPolicy : public CollapsePolicy {
  public:
   explicit PlacedPolicy(Placement placement) : placement_(placement) {}
 
  protected:
-  /// With a cost of 0.
-  Candidate placed(const Surface& surface, Halfedge h, Fit fit) const {
+  /// Returns the candidate with a cost of 0.
+  Candidate placed(const Surface& surface, Halfedge h, AllowedPlacement allowed) const {
     const EdgeQuadric<float> edge = surface.edge_quadric(h);
-    const Placed at = place(surface, h, edge, placement_, fit);
+    const Placed at = place(surface, h, edge, placement_, allowed);
     return {0.0F, std::max(edge.cost(at.offset), 0.0F), at.position};
   }
 
@@ -38,8 +38,8 @@ float squared_length(const Surface& surface, Halfedge h) {
 class LengthPolicy : public PlacedPolicy {
  public:
   using PlacedPolicy::PlacedPolicy;
-  Candidate evaluate(const Surface& surface, Halfedge h, Fit fit) const override {
-    Candidate candidate = placed(surface, h, fit);
+  Candidate evaluate(const Surface& surface, Halfedge h, AllowedPlacement allowed) const override {
+    Candidate candidate = placed(surface, h, allowed);
     candidate.cost = squared_length(surface, h);
     return candidate;
   }
@@ -49,17 +49,17 @@ class RandomPolicy : public PlacedPolicy {
  public:
   RandomPolicy(Placement placement, std::uint64_t seed) : PlacedPolicy(placement), seed_(seed) {}
 
-  Candidate evaluate(const Surface& surface, Halfedge h, Fit fit) const override {
+  Candidate evaluate(const Surface& surface, Halfedge h, AllowedPlacement allowed) const override {
     const Mesh& mesh = surface.mesh();
     const std::uint64_t low = std::min(mesh.origin(h), mesh.target(h)).index();
     const std::uint64_t high = std::max(mesh.origin(h), mesh.target(h)).index();
-    Candidate candidate = placed(surface, h, fit);
+    Candidate candidate = placed(surface, h, allowed);
     candidate.cost = static_cast<float>(mixed(mixed(low << 32U | high) ^ seed_) >> 40U) * 0x1p-24F;
     return candidate;
   }
 
  private:
-  /// The finaliser of splitmix64 (S. Vigna, 2015).
+  /// The finalizer of splitmix64 (S. Vigna, 2015).
   static std::uint64_t mixed(std::uint64_t x) {
     x += 0x9E3779B97F4A7C15U;
     x = (x ^ x >> 30U) * 0xBF58476D1CE4E5B9U;
@@ -74,9 +74,9 @@ class ShapePolicy : public PlacedPolicy {
  public:
   using PlacedPolicy::PlacedPolicy;
 
-  Candidate evaluate(const Surface& surface, Halfedge h, Fit fit) const override {
-    Candidate candidate = placed(surface, h, fit);
-    // Each thread has its own, so that none waits and nothing is allocated.
+  Candidate evaluate(const Surface& surface, Halfedge h, AllowedPlacement allowed) const override {
+    Candidate candidate = placed(surface, h, allowed);
+    // One per thread, to avoid locks and allocations.
     thread_local Fan fan;
     if (!fan.gather(surface, h, kFewFaces)) {
       candidate.cost = std::numeric_limits<float>::max();
@@ -96,10 +96,10 @@ class ShapePolicy : public PlacedPolicy {
 
  private:
   static constexpr std::size_t kFewFaces = 64;
-  static constexpr float kTwoRootThree = 3.4641016F;  // by twice the area
+  static constexpr float kTwoRootThree = 3.4641016F;  // for twice the area
 };
 
-/// x^T a x + 2 b.x + c, from a fixed origin.
+/// x^T a x + 2 b.x + c, relative to a fixed origin.
 struct FullQuadric {
   glm::dmat3 a{0.0};
   glm::dvec3 b{0.0};
@@ -136,13 +136,13 @@ class AccumulatedPolicy : public CollapsePolicy {
 
   bool costs_are_errors() const override { return true; }
 
-  Candidate evaluate(const Surface& surface, Halfedge h, Fit fit) const override {
+  Candidate evaluate(const Surface& surface, Halfedge h, AllowedPlacement allowed) const override {
     const Mesh& mesh = surface.mesh();
     const glm::dvec3 from = glm::dvec3(mesh.position(mesh.origin(h))) - origin_;
     const glm::dvec3 to = glm::dvec3(mesh.position(mesh.target(h))) - origin_;
     FullQuadric q = quadrics_[mesh.origin(h).index()];
     q += quadrics_[mesh.target(h).index()];
-    const auto [x, position] = place_by(q, surface, h, from, to, fit);
+    const auto [x, position] = place_by(q, surface, h, from, to, allowed);
     const auto error = static_cast<float>(q.cost(x));
     const auto length = static_cast<float>(glm::dot(to - from, to - from));
     const auto area = static_cast<float>(q.a[0][0] + q.a[1][1] + q.a[2][2]);
@@ -174,25 +174,26 @@ class AccumulatedPolicy : public CollapsePolicy {
   }
 
   struct At {
-    glm::dvec3 x;  ///< from the origin of the quadrics
+    glm::dvec3 x;  ///< relative to the origin of the quadrics
     glm::vec3 position;
   };
 
   At place_by(const FullQuadric& q, const Surface& surface, Halfedge h, const glm::dvec3& from,
-              const glm::dvec3& to, Fit fit) const {
+              const glm::dvec3& to, AllowedPlacement allowed) const {
     const Mesh& mesh = surface.mesh();
-    if (fit == Fit::anywhere && placement_ == Placement::endpoint) {
-      fit = q.cost(from) < q.cost(to) ? Fit::at_origin : Fit::at_target;
+    if (allowed == AllowedPlacement::anywhere && placement_ == Placement::endpoint) {
+      allowed =
+          q.cost(from) < q.cost(to) ? AllowedPlacement::at_origin : AllowedPlacement::at_target;
     }
-    if (fit == Fit::at_origin) return {from, mesh.position(mesh.origin(h))};
-    if (fit == Fit::at_target) return {to, mesh.position(mesh.target(h))};
+    if (allowed == AllowedPlacement::at_origin) return {from, mesh.position(mesh.origin(h))};
+    if (allowed == AllowedPlacement::at_target) return {to, mesh.position(mesh.target(h))};
     const glm::dvec3 middle = 0.5 * (from + to);
     const glm::dvec3 x =
         placement_ == Placement::midpoint ? middle : middle + best_of(q, middle, to - from);
     return {x, glm::vec3(x + origin_)};
   }
 
-  /// As best_offset: damped toward the midpoint, and within the ball around the edge.
+  /// Same as best_offset: damped toward the midpoint, and within the ball around the edge.
   static glm::dvec3 best_of(const FullQuadric& q, const glm::dvec3& middle,
                             const glm::dvec3& edge) {
     const double damping = kPlacementDamping * (q.a[0][0] + q.a[1][1] + q.a[2][2]);

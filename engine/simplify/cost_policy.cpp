@@ -6,30 +6,32 @@
 
 namespace mesher {
 
-void CollapsePolicy::evaluate_costs(const Surface& surface, std::span<const Halfedge> edges, Care,
-                                    float* costs) const {
+void CollapsePolicy::evaluate_costs(const Surface& surface, std::span<const Halfedge> edges,
+                                    CostPrecision, float* costs) const {
   for (const Halfedge h : edges) {
-    const Fit fit = surface.fit(h);
-    *costs++ = fit == Fit::nowhere ? kNever : evaluate(surface, h, fit).cost;
+    const AllowedPlacement allowed = surface.allowed_placement(h);
+    *costs++ = allowed == AllowedPlacement::nowhere ? kNever : evaluate(surface, h, allowed).cost;
   }
 }
 
-void CollapsePolicy::evaluate_around(const Surface& surface, Vertex, const Fan& fan, Care care,
-                                     float* costs) const {
-  evaluate_costs(surface, fan.spokes(), care, costs);
+void CollapsePolicy::evaluate_around(const Surface& surface, Vertex, const Fan& fan,
+                                     CostPrecision precision, float* costs) const {
+  evaluate_costs(surface, fan.spokes(), precision, costs);
   if (fan.is_closed() || fan.size() == 0) return;
   const Halfedge last = Mesh::prev(fan.spokes().back());
-  evaluate_costs(surface, {&last, 1}, care, costs + fan.size());
+  evaluate_costs(surface, {&last, 1}, precision, costs + fan.size());
 }
 
 void CollapsePolicy::collapsed(Vertex, Vertex) {}
 
 Placed place(const Surface& surface, Halfedge h, const EdgeQuadric<float>& edge,
-             Placement placement, Fit fit) {
+             Placement placement, AllowedPlacement allowed) {
   const Mesh& mesh = surface.mesh();
-  const bool is_at_end = fit != Fit::anywhere || placement == Placement::endpoint;
+  const bool is_at_end = allowed != AllowedPlacement::anywhere || placement == Placement::endpoint;
   if (is_at_end) {
-    const bool is_at_target = fit == Fit::anywhere ? is_target_better(edge) : fit == Fit::at_target;
+    const bool is_at_target = allowed == AllowedPlacement::anywhere
+                                  ? is_target_better(edge)
+                                  : allowed == AllowedPlacement::at_target;
     return is_at_target ? Placed{edge.half, mesh.position(mesh.target(h))}
                         : Placed{edge.half * -1.0F, mesh.position(mesh.origin(h))};
   }

@@ -10,58 +10,58 @@
 
 namespace mesher {
 
-/// What merging an edge would cost, and where the vertex would go.
+/// Cost and result of merging an edge.
 struct Candidate {
-  float cost = kNever;  ///< what orders collapses, >= 0
-  float error = 0.0F;   ///< what it does to the surface: area times squared distance
+  float cost = kNever;  ///< order of collapses, >= 0
+  float error = 0.0F;   ///< harm to the surface: area times squared distance
   glm::vec3 position{0.0F};
 };
 
-/// How well costs have to be known. Where the target is far the exact order does not matter, and a
-/// policy may guess: an edge whose turn has come is looked at properly anyway.
-enum class Care { guess, exact };
+/// Required precision of costs. Far from the target the exact order does not matter, so a policy
+/// may guess: an edge is evaluated exactly anyway when it reaches the front of the queue.
+enum class CostPrecision { guess, exact };
 
-/// Which edge goes first, and where its vertex goes. `evaluate` and its siblings are called from
-/// several threads at once; `collapsed` for vertices of different regions at once.
+/// Decides which edge is collapsed first and where its vertex is placed. Several threads may call
+/// `evaluate` and its siblings at once, and `collapsed` for vertices of different regions.
 class CollapsePolicy {
  public:
   virtual ~CollapsePolicy() = default;
 
-  /// Pre: fit(h) of the surface is `fit`, and not nowhere.
-  virtual Candidate evaluate(const Surface& surface, Halfedge h, Fit fit) const = 0;
+  /// Returns cost and placement. Pre: `allowed` is surface.allowed_placement(h), and not nowhere.
+  virtual Candidate evaluate(const Surface& surface, Halfedge h,
+                             AllowedPlacement allowed) const = 0;
 
-  /// The costs alone of several edges; kNever where fit(h) is nowhere. Where a policy has a faster
-  /// way for many edges it gives the same bits, unless a guess will do.
-  virtual void evaluate_costs(const Surface& surface, std::span<const Halfedge> edges, Care care,
-                              float* costs) const;
+  /// Writes the costs of several edges; kNever if allowed_placement(h) is nowhere. A faster
+  /// implementation for many edges must yield the same bits, unless `precision` is guess.
+  virtual void evaluate_costs(const Surface& surface, std::span<const Halfedge> edges,
+                              CostPrecision precision, float* costs) const;
 
-  /// The costs of the edges from the fan's vertex to each of its neighbours (around a closed fan,
-  /// of which the last is the first again, that many less one). Writes up to eight places more.
-  /// Pre: the fan is that of `v` as it is now, shapes included.
-  virtual void evaluate_around(const Surface& surface, Vertex v, const Fan& fan, Care care,
-                               float* costs) const;
+  /// Writes the costs of the edges from the fan's vertex to each of its neighbors: one per entry of
+  /// fan.ring(), without the repeated first one of a closed fan. May write up to eight values past
+  /// the end. Pre: the fan is that of `v` in its current state, shapes included.
+  virtual void evaluate_around(const Surface& surface, Vertex v, const Fan& fan,
+                               CostPrecision precision, float* costs) const;
 
-  /// Whether costs are areas times squared distances, so that other harm compares with them
-  /// (appraisal.h). For a policy whose costs are something else, a collapse that turns or folds a
-  /// face is refused.
+  /// Returns whether costs are areas times squared distances, so that other damage is commensurable
+  /// with them (appraisal.h). If not, a collapse that turns or folds a face is refused.
   virtual bool costs_are_errors() const { return false; }
 
-  /// `removed` has become one with `kept`.
+  /// Called after `removed` was merged into `kept`.
   virtual void collapsed(Vertex removed, Vertex kept);
 };
 
-/// The policy that the options name.
+/// Returns the policy selected by the options.
 std::unique_ptr<CollapsePolicy> make_policy(const SimplifyOptions& options, const Surface& surface);
 
-/// Where the vertex of a merged edge goes: as an offset from the midpoint, and in the model. At an
-/// end it is that end's position to the last bit.
+/// Position of a merged vertex, as an offset from the edge's midpoint and in model space. At an end
+/// of the edge, the position equals that end bit for bit.
 struct Placed {
   Vec3<float> offset;
   glm::vec3 position;
 };
 
-/// Where placement and fit put the vertex. Pre: `edge` is that of `h`, `fit` is not nowhere.
+/// Returns the position of the merged vertex. Pre: `edge` is that of `h`, `allowed` is not nowhere.
 Placed place(const Surface& surface, Halfedge h, const EdgeQuadric<float>& edge,
-             Placement placement, Fit fit);
+             Placement placement, AllowedPlacement allowed);
 
 }  // namespace mesher

@@ -42,7 +42,7 @@ double ErrorBound::squared_distance_to(const glm::dvec3& p, Face f) const {
   return squared_distance(p, {corner(0), corner(1), corner(2)});
 }
 
-/// The best of a face and the three beside it.
+/// Returns the nearest of a face and the three adjacent ones.
 ErrorBound::Near ErrorBound::with_neighbors(const glm::dvec3& p, Near best,
                                             double squared_bound) const {
   const Face from = best.face;
@@ -55,7 +55,7 @@ ErrorBound::Near ErrorBound::with_neighbors(const glm::dvec3& p, Near best,
   return best;
 }
 
-/// The best of a face and all that have a corner in common with it.
+/// Returns the nearest of a face and all faces that share a corner with it.
 ErrorBound::Near ErrorBound::with_all_around(const glm::dvec3& p, Near best,
                                              double squared_bound) const {
   constexpr int kMostSpokes = 32;
@@ -71,7 +71,7 @@ ErrorBound::Near ErrorBound::with_all_around(const glm::dvec3& p, Near best,
   return best;
 }
 
-/// Goes from face to face as long as that leads nearer.
+/// Walks from face to face while the distance decreases; falls back to the tree.
 ErrorBound::Near ErrorBound::walk(const glm::dvec3& p, Face from, double squared_bound) const {
   constexpr int kMostSteps = 64;
   Near best{from, squared_distance_to(p, from)};
@@ -112,14 +112,13 @@ bool ErrorBound::allows(const Surface& surface, Vertex removed, Vertex kept, con
   for (const auto& [c, a, b] : faces) {
     if (!is_near(0.5 * (c + a)) || !is_near((c + a + b) / 3.0)) return false;
   }
-  // An open fan ends with one edge more than it has faces: at the boundary, where it may cut across
-  // a hole.
+  // An open fan has one more edge than faces. It lies on the boundary and may cut across a hole.
   if (fan.is_closed() || fan.size() == 0) return true;
   return is_near(0.5 * (center + glm::dvec3(mesh.position(fan.ring().back()))));
 }
 
-/// Whether the faces pass near every input vertex for which `v` answers. Neighbors in the ring are
-/// mostly near the same face: `likely` is where the search begins.
+/// Returns whether the faces pass within the bound of every input vertex that `v` represents.
+/// Successive vertices of the list are mostly near the same face, so the search begins at `likely`.
 bool ErrorBound::reaches_all(Vertex v, std::span<const std::array<glm::dvec3, 3>> faces,
                              double squared_bound, std::size_t& likely) const {
   const auto is_reached = [&](const glm::dvec3& q) {
@@ -140,7 +139,7 @@ bool ErrorBound::reaches_all(Vertex v, std::span<const std::array<glm::dvec3, 3>
 }
 
 void ErrorBound::collapsed(Vertex removed, Vertex kept, const glm::vec3& p) {
-  // Two rings become one.
+  // Joins the two circular lists.
   std::swap(next_[removed.index()], next_[kept.index()]);
   near_[kept.index()] = walk(p, near_[kept.index()], squared_bound_).face;
   if (!shares_.empty()) {

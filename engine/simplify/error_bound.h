@@ -14,34 +14,35 @@
 
 namespace mesher {
 
-/// Whether an error bound is less than half of the mean length of a side of the mesh's faces. O(F).
+/// Returns whether a bound is less than half the mean edge length of the mesh. O(F).
 bool is_fine(const Mesh& mesh, double bound);
 
-/// Keeps the surface within a distance of the input, both ways, collapse by collapse (after
+/// Keeps the surface within a distance of the input, in both directions, at every collapse (after
 /// R. Klein, G. Liebich, W. Strasser, "Mesh reduction with error control", 1996).
 ///
-/// From the input to the surface: each vertex answers for the input vertices that have become one
-/// with it, and its new faces must pass near each of them. From the surface to the input: the new
-/// vertex, the middles of its edges and faces must lie near the input, which a walk from face to
-/// face finds out, from one that was near before. Where the walk finds none that is near enough, a
-/// tree decides; or the collapse is refused if the bound is fine, since then hardly any is near.
-/// Between these points the surface may stray by a little more: who promises a bound measures at
-/// the end.
+/// From input to surface: each vertex represents the input vertices merged into it, and its new
+/// faces must pass within the bound of each of them. From surface to input: the new vertex and the
+/// midpoints of its edges and faces must lie within the bound of the input. A walk from face to
+/// face checks this, starting at a face that was near before. If the walk finds no face within the
+/// bound, a tree decides; if the bound is fine, the collapse is refused instead, because a near
+/// face is then unlikely. Between these points the surface may exceed the bound slightly, so a
+/// certified bound has to be measured at the end.
 class ErrorBound {
  public:
-  /// `input`: the mesh before any collapse, with the surface's ids. `shares`: for each vertex which
-  /// part of the bound holds where it is; empty: all of it. O(F).
+  /// `input`: the mesh before any collapse, with the surface's ids. `shares`: the fraction of the
+  /// bound that applies at each vertex; empty: all of it. O(F).
   ErrorBound(const Mesh& input, double bound, Array<float> shares = {});
 
-  /// Whether the edge of the fan may be merged at `p`. O((answered for + 1) valence) expected. For
-  /// different regions at once.
+  /// Returns whether the fan's edge may be merged at `p`. Thread-safe for different regions.
+  /// Expected O((represented vertices + 1) valence).
   bool allows(const Surface& surface, Vertex removed, Vertex kept, const Fan& fan,
               const glm::vec3& p) const;
-  /// `kept`, which went to `p`, answers for what `removed` did. O(1) expected.
+  /// Records that `removed` was merged into `kept`, now at `p`: `kept` also represents the vertices
+  /// of `removed`. O(1) expected.
   void collapsed(Vertex removed, Vertex kept, const glm::vec3& p);
 
  private:
-  /// Which part of the bound holds for what becomes of an edge.
+  /// Returns the fraction of the bound that applies to the merged vertex.
   double share(Vertex removed, Vertex kept) const {
     return shares_.empty() ? 1.0
                            : double{std::min(shares_[removed.index()], shares_[kept.index()])};
@@ -49,7 +50,7 @@ class ErrorBound {
   bool reaches_all(Vertex v, std::span<const std::array<glm::dvec3, 3>> faces, double squared_bound,
                    std::size_t& likely) const;
 
-  /// A face that is likely to be the nearest to a point, or one within the bound.
+  /// The face probably nearest to a point, or one within the bound.
   struct Near {
     Face face;
     double squared_distance = 0.0;
@@ -62,9 +63,9 @@ class ErrorBound {
   Mesh input_;
   std::optional<TriangleTree> tree_;
   double squared_bound_;
-  Array<std::uint32_t> next_;  ///< around the ring of vertices that one vertex answers for
-  Array<float> shares_;        ///< of the bound, of all that a vertex answers for
-  Array<Face> near_;  ///< of the input: within the bound of the vertex, or likely to be near
+  Array<std::uint32_t> next_;  ///< circular list of the input vertices that a vertex represents
+  Array<float> shares_;        ///< fraction of the bound, lowest over the vertices represented
+  Array<Face> near_;           ///< of the input: within the bound of the vertex, or probably near
 };
 
 }  // namespace mesher

@@ -14,17 +14,17 @@ namespace mesher {
 namespace {
 
 constexpr std::size_t kGrain = 64;
-// A walk that is longer has gone astray.
+// A longer walk has lost its way.
 constexpr int kMostSteps = 64;
-// Of a hub no more faces are looked at.
+// Maximum number of faces visited at a vertex, so that hubs stay cheap.
 constexpr int kMostFaces = 256;
 
 double fraction(double x) {
   return x - std::floor(x);
 }
 
-/// The i-th of points that fill a triangle evenly (M. Roberts, "The unreasonable effectiveness of
-/// quasirandom sequences", 2018).
+/// Returns the i-th point of a sequence that covers a triangle evenly (M. Roberts, "The
+/// unreasonable effectiveness of quasirandom sequences", 2018).
 glm::dvec3 point_in_face(const Mesh& mesh, Face f, std::size_t i) {
   const auto corner = [&](std::uint32_t c) {
     return glm::dvec3(mesh.position(mesh.origin(Mesh::halfedge(f, c))));
@@ -34,14 +34,14 @@ glm::dvec3 point_in_face(const Mesh& mesh, Face f, std::size_t i) {
   return (1.0 - u) * corner(0) + u * (1.0 - v) * corner(1) + u * v * corner(2);
 }
 
-/// The vertex that stands for `v` now; none where its faces are gone.
+/// Returns the vertex into which `v` was merged; it is isolated if its faces are removed.
 Vertex survivor(const Surface& surface, Vertex v) {
   while (surface.state(v).region == VertexState::kGone)
     v = surface.state(v).merged_into();
   return v;
 }
 
-/// Walks from vertex to vertex as long as the faces around come nearer to a point.
+/// Walks from vertex to vertex while the faces around get closer to a point.
 class Walk {
  public:
   Walk(const Surface& surface, const glm::dvec3& p) : mesh_(surface.mesh()), p_(p) {}
@@ -55,7 +55,7 @@ class Walk {
       for (const Halfedge corner : {from, Mesh::next(from), Mesh::prev(from)}) {
         if (mesh_.origin(corner) != last) visit(mesh_.origin(corner));
       }
-      // The half-edge of the nearest face starts at the vertex around which it was found.
+      // The half-edge of the nearest face starts at the vertex where it was found.
       last = mesh_.origin(nearest_);
       if (least_ >= before) break;
     }
@@ -69,7 +69,7 @@ class Walk {
     return {d.x, d.y, d.z};
   }
 
-  /// Looks at the faces around a vertex, four at a time.
+  /// Measures the faces around a vertex, four at a time.
   void visit(Vertex v) {
     std::array<Halfedge, 4> four;
     std::size_t count = 0;

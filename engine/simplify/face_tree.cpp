@@ -12,7 +12,7 @@ void FaceTree::build(const Surface& surface, std::vector<Face> faces) {
   if (faces_.empty()) return;
   boxes_.reserve(faces_.size());
   for (const Face f : faces_) {
-    place_of_[f.index()] = static_cast<std::uint32_t>(boxes_.size());
+    slot_of_[f.index()] = static_cast<std::uint32_t>(boxes_.size());
     boxes_.emplace_back(face_box(surface.mesh(), f));
   }
   const std::size_t leaves = (faces_.size() + kLeafFaces - 1) / kLeafFaces;
@@ -28,9 +28,9 @@ void FaceTree::build(const Surface& surface, std::vector<Face> faces) {
 }
 
 void FaceTree::move(Face f, const LaneBox& box) {
-  const std::size_t place = place_of_[f.index()];
-  boxes_[place] = box;
-  for (std::size_t i = first_leaf_ + place / kLeafFaces; i > 0; i /= 2) {
+  const std::size_t slot = slot_of_[f.index()];
+  boxes_[slot] = box;
+  for (std::size_t i = first_leaf_ + slot / kLeafFaces; i > 0; i /= 2) {
     if (contains(nodes_[i], box)) return;
     nodes_[i] = join(nodes_[i], box);
   }

@@ -17,7 +17,7 @@
 
 namespace mesher {
 
-/// A box as two rows of lanes, so that one comparison of each decides whether two boxes overlap.
+/// A box as two vectors of lanes, so that an overlap test takes one comparison of each.
 struct alignas(32) LaneBox {
   LaneBox() = default;
   explicit LaneBox(const Box& b)
@@ -45,25 +45,25 @@ inline LaneBox join(const LaneBox& a, const LaneBox& b) {
   return sum;
 }
 
-/// A binary tree of boxes over faces that move and vanish. Faces have their exact boxes and keep
-/// their leaves; the boxes above grow with what moves in them and never shrink. A tree that has
-/// lost half of its faces should be built again.
+/// A binary tree of boxes over faces that move and vanish. The boxes of faces are exact, and faces
+/// stay in their leaves. Inner boxes grow with their faces and never shrink. Rebuild the tree when
+/// half of its faces are removed.
 class FaceTree {
  public:
-  /// `place_of`: by face, written for the faces of this tree alone, so that trees of different
-  /// regions can share it.
-  explicit FaceTree(std::span<std::uint32_t> place_of) : place_of_(place_of) {}
+  /// `slot_of`: slot in the tree by face. Written for the faces of this tree only, so trees of
+  /// different regions can share it.
+  explicit FaceTree(std::span<std::uint32_t> slot_of) : slot_of_(slot_of) {}
 
-  /// Pre: faces that are near in space are near in the order. O(faces).
+  /// Builds the tree. Pre: faces near in space are near in the order. O(faces).
   void build(const Surface& surface, std::vector<Face> faces);
-  /// The faces it was built from; some may have been removed.
+  /// Returns the faces from which the tree was built; some may be removed by now.
   const std::vector<Face>& faces() const { return faces_; }
 
-  /// Notes that a face has moved into `box`. O(log faces), mostly O(1).
+  /// Records that a face has moved and now has this box. O(log faces), mostly O(1).
   void move(Face f, const LaneBox& box);
 
-  /// Calls `visit(face, its box)` for each face whose box overlaps `box` (removed ones, too) until
-  /// it returns true; returns whether it did. O(log faces) expected for small boxes.
+  /// Calls `visit(face, its box)` for each face whose box overlaps `box` (removed faces included)
+  /// until `visit` returns true. Returns whether it did. O(log faces) expected for small boxes.
   template <class Visit>
   bool any_of(const LaneBox& box, const Visit& visit) const {
     if (faces_.empty() || !do_overlap(nodes_[1], box)) return false;
@@ -73,7 +73,7 @@ class FaceTree {
     while (size > 0) {
       const std::uint32_t node = stack[--size];
       if (node < first_leaf_) {
-        // Which child overlaps cannot be guessed, so there is no branch.
+        // Branch-free: which child overlaps is unpredictable.
         for (const std::uint32_t child : {2 * node + 1, 2 * node}) {
           stack[size] = child;
           size += static_cast<std::size_t>(do_overlap(nodes_[child], box));
@@ -92,11 +92,11 @@ class FaceTree {
  private:
   static constexpr std::size_t kLeafFaces = 8;
 
-  std::span<std::uint32_t> place_of_;
+  std::span<std::uint32_t> slot_of_;
   std::vector<Face> faces_;
   std::vector<LaneBox> boxes_;  ///< of the faces
-  /// The root is 1, the children of i are 2 i and 2 i + 1. Leaves are filled up to a power of two
-  /// with boxes that overlap nothing.
+  /// The root is 1; the children of i are 2 i and 2 i + 1. Leaves are padded to a power of two with
+  /// boxes that overlap nothing.
   std::vector<LaneBox> nodes_;
   std::uint32_t first_leaf_ = 1;
 };

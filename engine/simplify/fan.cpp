@@ -7,30 +7,30 @@
 namespace mesher {
 namespace {
 
-// Two faces count as folded together where their normals differ by more than 150 degrees.
+// Two faces count as folded together if their normals differ by more than 150 degrees.
 constexpr float kFoldedCosine = -0.8660254F;
-// A face counts as turned where it turns by more than about 78 degrees in one collapse, and a
-// collapse that turns one by more than 120 is refused.
+// A face counts as turned if it turns by more than about 78 degrees in one collapse. A collapse
+// that turns a face by more than 120 degrees is refused.
 constexpr float kTurnedCosine = 0.2F;
 constexpr float kLeastCosine = -0.5F;
-// It also counts as turned where it comes to lie at more than a right angle to what it was in the
-// input, so that many steps do not turn it over for nothing; the rounding of packed normals is
-// allowed for.
+// A face also counts as turned if it ends at more than a right angle to its normal in the input, so
+// that turning it in many steps is not free. The margin covers the rounding of packed normals.
 constexpr float kTurnedCosineOfAll = -0.002F;
-// A fold is harm of its own kind, seen from everywhere: its area counts so many times.
+// Weight of folded area: folds are visible from all sides.
 constexpr float kFoldWeight = 4.0F;
-// A face without area in floats: its height is lost against its longest side.
+// A face is degenerate in floats if its height vanishes against its longest side.
 constexpr float kLeastAspect = 1e-5F;
-// Room past the last face, for whole lanes.
+// Padding past the last face, for whole lanes.
 constexpr std::size_t kLanes = 16;
 
-/// The area over which two neighbors are folded together: that of the smaller one, or none.
+/// Returns the area over which two adjacent faces are folded together: that of the smaller one, or
+/// 0.
 float folded_area(const FaceShape& a, const FaceShape& b) {
   return glm::dot(a.normal, b.normal) < kFoldedCosine ? std::min(a.area, b.area) : 0.0F;
 }
 
-/// Turns around the merged fan as if the edge's faces were gone: what lies beyond them on either
-/// side is next to one another.
+/// Rotates around the merged vertex as if the edge's faces were removed: the faces beyond them
+/// become adjacent.
 class MergedSweep {
  public:
   MergedSweep(const Mesh& mesh, Halfedge h) : mesh_(mesh), h_(h), t_(mesh.twin(h)) {}
@@ -48,7 +48,7 @@ class MergedSweep {
     if (onward == t_) return mesh_.rotate_cw(Mesh::next(t_));
     return onward;
   }
-  /// A spoke of the fan, or none where it has no faces.
+  /// Returns any spoke of the fan, or none if it has no faces.
   Halfedge any() const {
     if (const Halfedge s = mesh_.rotate_ccw(h_); s.is_valid()) return s;
     if (const Halfedge s = mesh_.rotate_cw(Mesh::next(h_)); s.is_valid()) return s;
@@ -69,11 +69,12 @@ Fan::Fan() {
   reserve(64);
 }
 
-/// Room for so many faces, and for lanes past the last one.
+/// Allocates memory for this many faces plus padding.
 void Fan::reserve(std::size_t faces) {
   spokes_.resize(faces + kLanes);
   ring_.resize(faces + kLanes);
-  for (std::vector<float>* numbers : {&x_, &y_, &z_, &area_, &place_x_, &place_y_, &place_z_})
+  for (std::vector<float>* numbers :
+       {&x_, &y_, &z_, &area_, &neighbor_x_, &neighbor_y_, &neighbor_z_})
     numbers->resize(faces + kLanes, 0.0F);
 }
 
@@ -81,14 +82,14 @@ bool Fan::gather(const Surface& surface, Halfedge h, std::size_t limit) {
   const Mesh& mesh = surface.mesh();
   edge_ = h;
   size_ = 0;
-  // A vertex on the boundary is not free.
-  has_smooth_ends_ = surface.freedom(mesh.origin(h)) == Freedom::free &&
-                     surface.freedom(mesh.target(h)) == Freedom::free;
+  // A vertex on the boundary is constrained.
+  has_smooth_ends_ = surface.constraint(mesh.origin(h)) == VertexConstraint::free &&
+                     surface.constraint(mesh.target(h)) == VertexConstraint::free;
   const bool is_open =
       !has_smooth_ends_ && (mesh.is_boundary(mesh.origin(h)) || mesh.is_boundary(mesh.target(h)));
   is_closed_ = !is_open;
   const bool is_whole = is_open ? gather_open(mesh, limit) : gather_closed(mesh, limit);
-  // A ring that goes around, and one that broke off, end as they began.
+  // A closed ring, and one that was cut short, ends with its first neighbor.
   if (size_ > 0 && (is_closed_ || !is_whole)) ring_[size_] = ring_[0];
   is_smooth_ = is_closed_ && has_smooth_ring(surface);
   return is_whole;
@@ -98,7 +99,7 @@ bool Fan::has_smooth_ring(const Surface& surface) const {
   if (!surface.is_constrained()) return true;
   bool is_smooth = has_smooth_ends_;
   for (const Vertex v : ring())
-    is_smooth &= surface.freedom(v) == Freedom::free;
+    is_smooth &= surface.constraint(v) == VertexConstraint::free;
   return is_smooth;
 }
 
@@ -107,8 +108,8 @@ bool Fan::gather_closed(const Mesh& mesh, std::size_t limit) {
   const Halfedge end_at_origin = Mesh::next(t);
   const Halfedge end = Mesh::next(edge_);
   const Halfedge first_at_target = mesh.rotate_ccw(t);
-  // One loop around both ends of the edge, and no branch from the one to the other: where each of
-  // two loops ends could not be guessed.
+  // One loop around both ends of the edge, with a branch-free jump from one to the other: the ends
+  // of two separate loops would be unpredictable.
   const std::uint32_t jump = end_at_origin.index() ^ first_at_target.index();
   const auto onward = [&](Halfedge s) {
     return Halfedge(s.index() ^ (jump & (0U - static_cast<std::uint32_t>(s == end_at_origin))));
@@ -140,7 +141,7 @@ bool Fan::gather_open(const Mesh& mesh, std::size_t limit) {
   const MergedSweep sweep(mesh, edge_);
   const Halfedge any = sweep.any();
   if (!any.is_valid()) return true;
-  // First back to where it starts; around, where only the edge itself is at the boundary.
+  // Rewind to the first spoke; go all the way around if only the edge itself is on the boundary.
   Halfedge start = any;
   std::size_t steps = 0;
   for (Halfedge s = sweep.cw(any); s.is_valid() && s != any; s = sweep.cw(s)) {
@@ -156,31 +157,32 @@ bool Fan::gather_open(const Mesh& mesh, std::size_t limit) {
   return true;
 }
 
-bool Fan::has_repeated_neighbour() const {
-  const auto neighbours = ring().first(is_closed_ ? size_ : std::min(size_ + 1, ring().size()));
-  // Mostly their lowest bits tell them apart already.
+bool Fan::has_repeated_neighbor() const {
+  const auto neighbors = ring().first(is_closed_ ? size_ : std::min(size_ + 1, ring().size()));
+  // In most cases the lowest bits already differ.
   std::array<std::uint64_t, 4> seen{};
   bool is_met_twice = false;
-  for (const Vertex v : neighbours) {
+  for (const Vertex v : neighbors) {
     std::uint64_t& word = seen[v.index() >> 6U & 3U];
     const std::uint64_t bit = std::uint64_t{1} << (v.index() & 63U);
     is_met_twice |= (word & bit) != 0;
     word |= bit;
   }
   if (!is_met_twice) return false;
-  std::vector<Vertex> sorted(neighbours.begin(), neighbours.end());
+  std::vector<Vertex> sorted(neighbors.begin(), neighbors.end());
   std::sort(sorted.begin(), sorted.end());
   return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
 }
 
 Rejection Fan::check_topology(const Surface& surface) const {
   if (!has_smooth_ends_ && !keeps_boundary(surface.mesh())) return Rejection::boundary;
-  // Two faces around a closed vertex would have the same corners: a tetrahedron flattened.
+  // Two faces around a closed vertex would have the same corners: a flattened tetrahedron.
   if (is_closed_ && size_ < 3) return Rejection::link_condition;
-  return has_repeated_neighbour() ? Rejection::link_condition : kLegal;
+  return has_repeated_neighbor() ? Rejection::link_condition : kLegal;
 }
 
-/// Neither joins two places of the boundary nor takes a face that hangs on by one side.
+/// Returns whether the collapse neither joins two parts of the boundary nor removes a face attached
+/// by only one side.
 bool Fan::keeps_boundary(const Mesh& mesh) const {
   const Halfedge t = mesh.twin(edge_);
   const bool is_open_at_both =
@@ -195,13 +197,13 @@ bool Fan::keeps_boundary(const Mesh& mesh) const {
   return true;
 }
 
-/// Four faces: their neighbours' positions (five), and what they and the faces beyond the rim are.
-/// Places past the last face repeat it.
+/// Four faces: the positions of their five neighbors, and the shapes of the faces and of those
+/// across their outer edges. Lanes past the last face repeat it.
 struct Fan::Block {
-  Vec3<Float4> first;   ///< of the neighbour where each face begins
-  Vec3<Float4> second;  ///< and of that where it ends
+  Vec3<Float4> first;   ///< position of the neighbor where each face begins
+  Vec3<Float4> second;  ///< position of the neighbor where each face ends
   ShapeLanes before;
-  ShapeLanes beyond;  ///< where there is no face beyond, the face itself
+  ShapeLanes beyond;  ///< the face itself if there is none across
   Vec3<Float4> original;
 };
 
@@ -210,16 +212,19 @@ Fan::Block Fan::load(const Surface& surface, std::size_t i) const {
   std::array<Face, 4> faces;
   std::array<Face, 4> outer;
   std::array<Float4, 4> rows;
-  const auto place = [&](std::size_t k) { return load4(&surface.state(ring_[k]).quadric.g.z); };
+  const auto position_row = [&](std::size_t k) {
+    return load4(&surface.state(ring_[k]).quadric.g.z);
+  };
   for (std::size_t lane = 0; lane < 4; ++lane) {
     const std::size_t k = std::min(i + lane, size_ - 1);
     const Halfedge beyond = mesh.twin(Mesh::next(spokes_[k]));
     faces[lane] = Mesh::face(spokes_[k]);
     outer[lane] = beyond.is_valid() ? Mesh::face(beyond) : faces[lane];
-    rows[lane] = place(k);
+    rows[lane] = position_row(k);
   }
-  // Places past the last face begin at the last neighbour but one, as it does, and end at the last.
-  const Float4 last = place(std::min(i + 4, size_));
+  // Lanes past the last face begin at the last neighbor but one, as it does, and end at the last
+  // one.
+  const Float4 last = position_row(std::min(i + 4, size_));
   std::array<Float4, 4> ends{rows[1], rows[2], rows[3], last};
   for (std::size_t lane = 0; lane < 4; ++lane) {
     if (i + lane + 1 >= size_) ends[lane] = last;
@@ -236,7 +241,7 @@ Fan::Block Fan::load(const Surface& surface, std::size_t i) const {
 Rejection Fan::check_shape(const Surface& surface, const glm::vec3& p) {
   const auto all = [](float x) { return broadcast<Float4>(x); };
   const Vec3<Float4> center{all(p.x), all(p.y), all(p.z)};
-  // Faces past the last one do not count.
+  // Faces past the last one are ignored.
   const auto is_in_fan = [&](std::size_t i) {
     return Int4{0, 1, 2, 3} < static_cast<std::int32_t>(size_ - i);
   };
@@ -245,9 +250,9 @@ Rejection Fan::check_shape(const Surface& surface, const glm::vec3& p) {
   Int4 is_folded{};
   for (std::size_t i = 0; i < size_; i += 4) {
     const Block block = load(surface, i);
-    store4(&place_x_[i], block.first.x);
-    store4(&place_y_[i], block.first.y);
-    store4(&place_z_[i], block.first.z);
+    store4(&neighbor_x_[i], block.first.x);
+    store4(&neighbor_y_[i], block.first.y);
+    store4(&neighbor_z_[i], block.first.z);
     const Vec3<Float4> a = block.first - center;
     const Vec3<Float4> b = block.second - center;
     const Vec3<Float4> c = b - a;
@@ -259,7 +264,7 @@ Rejection Fan::check_shape(const Surface& surface, const glm::vec3& p) {
     const Float4 longest = greater_of(greater_of(dot(a, a), dot(b, b)), dot(c, c));
     const Int4 is_thin =
         (after.area <= longest * all(kLeastAspect)) & (after.area < block.before.area);
-    // A face that has no area now is free to get some, any way around.
+    // A face without area may get area in any orientation.
     const Int4 has_area = block.before.area > all(0.0F);
     const Float4 step = dot(after.unit, block.before.normal);
     is_bad |= (is_thin | (step < all(kLeastCosine))) & has_area;
@@ -268,14 +273,14 @@ Rejection Fan::check_shape(const Surface& surface, const glm::vec3& p) {
                                    ~(dot(block.before.normal, block.original) < limit);
     const Int4 is_turned = ((step < all(kTurnedCosine)) | is_turned_at_last) & has_area;
     turned = turned + select(is_turned & is_in_fan(i), after.area, all(0.0F));
-    // Next to one another within the block; the seams between blocks are looked at below.
+    // Adjacent faces within the block; pairs across blocks follow below.
     const auto onward = [](Float4 v) { return __builtin_shufflevector(v, v, 1, 2, 3, 3); };
     const Vec3<Float4> next{onward(after.unit.x), onward(after.unit.y), onward(after.unit.z)};
     is_folded |= (dot(after.unit, block.beyond.normal) < all(kFoldedCosine)) |
                  (dot(after.unit, next) < all(kFoldedCosine));
   }
   if (any(is_bad)) return Rejection::fold_over;
-  end_places(surface);
+  pad_positions(surface);
   turned_area_ = turned[0] + turned[1] + turned[2] + turned[3];
   x_[0] = x_[size_];
   y_[0] = y_[size_];
@@ -291,14 +296,14 @@ Rejection Fan::check_shape(const Surface& surface, const glm::vec3& p) {
   return kLegal;
 }
 
-/// The last neighbor's place, and again for lanes past the last face.
-void Fan::end_places(const Surface& surface) {
+/// Writes the last neighbor's position, repeated for lanes past the last face.
+void Fan::pad_positions(const Surface& surface) {
   if (size_ == 0) return;
   const Vec3<float>& last = surface.state(ring_[size_]).position;
   for (std::size_t i = size_; i < size_ + 5; ++i) {
-    place_x_[i] = last.x;
-    place_y_[i] = last.y;
-    place_z_[i] = last.z;
+    neighbor_x_[i] = last.x;
+    neighbor_y_[i] = last.y;
+    neighbor_z_[i] = last.z;
   }
 }
 
@@ -325,7 +330,8 @@ float Fan::folded_area_before(const Surface& surface) const {
     add(Mesh::next(spoke));
     add(spoke);
   }
-  // What no surviving face's spoke names: the edge, and the spokes clockwise of it.
+  // Edges that are not spokes of a remaining face: the collapsed edge, and the spokes clockwise of
+  // it.
   const Halfedge t = mesh.twin(edge_);
   add(edge_);
   add(Mesh::next(edge_));

@@ -13,63 +13,62 @@
 
 namespace mesher {
 
-/// The faces that an edge's two ends will share once they are one: those of both stars but the one
-/// or two at the edge, counter-clockwise, from one boundary to the other or around. Kept as arrays
-/// of numbers, four faces at a time, and used again from edge to edge, so that nothing is
-/// allocated.
+/// The faces around the merged vertex of an edge: those of both stars except the one or two at the
+/// edge, counter-clockwise, from one boundary to the other or all the way around. Stored as arrays,
+/// in groups of four faces, and reused from edge to edge so that nothing is allocated.
 class Fan {
  public:
-  /// What stands against a collapse; kLegal stands for nothing.
+  /// Why a collapse is not allowed; kLegal if it is.
   static constexpr auto kLegal = static_cast<Rejection>(kRejections.size());
 
   Fan();
 
-  /// Walks around the edge of `h`. Gives up and returns false where more than `limit` faces are
-  /// met; what was met until then stays. O(valence).
+  /// Gathers the faces around the edge of `h`. Stops and returns false if there are more than
+  /// `limit`; the faces gathered so far remain. O(valence).
   bool gather(const Surface& surface, Halfedge h, std::size_t limit);
 
   std::size_t size() const { return size_; }
   bool is_closed() const { return is_closed_; }
-  /// Both ends and all neighbours are free, so that no face of the fan or of the edge has a
-  /// feature.
+  /// Returns whether both ends and all neighbors are unconstrained, so that no face of the fan or
+  /// the edge has a feature.
   bool is_smooth() const { return is_smooth_; }
-  /// For each face the half-edge in it that starts at the end of the edge to which it belongs.
+  /// Returns, per face, its half-edge that starts at the end of the edge to which it belongs.
   std::span<const Halfedge> spokes() const { return {spokes_.data(), size_}; }
-  /// Neighbours: face i lies between ring()[i] and ring()[i + 1]; one more than faces where open,
-  /// the first again where closed.
+  /// Returns the neighbors: face i lies between ring()[i] and ring()[i + 1]. An open fan has one
+  /// more neighbor than faces; a closed fan repeats the first.
   std::span<const Vertex> ring() const { return {ring_.data(), size_ == 0 ? 0 : size_ + 1}; }
 
-  /// Whether the collapse keeps a manifold of the same topology; agrees with `check_collapse`.
-  /// O(valence) for few neighbours, O(valence log valence) for many. Pre: gathered.
-  Rejection check_topology(const Surface& surface) const;
-  /// Whether a face, with the vertex at `p`, turns over (by more than 120 degrees) or loses its
-  /// area. Smaller turns and folds are a matter of degree: see turned_area. O(valence). Pre:
+  /// Checks whether the collapse preserves a manifold of the same topology; agrees with
+  /// `check_collapse`. O(valence) for few neighbors, O(valence log valence) for many. Pre:
   /// gathered.
+  Rejection check_topology(const Surface& surface) const;
+  /// Checks whether, with the vertex at `p`, a face turns by more than 120 degrees or becomes
+  /// degenerate. Smaller turns and folds are not refused but penalized: see turned_area.
+  /// O(valence). Pre: gathered.
   Rejection check_shape(const Surface& surface, const glm::vec3& p);
-  /// The area of the faces that `check_shape` found to turn far (by more than 78 degrees, or past a
-  /// right angle to what they were in the input), and four times the area that is newly folded
-  /// together with a neighbor.
+  /// Returns the area, found by `check_shape`, of the faces that turn far (by more than 78 degrees,
+  /// or past a right angle to their normal in the input), plus four times the newly folded area
+  /// between adjacent faces.
   float turned_area() const { return turned_area_; }
 
-  /// Where the neighbors are between which faces i to i + 3 lie: at their first ones and, one
-  /// further, at their second ones. Past the last neighbor they repeat it. Pre: `check_shape` was
-  /// asked.
-  Vec3<Float4> four_places(std::size_t i) const {
-    return {load4(&place_x_[i]), load4(&place_y_[i]), load4(&place_z_[i])};
+  /// Returns the positions of the first neighbors of faces i to i + 3; called with i + 1, those of
+  /// their second neighbors. Repeats the last neighbor past the end. Pre: `check_shape` was called.
+  Vec3<Float4> four_positions(std::size_t i) const {
+    return {load4(&neighbor_x_[i]), load4(&neighbor_y_[i]), load4(&neighbor_z_[i])};
   }
-  /// The shape of face i with the vertex where `check_shape` was last asked about.
+  /// Returns the shape of face i with the vertex at the position last passed to `check_shape`.
   FaceShape shape(std::size_t i) const { return {{x_[i + 1], y_[i + 1], z_[i + 1]}, area_[i + 1]}; }
-  /// Those of faces i to i + 3, each as it lies in memory. Past the last face they hold anything.
+  /// Returns the shapes of faces i to i + 3 as rows. Rows past the last face are unspecified.
   std::array<Float4, 4> four_shapes(std::size_t i) const {
     std::array<Float4, 4> rows{load4(&x_[i + 1]), load4(&y_[i + 1]), load4(&z_[i + 1]),
                                load4(&area_[i + 1])};
     transpose(rows[0], rows[1], rows[2], rows[3]);
     return rows;
   }
-  /// That of the face before it.
+  /// Returns the shape of the face before face i.
   FaceShape shape_before(std::size_t i) const { return {{x_[i], y_[i], z_[i]}, area_[i]}; }
-  /// Areas times unit normals of faces i to i + 7, and of the faces before each (around a closed
-  /// fan the face before the first is the last). Lanes past the last face hold anything.
+  /// Return areas times unit normals of faces i to i + 7, and of the face before each of them (in a
+  /// closed fan, the last face comes before the first). Lanes past the last face are unspecified.
   Vec3<Float8> area_vectors(std::size_t i) const { return area_vectors_before(i + 1); }
   Vec3<Float8> area_vectors_before(std::size_t i) const {
     const auto eight = [&](const std::vector<float>& from) {
@@ -87,9 +86,9 @@ class Fan {
   bool gather_closed(const Mesh& mesh, std::size_t limit);
   bool gather_open(const Mesh& mesh, std::size_t limit);
   bool keeps_boundary(const Mesh& mesh) const;
-  bool has_repeated_neighbour() const;
+  bool has_repeated_neighbor() const;
   Block load(const Surface& surface, std::size_t i) const;
-  void end_places(const Surface& surface);
+  void pad_positions(const Surface& surface);
   float folded_area_after(const Surface& surface) const;
   float folded_area_before(const Surface& surface) const;
 
@@ -101,9 +100,9 @@ class Fan {
   float turned_area_ = 0.0F;
   std::vector<Halfedge> spokes_;
   std::vector<Vertex> ring_;
-  // Of the faces, one place further than in spokes_: the place before is the last face's.
+  // By face, shifted by one from spokes_: slot 0 repeats the last face.
   std::vector<float> x_, y_, z_, area_;
-  std::vector<float> place_x_, place_y_, place_z_;  ///< of the neighbors, as four_places
+  std::vector<float> neighbor_x_, neighbor_y_, neighbor_z_;  ///< see four_positions
 };
 
 }  // namespace mesher

@@ -17,7 +17,8 @@ ExactTriangle triangle(const Mesh& mesh, Face f) {
           mesh.position(mesh.origin(Mesh::halfedge(f, 2)))};
 }
 
-/// Pre: `changed` is not degenerate.
+/// Returns whether the changed pair intersects and did not before. Pre: `changed` is not
+/// degenerate.
 bool is_new_pair(const ExactTriangle& changed, const ExactTriangle& other,
                  const ExactTriangle& before, const ExactTriangle& other_before) {
   if (!do_intersect(changed, other)) return false;
@@ -25,7 +26,7 @@ bool is_new_pair(const ExactTriangle& changed, const ExactTriangle& other,
          !do_intersect(before, other_before);
 }
 
-/// The faces all of whose corners are of the region, in the order of their vertices.
+/// Returns the faces whose corners all belong to the region, in the order of their vertices.
 std::vector<Face> faces_of(const Surface& surface, std::uint32_t region,
                            std::span<const Vertex> vertices) {
   const Mesh& mesh = surface.mesh();
@@ -38,7 +39,7 @@ std::vector<Face> faces_of(const Surface& surface, std::uint32_t region,
     do {
       const Vertex a = mesh.target(h);
       const Vertex b = mesh.origin(Mesh::prev(h));
-      // Each face once, by its lowest corner.
+      // Add each face once, at its lowest corner.
       if (v < a && v < b && surface.state(a).region == region &&
           surface.state(b).region == region) {
         faces.push_back(Mesh::face(h));
@@ -53,11 +54,11 @@ std::vector<Face> faces_of(const Surface& surface, std::uint32_t region,
 
 IntersectionGuard::IntersectionGuard(const Surface& surface, GuardedSpace& space,
                                      std::uint32_t region, std::span<const Vertex> vertices)
-    : space_(space), region_(region), tree_(space.place_of) {
+    : space_(space), region_(region), tree_(space.slot_of) {
   tree_.build(surface, faces_of(surface, region, vertices));
 }
 
-/// The faces of the fan with the vertex at `p`.
+/// Computes the triangles and boxes of the new faces, with the vertex at `p`.
 void IntersectionGuard::place_faces(const Surface& surface, const Fan& fan, const glm::vec3& p) {
   const Mesh& mesh = surface.mesh();
   triangles_.resize(fan.size());
@@ -75,10 +76,10 @@ void IntersectionGuard::place_faces(const Surface& surface, const Fan& fan, cons
   }
 }
 
-/// Projects the new faces along the mean of their normals, their vertex to the origin, and finds
-/// out whether they are a graph over that plane: all of them are seen from the front, and they go
-/// around their vertex no more than once. Then they certainly do not intersect one another. The
-/// margin is far above what rounding may do, so that this need not be exact.
+/// Projects the new faces along their mean normal, with the vertex at the origin, and finds out
+/// whether they form a graph over that plane: all face the front and they go around the vertex at
+/// most once. If they do, they cannot intersect one another. The margin is far above rounding
+/// errors, so this test need not be exact.
 void IntersectionGuard::flatten(const Fan& fan) {
   constexpr double kMargin = 1e-6;
   glm::dvec3 sum(0.0);
@@ -104,7 +105,7 @@ void IntersectionGuard::flatten(const Fan& fan) {
     const glm::dvec2 b = flattened(triangles_[i][2]);
     const double turn = a.x * b.y - a.y * b.x;
     if (!(turn > least)) return;
-    // From below to above: as often as the faces go around.
+    // Counts crossings from below to above: one per revolution.
     rounds += static_cast<std::size_t>(a.y < 0.0 && b.y >= 0.0);
     sides_[0].set(i, b - a, turn);
     sides_[1].set(i, -b, 0.0);
@@ -121,11 +122,12 @@ glm::dvec2 IntersectionGuard::flattened(const glm::dvec3& p) const {
   return {glm::dot(q, axes_[0]), glm::dot(q, axes_[1])};
 }
 
-/// Of new faces i to i + 3, those that a side certainly separates from a triangle, seen along the
-/// mean of the normals: then a wall on that side does so in space, and the two meet in no more than
-/// the corners on that side that they share. Lanes past the last face hold anything.
+/// Returns which of new faces i to i + 3 are certainly separated from a triangle by one of their
+/// sides, in the projection along the mean normal. The plane through that side along the normal
+/// then separates the two in space, and they meet at most in shared corners on that side. Lanes
+/// past the last face are unspecified.
 Int4 IntersectionGuard::find_apart(const Fan& fan, std::size_t i, const FlatTriangle& other) const {
-  // Rounding in float is a hundredth of it.
+  // Rounding in float is a hundredth of this.
   constexpr float kMargin = 1e-5F;
   Int4 begins;
   Int4 ends;
@@ -179,7 +181,7 @@ IntersectionGuard::Verdict IntersectionGuard::check(const Surface& surface, cons
   return is_met ? Verdict::intersects : Verdict::legal;
 }
 
-/// Whether two faces of the fan would intersect that do not yet.
+/// Returns whether two faces of the fan would intersect that do not yet.
 bool IntersectionGuard::has_new_pair(const Surface& surface, const Fan& fan) const {
   const Mesh& mesh = surface.mesh();
   for (std::size_t i = 0; i < fan.size(); ++i) {
@@ -194,7 +196,7 @@ bool IntersectionGuard::has_new_pair(const Surface& surface, const Fan& fan) con
   return false;
 }
 
-/// Whether a face of the fan would intersect `other`, and does not yet.
+/// Returns whether a face of the fan would intersect `other`, and does not yet.
 bool IntersectionGuard::has_new_pair(const Surface& surface, const Fan& fan, Face other,
                                      const LaneBox& box) const {
   const Mesh& mesh = surface.mesh();

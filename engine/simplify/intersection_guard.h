@@ -16,44 +16,44 @@
 
 namespace mesher {
 
-/// What guards of all regions share.
+/// State shared by the guards of all regions.
 struct GuardedSpace {
-  explicit GuardedSpace(std::uint32_t faces) : place_of(faces) {}
+  explicit GuardedSpace(std::uint32_t faces) : slot_of(faces) {}
 
-  Array<std::uint32_t> place_of;  ///< by face: see FaceTree
+  Array<std::uint32_t> slot_of;  ///< by face: see FaceTree
   Territory territory;
-  bool has_regions = false;  ///< the territory counts
+  bool has_regions = false;  ///< the territory applies
 };
 
-/// Keeps collapses from making faces intersect (after S. Gumhold, P. Borodin, R. Klein,
-/// "Intersection-free simplification", 2003): the faces around the merged vertex are tested, as
-/// they would be, with all faces near them, exactly. Pairs that intersect already may go on doing
-/// so. One for each region, which sees no faces but the region's: where regions work side by side,
-/// what leaves the region's territory waits for another round.
+/// Prevents collapses from making faces intersect (after S. Gumhold, P. Borodin, R. Klein,
+/// "Intersection-free simplification", 2003). Tests the new faces around the merged vertex against
+/// all faces near them, exactly. Pairs that already intersect may keep intersecting. There is one
+/// guard per region, and it sees the region's faces only: while regions run concurrently, a
+/// collapse that leaves the region's territory is left to a later round.
 class IntersectionGuard {
  public:
   enum class Verdict : std::uint8_t { legal, intersects, outside_territory };
 
-  /// For the faces all of whose corners are of the region. O(faces).
+  /// Guards the faces whose corners all belong to the region. O(faces).
   IntersectionGuard(const Surface& surface, GuardedSpace& space, std::uint32_t region,
                     std::span<const Vertex> vertices);
 
-  /// What stands against merging the edge of the fan at `p`. O(valence (near faces + valence) + log
-  /// faces) expected. Pre: no face of the fan would lose its area.
+  /// Checks merging the edge of the fan at `p`. O(valence (near faces + valence) + log faces)
+  /// expected. Pre: no face of the fan becomes degenerate.
   Verdict check(const Surface& surface, const Fan& fan, Vertex removed, Vertex kept,
                 const glm::vec3& p);
-  /// Notes the collapse that was last checked. Call once it is done.
+  /// Applies the collapse that was last checked. Call after it is done.
   void collapsed(const Surface& surface, const Fan& fan);
 
  private:
-  /// A triangle projected along the mean of the normals of the new faces.
+  /// A triangle projected along the mean normal of the new faces.
   struct FlatTriangle {
     std::array<Vertex, 3> corner;
     std::array<float, 3> x;
     std::array<float, 3> y;
   };
-  /// One side of each new face, projected: its direction, and what makes the distance of the
-  /// vertex's projection, which is the origin, right.
+  /// One side of each new face, projected: its direction, and the offset that corrects distances
+  /// (the projection of the vertex is the origin).
   struct Sides {
     std::vector<float> x, y, shift;
 
@@ -62,11 +62,12 @@ class IntersectionGuard {
       y[i] = static_cast<float>(direction.y);
       shift[i] = static_cast<float>(distance);
     }
-    /// Of a point from the sides of faces i to i + 3, times their lengths; positive inside.
+    /// Distances of a point from this side of faces i to i + 3, times the lengths of the sides;
+    /// positive inside.
     Float4 distances(std::size_t i, float px, float py) const {
       return load4(&x[i]) * (Float4{} + py) - load4(&y[i]) * (Float4{} + px) + load4(&shift[i]);
     }
-    /// By the sum of both coordinates.
+    /// Lengths of the sides in the L1 norm.
     Float4 lengths(std::size_t i) const {
       const Float4 dx = load4(&x[i]);
       const Float4 dy = load4(&y[i]);
@@ -84,16 +85,16 @@ class IntersectionGuard {
   GuardedSpace& space_;
   std::uint32_t region_;
   FaceTree tree_;
-  std::size_t removed_ = 0;  ///< faces, since the tree was built
-  // Of the fan that was last checked: its faces as they would be.
+  std::size_t removed_ = 0;  ///< number of faces removed since the tree was built
+  // New faces of the fan that was last checked.
   std::vector<ExactTriangle> triangles_;
   std::vector<LaneBox> boxes_;
   Box all_;
-  // The same along the mean of their normals, where they are a graph over its plane.
+  // The same, projected along their mean normal, where they form a graph over that plane.
   bool is_graph_ = false;
   std::array<glm::dvec3, 2> axes_{};
   std::array<Sides, 3> sides_;
-  float reach_ = 0.0F;  ///< of the neighbors from the vertex
+  float reach_ = 0.0F;  ///< largest L1 distance of a neighbor from the vertex
 };
 
 }  // namespace mesher

@@ -11,12 +11,12 @@
 
 namespace mesher {
 
-/// Four floats that are worked on at once. Each lane rounds as a float on its own does, so that a
-/// formula written once for `float`, `Float4` and `Float8` gives the same bits for all.
+/// Four floats processed at once. Each lane rounds like a single float, so a formula written once
+/// for `float`, `Float4` and `Float8` yields the same bits for all.
 using Float4 = float __attribute__((vector_size(16)));
 using Int4 = std::int32_t __attribute__((vector_size(16)));
 
-/// Eight floats: two times four, so that while one division is under way the other can be.
+/// Eight floats as two groups of four, so that two divisions can overlap.
 struct Float8 {
   Float4 low{};
   Float4 high{};
@@ -44,7 +44,8 @@ inline Mask8 operator>=(const Float8& a, const Float8& b) {
   return {a.low >= b.low, a.high >= b.high};
 }
 
-/// Where `condition` holds, `yes`, else `no`. The comparisons of Float4 yield the condition.
+/// Returns `yes` where `condition` holds, otherwise `no`. Comparisons of Float4 yield the
+/// condition.
 inline float select(bool condition, float yes, float no) {
   return condition ? yes : no;
 }
@@ -95,7 +96,7 @@ inline Float4 to_float(Int4 lanes) {
   return __builtin_convertvector(lanes, Float4);
 }
 
-/// Whether the condition holds in some lane.
+/// Returns whether the condition holds in any lane.
 inline bool any(Int4 condition) {
   using Long2 = std::int64_t __attribute__((vector_size(16)));
   Long2 halves;
@@ -112,7 +113,7 @@ inline void store4(float* to, Float4 lanes) {
   __builtin_memcpy(to, &lanes, sizeof lanes);
 }
 
-/// Turns four rows into four columns.
+/// Transposes a 4 x 4 matrix.
 inline void transpose(Float4& a, Float4& b, Float4& c, Float4& d) {
   const Float4 ab_low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
   const Float4 ab_high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
@@ -124,7 +125,7 @@ inline void transpose(Float4& a, Float4& b, Float4& c, Float4& d) {
   d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
 }
 
-/// A vector of F (float, Float4 or Float8).
+/// A 3D vector of F (float, Float4 or Float8).
 template <class F>
 struct Vec3 {
   F x, y, z;

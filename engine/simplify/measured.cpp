@@ -10,19 +10,20 @@
 namespace mesher {
 namespace {
 
-/// Part of the bound that collapses may use: what strays between the points that they look at takes
-/// the rest, and a distance that is not too near the bound is quicker to decide upon.
+/// Fraction of the bound that collapses may use. The rest covers deviations between the points that
+/// they check. Distances well below the bound are also quicker to decide.
 constexpr double kUsedOfBound = 0.92;
-/// The same after a run that did not keep the bound: other places stray in each run.
+/// Same, after a run that exceeded the bound: each run deviates in different places.
 constexpr double kUsedAfterFailure = 0.8;
-/// The same where the bound is fine (`is_fine`): then there are few such points between which a
-/// face may stray.
+/// Same, if the bound is fine (`is_fine`): then there are few such points between which a face may
+/// deviate.
 constexpr double kUsedOfFineBound = 0.6;
-/// How near to the true distance the one that is reported comes, if that is not too much work.
+/// Target ratio of the reported distance's upper to its lower bound, unless that takes too much
+/// work.
 constexpr double kRatioOfMeasured = 2.0;
-/// Where the bound is not kept: the part of what was used there that the next run may use.
-constexpr std::array<float, 3> kTighter{0.6F, 0.45F, 0.3F};  // in the first run, the second, …
-/// After so many runs a decision that is short of queries gets that many times as many.
+/// Factor for the bound of the next run in places that exceeded it.
+constexpr std::array<float, 3> kTighter{0.6F, 0.45F, 0.3F};  // for the first run, the second, …
+/// After this many runs, an undecided decision gets this many times as many queries.
 constexpr int kRunsBeforeEffort = 4;
 constexpr std::uint64_t kEffort = 16;
 
@@ -43,7 +44,7 @@ HausdorffBounds decide(const Trace& trace, const SimplifyOptions& options,
               .progress = options.progress});
 }
 
-/// Adds the faces of the input that have become one with the same vertices of the result.
+/// Returns `faces` plus the faces of the input that map to the same vertices of the result.
 std::vector<Face> with_surroundings(const Trace& trace, std::span<const Face> faces) {
   const Mesh& after = trace.after;
   Array<bool> is_near;
@@ -63,7 +64,7 @@ std::vector<Face> with_surroundings(const Trace& trace, std::span<const Face> fa
   return all;
 }
 
-/// Tightens the bound for the corners of the faces and all around them.
+/// Tightens the bound at the corners of the faces.
 void tighten(Array<float>& shares, const Trace& trace, std::span<const Face> faces, float part) {
   const Mesh& before = trace.before;
   if (shares.empty()) shares.assign(before.vertex_count(), 1.0F);
@@ -78,8 +79,8 @@ void tighten(Array<float>& shares, const Trace& trace, std::span<const Face> fac
   }
 }
 
-/// How far the surfaces are apart, once it is known that it is not too far: a decision finds out no
-/// more than that.
+/// Returns the distance of the surfaces. Separate from the decision, which only finds out whether
+/// the distance is within the bound.
 DistanceInterval measure(const Trace& trace, const SimplifyOptions& options) {
   if (trace.before.face_count() == 0 || trace.after.face_count() == 0) return {};
   return bounds_of(trace, {.ratio = kRatioOfMeasured,
@@ -125,7 +126,7 @@ Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
     HausdorffBounds bounds;
     if (input.face_count() > 0 && result.mesh.face_count() > 0) {
       bounds = decide(trace, options);
-      // No point beyond is known: then it is worth more work.
+      // No point beyond the bound is known, so the result is worth more work.
       const auto [lower, upper] = bounds.two_sided();
       if (run >= kRunsBeforeEffort && lower <= options.max_error && upper > options.max_error) {
         bounds = decide(trace, options, kEffort);
@@ -148,8 +149,8 @@ Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
     }
     rejected = result.report.rejected;
     if (!is_fine) run_options.max_error = kUsedAfterFailure * options.max_error;
-    if (run_options.max_error <= 0.0) break;  // no tighter bound is left
-    // Where faces are small it takes hardly any more of them to be on the safe side.
+    if (run_options.max_error <= 0.0) break;  // the bound cannot get any tighter
+    // Where faces are small, a safety margin costs hardly any extra faces.
     if (is_fine) bounds.beyond = with_surroundings(trace, bounds.beyond);
     tighten(shares, trace, bounds.beyond,
             kTighter[std::min<std::size_t>(static_cast<std::size_t>(run), kTighter.size() - 1)]);

@@ -7,18 +7,19 @@
 
 namespace mesher {
 
-/// One run, with the bound of the options kept step by step (if there is one) but not measured.
-/// `shares`: for each vertex, with the ids of `Trace::before`, which part of that bound holds
-/// around it; empty: all of it. `trace`: written, if there is one.
+/// Simplifies once. Each collapse respects the error bound of the options, if any, but the result
+/// is not measured. `shares`: the fraction of that bound that applies at each vertex, by the ids of
+/// `Trace::before`; empty: all of it. `trace`: filled in if not null.
 Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options,
                                std::span<const float> shares = {}, Trace* trace = nullptr);
 
-/// One run, and a certified bound for the distance between input and result.
+/// Simplifies once and certifies an upper bound of the distance between input and result.
 Simplified simplify_certified(Mesh&& mesh, const SimplifyOptions& options);
 
-/// Runs, decides whether input and result are within the bound, both ways (`hausdorff_bounds`), and
-/// runs again with a tighter bound around the places that are not. At most kMaxRuns; if none keeps
-/// the bound, the result is the input. The observer is told of the run that counts alone.
+/// Simplifies, decides whether input and result are within the bound in both directions
+/// (`hausdorff_bounds`), and repeats with a tighter bound around the violations. At most kMaxRuns;
+/// if no run keeps the bound, the result is the input. The observer sees only the run that is
+/// returned.
 Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options);
 
 inline constexpr int kMaxRuns = 12;

@@ -19,7 +19,7 @@ struct Item {
   Vertex vertex;
 };
 
-/// Spreads the lowest 10 bits, two zeros between any two.
+/// Spreads the lowest 10 bits, with two zeros between neighbors.
 std::uint32_t spread(std::uint32_t x) {
   x = (x | x << 16U) & 0x030000FFU;
   x = (x | x << 8U) & 0x0300F00FU;
@@ -49,7 +49,7 @@ Extent extent(std::span<const glm::vec3> positions, std::span<const Vertex> vert
   return all;
 }
 
-/// One pass of a counting sort, by a digit of the key.
+/// One pass of a counting sort, by one digit of the key.
 void sort_by_digit(const Array<Item>& from, Array<Item>& to, std::uint32_t shift) {
   std::array<std::uint32_t, kDigits> start{};
   const auto digit = [&](const Item& item) { return item.key >> shift & (kDigits - 1); };
@@ -71,7 +71,7 @@ Array<Vertex> morton_order(std::span<const glm::vec3> positions, std::span<const
   const glm::vec3 size = box.max - box.min;
   const float longest = std::max({size.x, size.y, size.z});
   const auto cells = static_cast<float>(1U << grid.bits);
-  // Half of the grid is left for the shift.
+  // Half of the grid is reserved for the shift.
   const float scale = longest > 0.0F ? (0.5F * cells - 1.0F) / longest : 0.0F;
   const float shift = grid.shift * 0.5F * cells;
   const auto cell = [&](float x, float low) {

@@ -9,16 +9,16 @@
 
 namespace mesher {
 
-/// The grid whose cells are put in order: 2^bits a side (at most 2^10), of which the vertices' box
-/// takes up half; `shift` (0 to 1) moves the box within it, so that other vertices lie where the
-/// curve jumps.
+/// The grid whose cells are ordered: 2^bits cells per side (at most 2^10). The bounding box of the
+/// vertices takes up half of each side; `shift` (0 to 1) moves it within the grid, so that the
+/// curve jumps at other vertices.
 struct MortonGrid {
   std::uint32_t bits = 10;
   float shift = 0.0F;
 };
 
-/// Sorts vertices along a Z-shaped curve through their box (G. Morton, 1966), so that neighbours on
-/// the surface are mostly neighbours in the order. Stable. O(n).
+/// Returns the vertices sorted along a Z-order curve through their bounding box (G. Morton, 1966),
+/// so that neighbors on the surface are mostly neighbors in the order. Stable. O(n).
 Array<Vertex> morton_order(std::span<const glm::vec3> positions, std::span<const Vertex> vertices,
                            const MortonGrid& grid);
 

@@ -5,10 +5,11 @@
 
 namespace mesher {
 
-/// Whether two faces of the result intersect that did not in the input (`do_intersect` in
-/// engine/analysis/triangle_pair.h says what counts; faces without area in the input do not
-/// intersect). The same rule as that of IntersectionGuard, but for the result alone. Exact. O(F log
-/// F) expected in the faces of the result, parallel. Throws Cancelled.
+/// Returns whether two faces of the result intersect that did not intersect in the input
+/// (`do_intersect` in engine/analysis/triangle_pair.h defines intersection; degenerate faces of the
+/// input do not intersect). IntersectionGuard applies the same rule at every collapse; this checks
+/// the result only. Exact. Expected O(F log F) in the faces of the result, parallel. Throws
+/// Cancelled.
 bool has_new_intersections(const Mesh& input, const Simplified& result,
                            Progress* progress = nullptr);
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kMostFaces = 64;
 
-/// What the planes of one end say of two places.
+/// Costs of two positions with respect to the planes at one end.
 struct StarCost {
   float at_point = 0.0F;
   float at_other_end = 0.0F;
@@ -20,7 +20,7 @@ std::optional<StarCost> star_cost(const Surface& surface, Vertex v, Vertex other
   const Mesh& mesh = surface.mesh();
   const glm::vec3 to_point = p - mesh.position(v);
   const glm::vec3 to_other = mesh.position(other) - mesh.position(v);
-  const bool has_features = surface.freedom(v) != Freedom::free;
+  const bool has_features = surface.constraint(v) != VertexConstraint::free;
   StarCost sum;
   const auto add = [&](const glm::vec3& normal, float weight) {
     const float point = glm::dot(normal, to_point);
@@ -50,7 +50,7 @@ std::optional<PlaneCosts> plane_costs(const Surface& surface, Halfedge h, const 
   if (!of_origin) return std::nullopt;
   const std::optional<StarCost> of_target = star_cost(surface, target, origin, p);
   if (!of_target) return std::nullopt;
-  // The planes of an end all go through it.
+  // All planes at an end pass through it.
   return PlaneCosts{of_origin->at_point + of_target->at_point, of_target->at_other_end,
                     of_origin->at_other_end};
 }

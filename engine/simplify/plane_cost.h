@@ -7,18 +7,18 @@
 
 namespace mesher {
 
-/// What merging an edge costs in three places.
+/// Costs of merging an edge at three positions.
 struct PlaneCosts {
   float at_point = 0.0F;
   float at_origin = 0.0F;
   float at_target = 0.0F;
 };
 
-/// What merging the edge of `h` costs at `p` and at its ends: the squared distances to the planes
-/// of the faces at both ends, each times the area of its face, and to the planes across the feature
-/// edges there. The same as the quadric's cost, but each distance is found before it is squared, so
-/// that nothing cancels: 14 digits where the quadric has 7. None at a hub of more than 64 faces, so
-/// that a hub does not make the work quadratic. O(valence).
+/// Returns the cost of merging the edge of `h` at `p` and at its ends: the squared distances to the
+/// planes of the faces at both ends, each times the area of its face, and to the planes across the
+/// feature edges there. Equals the quadric's cost, but squares each distance after computing it, so
+/// nothing cancels: 14 digits instead of the quadric's 7. Returns none at a vertex of more than 64
+/// faces, because the work would become quadratic. O(valence).
 std::optional<PlaneCosts> plane_costs(const Surface& surface, Halfedge h, const glm::vec3& p);
 
 }  // namespace mesher

@@ -18,23 +18,23 @@
 namespace mesher {
 namespace {
 
-/// Parts of the error that bound the size of what is left out. The whole error may leave out too
-/// much where it is large only because the parts use up the faces.
+/// Size limits of the parts left out, as fractions of the error. The whole error may leave out too
+/// much if it is large only because the parts use up the faces.
 constexpr double kThresholds[] = {1.0, 0.5, 0.25, 0.125};
-// An error so much larger is still no worse: the estimate is not that exact.
+// An error larger by this factor counts as equal, because the estimate is not more precise.
 constexpr double kNoWorse = 1.05;
-// Fewer parts left out must gain that much.
+// A run that leaves out fewer parts must improve the error by this factor.
 constexpr double kClearlyBetter = 0.9;
 constexpr std::uint64_t kSamples = 4096;
 
 struct Part {
   Box box;
-  double size = 0.0;  ///< diagonal of the box
+  double size = 0.0;  ///< diagonal of the bounding box
   double area = 0.0;
   std::uint32_t faces = 0;
 };
 
-/// The parts of a mesh: components, united where they touch at bow-tie vertices.
+/// The parts of a mesh: components, united if they touch at bow-tie vertices.
 class Parts {
  public:
   explicit Parts(const Mesh& mesh) : of_face_(face_components(mesh)) {
@@ -52,11 +52,11 @@ class Parts {
 
   std::span<const Part> all() const { return parts_; }
   double area() const { return area_; }
-  /// The largest is never small, so that something is left.
+  /// The largest part is never small, so the result is never empty.
   bool is_small(std::size_t part, double size) const {
     return part != largest_ && parts_[part].size < size;
   }
-  /// How many are small.
+  /// Returns the number of small parts.
   std::size_t count_small(double size) const {
     std::size_t count = 0;
     for (std::size_t p = 0; p < parts_.size(); ++p)
@@ -64,7 +64,7 @@ class Parts {
     return count;
   }
 
-  /// What is small, or all the rest; isolated vertices belong to the rest.
+  /// Returns the small parts, or all others; isolated vertices belong to the others.
   KeptIds select(const Mesh& mesh, double size, bool small) const {
     KeptIds kept;
     for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -118,12 +118,12 @@ class Parts {
   }
 
   std::vector<std::uint32_t> of_face_;
-  std::vector<Part> parts_;  ///< by lowest component; the others of a part have no faces
+  std::vector<Part> parts_;  ///< by lowest component; the other components of a part have no faces
   double area_ = 0.0;
   std::size_t largest_ = 0;
 };
 
-/// Runs with more or less left out, of which the best is kept.
+/// Runs with different pruning limits and keeps the best result.
 class Pruning {
  public:
   Pruning(const Mesh& input, const SimplifyOptions& options)
@@ -133,7 +133,7 @@ class Pruning {
     unpruned_ = best_.report.estimated_error;
   }
 
-  /// Tries the sizes that the error of the best run suggests. Returns whether one was better.
+  /// Tries the limits that the error of the best run suggests. Returns whether one was better.
   bool improve() {
     const double error = best_.report.estimated_error;
     bool is_better = false;
@@ -172,7 +172,7 @@ class Pruning {
     return is_better;
   }
 
-  /// Simplifies all but what is smaller than `size`.
+  /// Simplifies all parts except the small ones.
   Simplified run(double size) {
     const KeptIds kept = parts_.select(input_, size, false);
     const bool is_whole = kept.faces.size() == input_.face_count();

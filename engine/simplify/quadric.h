@@ -4,15 +4,15 @@
 
 namespace mesher {
 
-/// What faces around a vertex say of moving it by y from where it is: `y^T a y` is the sum of their
-/// areas times the squared distance to their planes, `g.y` six times the volume swept (g: the sum
-/// of their areas times their unit normals, doubled).
+/// Quadric of the faces around a vertex, for moving the vertex by y. `y^T a y` is the sum of the
+/// faces' areas times the squared distances to their planes. `g.y` is three times the swept volume,
+/// where g is the sum of the areas times the unit normals.
 ///
-/// It is made of the faces as they are now (memoryless: P. Lindstrom, G. Turk, "Fast and memory
+/// The quadric is built from the current faces (memoryless: P. Lindstrom, G. Turk, "Fast and memory
 /// efficient polygonal simplification", 1998; weighted by area as in H. Hoppe, "New quadric metric
 /// for simplifying meshes with appearance attributes", 1999), so all planes pass through the
-/// vertex, and with the vertex as the origin the linear and the constant term of the quadric
-/// vanish: nine floats do, and nothing is lost far from the model's origin.
+/// vertex. With the vertex as the origin, the linear and the constant term vanish. Nine floats
+/// suffice, and no precision is lost far from the model's origin.
 template <class F>
 struct Quadric {
   F xx, xy, xz, yy, yz, zz;  ///< the upper triangle of a
@@ -30,12 +30,12 @@ struct Quadric {
     return {xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z,
             xz * v.x + yz * v.y + zz * v.z};
   }
-  /// The sum of the areas.
+  /// Returns the sum of the areas.
   F trace() const { return xx + yy + zz; }
 };
 
-/// A quadric as three rows of four floats, as it lies in memory; what is left of the last row is
-/// not the quadric's.
+/// A quadric as three rows of four floats, in memory order. The remaining lanes of the last row do
+/// not belong to the quadric.
 struct QuadricRows {
   Float4 a;  ///< xx xy xz yy
   Float4 b;  ///< yz zz, g.x g.y
@@ -49,34 +49,35 @@ struct QuadricRows {
   }
 };
 
-/// weight * n n^T, and weight * n for the volume.
+/// Returns weight * n n^T, with g = weight * n.
 template <class F>
 Quadric<F> plane_quadric(const Vec3<F>& n, F weight) {
   const Vec3<F> w = n * weight;
   return {w.x * n.x, w.x * n.y, w.x * n.z, w.y * n.y, w.y * n.z, w.z * n.z, w};
 }
 
-/// How far directions count in which the quadric is weak: `best_offset` damps it by this part of
-/// its trace toward the midpoint, so that on flat and straight neighbourhoods, where it leaves
-/// directions free, the vertex stays in the middle.
+/// Damping of directions in which the quadric is weak, as a fraction of its trace. `best_offset`
+/// pulls toward the midpoint by this much, so that the vertex stays in the middle in flat and
+/// straight neighborhoods, where the quadric leaves directions free.
 inline constexpr float kPlacementDamping = 1e-4F;
-/// Breaks ties: of two equally good edges the shorter goes first. The weight of the squared length
-/// by the area around it. It stands for a distance of 3e-7 of the edge's length, which is what
-/// single precision resolves, so it competes with no real error.
+/// Tie-break: weight of the squared edge length times the area around it, so that the shorter of
+/// two equally good edges goes first. It corresponds to a distance of 3e-7 of the edge length, the
+/// resolution of single precision, so it does not compete with real errors.
 inline constexpr float kTieBreak = 1e-13F;
-/// The rounding of the quadric's six sums, as a part of area times squared length. Costs that are
-/// this small say nothing, so they are lowered by it until the edge's turn comes. (Ten times as
-/// much is no better on flat parts, and on a fandisk two edges of three are looked at twice.)
+/// Rounding error of the quadric's six sums, as a fraction of area times squared length. Costs
+/// below it are not significant, so queued costs are lowered by it until the edge is evaluated
+/// exactly. (Ten times as much is no better on flat parts; on a fandisk two of three edges are then
+/// evaluated twice.)
 inline constexpr float kQuadricNoise = 1e-7F;
-/// The same of a guess, where the target is far: a guess costs no second look.
+/// Same for guessed costs, far from the target: a guess needs no second evaluation.
 inline constexpr float kGuessNoise = 1e-6F;
-/// Below this part the rounding shows, and `plane_costs` finds the cost when the edge's turn comes:
-/// a slope of 0.001.
+/// Below this fraction rounding is visible, and `plane_costs` computes the cost when the edge
+/// reaches the front of the queue: a slope of 0.001.
 inline constexpr float kQuadricDoubt = 1e-6F;
 
-/// An edge whose ends are merged at midpoint + y:
-/// cost(y) = constant - 2 linear.y + y^T a y, and the volume is kept where g.y == volume.
-/// One formula for one edge (float) and for four at once (Float4), with the same bits.
+/// An edge whose ends are merged at midpoint + y: cost(y) = constant - 2 linear.y + y^T a y, and
+/// the volume is preserved if g.y == volume. One formula serves single edges (float) and several at
+/// once (Float4, Float8), with the same bits.
 template <class F>
 struct EdgeQuadric {
   Quadric<F> both;
@@ -85,10 +86,11 @@ struct EdgeQuadric {
   F volume;
   Vec3<F> half;  ///< from the midpoint to the target
 
-  /// `edge` runs from the first vertex to the second; `shared` is the sum of the areas times unit
-  /// normals of the one or two faces at the edge: their volume would count twice. (That they weigh
-  /// twice in the cost, as in Garland's and Heckbert's sums, is kept: measured, it loses less, 1.5
-  /// % of the RMS distance over sixteen cases, than counting them once.)
+  /// `edge` runs from the first vertex to the second. `shared` is the sum of the areas times unit
+  /// normals of the one or two faces at the edge; it is subtracted because their volume would count
+  /// twice. (These faces do count twice in the cost, as in Garland's and Heckbert's sums. In
+  /// measurements this is better than counting them once: 1.5 % less RMS distance over sixteen
+  /// cases.)
   EdgeQuadric(const Quadric<F>& from, const Quadric<F>& to, const Vec3<F>& shared,
               const Vec3<F>& edge)
       : both(from + to), half(edge * broadcast<F>(0.5F)) {
@@ -97,20 +99,20 @@ struct EdgeQuadric {
     const Vec3<F> of_to = to.times(half);
     linear = of_to - of_from;
     constant = dot(half, of_from + of_to);
-    // The shared faces contain the edge, so their part vanishes.
+    // The shared faces contain the edge, so their contribution vanishes.
     volume = dot(to.g - from.g, half);
   }
 
   F cost(const Vec3<F>& y) const {
     return constant - dot(linear, y) * broadcast<F>(2.0F) + dot(y, both.times(y));
   }
-  /// Area times squared length of the edge. Not negative: a quadric that a much larger face has
-  /// left may have lost its own digits.
+  /// Returns area times squared length of the edge. Clamped at 0: after a much larger face is
+  /// subtracted, a quadric may have lost all significant digits.
   F scale() const {
     return greater_of(both.trace(), broadcast<F>(0.0F)) * dot(half, half) * broadcast<F>(4.0F);
   }
-  /// Orders collapses until an edge's turn comes: the least that the cost may be, whatever was
-  /// rounded. Never negative.
+  /// Returns the cost that orders the queue until the edge is evaluated exactly: a lower bound
+  /// under rounding. Never negative.
   F ranked_cost(const Vec3<F>& y) const {
     const F size = scale();
     return greater_of(cost(y) - size * broadcast<F>(kQuadricNoise), broadcast<F>(0.0F)) +
@@ -118,9 +120,9 @@ struct EdgeQuadric {
   }
 };
 
-/// A quick guess at what orders collapses: half of what merging at the midpoint would cost, which
-/// cannot be much less than the truth and seldom is much more. Never negative. Needs no faces and
-/// no equations.
+/// Returns a quick estimate of the ranked cost: half the cost of merging at the midpoint, which is
+/// never much below the true cost and seldom much above it. Never negative. Needs neither faces nor
+/// a linear solve.
 template <class F>
 F guessed_cost(const Quadric<F>& from, const Quadric<F>& to, const Vec3<F>& edge) {
   const Quadric<F> both = from + to;
@@ -130,8 +132,8 @@ F guessed_cost(const Quadric<F>& from, const Quadric<F>& to, const Vec3<F>& edge
   return greater_of(beyond_noise, zero) * broadcast<F>(0.125F) + size * broadcast<F>(kTieBreak);
 }
 
-/// L D L^T of the matrix of a quadric with `damping` added to its diagonal. Pivots stay at least
-/// half the damping, whatever rounding does.
+/// L D L^T factors of a quadric's matrix with `damping` added to its diagonal. Pivots stay at least
+/// half the damping, regardless of rounding.
 template <class F>
 class Factors {
  public:
@@ -160,12 +162,12 @@ class Factors {
   F l10_, l20_, l21_;
 };
 
-/// Where the cost is least while the volume is kept, as an offset from the midpoint.
+/// Returns the volume-preserving position of least cost, as an offset from the midpoint. Never NaN.
 ///
-/// Directions in which the quadric is weak are damped (kPlacementDamping). The volume is kept where
-/// the surface around has a side at all (g is not small against the area). The vertex stays in the
-/// ball that has the edge as its diameter: a tip whose planes all run along it would otherwise
-/// leave the surface far behind. Never not a number.
+/// Directions in which the quadric is weak are damped (kPlacementDamping). Volume is preserved only
+/// where the surface has a distinct side (g is not small against the area). The vertex stays in the
+/// ball whose diameter is the edge; otherwise a tip whose planes all run along it would be placed
+/// far off the surface.
 template <class F>
 Vec3<F> best_offset(const EdgeQuadric<F>& edge) {
   constexpr float kTiny = 1e-30F;
@@ -186,8 +188,8 @@ Vec3<F> best_offset(const EdgeQuadric<F>& edge) {
   return y * select(distance > reach, shrink, broadcast<F>(1.0F));
 }
 
-/// Whether the target is the better of the two ends. (The quadratic terms of both are equal; the
-/// linear one's sign decides.)
+/// Returns whether the target is the better of the two ends. The quadratic terms of both are equal,
+/// so the sign of the linear term decides.
 inline bool is_target_better(const EdgeQuadric<float>& edge) {
   return dot(edge.linear, edge.half) >= 0.0F;
 }

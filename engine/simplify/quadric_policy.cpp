@@ -8,7 +8,7 @@
 namespace mesher {
 namespace {
 
-// By how many tie-breaks an end has to be cheaper than the optimum to take its place.
+// By how many tie-breaks an end must be cheaper than the optimum to replace it.
 constexpr float kClearlyCheaper = 10.0F;
 
 template <class F>
@@ -25,15 +25,15 @@ StateLanes<F> broadcast_state(const VertexState& s) {
           {all(s.position.x), all(s.position.y), all(s.position.z)}};
 }
 
-/// Edges that wait until there are eight of them.
+/// Collects edges and evaluates them in batches of eight.
 class EightEdges {
  public:
-  EightEdges(const Surface& surface, Care care, float* costs)
-      : surface_(surface), care_(care), costs_(costs) {}
+  EightEdges(const Surface& surface, CostPrecision precision, float* costs)
+      : surface_(surface), precision_(precision), costs_(costs) {}
 
-  void add(Halfedge h, std::size_t place) {
+  void add(Halfedge h, std::size_t index) {
     edges_[count_] = h;
-    places_[count_] = place;
+    indices_[count_] = index;
     if (++count_ == 8) flush();
   }
 
@@ -45,13 +45,13 @@ class EightEdges {
     store4(all.data(), found.low);
     store4(all.data() + 4, found.high);
     for (std::size_t lane = 0; lane < count_; ++lane)
-      costs_[places_[lane]] = all[lane];
+      costs_[indices_[lane]] = all[lane];
     count_ = 0;
   }
 
  private:
   Float8 evaluate() const {
-    if (care_ == Care::guess) {
+    if (precision_ == CostPrecision::guess) {
       const auto [from, to] = surface_.ends(edges_);
       return guessed_cost(from.quadric, to.quadric, to.position - from.position);
     }
@@ -60,15 +60,15 @@ class EightEdges {
   }
 
   const Surface& surface_;
-  Care care_;
+  CostPrecision precision_;
   float* costs_;
   std::array<Halfedge, 8> edges_{};
-  std::array<std::size_t, 8> places_{};
+  std::array<std::size_t, 8> indices_{};
   std::size_t count_ = 0;
 };
 
-/// Finds the cost without rounding. Damping moves the optimum off a corner of flat parts, so an end
-/// that is cheaper by more than `clearly` takes its place.
+/// Recomputes the cost without cancellation. Damping moves the optimum off a corner of flat parts,
+/// so an end that is cheaper by more than `clearly` replaces it.
 void evaluate_planes(const Surface& surface, Halfedge h, float clearly, Candidate& candidate) {
   const std::optional<PlaneCosts> costs = plane_costs(surface, h, candidate.position);
   if (!costs) return;
@@ -84,14 +84,15 @@ void evaluate_planes(const Surface& surface, Halfedge h, float clearly, Candidat
 
 }  // namespace
 
-Candidate QuadricPolicy::evaluate(const Surface& surface, Halfedge h, Fit fit) const {
+Candidate QuadricPolicy::evaluate(const Surface& surface, Halfedge h,
+                                  AllowedPlacement allowed) const {
   const EdgeQuadric<float> edge = surface.edge_quadric(h);
-  const Placed placed = place(surface, h, edge, placement_, fit);
+  const Placed placed = place(surface, h, edge, placement_, allowed);
   const float size = edge.scale();
   const float tie_break = kTieBreak * size;
   Candidate candidate{0.0F, std::max(edge.cost(placed.offset), 0.0F), placed.position};
   if (candidate.error < kQuadricDoubt * size) {
-    const bool may_move = fit == Fit::anywhere && placement_ == Placement::optimal;
+    const bool may_move = allowed == AllowedPlacement::anywhere && placement_ == Placement::optimal;
     evaluate_planes(surface, h, may_move ? kClearlyCheaper * tie_break : kNever, candidate);
   }
   candidate.cost = candidate.error + tie_break;
@@ -99,36 +100,38 @@ Candidate QuadricPolicy::evaluate(const Surface& surface, Halfedge h, Fit fit) c
 }
 
 void QuadricPolicy::evaluate_costs(const Surface& surface, std::span<const Halfedge> edges,
-                                   Care care, float* costs) const {
+                                   CostPrecision precision, float* costs) const {
   if (placement_ != Placement::optimal) {
-    return CollapsePolicy::evaluate_costs(surface, edges, care, costs);
+    return CollapsePolicy::evaluate_costs(surface, edges, precision, costs);
   }
-  EightEdges eight(surface, care, costs);
+  EightEdges eight(surface, precision, costs);
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    const Fit fit = surface.is_constrained() ? surface.fit(edges[i]) : Fit::anywhere;
-    if (fit == Fit::anywhere && !surface.is_feature(edges[i])) {
+    const AllowedPlacement allowed =
+        surface.is_constrained() ? surface.allowed_placement(edges[i]) : AllowedPlacement::anywhere;
+    if (allowed == AllowedPlacement::anywhere && !surface.is_feature(edges[i])) {
       eight.add(edges[i], i);
     } else {
-      costs[i] = fit == Fit::nowhere ? kNever : evaluate(surface, edges[i], fit).cost;
+      costs[i] =
+          allowed == AllowedPlacement::nowhere ? kNever : evaluate(surface, edges[i], allowed).cost;
     }
   }
   eight.flush();
 }
 
-void QuadricPolicy::evaluate_around(const Surface& surface, Vertex v, const Fan& fan, Care care,
-                                    float* costs) const {
+void QuadricPolicy::evaluate_around(const Surface& surface, Vertex v, const Fan& fan,
+                                    CostPrecision precision, float* costs) const {
   if (placement_ != Placement::optimal || !fan.is_smooth()) {
-    return CollapsePolicy::evaluate_around(surface, v, fan, care, costs);
+    return CollapsePolicy::evaluate_around(surface, v, fan, precision, costs);
   }
   const StateLanes<Float8> from = broadcast_state<Float8>(surface.state(v));
   for (std::size_t i = 0; i < fan.size(); i += 8) {
-    std::array<Vertex, 8> neighbours;
+    std::array<Vertex, 8> neighbors;
     for (std::size_t lane = 0; lane < 8; ++lane)
-      neighbours[lane] = fan.ring()[std::min(i + lane, fan.size())];
-    const StateLanes<Float8> to = surface.states(neighbours);
+      neighbors[lane] = fan.ring()[std::min(i + lane, fan.size())];
+    const StateLanes<Float8> to = surface.states(neighbors);
     const Vec3<Float8> edge = to.position - from.position;
     Float8 found;
-    if (care == Care::guess) {
+    if (precision == CostPrecision::guess) {
       found = guessed_cost(from.quadric, to.quadric, edge);
     } else {
       const Vec3<Float8> shared = fan.area_vectors_before(i) + fan.area_vectors(i);

@@ -10,29 +10,29 @@ namespace {
 
 constexpr std::size_t kGrain = 1U << 13;
 
-/// For each old id its new one; kNone where it is gone.
+/// Returns the new id by old id; kNone if it is gone.
 template <class Id>
-Array<std::uint32_t> places(const Array<Id>& source, std::uint32_t old_count) {
-  Array<std::uint32_t> place(old_count);
-  if (source.size() < old_count) std::fill(place.begin(), place.end(), kNone);
-  parallel_for_each(source.size(), kGrain, [&](std::uint32_t i) { place[source[i].index()] = i; });
-  return place;
+Array<std::uint32_t> new_ids(const Array<Id>& source, std::uint32_t old_count) {
+  Array<std::uint32_t> new_id(old_count);
+  if (source.size() < old_count) std::fill(new_id.begin(), new_id.end(), kNone);
+  parallel_for_each(source.size(), kGrain, [&](std::uint32_t i) { new_id[source[i].index()] = i; });
+  return new_id;
 }
 
-Array<Vertex> vertices_by_place(const Mesh& mesh) {
+Array<Vertex> vertices_by_position(const Mesh& mesh) {
   Array<Vertex> all(mesh.vertex_count());
   parallel_for_each(all.size(), kGrain, [&](std::uint32_t v) { all[v] = Vertex(v); });
   return morton_order(mesh.positions(), all, {});
 }
 
-Array<Face> faces_by_vertex(const Mesh& mesh, const Array<std::uint32_t>& vertex_place) {
+Array<Face> faces_by_vertex(const Mesh& mesh, const Array<std::uint32_t>& new_vertex_id) {
   const std::uint32_t faces = mesh.face_count();
   Array<std::uint32_t> first(faces);
   parallel_for_each(faces, kGrain, [&](std::uint32_t f) {
-    const auto place = [&](std::uint32_t c) {
-      return vertex_place[mesh.origin(Halfedge(3 * f + c)).index()];
+    const auto new_id = [&](std::uint32_t c) {
+      return new_vertex_id[mesh.origin(Halfedge(3 * f + c)).index()];
     };
-    first[f] = std::min({place(0), place(1), place(2)});
+    first[f] = std::min({new_id(0), new_id(1), new_id(2)});
   });
   Array<std::uint32_t> start(std::size_t{mesh.vertex_count()} + 1);
   std::fill(start.begin(), start.end(), 0U);
@@ -46,12 +46,12 @@ Array<Face> faces_by_vertex(const Mesh& mesh, const Array<std::uint32_t>& vertex
   return order;
 }
 
-/// A mesh of the given vertices and faces. `vertex_place` is the inverse of `vertices`.
+/// Returns a mesh of the given vertices and faces. `new_vertex_id` is the inverse of `vertices`.
 Mesh rearranged(const Mesh& mesh, const Array<Vertex>& vertices, const Array<Face>& faces,
-                const Array<std::uint32_t>& vertex_place) {
-  const Array<std::uint32_t> face_place = places(faces, mesh.face_count());
+                const Array<std::uint32_t>& new_vertex_id) {
+  const Array<std::uint32_t> new_face_id = new_ids(faces, mesh.face_count());
   const auto moved = [&](Halfedge h) {
-    return h.is_valid() ? Halfedge(3 * face_place[Mesh::face(h).index()] + Mesh::corner(h)) : h;
+    return h.is_valid() ? Halfedge(3 * new_face_id[Mesh::face(h).index()] + Mesh::corner(h)) : h;
   };
   MeshArrays arrays;
   arrays.position.resize(vertices.size());
@@ -64,7 +64,7 @@ Mesh rearranged(const Mesh& mesh, const Array<Vertex>& vertices, const Array<Fac
     if (has_own) arrays.vertex_sharpness[v] = mesh.sharpness(vertices[v]);
   });
   arrays.bow_tie_copies =
-      renamed(mesh.bow_tie_copies(), [&](Vertex v) { return Vertex(vertex_place[v.index()]); });
+      renamed(mesh.bow_tie_copies(), [&](Vertex v) { return Vertex(new_vertex_id[v.index()]); });
   const std::size_t halfedges = 3 * faces.size();
   arrays.origin.resize(halfedges);
   arrays.twin.resize(halfedges);
@@ -73,7 +73,7 @@ Mesh rearranged(const Mesh& mesh, const Array<Vertex>& vertices, const Array<Fac
     for (std::uint32_t c = 0; c < 3; ++c) {
       const Halfedge from = Mesh::halfedge(faces[f], c);
       const std::size_t to = 3 * std::size_t{f} + c;
-      arrays.origin[to] = Vertex(vertex_place[mesh.origin(from).index()]);
+      arrays.origin[to] = Vertex(new_vertex_id[mesh.origin(from).index()]);
       arrays.twin[to] = moved(mesh.twin(from));
       arrays.sharpness[to] = mesh.sharpness(from);
     }
@@ -83,17 +83,17 @@ Mesh rearranged(const Mesh& mesh, const Array<Vertex>& vertices, const Array<Fac
 
 }  // namespace
 
-Reordered reorder_by_place(const Mesh& mesh) {
+Reordered reorder_by_position(const Mesh& mesh) {
   Reordered result;
-  result.vertex_source = vertices_by_place(mesh);
-  const Array<std::uint32_t> place = places(result.vertex_source, mesh.vertex_count());
-  result.face_source = faces_by_vertex(mesh, place);
-  result.mesh = rearranged(mesh, result.vertex_source, result.face_source, place);
+  result.vertex_source = vertices_by_position(mesh);
+  const Array<std::uint32_t> new_id = new_ids(result.vertex_source, mesh.vertex_count());
+  result.face_source = faces_by_vertex(mesh, new_id);
+  result.mesh = rearranged(mesh, result.vertex_source, result.face_source, new_id);
   return result;
 }
 
 Mesh compact(const Mesh& mesh, const KeptIds& kept) {
-  return rearranged(mesh, kept.vertices, kept.faces, places(kept.vertices, mesh.vertex_count()));
+  return rearranged(mesh, kept.vertices, kept.faces, new_ids(kept.vertices, mesh.vertex_count()));
 }
 
 }  // namespace mesher

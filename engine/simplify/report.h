@@ -10,9 +10,9 @@ namespace mesher {
 /// Why simplification stopped.
 enum class StopReason : std::uint8_t {
   target_reached,
-  already_there,      ///< the input had no more faces than asked for
-  no_legal_collapse,  ///< every edge left is refused; see the rejections
-  error_bound,        ///< every edge left is refused or would exceed the error bound
+  already_there,      ///< the input had no more faces than requested
+  no_legal_collapse,  ///< every remaining edge is refused; see the rejections
+  error_bound,        ///< every remaining edge would exceed the error bound, or is refused
   far_from_input,     ///< SimplifyOptions::stop_before_error
 };
 inline constexpr Choices<StopReason, 5> kStopReasons{{
@@ -29,10 +29,10 @@ constexpr const auto& choices(StopReason) {
 
 /// Why a collapse was refused.
 enum class Rejection : std::uint8_t {
-  link_condition,  ///< would change the topology, or make an edge of three faces
+  link_condition,  ///< would change the topology or give an edge three faces
   boundary,        ///< would pinch, close or move a boundary that is kept
   crease,          ///< would bend a crease or remove a corner
-  fold_over,       ///< would turn a face over, against its neighbors or its original
+  fold_over,       ///< a face would turn over or become degenerate
   error_bound,     ///< would exceed the allowed distance from the input
   intersection,    ///< would make two faces intersect
 };
@@ -49,12 +49,12 @@ constexpr const auto& choices(Rejection) {
   return kRejections;
 }
 
-/// Seconds by phase.
+/// Seconds per phase.
 struct SimplifyTimes {
   double prepare = 0.0;  ///< vertex order, quadrics, first costs
   double collapse = 0.0;
-  double finish = 0.0;   ///< the result's order
-  double measure = 0.0;  ///< of the error, where a bound was asked for or certified
+  double finish = 0.0;   ///< ordering of the result
+  double measure = 0.0;  ///< of the error, if a bound was requested or certified
   double total() const { return prepare + collapse + finish + measure; }
   SimplifyTimes& operator+=(const SimplifyTimes& other) {
     prepare += other.prepare;
@@ -65,29 +65,30 @@ struct SimplifyTimes {
   }
 };
 
-/// The ledger: what was asked, what was reached, and why it ended.
+/// Report of a simplification: request, result, and why it ended.
 struct SimplifyReport {
   std::uint32_t faces_before = 0;
-  std::uint32_t faces_asked = 0;  ///< 0: as far as it goes
+  std::uint32_t faces_asked = 0;  ///< 0: as few as possible
   std::uint32_t faces_reached = 0;
   std::uint32_t vertices_before = 0;
   std::uint32_t vertices_reached = 0;
   StopReason reason = StopReason::target_reached;
   std::uint64_t collapses = 0;
-  /// Refusals by cause: how many times an edge was tried and refused; where the target was missed,
-  /// also the edges left that features forbid, which are never tried.
+  /// Number of refusals by cause: how often an edge was tried and refused. If the target was
+  /// missed, also the remaining edges that features forbid, which are never tried.
   std::array<std::uint64_t, kRejections.size()> rejected{};
-  /// The root mean square distance between input and result, both ways, model units: measured at
-  /// some points of the input, and estimated from the costs paid for the other way. Within a fifth.
+  /// Estimated root mean square distance between input and result, both directions, in model units.
+  /// Measured at some points of the input; the other direction is estimated from the paid costs.
+  /// Within 20 %.
   double estimated_error = 0.0;
-  /// The largest distance between input and result that was measured, both ways, model units;
-  /// negative where no bound was asked for.
+  /// Largest measured distance between input and result, both directions, in model units; negative
+  /// if no bound was requested.
   double measured_error = -1.0;
-  /// No point of the input or of the result is farther from the other, model units; negative where
-  /// that was not asked for.
+  /// Upper bound of the distance from any point of the input or the result to the other surface, in
+  /// model units; negative if not requested.
   double certified_bound = -1.0;
-  /// What `simplify_pruned` left out: parts, their faces, the diagonal of the largest one's box
-  /// (model units), and the estimated error of the result if it had kept them.
+  /// Parts that `simplify_pruned` removed: their number, their faces, the diagonal of the largest
+  /// bounding box (model units), and the estimated error of the result if it had kept them.
   std::uint32_t pruned_parts = 0;
   std::uint32_t pruned_faces = 0;
   double largest_pruned = 0.0;

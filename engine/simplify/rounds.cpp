@@ -13,54 +13,55 @@
 namespace mesher {
 namespace {
 
-// What a region's vertices and faces take (about 1 MB) fits the second-level cache.
+// The vertices and faces of a region (about 1 MB) fit into the second-level cache.
 constexpr std::size_t kRegionVertices = 4096;
-// Below this one region is as quick, and its order is exact.
+// With fewer vertices a single region is as fast, and its order is exact.
 constexpr std::size_t kFewVertices = 6000;
-// Part of the vertices whose cheapest edge a round may collapse, and of what is still to be
-// removed: more rounds follow the exact order more closely and cost more.
+// Fraction of the vertices, and of the faces still to be removed, that a round may collapse.
+// Smaller fractions give more rounds, which follow the exact order more closely and take longer.
 constexpr double kShareOfVertices = 0.7;
 constexpr double kShareOfTarget = 0.7;
-// Where many costs are equal the threshold lets more than that part through, and every region does
-// with less: so many times the part in all, which still cannot go past the target.
+// If many costs are equal, the threshold lets through more than that fraction, so every region's
+// budget is scaled down to this multiple of it in total. It still cannot exceed the target.
 constexpr double kMostOfShare = 1.25;
-// Rounds that bring less than this part of the vertices end: where hardly anything is legal the
-// rest is cheaper in one region.
+// Rounds end when one removes less than this fraction of the vertices: if hardly any collapse is
+// legal, a single region is cheaper.
 constexpr std::size_t kVerticesPerLeastRound = 64;
-// Rounds end where what is left to remove is a small part of the mesh.
+// Rounds end when the vertices still to be removed are a small fraction of the mesh.
 constexpr std::size_t kVerticesPerLastRemoved = 16;
-// How much dearer than thought an edge may turn out and still be collapsed at once. The order
-// counts in the last halvings, whose errors are the largest: an octave as long as three of them are
-// to come, then a quarter, nothing in the last round.
+// Tolerance: by how many buckets an edge may exceed its queued cost and still be collapsed at once.
+// The order matters in the last halvings, whose errors are largest: an octave while at least three
+// halvings remain, then a quarter octave, and nothing in the last round.
 constexpr std::uint32_t kToleranceFarFromTarget = 32;
 constexpr std::uint32_t kToleranceNearTarget = 8;
 constexpr std::uint32_t kFarFromTarget = 8;
-// A collapse that leaves more faces around a vertex than this waits until nothing else is left, so
-// that no hub makes the work quadratic; beyond the second limit it is refused.
+// A collapse that leaves more faces than this around a vertex is postponed until nothing else is
+// left, so that no hub makes the work quadratic. Beyond the second limit it is refused.
 constexpr std::size_t kUsualValence = 64;
 constexpr std::size_t kLargestValence = 4096;
-// In the last steps, of the largest errors, all costs around a collapse are fresh: where fewer
-// faces are left than this part of the input, within limits.
+// The last steps have the largest errors, so all costs around a collapse are re-evaluated: when
+// fewer faces are left than this fraction of the input, within limits.
 constexpr std::uint32_t kFacesPerFresh = 64;
 constexpr std::uint32_t kLeastFresh = 256;
 constexpr std::uint32_t kMostFresh = 2048;
-// Where the error may end the work, it is estimated in steps that leave between so many of the
-// faces. A step that passes it is taken back whole, so the last ones must be fine; each costs an
-// estimate, so the first ones are coarse. The error is about inverse to the number of faces: a step
-// aims at a quarter of what is allowed, which leaves room for one that grows four times as fast.
+// If the error may end the work, it is estimated after steps that keep between these fractions of
+// the faces. A step that exceeds the error is undone entirely, so the last steps must be fine; each
+// step costs an estimate, so the first ones are coarse. The error is roughly inverse to the number
+// of faces: a step aims at a quarter of the allowed error, which leaves room for one that grows
+// four times as fast.
 constexpr double kCoarsestStep = 0.25;
 constexpr double kFinestStep = 0.9;
 constexpr double kErrorMargin = 4.0;
-// With so few faces all steps are fine: what is left is mostly corners, and the error jumps.
+// With so few faces all steps are fine: mostly corners are left, and the error jumps.
 constexpr std::uint32_t kFewFaces = 256;
-// With fewer faces points of the input are followed, by which costs are measured.
+// With fewer faces, points of the input are tracked and costs are measured at them.
 constexpr std::uint32_t kTrackedFaces = 512;
-// The distance from the input is measured at one point for so many faces, within limits.
+// Number of faces per sample for measuring the distance from the input, within limits.
 constexpr std::size_t kFacesPerSample = 16;
 constexpr std::size_t kLeastSamples = 256;
 constexpr std::size_t kMostSamples = 1024;
-// How much the uncertainty of what was measured speaks for what was paid: as much as the samples
-// where the mean square is known to a quarter.
+// Weight of the paid error per unit of uncertainty of the measured one. Both weigh the same if the
+// mean square is known to a quarter.
 constexpr double kTrustInPaid = 16.0;
 
 std::unique_ptr<ErrorBound> make_bound(const Mesh& mesh, float scale,
@@ -95,7 +96,7 @@ Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, Transla
   for (std::uint32_t v = 0; v < surface_.mesh().vertex_count(); ++v)
     (surface_.mesh().is_isolated(Vertex(v)) ? isolated_ : live_).emplace_back(v);
   if (faces_to_remove() == 0) return;
-  context_.care = is_far() ? Care::guess : Care::exact;
+  context_.precision = is_far() ? CostPrecision::guess : CostPrecision::exact;
   evaluate_all(context_);
 }
 
@@ -119,7 +120,7 @@ void Rounds::run(SimplifyReport& report) {
   report.estimated_error = error_at_stop_ ? *error_at_stop_ : estimated_error();
 }
 
-/// Whether halvings enough are to come that the order of what is collapsed now does not matter.
+/// Returns whether enough halvings remain that the order of current collapses does not matter.
 bool Rounds::is_far() const {
   return faces_ / kFarFromTarget > options_.target_faces;
 }
@@ -129,8 +130,8 @@ bool Rounds::is_last_round() const {
          faces_to_remove() / 2 * kVerticesPerLastRemoved < live_.size();
 }
 
-/// The cost under which the part of the vertices lies that this round is about. What has no legal
-/// edge is not counted: no threshold would let it through.
+/// Returns the budget of this round: the cost that covers the wanted fraction of the vertices.
+/// Vertices without a legal edge are not counted, because no threshold would let them through.
 Rounds::Share Rounds::share(std::span<const float> costs) const {
   std::vector<std::uint32_t> histogram(BucketQueue::kBuckets, 0);
   for (const float cost : costs)
@@ -146,8 +147,8 @@ Rounds::Share Rounds::share(std::span<const float> costs) const {
 
 void Rounds::run_regions(std::uint32_t round) {
   constexpr std::uint32_t kBitsOfGrid = 7;
-  constexpr float kGoldenRatio = 0.618034F;  // its multiples spread evenly over 0 to 1
-  context_.care = is_far() ? Care::guess : Care::exact;
+  constexpr float kGoldenRatio = 0.618034F;  // its multiples are spread evenly over [0, 1)
+  context_.precision = is_far() ? CostPrecision::guess : CostPrecision::exact;
   const float shift = kGoldenRatio * static_cast<float>(round + 1);
   live_ = morton_order(surface_.mesh().positions(), live_,
                        {.bits = kBitsOfGrid, .shift = shift - std::floor(shift)});
@@ -155,7 +156,7 @@ void Rounds::run_regions(std::uint32_t round) {
   const auto region = [&](std::size_t i) -> IndexRange {
     return {live_.size() * i / count, live_.size() * (i + 1) / count};
   };
-  // Costs are looked at several times, so they are copied out of the much larger states.
+  // Costs are read several times, so copy them out of the much larger states.
   Array<float> costs(live_.size());
   parallel_for(count, 1, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
@@ -193,7 +194,7 @@ void Rounds::run_regions(std::uint32_t round) {
 }
 
 void Rounds::run_to_the_end() {
-  context_.care = Care::exact;
+  context_.precision = CostPrecision::exact;
   if (space_ != nullptr) space_->has_regions = false;
   for (const Vertex v : live_)
     surface_.state(v).region = 0;
@@ -205,7 +206,7 @@ void Rounds::run_to_the_end() {
   if (faces_to_remove() > 0 && !error_at_stop_) count_constrained();
 }
 
-/// How many faces the next step leaves, after which the error is as given.
+/// Returns how many faces the next step keeps, given the current error.
 std::uint32_t Rounds::next_step(double error) const {
   const double limit = options_.stop_before_error;
   const bool is_fine = collapses_ == 0 || faces_ <= kFewFaces || !(limit > 0.0);
@@ -214,7 +215,7 @@ std::uint32_t Rounds::next_step(double error) const {
   return std::max({static_cast<std::uint32_t>(part * faces_), options_.target_faces, 1U});
 }
 
-/// Goes down in steps, the last of which is taken back where it passes the error.
+/// Simplifies in steps; undoes the last one if it exceeds the error.
 void Rounds::run_to_the_error() {
   if (faces_ > options_.stop_below_faces) {
     collapse_to(std::max(options_.stop_below_faces, options_.target_faces));
@@ -239,7 +240,7 @@ void Rounds::run_to_the_error() {
   }
 }
 
-/// To so many faces, or as few as are legal.
+/// Collapses down to this many faces, or as few as legal.
 void Rounds::collapse_to(std::uint32_t faces) {
   if (!tracked_ && faces < kTrackedFaces && policy_->costs_are_errors()) {
     if (faces_ > kTrackedFaces) {
@@ -252,7 +253,7 @@ void Rounds::collapse_to(std::uint32_t faces) {
   if (faces_ > faces) collapse_region(faces);
 }
 
-/// The same in one region.
+/// Same, in a single region.
 void Rounds::collapse_region(std::uint32_t faces) {
   const std::uint32_t fresh = std::clamp(faces_before_ / kFacesPerFresh, kLeastFresh, kMostFresh);
   Collapser collapser(context_, {.faces = faces_ - faces,
@@ -263,14 +264,14 @@ void Rounds::collapse_region(std::uint32_t faces) {
   }
 }
 
-/// Edges that features forbid are never tried: where that is why the target was missed, the report
+/// Edges that features forbid are never tried. If they are why the target was missed, the report
 /// must say so.
 void Rounds::count_constrained() {
   const Mesh& mesh = surface_.mesh();
   for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
     const Halfedge h(i);
     if (surface_.is_removed(Mesh::face(h)) || !(h < mesh.twin(h))) continue;
-    if (surface_.fit(h) != Fit::nowhere) continue;
+    if (surface_.allowed_placement(h) != AllowedPlacement::nowhere) continue;
     const bool is_at_boundary =
         mesh.is_boundary(mesh.origin(h)) && mesh.is_boundary(mesh.target(h));
     const Rejection cause = is_at_boundary ? Rejection::boundary : Rejection::crease;
@@ -278,7 +279,7 @@ void Rounds::count_constrained() {
   }
 }
 
-/// Looks at everything that was refused once more. False where nothing came of it.
+/// Re-evaluates all refused edges. Returns false if none could be collapsed.
 bool Rounds::try_refused_again(std::size_t valence, std::uint32_t faces) {
   drop_removed();
   Collapser collapser(context_, {.faces = faces_ - faces, .fresh_after = 0, .valence = valence});
@@ -330,16 +331,16 @@ StopReason Rounds::reason() const {
   return is_bounded ? StopReason::error_bound : StopReason::no_legal_collapse;
 }
 
-/// What all collapses have paid, as a distance: right where the errors of successive collapses are
-/// independent, too low where a part is eaten bite by bite.
+/// Returns the paid costs as a distance. Accurate if the errors of successive collapses are
+/// independent; too low if a part shrinks step by step.
 double Rounds::paid_error() const {
   const double area = surface_.area_before();
   return area > 0.0 ? std::sqrt(paid_ / (kTimesCounted * area)) : 0.0;
 }
 
-/// From the input to the result the distance is measured, as well as some samples can. That from
-/// the result to the input is mostly the same; where a part has been eaten it is what was paid. So
-/// the middle of both stands for it, which is at most a quarter off.
+/// Returns the estimated error. The distance from input to result is measured at samples. The
+/// distance from result to input is mostly the same, but equals the paid error where a part has
+/// shrunk. The mean of both approximates it within a quarter.
 double Rounds::estimated_error() const {
   const ErrorSamples::Measured measured = samples_.measure(surface_);
   const double paid = paid_error();

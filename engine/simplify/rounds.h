@@ -15,35 +15,37 @@
 
 namespace mesher {
 
-/// Turns records of the mesh's ids into those that the observer is told, in place.
+/// Translates records in place, from the mesh's ids to those the observer expects.
 using TranslateRecords = std::function<void(std::span<CollapseRecord>)>;
 
-/// Simplifies in rounds. In each the vertices are cut into regions of about kRegionVertices along a
-/// Morton curve, a threshold is set under which the cheapest part of all vertices lies, and every
-/// region collapses what is cheaper, each on its own: in parallel, and with all that it touches in
-/// the nearest cache. The grid is shifted from round to round, so that what lies at a border has
-/// its turn in the next. What is left when the mesh is small or the target near is done in one
-/// region, in exact order. Regions, thresholds and budgets follow from the mesh alone, so the
-/// result is the same for any number of threads.
+/// Simplifies in rounds. Each round cuts the vertices into regions of about kRegionVertices along a
+/// Morton curve, sets a threshold that covers the cheapest fraction of all vertices, and collapses
+/// the cheaper edges of every region independently: in parallel, and with all data of a region in
+/// the second-level cache. The grid shifts from round to round, so edges at a region's border are
+/// processed in a later round. Once the mesh is small or the target near, one region finishes the
+/// work in exact order. Regions, thresholds and budgets depend on the mesh only, so the result is
+/// the same for any number of threads.
 class Rounds {
  public:
-  /// `scale`: what the mesh's units have been multiplied by. `translate`: records go through it on
-  /// their way to the observer, some on each thread. `shares`: of the error bound, as ErrorBound.
+  /// `scale`: factor by which the mesh's units were multiplied. `translate`: applied to records
+  /// before the observer sees them, on several threads. `shares`: fractions of the error bound, as
+  /// in ErrorBound.
   Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, TranslateRecords translate,
          Array<float> shares = {});
 
-  /// Collapses down to the target and fills in what the report says of it. Throws Cancelled.
+  /// Collapses edges down to the target and fills in the corresponding part of the report. Throws
+  /// Cancelled.
   void run(SimplifyReport& report);
 
   const Surface& surface() const { return surface_; }
-  /// What `run` has left, in no order that means anything.
+  /// Returns the vertices that `run` left, in unspecified order.
   Array<Vertex> vertices_left() const;
 
  private:
-  /// What a round may collapse.
+  /// The budget of a round.
   struct Share {
-    float cost;   ///< the dearest
-    double part;  ///< of the vertices that are as cheap
+    float cost;   ///< highest allowed cost
+    double part;  ///< fraction of the vertices at or below that cost that may be collapsed
   };
 
   std::uint32_t faces_to_remove() const {
@@ -75,20 +77,20 @@ class Rounds {
   std::unique_ptr<GuardedSpace> space_;
   Surface surface_;
   ErrorSamples samples_;
-  std::optional<TrackedSamples> tracked_;  ///< once few faces are left
+  std::optional<TrackedSamples> tracked_;  ///< set once few faces are left
   std::unique_ptr<CollapsePolicy> policy_;
   Array<QueueEntry> queue_;
   CollapseContext context_;
-  Array<Vertex> live_;      ///< that have faces
-  Array<Vertex> isolated_;  ///< that never had any
+  Array<Vertex> live_;      ///< vertices with faces
+  Array<Vertex> isolated_;  ///< vertices that never had a face
   std::uint32_t faces_;
   std::uint32_t faces_before_;
   std::uint64_t collapses_ = 0;
   double paid_ = 0.0;
   std::array<std::uint64_t, kRejections.size()> rejected_{};
-  /// Of collapses that may be taken back; none: the observer is told at once.
+  /// Records of collapses that may still be undone; if none, the observer is notified at once.
   std::optional<Array<CollapseRecord>> held_;
-  /// Where the next collapses passed `stop_before_error`: the error without them.
+  /// Set if the next collapses exceeded `stop_before_error`: the error without them.
   std::optional<double> error_at_stop_;
 };
 

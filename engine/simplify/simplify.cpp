@@ -21,7 +21,7 @@ namespace {
 
 class Stopwatch {
  public:
-  /// Seconds since the last lap.
+  /// Returns the seconds since the last lap.
   double lap() {
     const auto now = std::chrono::steady_clock::now();
     return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
@@ -31,9 +31,9 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// The power of two that brings the mesh to a size at which squares and products of its areas are
-/// far from the ends of what a float holds; 1 where they are anyway. Such a factor loses no bit.
-/// Isolated vertices, however far, do not count.
+/// Returns the power of two that scales the mesh so that squares and products of its areas stay far
+/// from the limits of float; 1 if they do anyway. Scaling by it is lossless. Ignores isolated
+/// vertices.
 float handy_scale(const Mesh& mesh) {
   Box box{glm::vec3(std::numeric_limits<float>::max()),
           glm::vec3(std::numeric_limits<float>::lowest())};
@@ -47,8 +47,8 @@ float handy_scale(const Mesh& mesh) {
   return std::ldexp(1.0F, std::clamp(10 - std::ilogb(diagonal), -126, 126));
 }
 
-/// Positions in handy units, and the way back, which gives untouched vertices the very bits that
-/// they had (a scaled coordinate may be too small for all of them).
+/// Converts positions to scaled units and back. Untouched vertices get back their original bits,
+/// even if scaled coordinates underflowed.
 class Units {
  public:
   explicit Units(Mesh& mesh) : scale_(handy_scale(mesh)) {
@@ -63,7 +63,7 @@ class Units {
     if (scale_ == 1.0F) return scaled;
     const glm::vec3& before = original_[v.index()];
     if (scale_ * before == scaled) return before;
-    // An optimum may lie past the largest float that the caller's units have.
+    // An optimum may lie beyond the largest float in the caller's units.
     constexpr float kMost = std::numeric_limits<float>::max();
     return glm::clamp((1.0F / scale_) * scaled, -kMost, kMost);
   }
@@ -73,7 +73,7 @@ class Units {
   Array<glm::vec3> original_;
 };
 
-/// Turns records from the ids of the reordered mesh into the caller's.
+/// Translates records from the ids of the reordered mesh to the caller's.
 class Translator {
  public:
   Translator(const Reordered& order, const Units& units) : order_(order), units_(units) {}
@@ -98,14 +98,13 @@ class Translator {
   const Units& units_;
 };
 
-/// Follows the copies of bow-tie vertices on the way to the caller's observer. A pinned vertex
-/// stays where it is, but not under its id: at a boundary it may be the one that a collapse
-/// removes.
+/// Tracks the copies of bow-tie vertices, and forwards records to the caller's observer. A pinned
+/// vertex keeps its position but not its id: on a boundary, a collapse may remove it.
 class BowTieObserver : public CollapseObserver {
  public:
   BowTieObserver(const Mesh& mesh, CollapseObserver* next) : follower_(mesh), next_(next) {}
 
-  /// What `simplify` is to tell of its collapses.
+  /// Returns the observer to pass to `simplify`.
   CollapseObserver* observer() { return follower_.is_empty() ? next_ : this; }
   void expect(std::size_t collapses) override {
     if (next_ != nullptr) next_->expect(collapses);
@@ -130,8 +129,8 @@ class BowTieObserver : public CollapseObserver {
   CollapseObserver* next_;
 };
 
-/// What is left, in the order that the caller asked for. `source[i]` is the input's id of what is i
-/// now.
+/// Returns the remaining ids in the requested order. `source[i]` is the input's id of the current
+/// id i.
 template <class Id>
 Array<Id> in_order(const Array<Id>& source, ResultOrder order, const Array<Id>& left) {
   Array<std::uint32_t> by_source(source.size(), kNone);
@@ -146,13 +145,13 @@ Array<Id> in_order(const Array<Id>& source, ResultOrder order, const Array<Id>& 
     return result;
   }
   std::size_t mover = left.size();
-  for (std::size_t place = 0; place < left.size(); ++place) {
-    if (by_source[place] == kNone) {
+  for (std::size_t slot = 0; slot < left.size(); ++slot) {
+    if (by_source[slot] == kNone) {
       while (by_source[mover] == kNone)
         ++mover;
       result.push_back(Id(by_source[mover++]));
     } else {
-      result.push_back(Id(by_source[place]));
+      result.push_back(Id(by_source[slot]));
     }
   }
   return result;
@@ -209,7 +208,7 @@ Simplified run_once(Mesh&& mesh, const SimplifyOptions& options, std::span<const
   SimplifyReport report{.faces_before = mesh.face_count(),
                         .faces_asked = options.target_faces,
                         .vertices_before = mesh.vertex_count()};
-  Reordered order = reorder_by_place(mesh);
+  Reordered order = reorder_by_position(mesh);
   mesh = Mesh{};
   if (trace != nullptr) trace->before = order.mesh;
   const Units units(order.mesh);
@@ -234,11 +233,10 @@ Simplified run_once(Mesh&& mesh, const SimplifyOptions& options, std::span<const
 
 Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options,
                                std::span<const float> shares, Trace* trace) {
-  // An observer sees the meshes on the way, which count, too.
+  // An observer also sees the intermediate meshes, so checking only the result is not enough.
   const bool may_look_afterwards = options.no_intersections && options.observer == nullptr;
   if (!may_look_afterwards) return run_once(std::move(mesh), options, shares, trace);
-  // Mostly no faces come to intersect, and to look at the result costs less than to watch each
-  // collapse.
+  // Mostly no faces intersect, and checking the result is cheaper than checking each collapse.
   SimplifyOptions unguarded = options;
   unguarded.no_intersections = false;
   Simplified free = run_once(Mesh(mesh), unguarded, shares, trace);

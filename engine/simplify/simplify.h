@@ -7,22 +7,23 @@
 
 namespace mesher {
 
-/// A simplified mesh, what it took, and where its parts come from.
+/// A simplified mesh, its report, and the source of each vertex and face.
 struct Simplified {
   Mesh mesh;
   SimplifyReport report;
-  Array<Vertex> vertex_source;  ///< for each vertex the id that it had in the input
-  Array<Face> face_source;      ///< for each face the same; its corners are in the same order
+  Array<Vertex> vertex_source;  ///< by id in the result, the id in the input
+  Array<Face> face_source;  ///< by id in the result, the id in the input; corners keep their order
 };
 
-/// Simplifies a mesh by edge collapse: the cheapest legal edge goes first, up to a tolerance that
+/// Simplifies a mesh by edge collapse. The cheapest legal edge goes first, up to a tolerance that
 /// makes the work parallel and local (docs/efficiency.md). Every step leaves an oriented manifold
 /// with the components, Euler characteristic and boundary loops of the input. Faces that turn or
-/// fold and parts that retreat count as errors (appraisal.h). The same input and options give the
-/// same bytes for any number of threads. O(F log F) time; takes the mesh over, so that its memory
-/// is used again (at most 160 bytes per face in all). `no_intersections` without an observer keeps
-/// one copy of the mesh, `max_error` and `certifies` two, 24 to 56 bytes per face each. Throws
-/// Cancelled. Pre: the mesh is valid.
+/// fold and parts that retreat count as errors (appraisal.h). The same input and options yield the
+/// same bytes for any number of threads.
+///
+/// Pre: the mesh is valid. O(F log F) time. Consumes the mesh to reuse its memory (at most 160
+/// bytes per face in total). `no_intersections` without an observer keeps one copy of the mesh,
+/// `max_error` and `certifies` keep two, at 24 to 56 bytes per face each. Throws Cancelled.
 [[nodiscard]] Simplified simplify(Mesh&& mesh, const SimplifyOptions& options);
 
 }  // namespace mesher

@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::size_t kGrain = 1U << 12;
 constexpr std::size_t kChunk = 1U << 16;
-// A feature edge weighs as a face of its length squared would, this many times: enough that a
-// boundary is straightened last, not so much that its surroundings do not count.
+// Weight of a feature edge, relative to a face whose area is its squared length: large enough that
+// boundaries are straightened last, small enough that their surroundings still count.
 constexpr float kFeatureWeight = 1.0F;
 
-/// Three components of ten bits.
+/// Packs three components of ten bits.
 std::uint32_t pack(const glm::vec3& unit) {
   const auto bits = [](float x) {
     return static_cast<std::uint32_t>(
@@ -30,12 +30,12 @@ std::uint32_t pack(const glm::vec3& unit) {
 }  // namespace
 
 Surface::Surface(Mesh&& mesh, const SimplifyOptions& options) : mesh_(std::move(mesh)) {
-  // All of it will have changed: noting single ranges would be wasted.
+  // The whole mesh will change, so recording ranges would be wasted work.
   mesh_.changes().note_all();
   find_shapes();
   find_features(options);
   find_states();
-  find_freedoms(options);
+  find_constraints(options);
 }
 
 void Surface::find_shapes() {
@@ -76,15 +76,15 @@ void Surface::find_features(const SimplifyOptions& options) {
         }
         return count;
       }) > 0;
-  // Most scans are smooth and closed: nothing to remember.
+  // Most scans are smooth and closed, so nothing is stored for them.
   if (!has_features_) feature_ = {};
 }
 
-void Surface::find_freedoms(const SimplifyOptions& options) {
+void Surface::find_constraints(const SimplifyOptions& options) {
   const bool has_own = !mesh_.vertex_sharpnesses().empty();
   is_constrained_ = has_features_ || has_own || !mesh_.bow_tie_copies().empty();
   if (!is_constrained_) return;
-  // Features are few: a walk along them instead of one around every vertex.
+  // Features are few, so one pass over them replaces a rotation around every vertex.
   Array<std::uint8_t> features(has_features_ ? mesh_.vertex_count() : 0);
   std::fill(features.begin(), features.end(), std::uint8_t{0});
   const auto count = [&](Vertex v) {
@@ -103,13 +103,13 @@ void Surface::find_freedoms(const SimplifyOptions& options) {
     const bool is_fixed =
         (has_own && mesh_.sharpness(v) > 0.0F) || (locks && met > 0 && mesh_.is_boundary(v));
     if (is_fixed || met == 1 || met > 2) {
-      vertices_[i].freedom = Freedom::corner;
+      vertices_[i].constraint = VertexConstraint::corner;
     } else if (met == 2) {
-      vertices_[i].freedom = Freedom::line;
+      vertices_[i].constraint = VertexConstraint::line;
     }
   });
   for (const BowTieCopy& copy : mesh_.bow_tie_copies())
-    vertices_[copy.v.index()].freedom = Freedom::corner;
+    vertices_[copy.v.index()].constraint = VertexConstraint::corner;
 }
 
 void Surface::find_states() {
@@ -129,7 +129,7 @@ void Surface::find_states() {
   });
 }
 
-/// Adds what the feature edges of the face contribute to its corner at origin(h).
+/// Adds the contribution of the face's feature edges to its corner at origin(h).
 void Surface::add_features(Halfedge h) {
   Quadric<float>& sum = state(mesh_.origin(h)).quadric;
   for (const Halfedge side : {h, Mesh::prev(h)}) {
@@ -139,11 +139,12 @@ void Surface::add_features(Halfedge h) {
 
 glm::vec3 Surface::across(Halfedge h) const {
   const glm::vec3 edge = mesh_.position(mesh_.target(h)) - mesh_.position(mesh_.origin(h));
-  // The normal is a unit and at right angles to the edge, so the product is as long as the edge.
+  // The normal is a unit vector perpendicular to the edge, so the product is as long as the edge.
   return glm::cross(edge, shape(Mesh::face(h)).normal);
 }
 
-/// A plane through a feature edge, at right angles to the face of `h`; it sweeps no volume.
+/// Returns the quadric of a plane through a feature edge, perpendicular to the face of `h`; it
+/// sweeps no volume.
 Quadric<float> Surface::across_quadric(Halfedge h) const {
   const glm::vec3 out = across(h);
   Quadric<float> q = plane_quadric(Vec3<float>{out.x, out.y, out.z}, kFeatureWeight);
@@ -165,14 +166,16 @@ std::array<Quadric<float>, 3> Surface::contributions(Face f) const {
   return result;
 }
 
-Fit Surface::constrained_fit(Halfedge h, Freedom from, Freedom to) const {
-  if (from == Freedom::free) return Fit::at_target;
-  if (to == Freedom::free) return Fit::at_origin;
-  if (!is_feature(h) || (from == Freedom::corner && to == Freedom::corner)) {
-    return Fit::nowhere;
+AllowedPlacement Surface::constrained_placement(Halfedge h, VertexConstraint from,
+                                                VertexConstraint to) const {
+  if (from == VertexConstraint::free) return AllowedPlacement::at_target;
+  if (to == VertexConstraint::free) return AllowedPlacement::at_origin;
+  if (!is_feature(h) || (from == VertexConstraint::corner && to == VertexConstraint::corner)) {
+    return AllowedPlacement::nowhere;
   }
-  if (to == Freedom::corner) return Fit::at_target;
-  return from == Freedom::corner ? Fit::at_origin : Fit::anywhere;
+  if (to == VertexConstraint::corner) return AllowedPlacement::at_target;
+  return from == VertexConstraint::corner ? AllowedPlacement::at_origin
+                                          : AllowedPlacement::anywhere;
 }
 
 EdgeQuadric<Float8> Surface::edge_quadrics(const std::array<Halfedge, 8>& edges) const {

@@ -15,19 +15,19 @@
 
 namespace mesher {
 
-/// How far a vertex is free.
-enum class Freedom : std::uint8_t {
-  free,  ///< no feature edge
-  line,  ///< two feature edges: may go along them
-  /// One, three or more feature edges, a sharpness of its own, a copy of a bow-tie vertex, or
-  /// locked: stays.
+/// How a vertex may move.
+enum class VertexConstraint : std::uint8_t {
+  free,  ///< anywhere: it has no feature edge
+  line,  ///< along its two feature edges
+  /// Fixed: it has one, three or more feature edges, a sharpness of its own, is a copy of a bow-tie
+  /// vertex, or is locked.
   corner,
 };
 
-/// Where the vertex of a merged edge may be.
-enum class Fit : std::uint8_t { anywhere, at_origin, at_target, nowhere };
+/// Where the merged vertex of an edge may be placed.
+enum class AllowedPlacement : std::uint8_t { anywhere, at_origin, at_target, nowhere };
 
-/// Unit normal and area of a face; a zero normal where it has no area. Loaded as four floats.
+/// Unit normal and area of a face; a zero normal if it has no area. Loaded as four floats.
 struct alignas(16) FaceShape {
   glm::vec3 normal{0.0F};
   float area = 0.0F;
@@ -35,47 +35,49 @@ struct alignas(16) FaceShape {
   Vec3<float> area_vector() const { return {normal.x * area, normal.y * area, normal.z * area}; }
 };
 
-/// Four of them at once.
+/// Four face shapes at once.
 struct ShapeLanes {
   Vec3<Float4> normal;
   Float4 area;
 };
 
-/// The cost of what must not be merged.
+/// Cost of an edge that must not be merged.
 inline constexpr float kNever = std::numeric_limits<float>::infinity();
 
-/// What is kept of a face, half a cache line. Its half-edges' costs are what was last known of
-/// merging their edges: an edge has its cost at one of its halves, whose origin answers for it; the
-/// other has kNever, and both have where the edge is refused or must not be merged.
+/// Data kept per face: half a cache line. The costs of its half-edges are the last known costs of
+/// their edges. An edge stores its cost at one of its two half-edges, and the origin of that
+/// half-edge owns the edge. The other half-edge has kNever; both have kNever if the edge is refused
+/// or must not be merged.
 struct alignas(32) FaceState {
   FaceShape shape;
   std::array<float, 3> cost{kNever, kNever, kNever};
-  std::uint32_t first_normal = 0;  ///< in the input, packed
+  std::uint32_t first_normal = 0;  ///< normal in the input, packed
 };
 
-/// What is kept of a vertex, a cache line: whoever comes past a vertex needs most of it. The
-/// quadric and a copy of the position, twelve floats, are loaded as three times four.
+/// Data kept per vertex: a cache line, because most of it is needed whenever a vertex is visited.
+/// The quadric and a copy of the position, twelve floats, are loaded as three times four.
 ///
-/// `cost` and `best` are about the vertex's next collapse: it stands for the edges that it answers
-/// for, so that there is one entry in a queue for each vertex.
+/// `cost` and `best` describe the cheapest edge that the vertex owns, so the queue has one entry
+/// per vertex.
 struct alignas(64) VertexState {
   static constexpr std::uint32_t kGone = kNone;
 
   Quadric<float> quadric{};
   Vec3<float> position{};
   float cost = kNever;       ///< of `best` when it was chosen
-  Halfedge best;             ///< the cheapest out of the vertex; if removed: see merged_into
-  std::uint32_t region = 0;  ///< whose turn it is to change the vertex; kGone: it is removed
-  /// The highest CollapseRecord::rank of the collapses in whose one-rings the vertex was.
+  Halfedge best;             ///< cheapest half-edge out of the vertex; if removed: see merged_into
+  std::uint32_t region = 0;  ///< the only region that may change the vertex; kGone: removed
+  /// Highest CollapseRecord::rank of the collapses whose one-rings contained the vertex.
   std::uint16_t rank : 13 = 0;
-  Freedom freedom : 2 = Freedom::free;
-  bool has_refused : 1 = false;  ///< an edge of the vertex was refused for its surroundings
+  VertexConstraint constraint : 2 = VertexConstraint::free;
+  bool has_refused : 1 = false;  ///< one of its edges was refused because of its surroundings
   std::uint16_t retreat_bits = 0;
-  /// How far the surface around has retreated (appraisal.h): 8 significant bits, rounded down.
+  /// Returns how far the surface around has retreated (appraisal.h): 8 significant bits, rounded
+  /// down.
   float retreat() const { return std::bit_cast<float>(std::uint32_t{retreat_bits} << 16U); }
   void set_retreat(float d) { retreat_bits = std::bit_cast<std::uint32_t>(d) >> 16U & 0xFFFFU; }
   void set_rank(std::uint32_t new_rank) { rank = new_rank & 0x1FFFU; }
-  /// With which a removed vertex has become one.
+  /// Returns the vertex into which a removed vertex was merged.
   Vertex merged_into() const { return Vertex(best.index()); }
   void remove(Vertex into) {
     region = kGone;
@@ -83,13 +85,13 @@ struct alignas(64) VertexState {
   }
 };
 
-/// Both are written whole, in parallel, before they are read.
+/// Both are fully written, in parallel, before they are read.
 template <>
 inline constexpr bool kLeftUninitialized<FaceState> = true;
 template <>
 inline constexpr bool kLeftUninitialized<VertexState> = true;
 
-/// Several of them at once.
+/// Several vertex states at once.
 template <class F>
 struct StateLanes {
   Quadric<F> quadric;
@@ -103,7 +105,7 @@ struct UnitAndArea {
   F area;
 };
 
-/// Unit normal and area of a triangle from two of its sides; zero where it has no area. O(1).
+/// Returns unit normal and area of a triangle from two of its sides; zero if it has no area. O(1).
 template <class F>
 UnitAndArea<F> unit_and_area(const Vec3<F>& ab, const Vec3<F>& ac) {
   const Vec3<F> n = cross(ab, ac);
@@ -113,8 +115,7 @@ UnitAndArea<F> unit_and_area(const Vec3<F>& ab, const Vec3<F>& ac) {
   return {n * inverse, length * broadcast<F>(0.5F)};
 }
 
-/// What the plane of a face adds to the quadrics of its corners; the rest of the last row is zero.
-/// `n`: the face's shape_row.
+/// Returns the quadric rows that a face's plane adds to its corners. `shape`: x, y, z, area.
 inline QuadricRows plane_rows(Float4 n) {
   const Float4 w = n * __builtin_shufflevector(n, n, 3, 3, 3, 3);
   const Float4 x =
@@ -126,24 +127,24 @@ inline QuadricRows plane_rows(Float4 n) {
   return {x, y, g};
 }
 
-/// What the plane of a face adds to the quadrics of its corners.
+/// Returns the quadric that a face's plane adds to its corners.
 inline Quadric<float> plane_quadric(const FaceShape& shape) {
   return plane_quadric(Vec3<float>{shape.normal.x, shape.normal.y, shape.normal.z}, shape.area);
 }
 
-/// A mesh under simplification, and what is kept beside it. Removed faces and vertices leave holes
-/// until the end, so that ids stay.
+/// A mesh under simplification, with data per face and vertex. Removed faces and vertices leave
+/// holes until the end, so that ids stay valid.
 ///
-/// Invariants beside those of Mesh (which hold for what is alive):
-///  S1. shape(f) is that of the face's corners as they are.
+/// Invariants besides those of Mesh (which hold for the live part):
+///  S1. shape(f) is the shape of the face's current corners.
 ///  S2. state(v).quadric is the sum of the contributions of the faces at v (within rounding), and
 ///      state(v).position is the mesh's.
-///  S3. freedom(v) follows from the feature edges at v as Freedom says. Both halves of an edge
-///      agree on being a feature; boundary edges are features.
-///  S4. A removed face has origins that are none; a removed vertex has no outgoing half-edge.
+///  S3. constraint(v) follows from the feature edges at v as VertexConstraint says. Both halves of
+///      an edge agree on being a feature; boundary edges are features.
+///  S4. A removed face has invalid origins; a removed vertex has no outgoing half-edge.
 class Surface {
  public:
-  /// Takes a mesh over. O(F), parallel.
+  /// Takes ownership of the mesh. O(F), parallel.
   Surface(Mesh&& mesh, const SimplifyOptions& options);
 
   const Mesh& mesh() const { return mesh_; }
@@ -151,7 +152,7 @@ class Surface {
 
   bool is_removed(Face f) const { return !mesh_.origin(Mesh::halfedge(f)).is_valid(); }
   const FaceShape& shape(Face f) const { return faces_[f.index()].shape; }
-  /// The same as four floats: x, y, z, area.
+  /// Same, as four floats: x, y, z, area.
   Float4 shape_row(Face f) const { return load4(&shape(f).normal.x); }
   ShapeLanes shapes(const std::array<Face, 4>& faces) const {
     std::array<Float4, 4> rows;
@@ -160,13 +161,13 @@ class Surface {
     transpose(rows[0], rows[1], rows[2], rows[3]);
     return {{rows[0], rows[1], rows[2]}, rows[3]};
   }
-  /// The faces' normals in the input, within 0.1 degrees; zero where there was no area.
+  /// Returns the faces' normals in the input, within 0.1 degrees; zero for a face without area.
   Vec3<Float4> first_normals(const std::array<Face, 4>& faces) const {
     Int4 packed;
     for (std::size_t lane = 0; lane < 4; ++lane)
       packed[lane] = static_cast<std::int32_t>(faces_[faces[lane].index()].first_normal);
     const auto unpack = [&](int shift) {
-      // Moved to the top, so that the sign comes down with it.
+      // Shifted to the top first, so that the shift down extends the sign.
       return to_float(packed << (22 - shift) >> 22) * broadcast<Float4>(1.0F / 511.0F);
     };
     return {unpack(0), unpack(10), unpack(20)};
@@ -196,21 +197,23 @@ class Surface {
              pair(p.g, q.g)},
             pair(low.position, high.position)};
   }
-  Freedom freedom(Vertex v) const { return state(v).freedom; }
-  /// Of the edge of `h`, as last known, if the origin of `h` answers for it; else kNever. O(1).
+  VertexConstraint constraint(Vertex v) const { return state(v).constraint; }
+  /// Returns the last known cost of the edge of `h` if the origin of `h` owns the edge; otherwise
+  /// kNever. O(1).
   float cost(Halfedge h) const { return faces_[Mesh::face(h).index()].cost[Mesh::corner(h)]; }
   bool is_feature(Halfedge h) const { return has_features_ && feature_[h.index()] != 0; }
-  /// Of the mesh that was taken over.
+  /// Returns the area of the input mesh.
   double area_before() const { return area_before_; }
-  /// Some vertex may be not free.
+  /// Returns whether any vertex may be constrained.
   bool is_constrained() const { return is_constrained_; }
 
-  /// Where the edge of `h` may merge: features go along themselves only. O(1).
-  Fit fit(Halfedge h) const {
-    const Freedom from = freedom(mesh_.origin(h));
-    const Freedom to = freedom(mesh_.target(h));
-    if (from == Freedom::free && to == Freedom::free) return Fit::anywhere;
-    return constrained_fit(h, from, to);
+  /// Returns where the edge of `h` may be merged. Features collapse only along themselves. O(1).
+  AllowedPlacement allowed_placement(Halfedge h) const {
+    const VertexConstraint from = constraint(mesh_.origin(h));
+    const VertexConstraint to = constraint(mesh_.target(h));
+    if (from == VertexConstraint::free && to == VertexConstraint::free)
+      return AllowedPlacement::anywhere;
+    return constrained_placement(h, from, to);
   }
   /// O(1).
   Vec3<float> midpoint(Halfedge h) const {
@@ -226,7 +229,7 @@ class Surface {
     if (t.is_valid()) shared = shared + shape(Mesh::face(t)).area_vector();
     return {from.quadric, to.quadric, shared, to.position - from.position};
   }
-  /// What both ends of eight edges are.
+  /// Returns the states of both ends of eight edges.
   std::pair<StateLanes<Float8>, StateLanes<Float8>> ends(
       const std::array<Halfedge, 8>& edges) const {
     std::array<Vertex, 8> from;
@@ -237,19 +240,19 @@ class Surface {
     }
     return {states(from), states(to)};
   }
-  /// Eight edges at once. Pre: none of them is a feature or at the boundary.
+  /// Returns the quadrics of eight edges. Pre: none of them is a feature or on the boundary.
   EdgeQuadric<Float8> edge_quadrics(const std::array<Halfedge, 8>& edges) const;
 
-  // What a collapse changes besides the mesh itself.
+  // Changes by a collapse, besides those to the mesh itself.
 
   void set_shape(Face f, Float4 shape) { store4(&faces_[f.index()].shape.normal.x, shape); }
   void set_feature(Halfedge h, bool is) { feature_[h.index()] = is ? 1 : 0; }
-  /// Moves a vertex, and empties its quadric.
-  void place_anew(Vertex v, const glm::vec3& p) {
+  /// Moves a vertex and clears its quadric.
+  void move_and_clear_quadric(Vertex v, const glm::vec3& p) {
     state(v).quadric = {};
     state(v).position = {p.x, p.y, p.z};
   }
-  /// Adds to a vertex's quadric. Pre: the rest of the last row is zero.
+  /// Adds to a vertex's quadric. Pre: the unused lanes of the last row are zero.
   void add(Vertex v, const QuadricRows& rows) {
     float* at = &state(v).quadric.xx;
     store4(at, load4(at) + rows.a);
@@ -257,7 +260,7 @@ class Surface {
     store4(at + 8, load4(at + 8) + rows.c);
   }
   VertexState& state(Vertex v) { return vertices_[v.index()]; }
-  /// Prefetches what is kept of a vertex, or of a half-edge and its face.
+  /// Prefetches the data of a vertex, or of a half-edge and its face.
   void will_need(Vertex v) const { prefetch(&vertices_[v.index()]); }
   void will_need(Halfedge h) const {
     prefetch(&faces_[Mesh::face(h).index()]);
@@ -268,11 +271,12 @@ class Surface {
     faces_[Mesh::face(h).index()].cost[Mesh::corner(h)] = cost;
   }
 
-  /// What a face, with its shape as it is kept, adds to the quadrics of its corners, in their
-  /// order: its plane by area, and for each feature edge a plane across it, so that features hold
-  /// their place. O(1).
+  /// Returns what a face with its stored shape adds to the quadrics of its corners, in their order:
+  /// its plane weighted by area, and for each feature edge a plane across it, which keeps features
+  /// in place. O(1).
   std::array<Quadric<float>, 3> contributions(Face f) const;
-  /// At right angles to the feature edge of `h`, in the plane of its face, as long as the edge.
+  /// Returns the vector perpendicular to the feature edge of `h`, in the plane of its face, as long
+  /// as the edge.
   glm::vec3 across(Halfedge h) const;
   bool has_feature(Face f) const {
     const std::uint32_t h = 3 * f.index();
@@ -280,13 +284,14 @@ class Surface {
   }
 
  private:
-  Fit constrained_fit(Halfedge h, Freedom from, Freedom to) const;
+  AllowedPlacement constrained_placement(Halfedge h, VertexConstraint from,
+                                         VertexConstraint to) const;
   Quadric<float> across_quadric(Halfedge h) const;
   void add_features(Halfedge h);
   void find_shapes();
   void find_features(const SimplifyOptions& options);
   void find_states();
-  void find_freedoms(const SimplifyOptions& options);
+  void find_constraints(const SimplifyOptions& options);
 
   Mesh mesh_;
   bool has_features_ = false;    ///< edges

@@ -11,17 +11,16 @@
 namespace mesher {
 namespace {
 
-// Regions are counted from 0, so these are none.
+// No regions: they are counted from 0.
 constexpr std::uint32_t kEmpty = kNone;
 constexpr std::uint32_t kShared = kNone - 1;
 
 constexpr std::size_t kFacesPerChunk = 8192;
-// Larger cells make the strips that regions may not enter wider, smaller ones leave more cells
-// empty beside the surface. On the bunny anything from 2 to 3 takes the same time.
+// Larger cells widen the strips that no region may enter; smaller cells leave more cells empty
+// beside the surface. On the bunny all values from 2 to 3 take the same time.
 constexpr float kFacesAcrossCell = 3.0F;
 constexpr std::size_t kMostCellsPerFace = 8;
-// Where faces touch more cells than this on average, a few large ones fill the grid: it gets
-// coarser.
+// If faces touch more cells than this on average, a few large faces fill the grid: it is coarsened.
 constexpr std::size_t kMostTouchedPerFace = 32;
 
 float longest_side(const Box& box) {
@@ -85,7 +84,7 @@ void Territory::set_cell_size(float size, const Box& all, std::size_t most_cells
 Territory::Cells Territory::cells(const Box& box) const {
   const auto cell = [&](const glm::vec3& p) {
     const glm::vec3 at = (p - origin_) * inverse_size_;
-    // A new vertex may be outside the box of all faces, and any distance away.
+    // A new vertex may be outside the box of all faces, at any distance.
     return glm::ivec3(glm::clamp(glm::floor(at), glm::vec3(-1.0F), glm::vec3(counts_)));
   };
   return {cell(box.min), cell(box.max)};
@@ -132,7 +131,7 @@ void Territory::mark(const Surface& surface, Face f) {
   for (int z = c.first.z; z <= c.last.z; ++z) {
     for (int y = c.first.y; y <= c.last.y; ++y) {
       for (int x = c.first.x; x <= c.last.x; ++x) {
-        // Whatever the order, the outcome is the only region or none.
+        // Independent of the order, the result is the cell's only region, or kShared.
         const std::atomic_ref<std::uint32_t> owner(owner_[index({x, y, z})]);
         std::uint32_t before = kEmpty;
         if (owner.compare_exchange_strong(before, region, std::memory_order_relaxed)) continue;

@@ -9,18 +9,18 @@
 
 namespace mesher {
 
-/// Box of the corners of a live face. O(1).
+/// Returns the bounding box of the corners of a live face. O(1).
 Box face_box(const Mesh& mesh, Face f);
 
-/// Which region each cell of a grid belongs to: the one that all faces in the cell belong to. Cells
-/// of several regions, and empty cells, belong to none. While each region puts new faces only into
-/// cells of its own, faces of different regions cannot meet, in whatever order the regions work.
+/// Maps each cell of a grid to the region to which all faces in the cell belong. Cells of several
+/// regions and empty cells belong to none. While each region puts new faces only into its own
+/// cells, faces of different regions cannot intersect, whatever the order of the regions.
 class Territory {
  public:
-  /// Cuts space for a round. Pre: each live vertex has its region. O(F), parallel.
+  /// Assigns the cells for a round. Pre: each live vertex has its region. O(F), parallel.
   void claim(const Surface& surface);
 
-  /// Whether all cells that the box touches belong to the region. O(cells).
+  /// Returns whether all cells that the box touches belong to the region. O(cells).
   bool owns(std::uint32_t region, const Box& box) const;
 
  private:

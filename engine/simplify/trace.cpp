@@ -5,7 +5,7 @@
 namespace mesher {
 namespace {
 
-/// For each vertex the one that it has become one with in the end.
+/// Returns, for each vertex, the surviving vertex into which it was merged.
 Array<std::uint32_t> find_survivors(const Surface& surface) {
   const std::uint32_t n = surface.mesh().vertex_count();
   Array<std::uint32_t> into(n);
@@ -17,7 +17,7 @@ Array<std::uint32_t> find_survivors(const Surface& surface) {
     std::uint32_t last = v;
     while (into[last] != last)
       last = into[last];
-    // Shortens the way for all that come past later.
+    // Path compression.
     for (std::uint32_t at = v; at != last;)
       at = std::exchange(into[at], last);
   }
@@ -43,10 +43,10 @@ void trace(const Surface& surface, Trace& trace) {
   KeptIds kept = find_kept(surface);
   trace.after = compact(mesh, kept);
   const Array<std::uint32_t> survivor = find_survivors(surface);
-  Array<Face> place;
-  place.assign(mesh.face_count(), Face(0));
+  Array<Face> new_id;
+  new_id.assign(mesh.face_count(), Face(0));
   for (std::uint32_t f = 0; f < kept.faces.size(); ++f)
-    place[kept.faces[f].index()] = Face(f);
+    new_id[kept.faces[f].index()] = Face(f);
   trace.near_before.resize(mesh.face_count());
   for (std::uint32_t i = 0; i < mesh.face_count(); ++i) {
     Face near(i);
@@ -55,7 +55,7 @@ void trace(const Surface& surface, Trace& trace) {
       const Halfedge h = mesh.outgoing(Vertex(survivor[corner.index()]));
       if (h.is_valid()) near = Mesh::face(h);
     }
-    trace.near_before[i] = place[near.index()];
+    trace.near_before[i] = new_id[near.index()];
   }
   trace.vertex_before = std::move(kept.vertices);
   trace.near_after = std::move(kept.faces);

@@ -6,18 +6,19 @@
 
 namespace mesher {
 
-/// A mesh before and after a run, in the order of the run, in which what is near in space is near
-/// in memory, and which parts of one are where parts of the other were: what measuring the distance
-/// of the two starts from.
+/// Input and result of a run, and which parts of one are near parts of the other: the input of
+/// distance measurement. Both meshes are in the order of the run, so neighbors in space are
+/// neighbors in memory.
 struct Trace {
   Mesh before;
   Mesh after;
-  Array<Vertex> vertex_before;  ///< for each vertex after the run its id before
-  Array<Face> near_before;  ///< for each face before the run one after it that is likely to be near
-  Array<Face> near_after;   ///< the other way round
+  Array<Vertex> vertex_before;  ///< for each vertex after the run, its id before
+  Array<Face> near_before;  ///< for each face before the run, one after it that is probably near
+  Array<Face> near_after;   ///< for each face after the run, one before it that is probably near
 };
 
-/// Fills in what is after the run; `before` is there, with the ids of the surface. O(F).
+/// Fills in the members for the state after the run. Pre: `before` is set and has the surface's
+/// ids. O(F).
 void trace(const Surface& surface, Trace& trace);
 
 }  // namespace mesher

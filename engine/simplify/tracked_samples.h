@@ -10,31 +10,31 @@
 
 namespace mesher {
 
-/// Points of the input that are followed through the collapses: each knows the face that is nearest
-/// to it, as far as the faces around its collapses tell, and how far that is. So the cost of a
-/// collapse can be measured against the input, with all that was lost before: planes as they are
-/// now forget it (H. Hoppe et al., "Mesh optimization", 1993, has the same energy).
+/// Points of the input that are tracked through the collapses. Each point knows its nearest face,
+/// as far as the faces around its collapses tell, and the distance to it. Thus the cost of a
+/// collapse is measured against the input and includes everything lost before, which the planes of
+/// the current faces forget (H. Hoppe et al., "Mesh optimization", 1993, uses the same energy).
 ///
-/// Invariant: each point that has a face is in the list of that face, and in no other; its distance
-/// is at least the true one.
+/// Invariant: each point that has a face is in the list of that face and in no other; its stored
+/// distance is at least the true one.
 class TrackedSamples {
  public:
-  /// Finds each point's face. O(count valence) expected, parallel; the same for any number of
-  /// threads.
+  /// Finds each point's face. O(count valence) expected, parallel. The result does not depend on
+  /// the number of threads.
   TrackedSamples(const Surface& surface, const ErrorSamples& samples);
 
-  /// What to add to the cost of merging the edge of the fan at the candidate's position, so that it
-  /// becomes what the points around say: as much of it as there are points to say so. Never makes
-  /// the cost negative. O(points around times valence). Pre: `fan` is gathered for `h` and its
-  /// shape is checked there.
+  /// Returns the correction that moves the cost of merging the fan's edge at the candidate's
+  /// position toward the cost measured at the points around; the more points, the larger their
+  /// weight. Never makes the cost negative. Pre: `fan` is gathered for `h` and its shape is checked
+  /// there. O(points around times valence).
   float correction(const Surface& surface, Halfedge h, const Fan& fan, const Candidate& candidate);
 
-  /// Follows the collapse that `correction` was last asked about.
+  /// Applies the collapse for which `correction` was last called.
   void collapsed(const Fan& fan);
 
  private:
-  struct Place {
-    std::uint32_t next = kNone;  ///< of the same face
+  struct TrackedPoint {
+    std::uint32_t next = kNone;  ///< next point of the same face
     float squared_distance = 0.0F;
   };
   struct Moved {
@@ -46,11 +46,11 @@ class TrackedSamples {
   void find_moved(Face f, const Fan& fan, const glm::vec3& p);
 
   const ErrorSamples& samples_;
-  double weight_ = 0.0;               ///< of a point: the cost of its squared distance
-  std::vector<std::uint32_t> first_;  ///< point of each face
-  std::vector<Place> places_;         ///< of the points
-  std::vector<Moved> moved_;          ///< by the collapse that was last asked about
-  double before_ = 0.0;               ///< the squared distances of those, summed
+  double weight_ = 0.0;               ///< cost of a point's squared distance
+  std::vector<std::uint32_t> first_;  ///< first point of each face
+  std::vector<TrackedPoint> points_;  ///< by index of the point
+  std::vector<Moved> moved_;          ///< by the collapse last passed to `correction`
+  double before_ = 0.0;               ///< sum of the squared distances of `moved_` before it
 };
 
 }  // namespace mesher

@@ -18,8 +18,8 @@ inline void set_lane(Vec3<Float4>& lanes, std::size_t lane, const Vec3<float>& v
   lanes.z[lane] = v.z;
 }
 
-/// The squared distances of a point to four segments, from where they start. `q`: from there to the
-/// point.
+/// Returns the squared distances of a point to four segments, where `q` is the vector from the
+/// start of each segment to the point.
 inline Float4 squared_distance_to_segments(const Vec3<Float4>& q, const Vec3<Float4>& side) {
   const auto all = [](float x) { return broadcast<Float4>(x); };
   const Float4 along = dot(q, side) / greater_of(dot(side, side), all(1e-30F));
@@ -28,9 +28,9 @@ inline Float4 squared_distance_to_segments(const Vec3<Float4>& q, const Vec3<Flo
   return dot(off, off);
 }
 
-/// The squared distances of a point to four triangles, each the least of those to its sides and,
-/// where the point is above the inside, to its plane. Triangles without area are their sides. Four
-/// to six digits of the triangle's size. O(1).
+/// Returns the squared distances of a point to four triangles. Each is the smallest of the
+/// distances to its sides and, if the point projects into the interior, to its plane. A triangle
+/// without area reduces to its sides. Accurate to four to six digits of the triangle's size. O(1).
 inline Float4 squared_distances(const Vec3<Float4>& point, const TriangleLanes& triangle) {
   const auto all = [](float x) { return broadcast<Float4>(x); };
   const Vec3<Float4> ab = triangle.b - triangle.a;

@@ -68,9 +68,9 @@ struct GeomorphConstants {
   float fraction;
   float rate;
   float fixed_share;
-  uint first_birth;   // the first vertex that came with a split
-  float birth_scale;  // one over how often those double the mesh; negative: it has one color
-  uint unused;        // a multiple of 8 bytes
+  uint first_split_vertex;  // the first vertex that came with a split
+  float split_order_scale;  // one over how often those double the mesh; negative: it has one color
+  uint unused;              // a multiple of 8 bytes
 };
 
 #ifdef __cplusplus

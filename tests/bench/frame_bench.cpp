@@ -87,10 +87,10 @@ struct DragScene {
     const double count = mesh.split_count();
     const double base = mesh.base_vertex_count();
     const double time = position * (count - 1.0 + kGrowing * base) / (1.0 - kGrowing);
-    const double window = std::max(1.0, kGrowing * (base + time));
+    const double range = std::max(1.0, kGrowing * (base + time));
     mesh.go_to(static_cast<std::uint32_t>(std::min(count, std::ceil(time))));
     geomorph.follow(mesh);
-    settings.geomorph = GeomorphTime::continuous(time, window);
+    settings.geomorph = GeomorphTime::continuous(time, range);
     const render::UploadStats stats =
         gpu_mesh.apply(mesh.mesh(), settings,
                        {.vertex_normals = geomorph.normals(),

@@ -80,14 +80,14 @@ TEST(Geomorph, OppositeNormalsHalfwayKeepTheFineOne) {
 
 TEST(Geomorph, ContinuousTimeGrowsEachSplitOverTheWindow) {
   constexpr std::uint32_t kSplits = 1000;
-  for (const double window : {1.0, 0.3, 7.0, 100.0, 333.3}) {
-    for (double time = 0.0; time < kSplits + window + 5; time += 0.37) {
-      const GeomorphTime at = GeomorphTime::continuous(time, window);
+  for (const double range : {1.0, 0.3, 7.0, 100.0, 333.3}) {
+    for (double time = 0.0; time < kSplits + range + 5; time += 0.37) {
+      const GeomorphTime at = GeomorphTime::continuous(time, range);
       for (std::uint32_t i = 0; i < kSplits; i += 3) {
-        const double expected = std::clamp((time - i) / window, 0.0, 1.0);
-        ASSERT_NEAR(growth(at, i), expected, 1e-4) << time << " " << window << " " << i;
+        const double expected = std::clamp((time - i) / range, 0.0, 1.0);
+        ASSERT_NEAR(growth(at, i), expected, 1e-4) << time << " " << range << " " << i;
         if (i < at.first_growing) {
-          ASSERT_EQ(expected, 1.0) << time << " " << window << " " << i;
+          ASSERT_EQ(expected, 1.0) << time << " " << range << " " << i;
         }
       }
     }

@@ -6,8 +6,9 @@ namespace mesher {
 namespace {
 
 TEST(DetailRange, ItsMeasuresGrowWithOneAnotherAndLeadBack) {
-  for (const double window : {0.0, 0.01, 0.125, 0.5}) {
-    const DetailRange range{.base_vertices = 102.0, .splits = 40'000, .window = window};
+  for (const double geomorph_range : {0.0, 0.01, 0.125, 0.5}) {
+    const DetailRange range{
+        .base_vertices = 102.0, .splits = 40'000, .geomorph_range = geomorph_range};
     double grown = -1e9;
     double last_time = -1.0;
     for (int i = 0; i <= 1000; ++i) {
@@ -19,7 +20,8 @@ TEST(DetailRange, ItsMeasuresGrowWithOneAnotherAndLeadBack) {
       EXPECT_GT(range.grown(time), grown);
       grown = range.grown(time);
       last_time = time;
-      EXPECT_NEAR(range.time_of(grown), time, 1e-6 * (1.0 + time)) << window << " " << position;
+      EXPECT_NEAR(range.time_of(grown), time, 1e-6 * (1.0 + time))
+          << geomorph_range << " " << position;
     }
     EXPECT_NEAR(range.grown(range.end()), 40'000, 1e-6);
     EXPECT_EQ(range.level(range.end()), 40'000U);
@@ -29,7 +31,7 @@ TEST(DetailRange, ItsMeasuresGrowWithOneAnotherAndLeadBack) {
 }
 
 TEST(DetailRange, AllSplitsOfALevelHaveGrownAtItsTime) {
-  const DetailRange range{.base_vertices = 50.0, .splits = 1000, .window = 0.25};
+  const DetailRange range{.base_vertices = 50.0, .splits = 1000, .geomorph_range = 0.25};
   EXPECT_EQ(range.time_of_level(0), 0.0);
   for (const std::uint32_t level : {1U, 2U, 17U, 500U, 999U}) {
     const double time = range.time_of_level(level);
@@ -41,7 +43,7 @@ TEST(DetailRange, AllSplitsOfALevelHaveGrownAtItsTime) {
 }
 
 TEST(DetailRange, EverySplitGrowsContinuouslyAndNeverShrinks) {
-  const DetailRange range{.base_vertices = 20.0, .splits = 300, .window = 0.2};
+  const DetailRange range{.base_vertices = 20.0, .splits = 300, .geomorph_range = 0.2};
   for (const std::uint32_t split : {0U, 5U, 100U, 299U}) {
     float last = 0.0F;
     for (double time = 0.0; time <= range.end(); time += 0.01) {
@@ -56,7 +58,7 @@ TEST(DetailRange, EverySplitGrowsContinuouslyAndNeverShrinks) {
 }
 
 TEST(DetailRange, WithoutAWindowSplitsPop) {
-  const DetailRange range{.base_vertices = 10.0, .splits = 20, .window = 0.0};
+  const DetailRange range{.base_vertices = 10.0, .splits = 20, .geomorph_range = 0.0};
   EXPECT_EQ(range.end(), 20.0);
   EXPECT_EQ(range.time_of_level(7), 7.0);
   EXPECT_EQ(range.level(7.0), 7U);
@@ -65,7 +67,7 @@ TEST(DetailRange, WithoutAWindowSplitsPop) {
 }
 
 TEST(DetailRange, WithoutSplitsItIsAllAtTheEnd) {
-  const DetailRange range{.base_vertices = 10.0, .splits = 0, .window = 0.3};
+  const DetailRange range{.base_vertices = 10.0, .splits = 0, .geomorph_range = 0.3};
   EXPECT_EQ(range.end(), 0.0);
   EXPECT_EQ(range.position_of(0.0), 1.0);
   EXPECT_EQ(range.time_at(0.3), 0.0);

@@ -44,13 +44,13 @@ struct Drawn {
   std::uint32_t level;
 };
 
-Drawn drawn(ProgressiveMesh& mesh, Geomorph& morph, double time, double window) {
+Drawn drawn(ProgressiveMesh& mesh, Geomorph& morph, double time, double range) {
   Drawn result;
   result.level = static_cast<std::uint32_t>(
       std::min(std::ceil(time), static_cast<double>(mesh.split_count())));
   mesh.go_to(result.level);
   morph.follow(mesh);
-  const GeomorphTime at = GeomorphTime::continuous(time, window);
+  const GeomorphTime at = GeomorphTime::continuous(time, range);
   for (std::uint32_t v = 0; v < mesh.mesh().vertex_count(); ++v) {
     const std::uint32_t head = morph.heads()[v];
     result.positions.push_back(
@@ -78,17 +78,17 @@ TEST(Geomorph, NoPointMovesFurtherThanTheSliderLets) {
   const double splits = mesh.split_count();
   const double rounding = 4e-6 * statistics(input).box.diagonal();
   for (const double share : {0.005, 0.06, 0.5}) {
-    const double window = share * splits;
-    for (const double step : {1e-3 * (splits + window), 0.3}) {
-      Drawn before = drawn(mesh, morph, 0.0, window);
-      for (double time = step; time < splits + window; time += step) {
-        Drawn now = drawn(mesh, morph, time, window);
+    const double range = share * splits;
+    for (const double step : {1e-3 * (splits + range), 0.3}) {
+      Drawn before = drawn(mesh, morph, 0.0, range);
+      for (double time = step; time < splits + range; time += step) {
+        Drawn now = drawn(mesh, morph, time, range);
         for (std::uint32_t v = 0; v < now.positions.size(); ++v) {
           // A vertex that was not there yet was part of the one from which it comes.
           const Vertex was = ancestor(mesh, Vertex(v), before.level);
           const double moved = glm::length(now.positions[v] - before.positions[was.index()]);
-          const double way = way_to_go(morph, morph.heads()[v], time - step - window);
-          ASSERT_LE(moved, step / window * way + rounding) << "time " << time << " vertex " << v;
+          const double way = way_to_go(morph, morph.heads()[v], time - step - range);
+          ASSERT_LE(moved, step / range * way + rounding) << "time " << time << " vertex " << v;
         }
         before = std::move(now);
       }
@@ -99,15 +99,15 @@ TEST(Geomorph, NoPointMovesFurtherThanTheSliderLets) {
 TEST(Geomorph, NormalsChangeNoFasterThanTheSlider) {
   ProgressiveMesh mesh = progressive(bumpy());
   Geomorph morph(mesh);
-  const double window = 0.1 * mesh.split_count();
-  const double end = mesh.split_count() + window;
+  const double range = 0.1 * mesh.split_count();
+  const double end = mesh.split_count() + range;
   // Halving the step halves the largest change: nothing jumps.
   std::vector<double> largest;
   for (const double step : {4.0, 2.0, 1.0, 0.5}) {
     largest.push_back(0.0);
     for (double time = 3.3; time + step < end; time += 61.0) {
-      const Drawn before = drawn(mesh, morph, time, window);
-      const Drawn now = drawn(mesh, morph, time + step, window);
+      const Drawn before = drawn(mesh, morph, time, range);
+      const Drawn now = drawn(mesh, morph, time + step, range);
       for (std::uint32_t v = 0; v < now.normals.size(); ++v) {
         const Vertex was = ancestor(mesh, Vertex(v), before.level);
         largest.back() = std::max(

@@ -221,11 +221,11 @@ TEST_F(GeomorphTest, NormalsOfCornersStayWhereVerticesMove) {
 TEST_F(GeomorphTest, TimeIsContinuousAcrossLevels) {
   Growing growing(bunny());
   Drawer drawer(device());
-  const double window = 20.0;
+  const double range = 20.0;
   const double middle = growing.count() / 2;
   const auto picture = [&](double time) {
     growing.go_to(std::min(growing.count(), static_cast<std::uint32_t>(std::ceil(time))));
-    return drawer.draw(growing, at(kGouraud, GeomorphTime::continuous(time, window)));
+    return drawer.draw(growing, at(kGouraud, GeomorphTime::continuous(time, range)));
   };
   Image before = picture(middle - 2.0);
   std::size_t most = 0;
@@ -350,18 +350,18 @@ TEST_F(GeomorphTest, BirthsAreColoredInOrder) {
   Drawer drawer(device());
   for (Settings settings : {kFlat, kGouraud, kFlatWire, kGouraudWire}) {
     const Image plain = drawer.draw(growing, settings);
-    settings.colors_births = true;
-    settings.first_birth = growing.mesh.base_vertex_count();
+    settings.colors_by_split_order = true;
+    settings.first_split_vertex = growing.mesh.base_vertex_count();
     const Image image = drawer.draw(growing, settings);
     EXPECT_GT(count_different(image, plain, 8), 5000U);
-    settings.first_birth = growing.mesh.mesh().vertex_count();
+    settings.first_split_vertex = growing.mesh.mesh().vertex_count();
     EXPECT_EQ(count_different(drawer.draw(growing, settings), plain, 1), 0U)
         << "the base looks as ever";
   }
   // Without a source it is the mesh's own order.
   Mesh mesh = bunny();
   Settings settings = kFlat;
-  settings.colors_births = true;
+  settings.colors_by_split_order = true;
   Drawer other(device());
   const Image colored = other.draw(mesh, growing.camera, settings, {});
   EXPECT_GT(count_different(colored, other.draw(mesh, growing.camera, kFlat, {}), 8), 5000U);

@@ -47,7 +47,7 @@ TEST(Reorder, IsTheSameMeshUnderOtherNames) {
   Mesh mesh = built(join(torus(20, 13), grid(9), {9, 0, 0})).mesh;
   mesh.set_sharpness(mesh.edge(Halfedge(17)), 2.5F);
   mesh.set_sharpness(Vertex(5), 1.0F);
-  const Reordered order = reorder_by_place(mesh);
+  const Reordered order = reorder_by_position(mesh);
   expect_valid(order.mesh);
   EXPECT_TRUE(is_same_surface(order.mesh, mesh));
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -64,7 +64,7 @@ TEST(Reorder, IsTheSameMeshUnderOtherNames) {
 
 TEST(Reorder, BowTieCopiesAreListedUnderTheirNewNames) {
   const Mesh mesh = built(bow_tie({torus(20, 13), grid(9), cube()})).mesh;
-  const Reordered order = reorder_by_place(mesh);
+  const Reordered order = reorder_by_position(mesh);
   expect_valid(order.mesh);
   ASSERT_EQ(order.mesh.bow_tie_copies().size(), 3U);
   for (const BowTieCopy& copy : order.mesh.bow_tie_copies())

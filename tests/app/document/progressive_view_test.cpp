@@ -118,7 +118,7 @@ TEST_F(ProgressiveViewTest, GrowthIsContinuousAndNothingJumpsWhenItIsTurnedOnOrO
   EXPECT_EQ(view().growth(), GeomorphTime::done());
   press(session_, "shift+g");
   EXPECT_NEAR(view().range().grown(view().time()), 500.0, 1e-6);
-  change([](ProgressiveSettings& s) { s.window = 0.4F; });
+  change([](ProgressiveSettings& s) { s.geomorph_range = 0.4F; });
   EXPECT_NEAR(view().range().grown(view().time()), 500.0, 1e-6);
   press(session_, "end shift+g");
   EXPECT_TRUE(view().is_at_end());
@@ -364,7 +364,7 @@ TEST_F(ProgressiveViewTest, AnotherModelEndsIt) {
   show(test::cube());
   EXPECT_FALSE(view().is_on());
   EXPECT_FALSE(view().has_mesh());
-  EXPECT_TRUE(view().settings().colors_births) << "tastes stay";
+  EXPECT_TRUE(view().settings().colors_by_split_order) << "tastes stay";
   press(session_, "p");
   EXPECT_TRUE(view().is_on()) << "of a base alone, too";
   press(session_, "home ] [ end pageup a space");
@@ -377,8 +377,8 @@ TEST_F(ProgressiveViewTest, SettingsSayWhatIsDrawn) {
   view().move_to(0.5);
   press(session_, "shift+b");
   const render::Settings settings = shown_settings(session_);
-  EXPECT_TRUE(settings.colors_births);
-  EXPECT_EQ(settings.first_birth, view().mesh().base_vertex_count());
+  EXPECT_TRUE(settings.colors_by_split_order);
+  EXPECT_EQ(settings.first_split_vertex, view().mesh().base_vertex_count());
   EXPECT_EQ(settings.geomorph, view().growth());
   const render::Sources sources = shown_sources(session_);
   EXPECT_EQ(sources.morph.heads.size(), shown_mesh(session_).vertex_count());
