@@ -11,8 +11,8 @@ namespace {
 
 /// Distances below this fraction of the largest distance found so far need not be exact.
 constexpr double kNearEnough = 0.25;
-/// The fraction of the distance to decide that corners may use; the rest is for points between
-/// them.
+/// In a decision, the fraction of `enough` that corner distances may use; the rest is for the
+/// points between them.
 constexpr double kNearForDecision = 0.5;
 
 double longest_coordinate(const Mesh& mesh) {

@@ -276,8 +276,8 @@ void OneSidedBound::split_up(const BoundPiece& whole, int splits, const BoundLim
     const double farthest = std::max({piece.distance[0], piece.distance[1], piece.distance[2]});
     const double longest_side = std::sqrt(std::max({sides[0], sides[1], sides[2]}));
     // Cut flat pieces: halving them would follow the sides of the triangles below down to the
-    // allowed distance. Cuts along these sides bound each part over one triangle exactly. The
-    // number of cuts is limited, because they produce slivers.
+    // allowed distance. Cutting along these sides gives parts over one triangle each, which are
+    // bounded exactly. The number of cuts is limited, because they produce slivers.
     const bool is_cut = piece.upper > limits.allowed && piece.cuts < kMostCuts &&
                         farthest < limits.allowed && longest_side > kFlat * limits.allowed;
     // The triangle below the middle gives an exact bound if it covers the whole piece. (The two may

@@ -30,7 +30,8 @@ inline int sign(double value) {
 
 }  // namespace detail
 
-/// 1 if `a`, `b`, `c` turn counter-clockwise, -1 if clockwise, 0 if they are collinear. O(1).
+/// Returns 1 if `a`, `b`, `c` turn counter-clockwise, -1 if clockwise, 0 if they are collinear.
+/// O(1).
 inline int orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   constexpr double kBound = (3.0 + 16.0 * detail::kHalfUlp) * detail::kHalfUlp;
   const double left = (a.x - c.x) * (b.y - c.y);
@@ -40,8 +41,8 @@ inline int orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec
   return detail::exact_orientation(a, b, c);
 }
 
-/// 1 if `d` is on the side of the plane from which `a`, `b`, `c` appear counter-clockwise, -1 if it
-/// is on the other side, 0 if the four are coplanar. O(1).
+/// Returns 1 if `d` is on the side of the plane from which `a`, `b`, `c` appear counter-clockwise,
+/// -1 if it is on the other side, 0 if the four are coplanar. O(1).
 inline int orientation(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                        const glm::dvec3& d) {
   constexpr double kBound = (7.0 + 56.0 * detail::kHalfUlp) * detail::kHalfUlp;

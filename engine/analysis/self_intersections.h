@@ -23,7 +23,7 @@ using FacePair = std::array<Face, 2>;
 /// parallel. Needs 100 bytes per face. Throws Cancelled. Pre: positions are finite.
 std::uint64_t count_self_intersections(const Mesh& mesh, Progress* progress = nullptr);
 
-/// Returns those pairs, sorted.
+/// Returns the pairs that count_self_intersections counts, sorted.
 std::vector<FacePair> self_intersections(const Mesh& mesh, Progress* progress = nullptr);
 
 }  // namespace mesher

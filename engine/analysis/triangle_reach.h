@@ -23,7 +23,7 @@ inline Sides squared_sides(const Triangle& t) {
 }
 
 /// Returns an upper bound for the distance from a point of a triangle to the nearest corner. With
-/// an obtuse or right angle, it is half the longest side. Otherwise it is the circumradius: the
+/// an obtuse or right angle, it is half the longest side. Otherwise the circumradius bounds it: the
 /// longest side over twice the sine of its opposite angle, which is at least 60 degrees.
 inline double reach(const Sides& sides) {
   const double longest = std::max({sides[0], sides[1], sides[2]});

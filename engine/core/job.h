@@ -35,7 +35,7 @@ class Job {
   /// must be thread-safe; it may be null.
   Job(std::string title, std::function<void(Progress&)> work, void (*wake)());
 
-  /// Throws what the work threw. Pre: is_done().
+  /// Throws the exception that the work threw, if any. Pre: is_done().
   void rethrow_failure() const;
 
  private:

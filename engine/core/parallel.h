@@ -13,8 +13,8 @@ class Progress;
 /// Returns the number of threads that parallel loops may use now, at least 1.
 unsigned thread_count();
 
-/// Limits every parallel loop of the process to `count` threads while the object lives. 0: no limit
-/// of its own.
+/// Limits every parallel loop of the process to `count` threads while the object lives. 0: no
+/// additional limit.
 class ThreadLimit {
  public:
   explicit ThreadLimit(unsigned count);

@@ -17,8 +17,8 @@ enum class CollapseVerdict : std::uint8_t {
   link_condition,
   /// An interior edge between two boundary vertices: the surface would be pinched.
   pinches_boundary,
-  /// A face of the edge has at most one side with a neighbor besides the edge: its third vertex
-  /// would be left without a face.
+  /// Both other sides of a face at the edge are boundary: its third vertex would be left without a
+  /// face.
   leaves_vertex,
   /// The edge is part of a tetrahedron: two faces would coincide.
   tetrahedron,

@@ -94,9 +94,9 @@ class AttributesDelta {
 };
 
 AttributesDelta difference(const Attributes& before, const Attributes& after);
-/// Pre: `attributes` are those of the delta's `before`.
+/// Changes `before` into `after`. Pre: `attributes` are those of the delta's `before`.
 void apply(Attributes& attributes, const AttributesDelta& delta);
-/// Pre: `attributes` are those of the delta's `after`.
+/// Changes `after` back into `before`. Pre: `attributes` are those of the delta's `after`.
 void revert(Attributes& attributes, const AttributesDelta& delta);
 /// Reserves memory for either state. After that, only copying the group names can fail, before any
 /// change. Throws std::bad_alloc.

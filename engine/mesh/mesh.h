@@ -55,7 +55,7 @@ class Mesh {
   std::uint32_t face_count() const { return static_cast<std::uint32_t>(origin_.size() / 3); }
   std::uint32_t halfedge_count() const { return static_cast<std::uint32_t>(origin_.size()); }
 
-  // Navigation. All are O(1); only `rotate_*` at a boundary branch.
+  // Navigation. All are O(1) and without branches, except `rotate_cw`, which tests for a boundary.
 
   static Halfedge halfedge(Face f, std::uint32_t corner = 0) {
     return Halfedge(3 * f.index() + corner);
@@ -142,8 +142,8 @@ class Mesh {
 
   // Edits. Each is O(1) and notes its changes to GPU arrays in `changes()`.
 
-  /// Pre: `p` is finite. A caller that moves a copy of a bow-tie vertex must move all of them
-  /// (invariant 14).
+  /// Sets the position of a vertex. A caller that moves a copy of a bow-tie vertex must move all of
+  /// them (invariant 14). Pre: `p` is finite.
   void set_position(Vertex v, const glm::vec3& p);
   /// Sets the sharpness of both half-edges of an edge. Pre: sharpness >= 0.
   void set_sharpness(Edge e, float sharpness);

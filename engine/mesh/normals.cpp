@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kGrain = 4096;
 constexpr float kPi = 3.14159265F;
 
-// Double throughout: squared lengths in a model of 1e-6 units exceed the range of floats.
+// Double throughout: squared lengths of a model 1e-6 units across fall below the range of floats.
 glm::dvec3 unit_or_zero(const glm::dvec3& v) {
   const double length = glm::length(v);
   return length > 0.0 ? v / length : glm::dvec3(0.0);

@@ -10,7 +10,7 @@ namespace mesher {
 
 /// Returns the corner attributes of a subdivided mesh. They are interpolated linearly along edges
 /// within each face, so that seams stay in place. Groups are copied to all children. Normals are
-/// dropped, because they are not those of the new surface (`limit_normal` has these). O(faces of
+/// dropped, because they are not those of the new surface (`limit_normal` has those). O(faces of
 /// the result), parallel. Throws Cancelled.
 Attributes subdivide_attributes(const Attributes& attributes, std::uint32_t levels,
                                 Progress* progress = nullptr);

@@ -84,7 +84,7 @@ class HubStencils {
            static_cast<double>(spoke_indices_.size());
   }
 
-  std::vector<std::pair<Halfedge, std::uint32_t>> spoke_indices_;  ///< with index in the ring
+  std::vector<std::pair<Halfedge, std::uint32_t>> spoke_indices_;  ///< spokes with ring indices
   glm::dvec3 sum_{0.0};
   std::array<glm::dvec3, 2> cos_{glm::dvec3(0.0), glm::dvec3(0.0)};
   std::array<glm::dvec3, 2> sin_{glm::dvec3(0.0), glm::dvec3(0.0)};

@@ -10,7 +10,7 @@ namespace mesher {
 /// Returns the next level of modified butterfly subdivision; old vertices are copied. No stencil
 /// reaches across a boundary or a crease: a missing wing is the reflection of the opposite vertex,
 /// and the edge itself uses the four-point rule. A vertex on a boundary or crease counts as
-/// regular. Semi-sharp edges blend between the two. O(F), parallel. Throws Cancelled.
+/// regular. Semi-sharp edges blend the smooth and the sharp rule. O(F), parallel. Throws Cancelled.
 Level butterfly_step(const LevelView& coarse, const Rings& rings, const Features& features,
                      const SubdivideOptions& options, bool is_last);
 

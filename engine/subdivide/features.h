@@ -65,7 +65,7 @@ class Features {
 
 /// Returns the number of edges that are creases or boundaries. O(F).
 std::size_t count_sharp_edges(const Mesh& mesh);
-/// The memory per sharp edge: its entries in a level's lists, and scratch for the next level.
+/// The bytes per sharp edge: its entries in a level's lists, and scratch for the next level.
 inline constexpr std::size_t kBytesPerSharpEdge =
     sizeof(SharpEdge) + sizeof(SharpVertex) + 4 * sizeof(std::uint32_t);
 

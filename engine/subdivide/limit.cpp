@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kChunk = 4096;
 constexpr std::size_t kSharpChunk = 512;
 
-/// cos and sin of 2 pi i / n for the common valences n, in rows.
+/// cos and sin of 2 pi i / n, precomputed for common valences n, one row per valence.
 class TangentMasks {
  public:
   TangentMasks() {

@@ -7,7 +7,7 @@
 
 namespace mesher {
 
-/// The weights of a vertex and of each of its neighbors, which are all equal.
+/// The weight of a vertex, and the weight of each of its neighbors (the same for all).
 struct RingMask {
   double own = 1.0;
   double each = 0.0;

@@ -9,9 +9,9 @@
 
 namespace mesher {
 
-// Splits faces into four: the connectivity, which is the same for every scheme. There is one new
-// vertex per edge. New vertices come after the old ones, in the order in which a walk over faces
-// 0..F-1 and their edges ab, bc, ca first visits the edges.
+// The connectivity of splitting each face into four, which is the same for every scheme. There is
+// one new vertex per edge. New vertices come after the old ones, in the order in which a walk over
+// faces 0..F-1 and their edges ab, bc, ca first visits the edges.
 
 /// The faces per work unit: their data stays in the cache.
 inline constexpr std::size_t kFaceChunk = 2048;
