@@ -44,7 +44,7 @@ double area(const Mesh& mesh, std::size_t face) {
   return 0.5 * glm::length(glm::cross(corner(mesh, face, 1) - a, corner(mesh, face, 2) - a));
 }
 
-/// Area of all faces before each; one entry more than faces.
+/// Returns the total area of the faces before each face; one entry more than faces.
 std::vector<double> area_before(const Mesh& mesh) {
   std::vector<double> before(std::size_t{mesh.face_count()} + 1, 0.0);
   for (std::size_t f = 0; f < mesh.face_count(); ++f)
@@ -56,8 +56,8 @@ double fraction(double x) {
   return x - std::floor(x);
 }
 
-/// The i-th point of a sequence that fills a triangle evenly (M. Roberts, "The unreasonable
-/// effectiveness of quasirandom sequences", 2018: the plastic number's powers).
+/// Returns the i-th point of a sequence that fills a triangle evenly (M. Roberts, "The unreasonable
+/// effectiveness of quasirandom sequences", 2018: powers of the plastic number).
 glm::dvec3 point_in_triangle(const Mesh& mesh, std::size_t face, std::uint64_t i) {
   const double u = std::sqrt(fraction(0.5 + 0.7548776662466927 * static_cast<double>(i)));
   const double v = fraction(0.5 + 0.5698402909980532 * static_cast<double>(i));
@@ -65,7 +65,7 @@ glm::dvec3 point_in_triangle(const Mesh& mesh, std::size_t face, std::uint64_t i
          u * v * corner(mesh, face, 2);
 }
 
-/// Each face has the samples whose place along the summed area falls into it.
+/// Each face gets the samples whose position along the cumulative area falls into it.
 Sums sample_faces(const Mesh& from, const TriangleTree& to, const DistanceOptions& options) {
   const std::vector<double> before = area_before(from);
   const double per_area =

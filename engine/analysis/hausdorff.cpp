@@ -9,10 +9,10 @@
 namespace mesher {
 namespace {
 
-/// Where something is known to be nearer than that part of the largest distance found so far, it
-/// does not matter how near.
+/// Distances below this fraction of the largest distance found so far need not be exact.
 constexpr double kNearEnough = 0.25;
-/// Part of the distance to decide upon that corners may use; what is left is for points between.
+/// In a decision, the fraction of `enough` that corner distances may use; the rest is for the
+/// points between them.
 constexpr double kNearForDecision = 0.5;
 
 double longest_coordinate(const Mesh& mesh) {
@@ -24,7 +24,7 @@ double longest_coordinate(const Mesh& mesh) {
   return most;
 }
 
-/// Both directions, which share what is known of the larger distance.
+/// Both directions, which share the lower bound.
 class BothSides {
  public:
   BothSides(const HausdorffSide& a, const HausdorffSide& b, const HausdorffOptions& options)
@@ -55,7 +55,8 @@ class BothSides {
   }
 
  private:
-  /// The second tree, mostly also the first one of a decision, is never needed.
+  /// Skims both surfaces first. Usually the second tree is then not needed, and for a decision
+  /// neither is the first.
   void skim_both() {
     Progress* progress = options_.progress;
     if (options_.is_decision) {

@@ -1,4 +1,4 @@
-// The branch and bound of `hausdorff_bounds`, and what is looked at before it.
+// The branch and bound of `hausdorff_bounds`, and the passes before it.
 #include "engine/analysis/one_sided_bound.h"
 
 #include <algorithm>
@@ -15,36 +15,37 @@ namespace {
 constexpr std::size_t kVerticesPerChunk = 1024;
 constexpr std::size_t kFacesPerChunk = 512;
 constexpr std::size_t kPiecesPerChunk = 256;
-/// Pieces that are worked on between two looks at the lower bound, and splits of each.
+/// The pieces processed between two updates of the lower bound, and the splits of each.
 constexpr std::size_t kPiecesPerWave = 1U << 15U;
 constexpr std::size_t kMostOpen = 1U << 20U;  // 140 bytes each
 constexpr int kSplitsOfFace = 3;
 constexpr int kSplitsOfPiece = 16;
 constexpr std::uint8_t kMostCuts = 12;
 constexpr double kFlat = 32.0;
-/// Vertices of which the first guess at the distance is taken.
+/// The number of vertices for the first lower bound.
 constexpr std::size_t kProbes = 512;
 constexpr int kMostSpokes = 16;
 
-/// Where a side of a piece is split.
+/// The position at which a side of a piece is split.
 struct Split {
-  std::size_t from;  ///< corner
+  std::size_t from;  ///< from this corner
   std::size_t to;
-  double part;  ///< of the way
+  double part;  ///< fraction of the side
 };
 
 glm::dvec3 corner(const Mesh& mesh, std::uint32_t face, std::uint32_t c) {
   return mesh.position(mesh.origin(Mesh::halfedge(Face(face), c)));
 }
 
-/// Where the piece crosses a plane through a side of the triangle and its normal, if it does.
+/// Returns where the piece crosses a plane through a side of the triangle and its normal, if it
+/// does.
 std::optional<Split> crossing(const Triangle& piece, const Triangle& t) {
-  constexpr double kOnIt = 1e-9;  // of the length of the side
+  constexpr double kTolerance = 1e-9;  // relative to the length of the side
   const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
   for (std::size_t side = 0; side < 3; ++side) {
     const glm::dvec3 along = t[(side + 1) % 3] - t[side];
     const glm::dvec3 inward = glm::cross(normal, along);
-    const double least = kOnIt * glm::length(inward) * glm::length(along);
+    const double least = kTolerance * glm::length(inward) * glm::length(along);
     std::array<double, 3> inside;
     for (std::size_t c = 0; c < 3; ++c)
       inside[c] = glm::dot(inward, piece[c] - t[side]);
@@ -60,13 +61,14 @@ std::optional<Split> crossing(const Triangle& piece, const Triangle& t) {
 
 }  // namespace
 
-/// The distance (not its square) of a point that may be `off` the surface by rounding.
+/// Returns the nearest face, with its distance (not squared) in squared_distance. `off`: the
+/// distance by which rounding may have moved the point off the surface.
 TriangleTree::Nearest OneSidedBound::query(const glm::dvec3& p, Face hint,
                                            const BoundLimits& limits, BoundOutcome& outcome,
                                            double off) const {
   TriangleTree::Nearest hit = to_->nearest_beyond(p, hint, limits.near * limits.near);
   hit.squared_distance = std::sqrt(hit.squared_distance);
-  // Nearer ones need not be exact, and would not raise the bound.
+  // Distances up to `near` need not be exact, and would not raise the bound.
   if (hit.squared_distance > limits.near) {
     outcome.lower = std::max(outcome.lower, hit.squared_distance - off);
   }
@@ -82,7 +84,7 @@ void OneSidedBound::note(const BoundOutcome& outcome) {
   beyond_.insert(beyond_.end(), outcome.beyond.begin(), outcome.beyond.end());
 }
 
-/// A face of the other surface that is likely to be near a vertex.
+/// Returns a face of the other surface that is probably near a vertex.
 Face OneSidedBound::hint(Vertex v, Face otherwise) const {
   return hints_.empty() ? otherwise : hints_[Mesh::face(mesh_.outgoing(v)).index()];
 }
@@ -99,20 +101,20 @@ void OneSidedBound::probe() {
   note(outcome);
 }
 
-/// Whether the hint, or a face at the corner of it that is nearest, is no farther than `enough`
-/// (squared) from a point.
+/// Returns whether the hint, or a face at its nearest corner, is within `enough` (squared) of a
+/// point.
 bool OneSidedBound::is_near_hint(const glm::dvec3& p, Face near, double enough) const {
   const auto is_near = [&](Face f) {
     return squared_distance(p, {corner(to_mesh_, f.index(), 0), corner(to_mesh_, f.index(), 1),
                                 corner(to_mesh_, f.index(), 2)}) <= enough;
   };
   if (is_near(near)) return true;
-  const auto farness = [&](std::uint32_t c) {
+  const auto squared_to_corner = [&](std::uint32_t c) {
     const glm::dvec3 q = corner(to_mesh_, near.index(), c) - p;
     return glm::dot(q, q);
   };
-  std::uint32_t nearest = farness(0) < farness(1) ? 0 : 1;
-  if (farness(2) < farness(nearest)) nearest = 2;
+  std::uint32_t nearest = squared_to_corner(0) < squared_to_corner(1) ? 0 : 1;
+  if (squared_to_corner(2) < squared_to_corner(nearest)) nearest = 2;
   const Vertex v = to_mesh_.origin(Mesh::halfedge(near, nearest));
   int spokes = 0;
   for (const Halfedge h : halfedges_around(to_mesh_, v)) {
@@ -128,7 +130,7 @@ void OneSidedBound::find_farthest_vertex(Progress* progress) {
   const auto look_at = [&](std::size_t i, BoundOutcome& outcome) {
     const Vertex v(static_cast<std::uint32_t>(i));
     if (mesh_.is_isolated(v)) return;
-    // What is no farther than another one does not matter.
+    // Only vertices farther than the farthest one so far matter.
     const double near = outcome.lower;
     const Face hint = this->hint(v, {});
     if (is_near_hint(mesh_.position(v), hint, near * near)) return;
@@ -218,8 +220,8 @@ BoundPiece OneSidedBound::piece_of(std::uint32_t face) const {
   return piece;
 }
 
-/// The largest distance from the corners to one triangle, the best of those that are near the
-/// piece; or `least`, if that is less.
+/// Returns the least, over the triangles near the piece, of the largest corner distance to that
+/// triangle; at most `least`.
 double OneSidedBound::bound_by_triangles(const BoundPiece& piece, double least) const {
   const std::array<Face, 4> near{piece.near[0], piece.near[1], piece.near[2], piece.below};
   for (std::size_t i = 0; i < near.size(); ++i) {
@@ -237,8 +239,8 @@ double OneSidedBound::bound_by_triangles(const BoundPiece& piece, double least) 
   return least;
 }
 
-/// A computed bound, and what rounding may have taken from it. Nothing where both triangles are the
-/// same to the last bit.
+/// Returns a computed bound plus an allowance for rounding. The allowance is 0 if both triangles
+/// are identical.
 double OneSidedBound::certified(const BoundPiece& piece, double computed) const {
   if (computed == 0.0) {
     for (const Face f : {piece.near[0], piece.near[1], piece.near[2], piece.below}) {
@@ -253,7 +255,7 @@ double OneSidedBound::certified(const BoundPiece& piece, double computed) const 
   return computed * (1.0 + 1e-12) + rounding_;
 }
 
-/// A bound for all points of a piece; not the best, where a simpler one is good enough.
+/// Returns an upper bound for all points of a piece; not the tightest if a simpler one suffices.
 double OneSidedBound::bound(const BoundPiece& piece, const Sides& sides, double allowed) const {
   const double farthest = std::max({piece.distance[0], piece.distance[1], piece.distance[2]});
   const double by_corners = farthest + reach(sides);
@@ -262,7 +264,7 @@ double OneSidedBound::bound(const BoundPiece& piece, const Sides& sides, double 
   return certified(piece, bound_by_triangles(piece, by_corners));
 }
 
-/// Splits a piece, and its parts, until all are done with or the number of splits is used up.
+/// Splits a piece and its parts until all are settled or the splits are used up.
 void OneSidedBound::split_up(const BoundPiece& whole, int splits, const BoundLimits& limits,
                              BoundOutcome& outcome) const {
   std::array<BoundPiece, kSplitsOfPiece + 1> stack;
@@ -273,20 +275,20 @@ void OneSidedBound::split_up(const BoundPiece& whole, int splits, const BoundLim
     piece.upper = bound(piece, sides, limits.allowed);
     const double farthest = std::max({piece.distance[0], piece.distance[1], piece.distance[2]});
     const double longest_side = std::sqrt(std::max({sides[0], sides[1], sides[2]}));
-    // Flat: halving would follow the sides of the triangles below down to the distance allowed.
-    // Cut along them, what lies over one of them is bounded exactly. Not too often, though: slivers
-    // would follow.
+    // Cut flat pieces: halving them would follow the sides of the triangles below down to the
+    // allowed distance. Cutting along these sides gives parts over one triangle each, which are
+    // bounded exactly. The number of cuts is limited, because they produce slivers.
     const bool is_cut = piece.upper > limits.allowed && piece.cuts < kMostCuts &&
                         farthest < limits.allowed && longest_side > kFlat * limits.allowed;
-    // The triangle below the middle bounds it exactly where it covers the whole piece. (It may be
-    // the same one, and the distance no more than rounding.)
+    // The triangle below the middle gives an exact bound if it covers the whole piece. (The two may
+    // be identical, and the distance mere rounding.)
     const bool is_unclear = piece.upper > limits.allowed || piece.upper <= 2.0 * rounding_;
     if (is_cut || (is_unclear && piece.upper > 0.0 && !piece.below.is_valid())) {
       const glm::dvec3 middle = (piece.corners[0] + piece.corners[1] + piece.corners[2]) / 3.0;
       piece.below = query(middle, piece.near[0], limits, outcome, rounding_).face;
       piece.upper = std::min(piece.upper, bound(piece, sides, limits.allowed));
     }
-    // Smaller ones than that cannot be told apart.
+    // Smaller pieces cannot be distinguished.
     if (piece.upper <= limits.allowed || longest_side <= rounding_) {
       outcome.upper = std::max(outcome.upper, piece.upper);
       --size;
@@ -330,8 +332,8 @@ void OneSidedBound::split_up(const BoundPiece& whole, int splits, const BoundLim
 void OneSidedBound::refine(const BoundLimits& limits, Progress* progress) {
   if (!is_begun_) return begin_faces(limits, progress);
   const auto count = static_cast<std::ptrdiff_t>(std::min(open_.size(), kPiecesPerWave));
-  // First come, first served, so that all are looked at where the work is limited; the last first
-  // where there are too many to keep.
+  // Take the oldest pieces first, so that all are processed if the work is limited; take the newest
+  // first if there are too many to store.
   const auto first = open_.size() < kMostOpen ? open_.begin() : open_.end() - count;
   const std::vector<BoundPiece> wave(first, first + count);
   open_.erase(first, first + count);
@@ -350,7 +352,7 @@ void OneSidedBound::begin_faces(const BoundLimits& limits, Progress* progress) {
   std::vector<BoundOutcome> outcomes(chunk_count(n, kFacesPerChunk));
   parallel_chunks(n, kFacesPerChunk, progress, [&](std::size_t chunk, IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
-      // What is allowed may have grown since the face was skimmed.
+      // The allowed distance may have grown since the face was skimmed.
       const Skimmed::Unclear face =
           unclear_ ? (*unclear_)[i] : Skimmed::Unclear{Face(static_cast<std::uint32_t>(i))};
       if (face.upper <= limits.allowed) {

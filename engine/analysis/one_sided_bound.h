@@ -14,34 +14,35 @@
 
 namespace mesher {
 
-/// A triangle within a face.
+/// A triangle that is part of a face.
 struct BoundPiece {
   Triangle corners;
-  std::array<double, 3> distance;  ///< of each corner, at most
-  std::array<Face, 3> near;        ///< a face of the other surface that is so far from it
-  Face below;                      ///< one that is near the middle of the face, if one is known
-  double upper = 0.0;              ///< bound for all points, where it is open
-  std::uint8_t cuts = 0;           ///< along triangles that made it
-  Face face;                       ///< of which it is a part
+  std::array<double, 3> distance;  ///< upper bound for each corner
+  std::array<Face, 3> near;        ///< a face of the other surface within that distance
+  Face below;                      ///< one near the middle of this piece or of one that contains
+                                   ///< it, if known
+  double upper = 0.0;              ///< upper bound for all points, if the piece is open
+  std::uint8_t cuts = 0;           ///< number of cuts along triangles that produced it
+  Face face;                       ///< the face that contains it
 };
 
-/// What came of some of the work.
+/// The result of a part of the work.
 struct BoundOutcome {
-  double lower = 0.0;  ///< the largest distance that was found
-  double upper = 0.0;  ///< of what is done with
+  double lower = 0.0;  ///< the largest distance found
+  double upper = 0.0;  ///< upper bound for the settled pieces
   std::uint64_t queries = 0;
-  std::vector<BoundPiece> open;    ///< what is not
-  std::vector<BoundPiece> beyond;  ///< what is known to be too far away
+  std::vector<BoundPiece> open;    ///< pieces not yet settled
+  std::vector<BoundPiece> beyond;  ///< pieces known to be too far away
 };
 
-/// What decides whether a piece is done with; the same for all of a wave.
+/// The thresholds that settle a piece; the same for all pieces of a wave.
 struct BoundLimits {
-  double near;     ///< distances below are not told apart
-  double allowed;  ///< upper bounds up to here are good enough
-  double beyond = std::numeric_limits<double>::infinity();  ///< distances at which to give up
+  double near;     ///< distances below this need not be exact
+  double allowed;  ///< upper bounds up to this are sufficient
+  double beyond = std::numeric_limits<double>::infinity();  ///< pieces beyond this are not refined
 };
 
-/// The work of `hausdorff_bounds` in one direction: from a surface to another.
+/// One direction of `hausdorff_bounds`: from one surface to another.
 class OneSidedBound {
  public:
   OneSidedBound(const HausdorffSide& from, const HausdorffSide& to, double rounding)
@@ -52,9 +53,9 @@ class OneSidedBound {
         rounding_(rounding) {}
 
   double lower() const { return lower_; }
-  /// Of what is done with, and of what is not.
+  /// Returns the upper bound over settled and open pieces.
   double upper() const;
-  /// Calls `visit` for what is too far away, or may be.
+  /// Calls `visit` for every piece that is, or may be, too far away.
   template <class Visit>
   void visit_beyond(const Visit& visit) const {
     for (const std::vector<BoundPiece>* pieces : {&open_, &beyond_}) {
@@ -65,17 +66,18 @@ class OneSidedBound {
   bool has_open() const { return !is_begun_ || !open_.empty(); }
   std::uint64_t queries() const { return queries_; }
 
-  /// Distances of some vertices, for a first guess.
+  /// Measures some vertices for a first lower bound.
   void probe();
-  /// The largest distance of a vertex. Pre: there are hints.
+  /// Finds the largest distance of a vertex. Pre: there are hints.
   void find_farthest_vertex(Progress* progress);
-  /// Finds vertices that are no farther than that, by hints alone.
+  /// Finds vertices within `distance`, using hints only.
   void find_near_vertices(double distance, Progress* progress);
-  /// Bounds of all faces by `skim`. Pre: there are hints, and vertices that are near are known.
+  /// Bounds all faces with `skim`. Pre: there are hints, and one of the two functions above was
+  /// called.
   void skim_faces(const BoundLimits& limits, Progress* progress);
-  /// Distances of all vertices; after `skim_faces`, of those of the faces that are not done with.
+  /// Measures all vertices; after `skim_faces`, only those of unsettled faces.
   void measure_vertices(const BoundLimits& limits, Progress* progress);
-  /// Looks at all faces the first time, later at some of what is open.
+  /// Processes all faces on the first call, and a wave of open pieces on later calls.
   void refine(const BoundLimits& limits, Progress* progress);
 
  private:
@@ -96,13 +98,13 @@ class OneSidedBound {
   const Mesh& to_mesh_;
   std::span<const Face> hints_;
   LazyTree& lazy_tree_;
-  const TriangleTree* to_ = nullptr;  ///< once it is needed
+  const TriangleTree* to_ = nullptr;  ///< null until it is needed
   double rounding_;
-  std::optional<std::vector<Skimmed::Unclear>> unclear_;  ///< faces; nothing: all of them
-  Array<std::uint8_t> is_near_;  ///< for each vertex: certainly no farther than near_distance_
+  std::optional<std::vector<Skimmed::Unclear>> unclear_;  ///< unsettled faces; no value: all faces
+  Array<std::uint8_t> is_near_;  ///< per vertex: 1 if certainly within near_distance_
   double near_distance_ = 0.0;
-  Array<double> distance_;  ///< of each vertex, at most
-  Array<Face> near_;        ///< and which face is so far away
+  Array<double> distance_;  ///< upper bound for each vertex
+  Array<Face> near_;        ///< a face within that distance
   std::vector<BoundPiece> open_;
   std::vector<BoundPiece> beyond_;
   double lower_ = 0.0;

@@ -12,19 +12,19 @@ namespace mesher {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-// Rounding changes a sum of products of two coordinates by less than a tenth of that.
+// Rounding changes a sum of products of two coordinates by less than a tenth of this.
 constexpr double kMargin = 1e-12;
 constexpr int kMostSteps = 64;
-// Where the hint does not lead to the triangle.
+// Limits of the search for another start, if the walk from the hint fails.
 constexpr int kMostSpokes = 64;
 constexpr double kLeastSlope = 0.3;
 
-/// Twice the signed area of a triangle, seen along the third axis.
+/// Returns twice the signed area of a triangle seen along the third axis.
 double turn(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// The same with the middle as the third corner.
+/// The same with the origin (the middle) as the third corner.
 double turn(const glm::dvec3& a, const glm::dvec3& b) {
   return a.x * b.y - a.y * b.x;
 }
@@ -43,7 +43,7 @@ double OverlayWalk::locate(const Triangle& triangle, Face hint, double shrink) {
   const double length = glm::length(ab);
   const double twice_area = glm::length(normal);
   size_ = std::max(length, glm::length(ac));
-  // Of slivers the plane is uncertain, and the middle may be outside.
+  // The plane of a sliver is uncertain, and its middle may be outside.
   if (!(twice_area > 1e-6 * size_ * size_)) return kInfinite;
   origin_ = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
   axes_[0] = ab / length;
@@ -57,8 +57,7 @@ double OverlayWalk::locate(const Triangle& triangle, Face hint, double shrink) {
   return height < kInfinite ? height : walk_from_around(hint);
 }
 
-/// Where the hint is turned over, as beyond a sharp edge: begins at the nearest of the faces beside
-/// it that are not.
+/// If the hint is flipped, as beyond a sharp edge, starts at the nearest adjacent face that is not.
 double OverlayWalk::walk_from_around(Face hint) {
   Face nearest;
   double least = kInfinite;
@@ -84,7 +83,7 @@ Triangle OverlayWalk::corners(Face f) const {
           surface_.position(surface_.origin(Mesh::halfedge(f, 2)))};
 }
 
-/// The cosine of the angle between a face of the surface and the triangle.
+/// Returns the cosine of the angle between a face of the surface and the triangle.
 double OverlayWalk::slope(Face f) const {
   const auto [a, b, c] = corners(f);
   const glm::dvec3 normal = glm::cross(b - a, c - a);
@@ -98,7 +97,7 @@ double OverlayWalk::walk_to_middle(Face from) {
   for (std::uint32_t c = 0; c < 3; ++c)
     p[c] = projected(surface_.origin(Mesh::halfedge(from, c)));
   for (int step = 0; step < kMostSteps; ++step) {
-    // By the sides, twice the area of the triangle that each makes with the middle.
+    // Per side, twice the area of the triangle that it forms with the middle.
     const std::array<double, 3> part{turn(p[0], p[1]), turn(p[1], p[2]), turn(p[2], p[0])};
     const double whole = part[0] + part[1] + part[2];
     if (!(whole > 0.0)) return kInfinite;
@@ -122,7 +121,7 @@ OverlayWalk::Seen OverlayWalk::seen(const Projected& at) const {
   return result;
 }
 
-/// Whether a segment meets the triangle, seen along its normal; also where that is in doubt.
+/// Returns whether a segment may meet the triangle, seen along its normal; true if in doubt.
 bool OverlayWalk::meets(const Seen& from, const Seen& to) const {
   const double most = std::max(from.extent, to.extent);
   const double margin = kMargin * most * most;
@@ -135,14 +134,14 @@ bool OverlayWalk::meets(const Seen& from, const Seen& to) const {
   return std::min({a, b, c}) <= margin && std::max({a, b, c}) >= -margin;
 }
 
-/// A bound for the heights of the part of a face that is over the triangle; not the best, where a
-/// simpler one is low `enough`.
+/// Returns an upper bound for the heights of the part of a face over the triangle; not the tightest
+/// if a simpler one is at most `enough`.
 double OverlayWalk::height(const std::array<Projected, 3>& face, double turn_of_face,
                            double enough) const {
   const auto& [p, q, r] = face;
   const double of_corners = std::max({std::abs(p.z), std::abs(q.z), std::abs(r.z)});
   if (of_corners <= enough) return of_corners;
-  // The triangle's corners, with the heights of the face's plane there.
+  // The triangle's corners, at the heights of the face's plane.
   std::array<Projected, 9> part;
   double of_plane = 0.0;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -156,8 +155,8 @@ double OverlayWalk::height(const std::array<Projected, 3>& face, double turn_of_
   return std::min(of_corners, height_of_common_part(face, part));
 }
 
-/// Cuts the triangle along the sides of the face. Rounding moves the cuts along the plane by less
-/// than it may change a distance.
+/// Clips the triangle to the face and returns the largest height. Rounding moves the cuts along the
+/// plane by less than the allowance for distances.
 double OverlayWalk::height_of_common_part(const std::array<Projected, 3>& face,
                                           std::array<Projected, 9>& part) {
   std::size_t count = 3;
@@ -196,7 +195,7 @@ bool OverlayWalk::is_new(Face f) {
   }
 }
 
-/// Goes on over a side of a face, if it meets the triangle. False at a boundary.
+/// Continues across a side of a face if the side meets the triangle. Returns false at a boundary.
 bool OverlayWalk::cross(Halfedge h, const Seen& from, const Seen& to) {
   if (!meets(from, to)) return true;
   const Halfedge other = surface_.twin(h);
@@ -219,7 +218,8 @@ double OverlayWalk::bound(double most) {
   const Seen second = seen(start_corners_[1]);
   stack_.push_back({start_, first, second});
   if (!cross(start_, first, second)) return kInfinite;
-  // The other half of the first edge may come up first: what counts is what is visited in the end.
+  // The other half of the first edge may be visited first; only the final set of visited faces
+  // matters.
   while (!stack_.empty()) {
     const auto [h, from, to] = stack_.back();
     stack_.pop_back();

@@ -10,36 +10,38 @@
 
 namespace mesher {
 
-/// Bounds how far the points of a triangle may be from a surface that runs beside it, without a
-/// search tree: projects the faces of the surface along the normal of the triangle, walks over
-/// those whose projections meet it, and takes the largest height. The projections cover the
-/// triangle if none of the faces visited is turned over and no boundary edge meets the triangle: a
-/// path from the first face to any point of the triangle can be lifted face by face. All decisions
-/// keep a margin above rounding. Not for several threads at once.
+/// Bounds the distance from the points of a triangle to a surface that runs alongside it, without a
+/// search tree. It projects the faces of the surface along the triangle's normal, walks over the
+/// faces whose projections meet the triangle, and takes the largest height. The projections cover
+/// the triangle if no visited face is flipped and no boundary edge meets the triangle: then a path
+/// from the first face to any point of the triangle can be lifted face by face. All decisions keep
+/// a margin above rounding. Not thread-safe.
 class OverlayWalk {
  public:
   explicit OverlayWalk(const Mesh& surface) : surface_(surface) {}
 
-  /// Goes to the face above or below the middle of the triangle, a few steps from a hint that is
-  /// near. Returns its height there, infinite where the walk fails. `shrink`: the triangle's
-  /// corners are moved towards the middle by that part of the way for all that follows, so that
-  /// faces which it only touches do not count.
+  /// Walks from a nearby hint to the face above or below the middle of the triangle, which takes a
+  /// few steps. Returns the face's height there, or infinity if the walk fails. `shrink` is the
+  /// fraction of the way by which the triangle's corners move toward its middle for the following
+  /// calls, so that faces that it only touches do not count.
   double locate(const Triangle& triangle, Face hint, double shrink);
-  /// An upper bound for the distance of any point of the shrunken triangle that was last located,
-  /// rounding of the result (1e-15 of the coordinates) aside; infinite where the walk fails or the
-  /// bound would be above `most`. Pre: `locate` has not failed. O(faces over the triangle).
+  /// Returns an upper bound for the distance of any point of the shrunken triangle that was located
+  /// last, apart from rounding of the result (1e-15 of the coordinates). Returns infinity if the
+  /// walk fails or the bound would exceed `most`. O(faces over the triangle). Pre: `locate` did not
+  /// fail.
   double bound(double most);
 
  private:
-  /// A corner in the triangle's frame: two coordinates in its plane, and the height.
+  /// A corner in the triangle's frame: two coordinates in its plane, and the height above it.
   using Projected = glm::dvec3;
-  /// The same, and where that is as seen from the triangle's sides.
+  /// A projected corner and its position relative to the triangle's sides.
   struct Seen {
     Projected at;
-    std::array<double, 3> inside;  ///< distance from each side, times its length; positive inside
-    double extent;                 ///< the largest of the triangle's and of the coordinates
+    std::array<double, 3> inside;  ///< distance from each side times the side's length, positive
+                                   ///< inside
+    double extent;                 ///< the largest of the triangle's size and the coordinates
   };
-  /// A half-edge to walk over, and where its ends are.
+  /// A half-edge to cross, with its projected ends.
   struct Crossing {
     Halfedge halfedge;
     Seen from;
@@ -63,13 +65,13 @@ class OverlayWalk {
   glm::dvec3 origin_{0.0};
   std::array<glm::dvec3, 3> axes_{};
   std::array<Projected, 3> corners_{};  ///< of the triangle
-  std::array<glm::dvec3, 3> sides_{};   ///< what `inside` is: x times, y times, and what is added
+  std::array<glm::dvec3, 3> sides_{};   ///< coefficients of `inside`: x, y and the constant
   double size_ = 0.0;
-  // The face located, from one of its half-edges on.
+  // The located face, as one of its half-edges.
   Halfedge start_;
   std::array<Projected, 3> start_corners_{};
   std::vector<Crossing> stack_;
-  // A small hash table of the faces visited; entries of former walks have other numbers.
+  // A small hash table of the visited faces. Entries of earlier walks have other walk numbers.
   static constexpr std::size_t kSlots = 2048;
   static constexpr std::uint32_t kMostFaces = 768;
   struct Slot {

@@ -6,7 +6,7 @@
 namespace mesher::detail {
 namespace {
 
-/// A number and what rounding took from it: their sum is exact.
+/// A rounded number and its rounding error: the sum is exact.
 struct Pair {
   double high;
   double low;
@@ -23,7 +23,7 @@ Pair exact_difference(double a, double b) {
   return exact_sum(a, -b);
 }
 
-/// The upper and the lower half of the bits.
+/// Returns the upper and the lower half of the bits.
 Pair halves(double a) {
   constexpr double kSplitter = 0x1p27 + 1.0;
   const double scaled = kSplitter * a;
@@ -39,7 +39,7 @@ Pair exact_product(double a, double b) {
   return {product, a_low * b_low - rest};
 }
 
-/// A sum of doubles that do not overlap, from the smallest to the largest magnitude; none is 0.
+/// A sum of nonzero doubles that do not overlap in bits, by increasing magnitude.
 template <std::size_t kMostTerms>
 class Expansion {
  public:
@@ -77,7 +77,7 @@ class Expansion {
   int sign() const { return size_ == 0 ? 0 : detail::sign(terms_[size_ - 1]); }
 
  private:
-  std::array<double, kMostTerms> terms_;  // written up to size_
+  std::array<double, kMostTerms> terms_;  // initialized up to size_
   std::size_t size_ = 0;
 };
 
@@ -85,7 +85,7 @@ Pair negative(const Pair& a) {
   return {-a.high, -a.low};
 }
 
-/// a b - c d: sixteen terms at most.
+/// Returns a b - c d: at most 16 terms.
 Expansion<16> determinant(const Pair& a, const Pair& b, const Pair& c, const Pair& d) {
   Expansion<16> result;
   result.add_product(a, b);
@@ -111,7 +111,7 @@ int exact_orientation(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3
   const auto u = difference(b);
   const auto v = difference(c);
   const auto w = difference(d);
-  // Three products of sixteen terms and two, each of which adds two terms.
+  // Three products of 16 terms by 2, each of which adds two terms.
   Expansion<192> sum;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;

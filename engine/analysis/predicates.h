@@ -9,13 +9,12 @@ namespace mesher {
 /// Exact signs of determinants of points (J. Shewchuk, "Adaptive precision floating-point
 /// arithmetic and fast robust geometric predicates", 1997).
 ///
-/// A determinant is computed in double first, with a bound for its error. If the bound does not
-/// decide the sign, it is computed again as an expansion: an unevaluated sum of doubles that holds
-/// every bit.
+/// A determinant is computed in double first, with an error bound. If the bound does not decide the
+/// sign, it is computed again as an expansion: an unevaluated sum of doubles that holds every bit.
 ///
-/// Pre, for all: each coordinate is the value of a finite float. Then every sign is right, over
-/// the whole range of float, subnormal numbers included: all terms are multiples of 2^-447 and
-/// below 2^392 in magnitude, so that nothing overflows and no rounding error underflows in double.
+/// Pre, for all: each coordinate is the value of a finite float. Then every sign is right, over the
+/// whole range of float, subnormal numbers included: all terms are multiples of 2^-447 and below
+/// 2^392 in magnitude, so that nothing overflows and no rounding error underflows in double.
 
 namespace detail {
 
@@ -31,7 +30,8 @@ inline int sign(double value) {
 
 }  // namespace detail
 
-/// 1 if `a`, `b`, `c` turn counter-clockwise, -1 if clockwise, 0 if they are collinear. O(1).
+/// Returns 1 if `a`, `b`, `c` turn counter-clockwise, -1 if clockwise, 0 if they are collinear.
+/// O(1).
 inline int orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   constexpr double kBound = (3.0 + 16.0 * detail::kHalfUlp) * detail::kHalfUlp;
   const double left = (a.x - c.x) * (b.y - c.y);
@@ -41,8 +41,8 @@ inline int orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec
   return detail::exact_orientation(a, b, c);
 }
 
-/// 1 if `d` is on the side of the plane from which `a`, `b`, `c` appear counter-clockwise, -1 if it
-/// is on the other side, 0 if the four are coplanar. O(1).
+/// Returns 1 if `d` is on the side of the plane from which `a`, `b`, `c` appear counter-clockwise,
+/// -1 if it is on the other side, 0 if the four are coplanar. O(1).
 inline int orientation(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                        const glm::dvec3& d) {
   constexpr double kBound = (7.0 + 56.0 * detail::kHalfUlp) * detail::kHalfUlp;

@@ -28,7 +28,7 @@ Box join(const Box& a, const Box& b) {
 }
 
 bool do_overlap(const Box& a, const Box& b) {
-  // One value instead of six branches that nobody can predict.
+  // Combines the six comparisons without branches, which would be unpredictable.
   return (static_cast<unsigned>(a.min.x <= b.max.x) & static_cast<unsigned>(b.min.x <= a.max.x) &
           static_cast<unsigned>(a.min.y <= b.max.y) & static_cast<unsigned>(b.min.y <= a.max.y) &
           static_cast<unsigned>(a.min.z <= b.max.z) & static_cast<unsigned>(b.min.z <= a.max.z)) !=
@@ -42,8 +42,8 @@ std::uint32_t spread(std::uint32_t x) {
   return (x | x << 2U) & 0x09249249U;
 }
 
-/// Faces that have area along a Morton curve, and above them a binary tree of boxes in which
-/// neighbors on the curve are siblings.
+/// The faces with area, sorted along a Morton curve, and a binary tree of boxes over them.
+/// Neighbors on the curve are siblings.
 class SortedFaces {
  public:
   explicit SortedFaces(const Mesh& mesh) {
@@ -59,7 +59,8 @@ class SortedFaces {
 
   std::size_t leaf_count() const { return levels_.empty() ? 0 : levels_.front().size(); }
 
-  /// Calls `visit(face, face)` for each intersecting pair of which the earlier face is in the leaf.
+  /// Calls `visit(face, face)` for each intersecting pair whose earlier face on the curve is in the
+  /// leaf.
   template <class Visit>
   void visit_pairs(std::size_t leaf, const Visit& visit) const {
     struct Node {
@@ -152,10 +153,9 @@ class SortedFaces {
 
   static constexpr std::uint64_t kLeftOut = ~std::uint64_t{0};
 
-  Array<std::uint64_t> order_;      ///< place on the curve in the upper half, face in the lower
-  Array<Corners> corners_;          ///< in that order
-  Array<Box> boxes_;                ///< in that order
-                                    //          ///< in that order
+  Array<std::uint64_t> order_;      ///< Morton code in the upper half, face in the lower
+  Array<Corners> corners_;          ///< in the order of order_
+  Array<Box> boxes_;                ///< in the order of order_
   std::vector<Array<Box>> levels_;  ///< from leaves to the root
 };
 

@@ -13,17 +13,17 @@ namespace mesher {
 using FacePair = std::array<Face, 2>;
 
 /// Returns the number of pairs of faces that meet in more than the corners and sides that they
-/// share (`do_intersect` in triangle_pair.h says what counts). Exact.
+/// share (`do_intersect` in triangle_pair.h defines this). Exact.
 ///
-/// Faces without area are left out: they are segments, and each of their points is on a side of a
-/// neighbor unless that has no area either. Where that side pierces another face, the neighbor
-/// counts.
+/// Faces without area are skipped. They are segments, and each of their points is on a side of a
+/// neighbor, unless the neighbor has no area either. If that side pierces another face, the
+/// neighbor counts.
 ///
-/// O(F log F) expected for meshes whose faces are near few others, O(F^2) at worst; parallel. Needs
-/// 100 bytes per face. Pre: positions are finite. Throws Cancelled.
+/// O(F log F) expected for meshes whose faces are near few others, O(F^2) in the worst case;
+/// parallel. Needs 100 bytes per face. Throws Cancelled. Pre: positions are finite.
 std::uint64_t count_self_intersections(const Mesh& mesh, Progress* progress = nullptr);
 
-/// Returns those pairs, sorted.
+/// Returns the pairs that count_self_intersections counts, sorted.
 std::vector<FacePair> self_intersections(const Mesh& mesh, Progress* progress = nullptr);
 
 }  // namespace mesher

@@ -23,7 +23,7 @@ Triangle triangle(const Mesh& mesh, Face f) {
           mesh.position(mesh.origin(Mesh::halfedge(f, 2)))};
 }
 
-/// The middle of a triangle, and how far from it its points are at most.
+/// The bounding ball of a triangle about its middle.
 struct Ball {
   explicit Ball(const Triangle& t) : middle((t[0] + t[1] + t[2]) / 3.0) {
     double squared = 0.0;
@@ -36,10 +36,10 @@ struct Ball {
   double radius = 0.0;
 };
 
-/// A bound for one face.
+/// Returns an upper bound for one face.
 double bound(const Triangle& t, const Mesh& to, Face hint, double allowed, OverlayWalk& walk) {
-  // What a face only touches need not be walked over: it is cut off, and its width counts. The
-  // narrower, the more is left for the rest.
+  // Shrinking the triangle avoids the faces that it only touches. The border that is cut off adds
+  // its width to the bound, so a narrower border leaves more for the rest.
   constexpr std::array<double, 2> kPartForShrinking{0.2, 0.04};
   constexpr double kMostShrink = 0.1;
   const Triangle near = triangle(to, hint);
@@ -62,8 +62,8 @@ double bound(const Triangle& t, const Mesh& to, Face hint, double allowed, Overl
   return least;
 }
 
-/// The same, in parts where that is not enough: where the surface is folded or turns over, most of
-/// the parts are beside that place, and the others are small.
+/// The same, but splits the face if the bound is too large. If the surface is folded or flipped
+/// somewhere, most parts avoid that spot, and the others are small.
 double bound_by_parts(const Triangle& t, const Mesh& to, Face hint, double allowed,
                       OverlayWalk& walk, int depth) {
   const double whole = bound(t, to, hint, allowed, walk);

@@ -10,32 +10,32 @@
 
 namespace mesher {
 
-/// What a first, cheap look at the faces of a surface has found out.
+/// The result of a first, cheap pass over the faces of a surface.
 struct Skimmed {
-  /// A face that may be farther than allowed.
+  /// A face that may be farther away than allowed.
   struct Unclear {
     Face face;
-    double upper = std::numeric_limits<double>::infinity();  ///< bound; infinite: none is known
+    double upper = std::numeric_limits<double>::infinity();  ///< upper bound; infinite: unknown
   };
 
-  double upper = 0.0;            ///< bound for all faces but the unclear ones
+  double upper = 0.0;            ///< upper bound for all other faces
   std::vector<Unclear> unclear;  ///< ascending
 };
 
-/// What is known of the surfaces.
+/// The surfaces and what is known of their distance.
 struct SkimInput {
   const Mesh& from;
   const Mesh& to;
-  std::span<const Face> hints;            ///< for each face one of `to` that is likely to be near
-  std::span<const std::uint8_t> is_near;  ///< for each vertex: not farther than `near`; or 0
+  std::span<const Face> hints;            ///< per face, a face of `to` that is probably near
+  std::span<const std::uint8_t> is_near;  ///< per vertex: 1 if within `near`, 0 if unknown
   double near = 0.0;
-  double rounding = 0.0;  ///< is added to computed distances other than 0 of the same faces
+  double rounding = 0.0;  ///< added to computed distances; not to 0, which means equal faces
 };
 
-/// Bounds the distance of each face of a surface from another one, without a search tree: by the
-/// distances of its corners, where they are known, by that of its middle from a face that is likely
-/// to be near, else by OverlayWalk. The nearer the hints, the fewer faces remain unclear. O(F)
-/// where the surfaces are near each other; parallel, the same for any number of threads. Throws
+/// Returns bounds for the distance of each face of a surface from another surface, without a search
+/// tree. It uses the distances of the corners if they are known, then the distance of the face's
+/// middle from its hint, then OverlayWalk. The nearer the hints, the fewer faces remain unclear.
+/// O(F) if the surfaces are near each other; parallel, the same for any number of threads. Throws
 /// Cancelled.
 Skimmed skim(const SkimInput& input, double allowed, Progress* progress);
 

@@ -12,7 +12,7 @@ namespace mesher {
 namespace {
 
 constexpr std::size_t kChunk = 1U << 13U;
-constexpr std::uint32_t kBits = 10;  // an axis
+constexpr std::uint32_t kBits = 10;  // per axis
 constexpr std::uint32_t kDigitBits = 10;
 constexpr std::uint32_t kDigits = 1U << kDigitBits;
 
@@ -21,7 +21,7 @@ struct Item {
   std::uint32_t face;
 };
 
-/// Where each octant lies along the curve, and how the curve runs inside it: as a row of `kStates`.
+/// The position of an octant on the curve, and the state of the curve inside it: a row of `kSteps`.
 struct Step {
   std::uint8_t digit;
   std::uint8_t state;
@@ -29,8 +29,8 @@ struct Step {
 constexpr std::size_t kMostStates = 24;
 using Steps = std::array<std::array<Step, 8>, kMostStates>;
 
-/// How a copy of the curve is turned: bit i of the place in the copy is bit `axis[i]` of the
-/// octant, flipped where `flip` says so.
+/// The rotation of a copy of the curve: bit i of the octant in the copy is bit `axis[i]` of the
+/// given octant, inverted if that bit is set in `flip`.
 struct Turn {
   std::array<std::uint8_t, 3> axis{0, 1, 2};
   std::uint8_t flip = 0;
@@ -44,19 +44,19 @@ struct Turn {
   }
 };
 
-/// The place along a Gray code of three bits.
-constexpr std::uint32_t gray_place(std::uint32_t code) {
-  std::uint32_t place = code;
-  place ^= place >> 1U;
-  place ^= place >> 2U;
-  return place & 7U;
+/// Returns the index of a three-bit Gray code.
+constexpr std::uint32_t gray_index(std::uint32_t code) {
+  std::uint32_t index = code;
+  index ^= index >> 1U;
+  index ^= index >> 2U;
+  return index & 7U;
 }
-constexpr std::uint32_t gray(std::uint32_t place) {
-  return place ^ place >> 1U;
+constexpr std::uint32_t gray(std::uint32_t index) {
+  return index ^ index >> 1U;
 }
 
-/// The turn of the curve within the octant that is visited as number `digit` (C. Hamilton, "Compact
-/// Hilbert indices", 2006): from its entry `e` towards direction `d`.
+/// Returns the rotation of the curve within the octant visited as number `digit`, from its entry
+/// `e` toward direction `d` (C. Hamilton, "Compact Hilbert indices", 2006).
 constexpr Turn inner_turn(std::uint32_t digit) {
   const std::uint32_t even = digit == 0 ? 0 : (digit - 1) / 2 * 2;
   const std::uint32_t entry = digit == 0 ? 0 : gray(even);
@@ -76,7 +76,7 @@ constexpr Turn inner_turn(std::uint32_t digit) {
   return turn;
 }
 
-/// First `outer`, then `inner` of what that gives.
+/// Returns the rotation that applies `outer` first, then `inner`.
 constexpr Turn combined(const Turn& outer, const Turn& inner) {
   Turn turn;
   for (std::uint32_t i = 0; i < 3; ++i) {
@@ -88,14 +88,14 @@ constexpr Turn combined(const Turn& outer, const Turn& inner) {
   return turn;
 }
 
-/// The curve as a machine: one look-up a level instead of turning coordinates.
+/// Returns the curve as a state machine: one lookup per level instead of rotating coordinates.
 constexpr Steps make_steps() {
   Steps steps{};
   std::array<Turn, kMostStates> turns{};
   std::size_t count = 1;
   for (std::size_t state = 0; state < count; ++state) {
     for (std::uint32_t octant = 0; octant < 8; ++octant) {
-      const std::uint32_t digit = gray_place(turns[state].apply(octant));
+      const std::uint32_t digit = gray_index(turns[state].apply(octant));
       const Turn inside = combined(turns[state], inner_turn(digit));
       std::size_t next = 0;
       while (next < count && !(turns[next] == inside))
@@ -126,7 +126,7 @@ struct Extent {
   glm::vec3 max;
 };
 
-/// Of the corners that faces have: an isolated vertex may be anywhere.
+/// Returns the extent of the vertices that faces use: an isolated vertex may be anywhere.
 Extent extent(const Mesh& mesh) {
   const auto origins = mesh.origins();
   std::vector<Extent> parts(chunk_count(origins.size(), 4 * kChunk));
@@ -145,7 +145,7 @@ Extent extent(const Mesh& mesh) {
   return all;
 }
 
-/// One pass of a counting sort.
+/// Runs one pass of a radix sort.
 void sort_by_digit(const Array<Item>& from, Array<Item>& to, std::uint32_t shift) {
   std::array<std::uint32_t, kDigits> start{};
   const auto digit = [&](const Item& item) { return item.key >> shift & (kDigits - 1); };
@@ -164,7 +164,7 @@ Array<std::uint32_t> faces_along_curve(const Mesh& mesh) {
   const std::size_t faces = mesh.face_count();
   if (faces == 0) return {};
   const Extent box = extent(mesh);
-  // Halves, since the sum of three coordinates or the difference of two may overflow.
+  // Halved, because the sum of three coordinates or the difference of two may overflow.
   const glm::vec3 size = 0.5F * box.max - 0.5F * box.min;
   const float longest = std::max({size.x, size.y, size.z});
   const float scale = longest > 0.0F ? static_cast<float>((1U << kBits) - 1U) / longest : 0.0F;

@@ -7,8 +7,8 @@
 
 namespace mesher {
 
-/// The faces sorted by where their centers lie along a Hilbert curve through the mesh's box: faces
-/// that follow one another are near each other. Stable. O(F), the keys in parallel.
+/// Returns the faces sorted by the position of their centers on a Hilbert curve through the mesh's
+/// box: consecutive faces are near each other. Stable. O(F), with the keys computed in parallel.
 Array<std::uint32_t> faces_along_curve(const Mesh& mesh);
 
 }  // namespace mesher

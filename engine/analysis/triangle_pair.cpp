@@ -33,7 +33,7 @@ int orientation_without(const ExactTriangle& t, int axis) {
   return orientation(without(t[0], axis), without(t[1], axis), without(t[2], axis));
 }
 
-/// The projection of points of the plane of `t` onto a coordinate plane on which `t` has area.
+/// Projects the plane of `t` onto a coordinate plane in which `t` has area.
 class Projection {
  public:
   /// Pre: `t` is not degenerate.
@@ -44,7 +44,7 @@ class Projection {
 
   glm::dvec2 operator()(const glm::dvec3& p) const { return without(p, axis_); }
 
-  /// Whether a side of the triangle has all of `points` strictly beyond it.
+  /// Returns whether all of `points` are strictly beyond one side of the triangle.
   template <std::size_t kPoints>
   bool is_beyond_side(const ExactTriangle& t, const std::array<glm::dvec3, kPoints>& points) const {
     const int inside = orientation_without(t, axis_);
@@ -63,7 +63,7 @@ class Projection {
   int axis_ = 0;
 };
 
-/// Convex polygons are disjoint exactly if a side of one of them separates them strictly.
+/// Convex polygons are disjoint exactly if a side of one of them strictly separates them.
 bool do_coplanar_intersect(const ExactTriangle& a, const ExactTriangle& b) {
   const Projection project(a);
   return !project.is_beyond_side(a, b) && !project.is_beyond_side(b, a);
@@ -78,12 +78,13 @@ bool do_coplanar_intersect(const std::array<glm::dvec3, 2>& segment, const Exact
   return !is_one_sided({side(t[0]), side(t[1]), side(t[2])});
 }
 
-/// `from`, `to`: on which sides of the triangle's plane the ends are.
+/// `from`, `to`: the sides of the triangle's plane on which the ends are.
 bool do_intersect(const std::array<glm::dvec3, 2>& segment, int from, int to,
                   const ExactTriangle& t) {
   if (from * to > 0) return false;
   if (from == 0 && to == 0) return do_coplanar_intersect(segment, t);
-  // The segment reaches the plane, so only its line matters: it passes all sides on the same side.
+  // The segment reaches the plane, so only its line matters: it meets the triangle exactly if it
+  // passes all three sides on the same side.
   const auto& [p, q] = segment;
   const int first = orientation(p, q, t[0], t[1]);
   const int second = orientation(p, q, t[1], t[2]);
@@ -92,8 +93,8 @@ bool do_intersect(const std::array<glm::dvec3, 2>& segment, int from, int to,
   return first * third >= 0 && second * third >= 0;
 }
 
-/// Turns the triangle until its first corner has one side of the plane to itself: the other two are
-/// on the other side or in the plane. Returns the sign of the first corner's side.
+/// Rotates the corners until the first is alone on its side of the plane: the other two are on the
+/// other side or in the plane. Returns the sign of the first corner's side.
 int turn_single_corner_first(ExactTriangle& t, const Signs& s) {
   for (const int side : {1, -1}) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -109,9 +110,9 @@ int turn_single_corner_first(ExactTriangle& t, const Signs& s) {
   return 0;
 }
 
-/// Each triangle cuts the line in which the planes meet along a segment. Whether the segments
-/// overlap follows from two orientations of sides, once both triangles are turned so that their
-/// first corners are alone and on the positive side of the other's plane.
+/// Each triangle intersects the common line of both planes in a segment. Once both triangles are
+/// rotated so that their first corners are alone and on the positive side of the other's plane, two
+/// orientations of sides tell whether the segments overlap.
 bool do_planes_segments_overlap(ExactTriangle a, const Signs& a_sides, ExactTriangle b,
                                 const Signs& b_sides) {
   const int a_side = turn_single_corner_first(a, a_sides);
@@ -130,8 +131,8 @@ bool do_separate_intersect(const ExactTriangle& a, const ExactTriangle& b) {
   return do_planes_segments_overlap(a, a_sides, b, b_sides);
 }
 
-/// Pre: the first corners are the one that is shared. Where the triangles meet elsewhere, the side
-/// across from that corner in one of them meets the other.
+/// If the triangles meet outside the shared corner, the side opposite that corner in one of them
+/// meets the other. Pre: the first corners are the shared one.
 bool do_intersect_beyond_corner(const ExactTriangle& a, const ExactTriangle& b) {
   const int a1 = orientation(b[0], b[1], b[2], a[1]);
   const int a2 = orientation(b[0], b[1], b[2], a[2]);
@@ -142,7 +143,7 @@ bool do_intersect_beyond_corner(const ExactTriangle& a, const ExactTriangle& b) 
   return do_intersect(std::array{b[1], b[2]}, b1, b2, a);
 }
 
-/// Pre: the first two corners of each are those that are shared, in either order.
+/// Pre: the first two corners of each are the shared ones, in either order.
 bool is_folded(const ExactTriangle& a, const ExactTriangle& b) {
   if (orientation(a[0], a[1], a[2], b[2]) != 0) return false;
   const Projection project(a);

@@ -5,18 +5,19 @@
 
 namespace mesher {
 
-/// Three corners. Each coordinate is the value of a finite float, kept in double because that is
-/// what the predicates compute in.
+/// A triangle. Each coordinate is the value of a finite float, stored as a double because the
+/// predicates compute in double.
 using ExactTriangle = std::array<glm::dvec3, 3>;
 
-/// Whether the corners are collinear (or fewer than three points). Exact. O(1).
+/// Returns whether the corners are collinear (or fewer than three points). Exact. O(1).
 bool is_degenerate(const ExactTriangle& t);
 
-/// Whether two triangles, sides and inside included, meet in more than the corners and sides that
-/// they share. Corners are shared if their positions are equal, so that vertices that were cut
-/// apart at the same position count as one. Exact. O(1). Pre: neither is degenerate.
+/// Returns whether two triangles, including their sides and interiors, meet in more than the
+/// corners and sides that they share. Corners are shared if their positions are equal, so that
+/// vertices that were cut apart at the same position count as one. Exact. O(1). Pre: neither is
+/// degenerate.
 ///
-/// - No shared corner: whether they have a point in common, a touch included (P. Guigue,
+/// - No shared corner: whether they have a point in common, including a touch (P. Guigue,
 ///   O. Devillers, "Fast and robust triangle-triangle overlap test using orientation predicates",
 ///   2003).
 /// - One: whether they meet in more than that corner.

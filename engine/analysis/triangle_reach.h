@@ -10,7 +10,7 @@
 namespace mesher {
 
 using Triangle = std::array<glm::dvec3, 3>;
-/// Squared lengths, each from the corner of the same number.
+/// The squared lengths of the sides; side i starts at corner i.
 using Sides = std::array<double, 3>;
 
 inline Sides squared_sides(const Triangle& t) {
@@ -22,9 +22,9 @@ inline Sides squared_sides(const Triangle& t) {
   return sides;
 }
 
-/// How far a point of a triangle may be from the nearest corner. With an obtuse or right angle the
-/// longest side's ends reach half of it each way; otherwise it is the circumradius, whose largest
-/// angle has a sine of at least that of 60 degrees.
+/// Returns an upper bound for the distance from a point of a triangle to the nearest corner. With
+/// an obtuse or right angle, it is half the longest side. Otherwise the circumradius bounds it: the
+/// longest side over twice the sine of its opposite angle, which is at least 60 degrees.
 inline double reach(const Sides& sides) {
   const double longest = std::max({sides[0], sides[1], sides[2]});
   const bool is_obtuse = 2.0 * longest >= sides[0] + sides[1] + sides[2];

@@ -45,7 +45,7 @@ double squared_distance_to_sides(const glm::dvec3& p, const std::array<glm::dvec
 }  // namespace
 
 double squared_distance(const glm::dvec3& p, const std::array<glm::dvec3, 3>& t) {
-  // Of a triangle thinner than that the plane is not known well enough.
+  // The plane of a triangle thinner than this is too inaccurate.
   constexpr double kThin = 1e-12;
   const glm::dvec3 ab = t[1] - t[0];
   const glm::dvec3 ac = t[2] - t[0];
@@ -61,7 +61,7 @@ double squared_distance(const glm::dvec3& p, const std::array<glm::dvec3, 3>& t)
   const double d5 = glm::dot(ab, cp);
   const double d6 = glm::dot(ac, cp);
   if (d6 >= 0.0 && d5 <= d6) return squared_length(cp);
-  // Areas of the triangles that the point makes with the sides, times that of the whole.
+  // The areas of the triangles that the point forms with the sides, times the area of the whole.
   const double vc = d1 * d4 - d3 * d2;
   const double vb = d5 * d2 - d1 * d6;
   const double va = d3 * d6 - d5 * d4;
@@ -103,11 +103,11 @@ TriangleTree::TriangleTree(const Mesh& mesh, TriangleOrder order) {
 
 void TriangleTree::copy_corners(const Mesh& mesh) {
   corners_.resize(order_.size());
-  place_.resize(order_.size());
+  index_in_order_.resize(order_.size());
   parallel_for_each(order_.size(), kGrain, [&](std::uint32_t i) {
     for (std::uint32_t c = 0; c < 3; ++c)
       corners_[i][c] = mesh.position(mesh.origin(Mesh::halfedge(Face(order_[i]), c)));
-    place_[order_[i]] = i;
+    index_in_order_[order_[i]] = i;
   });
 }
 
@@ -115,9 +115,9 @@ void TriangleTree::build_leaves() {
   parallel_for_each(leaves_, kGrain / kWidth, [&](std::uint32_t leaf) {
     Node& node = nodes_[leaf];
     for (std::uint32_t i = 0; i < kWidth; ++i) {
-      // Lanes past the last triangle repeat it; nobody goes there.
-      const auto place = std::min<std::size_t>(leaf * kWidth + i, corners_.size() - 1);
-      const auto& [a, b, c] = corners_[place];
+      // Lanes past the last triangle repeat it and are never visited.
+      const auto index = std::min<std::size_t>(leaf * kWidth + i, corners_.size() - 1);
+      const auto& [a, b, c] = corners_[index];
       const glm::vec3 min = glm::min(glm::min(a, b), c);
       const glm::vec3 max = glm::max(glm::max(a, b), c);
       for (int axis = 0; axis < 3; ++axis) {
@@ -128,7 +128,7 @@ void TriangleTree::build_leaves() {
   });
 }
 
-/// Makes the level above nodes `begin` to `end`, from node `to` on.
+/// Builds the level above nodes `begin` to `end`, starting at node `to`.
 void TriangleTree::build_level(std::uint32_t begin, std::uint32_t end, std::uint32_t to) {
   const std::uint32_t count = (end - begin + kWidth - 1) / kWidth;
   parallel_for_each(count, kGrain / kWidth, [&](std::uint32_t n) {
@@ -145,7 +145,7 @@ void TriangleTree::build_level(std::uint32_t begin, std::uint32_t end, std::uint
   });
 }
 
-/// A query under way. Boxes are tested in float, four at once, in a way that never rounds up: a
+/// The state of one query. Boxes are tested in float, four at once, without ever rounding up: the
 /// point's coordinates are rounded away from the box.
 class TriangleTree::Query {
  public:
@@ -164,10 +164,10 @@ class TriangleTree::Query {
   static double bound_of(std::uint64_t entry) {
     return bounded(std::bit_cast<float>(static_cast<std::uint32_t>(entry >> 32U)));
   }
-  /// To the box of child `i` of the node that was measured last.
+  /// Returns the bound for the box of child `i` of the node measured last.
   double bound(std::size_t i) const { return bounded(squared_[i]); }
 
-  /// Squared distances to the boxes of a node's children, if anything a little too small.
+  /// Computes the squared distances to the boxes of a node's children, at most slightly too small.
   void measure(const Node& node) {
     constexpr float kRoundingOfSum = 1.0F - 0x1p-20F;
     for (std::size_t half = 0; half < kWidth; half += 4) {
@@ -187,7 +187,7 @@ class TriangleTree::Query {
   void push(std::uint32_t node, float squared = 0.0F) {
     stack_[size_++] = std::uint64_t{std::bit_cast<std::uint32_t>(squared)} << 32U | node;
   }
-  /// Those of the children measured that are nearer than `least`, the nearest on top.
+  /// Pushes the measured children nearer than `least`, the nearest on top.
   void push(const Children& children, double least) {
     const std::size_t begin = size_;
     for (std::uint32_t i = 0; i < children.count; ++i) {
@@ -199,22 +199,23 @@ class TriangleTree::Query {
   }
 
  private:
-  // A tree of 2^32 triangles has 11 levels, of which each leaves seven nodes waiting.
+  // A tree of 2^32 triangles has 11 levels, each with at most seven nodes left on the stack.
   static constexpr std::size_t kStack = 96;
 
-  // A square that overflows says no more than that it is large.
+  // A square that overflows only means that the distance is large.
   static double bounded(float squared) { return double{std::min(squared, kMost)}; }
 
   std::array<float, 3> above_;
   std::array<float, 3> below_;
   alignas(16) std::array<float, kWidth> squared_;
-  std::array<std::uint64_t, kStack> stack_;  ///< the bits of the bound, which is not negative; node
+  std::array<std::uint64_t, kStack> stack_;  ///< the bits of the bound, which is not negative, then
+                                             ///< the node
   std::size_t size_ = 0;
 };
 
 TriangleTree::Nearest TriangleTree::nearest_beyond(const glm::dvec3& p, Face hint,
                                                    double enough) const {
-  std::uint32_t best = place_[hint.index()];
+  std::uint32_t best = index_in_order_[hint.index()];
   double least = squared_distance(p, corners(best));
   if (least <= enough) return {hint, least};
   Query query(p);

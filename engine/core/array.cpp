@@ -10,7 +10,7 @@
 
 #include "engine/core/memory.h"
 
-// g++ defines a macro, clang++ answers a question.
+// g++ defines a macro; clang++ has a feature test.
 #if defined(__SANITIZE_ADDRESS__)
 #define MESHER_ADDRESS_SANITIZER
 #elif defined(__has_feature)
@@ -24,32 +24,32 @@ namespace {
 
 constexpr std::size_t kCacheLine = 64;
 constexpr std::size_t kHugePage = std::size_t{2} << 20U;
-// Smaller arrays come from malloc's heap, which has its memory at hand; under AddressSanitizer all
-// do, so that it sees what is done to them.
+// Smaller arrays come from malloc, whose heap is already mapped. Under AddressSanitizer all arrays
+// do, so that it sees accesses to them.
 #if defined(MESHER_ADDRESS_SANITIZER)
 constexpr std::size_t kSmall = static_cast<std::size_t>(-1);
 #else
 constexpr std::size_t kSmall = std::size_t{128} << 10U;
 #endif
-// What a last, broken huge page must hold to be made a whole one: filling 512 kB in small pages
-// costs twice as much as clearing 2 MB at once.
-constexpr std::size_t kWorthAHugePage = std::size_t{512} << 10U;
+// The least part of a last huge page that an array must fill to get the whole page. Filling 512 kB
+// in small pages costs twice as much as clearing 2 MB at once.
+constexpr std::size_t kMinHugePageTail = std::size_t{512} << 10U;
 
-/// Arrays begin on cache lines, and no two share one.
+/// Rounds up to cache lines. Arrays begin on cache lines, and no two share one.
 constexpr std::size_t padded(std::size_t bytes) {
   return (bytes + kCacheLine - 1) / kCacheLine * kCacheLine;
 }
 
-/// Whole small pages, or whole huge ones where not much is lost.
+/// Rounds up to small pages, or to huge pages if that wastes little.
 std::size_t rounded(std::size_t bytes) {
   constexpr std::size_t kPage = 4096;
   const std::size_t tail = bytes % kHugePage;
-  if (tail >= kWorthAHugePage) return bytes - tail + kHugePage;
+  if (tail >= kMinHugePageTail) return bytes - tail + kHugePage;
   return (bytes + kPage - 1) / kPage * kPage;
 }
 
-/// Pages of their own, from the start of a huge page on; what lies before and after goes back at
-/// once. Null where there are none. Pre: `bytes` is rounded.
+/// Maps pages that begin at a huge-page boundary and unmaps the excess on both sides. Returns null
+/// if the system has none. Pre: `bytes` is rounded.
 void* map_pages(std::size_t bytes) {
   void* memory =
       mmap(nullptr, bytes + kHugePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -59,17 +59,18 @@ void* map_pages(std::size_t bytes) {
   const std::size_t before = (kHugePage - address % kHugePage) % kHugePage;
   if (before > 0) munmap(begin, before);
   munmap(begin + before + bytes, kHugePage - before);
-  // Advice only: where it is not taken, memory comes in small pages.
+  // Only a hint: if the kernel ignores it, the memory comes in small pages.
   madvise(begin + before, bytes, MADV_HUGEPAGE);
   return begin + before;
 }
 
-/// Huge pages that arrays of less than one share, one after the other. A page is free when the last
-/// array in it is, and the place of the array that was put last is used again at once. A few free
-/// pages are kept: clearing them costs as much as filling them.
+/// Allocates arrays smaller than a huge page one after the other on shared huge pages. A page is
+/// free when its last array is freed. Freeing the most recent array of a page makes its bytes
+/// available at once. A few free pages are kept, because clearing a page costs as much as filling
+/// it.
 class SharedPages {
  public:
-  /// Null where there is no memory.
+  /// Returns null if the system has no memory.
   void* allocate(std::size_t bytes) {
     const std::size_t size = padded(bytes);
     const std::lock_guard lock(mutex_);
@@ -97,7 +98,7 @@ class SharedPages {
 
  private:
   static constexpr std::size_t kHeader = kCacheLine;
-  static constexpr std::size_t kMostKept = 16;  // 32 MB: up to so much malloc keeps, too
+  static constexpr std::size_t kMostKept = 16;  // 32 MB, as much as malloc keeps
   struct Page {
     std::size_t used = kHeader;
     std::size_t arrays = 0;
@@ -123,12 +124,12 @@ class SharedPages {
   }
 
   std::mutex mutex_;
-  Page* page_ = nullptr;  ///< that is being filled
+  Page* page_ = nullptr;  ///< being filled
   Page* kept_ = nullptr;  ///< free
   std::size_t kept_count_ = 0;
 };
 
-/// Never destroyed: arrays of static objects may outlive everything else.
+/// Never destroyed: arrays of static objects may outlive any other static object.
 SharedPages& shared_pages() {
   static auto* const kPages = new SharedPages;
   return *kPages;
@@ -139,7 +140,7 @@ constexpr std::size_t kShared = kHugePage - kCacheLine;
 }  // namespace
 
 void* allocate_array(std::size_t bytes) {
-  // No object is larger, so that rounding up cannot overflow.
+  // No object may be larger than that, so rounding up cannot overflow.
   if (bytes > PTRDIFF_MAX || !MemoryLimit::take(bytes)) throw std::bad_alloc();
   void* memory = nullptr;
   if (bytes < kSmall) {

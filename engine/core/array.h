@@ -9,22 +9,22 @@
 
 namespace mesher {
 
-/// Memory for large arrays, on huge pages where the system grants them: touching fresh memory in
-/// pages of 4 kB costs about as much as the work that is done on it (building a mesh of 2 million
-/// triangles: a third of the time). Begins on a cache line (64 bytes). Throws std::bad_alloc.
+/// Returns memory for a large array, on huge pages where the system grants them. It begins on a
+/// cache line (64 bytes). Touching fresh memory in pages of 4 kB costs about as much as the work
+/// done on it (a third of the time to build a mesh of 2 million triangles). Throws std::bad_alloc.
 void* allocate_array(std::size_t bytes);
-/// `bytes`: what it was allocated with.
+/// Frees memory from `allocate_array`. Pre: `bytes` is the size passed there.
 void free_array(void* memory, std::size_t bytes) noexcept;
 
-/// Whether `resize(n)` leaves elements of the type as the memory was. A type that has a constructor
-/// may be declared such where its arrays are written whole before they are read (it must be
-/// trivially copyable, so that it needs no constructor to begin its life).
+/// Whether `resize(n)` leaves new elements of type T uninitialized. Specialize it as true for a
+/// type with a constructor if its arrays are always written completely before they are read. The
+/// type must be trivially copyable, so that its lifetime begins without a constructor call.
 template <class T>
-inline constexpr bool kLeftAsItWas = std::is_trivially_default_constructible_v<T>;
+inline constexpr bool kLeftUninitialized = std::is_trivially_default_constructible_v<T>;
 
-/// Allocator that leaves trivially constructible elements (and those of kLeftAsItWas) uninitialised
-/// on `resize(n)`: filling fresh pages with what is overwritten at once costs as much as the work
-/// itself.
+/// An allocator whose `resize(n)` leaves trivially constructible elements, and those of types
+/// marked kLeftUninitialized, uninitialized. Filling fresh pages with values that are overwritten
+/// at once costs as much as the work itself.
 template <class T>
 class DefaultInitAllocator : public std::allocator<T> {
  public:
@@ -40,7 +40,7 @@ class DefaultInitAllocator : public std::allocator<T> {
   void deallocate(T* p, std::size_t n) noexcept { free_array(p, n * sizeof(T)); }
   template <class U>
   void construct(U* p) noexcept(std::is_nothrow_default_constructible_v<U>) {
-    if constexpr (kLeftAsItWas<U>) {
+    if constexpr (kLeftUninitialized<U>) {
       static_assert(std::is_trivially_copyable_v<U>);
     } else {
       ::new (static_cast<void*>(p)) U;

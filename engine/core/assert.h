@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-/// A caller's bug. Checked in Debug builds only; the tests run those too. Never used on data that
-/// came from a file.
+/// Aborts with a message if the condition is false, which is a bug in the caller. Checked in Debug
+/// builds only; the tests also run in Debug. Never used on data from a file.
 #ifdef NDEBUG
 #define MESHER_ASSERT(condition) static_cast<void>(sizeof(!(condition)))
 #else

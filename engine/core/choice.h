@@ -17,7 +17,7 @@ struct ChoiceText {
 };
 
 /// A row of the table that describes an enumeration. Each described enumeration has one table and a
-/// function `choices(Enum)` beside it that returns the table; command line, JSON, panels and
+/// function `choices(Enum)` beside it that returns the table. The command line, JSON, panels and
 /// documentation take their words from it.
 template <class Enum>
 struct Choice {
@@ -28,7 +28,7 @@ struct Choice {
 template <class Enum, std::size_t N>
 using Choices = std::array<Choice<Enum>, N>;
 
-/// Returns whether an enumerator has this value. The compiler spells other values as a cast.
+/// Returns whether an enumerator has this value. The compiler prints any other value as a cast.
 template <auto kValue>
 consteval bool is_enumerator() {
   constexpr std::string_view kParameter = "kValue = ";
@@ -86,7 +86,7 @@ constexpr std::string_view describe(Enum value) {
   return text_of(value).label;
 }
 
-/// Returns the value that a word of the command line names; none: no value has that key.
+/// Returns the value whose key or alias is `word`, or nothing if there is none.
 template <Described Enum>
 constexpr std::optional<Enum> parse_choice(std::string_view word) {
   for (const Choice<Enum>& choice : choices(Enum{})) {

@@ -7,18 +7,18 @@
 
 namespace mesher {
 
-/// What the program's exit code says when an error ends it.
+/// The exit code of the program when an error ends it.
 enum class ExitCode : int {
   done = 0,
-  usage = 1,          ///< the command line makes no sense
+  usage = 1,          ///< invalid command line
   bad_input = 2,      ///< an input file cannot be used
-  machine_lacks = 3,  ///< no Vulkan device, no memory
+  machine_lacks = 3,  ///< missing Vulkan device, driver, display or memory
   output_failed = 4,  ///< a result cannot be written
 };
 
-/// The world failed: a file, a driver, the caller's words. Never a caller's bug (that is
-/// MESHER_ASSERT) and never an ordinary "no" (that is a value). Caught only in `main`, at command
-/// dispatch, and where a background job ends.
+/// An error outside the program's control: a file, a driver, the command line. A bug in the caller
+/// is a MESHER_ASSERT instead, and an expected "no" is a return value. Caught only in `main`, in
+/// command dispatch, and at the end of a background job.
 class Error : public std::runtime_error {
  public:
   Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
@@ -28,21 +28,21 @@ class Error : public std::runtime_error {
   ExitCode code_;
 };
 
-/// The command line makes no sense.
+/// Thrown for an invalid command line.
 class UsageError : public Error {
  public:
   explicit UsageError(const std::string& message) : Error(ExitCode::usage, message) {}
 };
 
-/// An input cannot be used. `what()` is one line: "file:line: reason", without ":line" where the
-/// format has no lines (line 0).
+/// Thrown for an input that cannot be used. `what()` is one line, "file:line: reason", without
+/// ":line" if the format has no lines (line 0).
 class InputError : public Error {
  public:
   InputError(std::string_view file, std::uint64_t line, std::string_view reason);
   explicit InputError(std::string_view reason) : InputError("", 0, reason) {}
 
   const std::string& file() const { return file_; }
-  std::uint64_t line() const { return line_; }  ///< counted from 1; 0: no line
+  std::uint64_t line() const { return line_; }  ///< from 1; 0: none
   const std::string& reason() const { return reason_; }
 
  private:
@@ -51,19 +51,19 @@ class InputError : public Error {
   std::string reason_;
 };
 
-/// The machine lacks something: a Vulkan device, a feature, memory, a display.
+/// Thrown for a missing Vulkan device, GPU feature, display or memory.
 class DeviceError : public Error {
  public:
   explicit DeviceError(const std::string& message) : Error(ExitCode::machine_lacks, message) {}
 };
 
-/// A result cannot be written. `what()` is "file: reason".
+/// Thrown for a result that cannot be written. `what()` is "file: reason".
 class OutputError : public Error {
  public:
   OutputError(std::string_view file, std::string_view reason);
 };
 
-/// A progress token was cancelled; not a failure.
+/// Thrown when a progress token was cancelled; not a failure.
 class Cancelled : public std::runtime_error {
  public:
   Cancelled() : std::runtime_error("cancelled") {}

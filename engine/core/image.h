@@ -7,7 +7,7 @@
 
 namespace mesher {
 
-/// 8-bit RGBA picture, sRGB-encoded, top row first, rows without padding.
+/// An 8-bit RGBA image, sRGB-encoded, top row first, rows without padding.
 struct Image {
   std::uint32_t width = 0;
   std::uint32_t height = 0;

@@ -28,8 +28,7 @@ void Job::run(const std::function<void(Progress&)>& work, void (*wake)()) {
   try {
     work(progress_);
   } catch (const std::bad_alloc&) {
-    failure_ =
-        std::make_exception_ptr(Error(ExitCode::machine_lacks, title_ + ": not enough memory"));
+    failure_ = std::make_exception_ptr(Error(ExitCode::machine_lacks, title_ + ": out of memory"));
   } catch (...) {
     failure_ = std::current_exception();
   }

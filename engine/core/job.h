@@ -13,7 +13,8 @@
 
 namespace mesher {
 
-/// Work on a thread of its own, as whoever shows it sees it. Destroying it cancels and waits.
+/// Work on its own thread, as seen by the code that displays it. The destructor cancels the work
+/// and waits for the thread.
 class Job {
  public:
   virtual ~Job();
@@ -24,17 +25,17 @@ class Job {
   const Progress& progress() const { return progress_; }
   void cancel() { progress_.cancel(); }
   bool is_done() const { return is_done_.load(std::memory_order_acquire); }
-  /// Returns when it is done.
+  /// Waits until the job is done.
   void wait();
-  /// Seconds since it began.
+  /// Returns the seconds since the job began.
   double age_s() const;
 
  protected:
-  /// `wake` is called from the thread when there is a result to fetch; it must be safe there. May
-  /// be null.
+  /// Starts `work` on a new thread. The thread calls `wake` when the result is ready, so `wake`
+  /// must be thread-safe; it may be null.
   Job(std::string title, std::function<void(Progress&)> work, void (*wake)());
 
-  /// Throws what the work threw. Pre: is_done().
+  /// Throws the exception that the work threw, if any. Pre: is_done().
   void rethrow_failure() const;
 
  private:
@@ -48,7 +49,7 @@ class Job {
   std::thread thread_;
 };
 
-/// A job that makes a T.
+/// A job whose result is a T.
 template <class T>
 class JobOf : public Job {
  public:
@@ -57,14 +58,15 @@ class JobOf : public Job {
   JobOf(std::string title, Work work, void (*wake)())
       : JobOf(std::move(title), std::move(work), wake, std::make_shared<std::optional<T>>()) {}
 
-  /// The result; throws what the work threw (Cancelled among others). Pre: is_done(), called once.
+  /// Returns the result, or throws the exception that the work threw (Cancelled among others). Pre:
+  /// is_done(); called at most once.
   T take() {
     rethrow_failure();
     return std::move(**result_);
   }
 
  private:
-  // The thread holds the result too: it may end later than this part of the object.
+  // The thread shares ownership of the result, because it may outlive this part of the object.
   JobOf(std::string title, Work work, void (*wake)(), std::shared_ptr<std::optional<T>> result)
       : Job(
             std::move(title),

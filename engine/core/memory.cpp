@@ -26,14 +26,15 @@ std::uint64_t system_available() {
   return kUnknown;
 }
 
-/// A number at the beginning of a file; "max" and what is no number mean no limit.
+/// Returns the number at the beginning of a file, or kUnknown (no limit) for "max" or anything
+/// else.
 std::uint64_t number_in(const std::string& path) {
   std::ifstream file(path);
   std::uint64_t value = 0;
   return file >> value ? value : kUnknown;
 }
 
-/// A named number of a file with one on each line; 0 where it is not there.
+/// Returns the number after `name` in a file with one "name number" pair per line, or 0 without it.
 std::uint64_t named_number_in(const std::string& path, const std::string& name) {
   std::ifstream file(path);
   std::string label;
@@ -44,12 +45,12 @@ std::uint64_t named_number_in(const std::string& path, const std::string& name) 
   return 0;
 }
 
-/// How one version of control groups calls its files.
+/// The file names that one version of control groups uses.
 struct GroupFiles {
   const char* root;
   const char* limit;
   const char* used;
-  const char* cached;  ///< what of the use is files that were read, which make room
+  const char* cached;  ///< the part of the use that is file cache, which the kernel can evict
 };
 
 std::uint64_t group_available(const std::string& folder, const GroupFiles& files) {
@@ -61,7 +62,7 @@ std::uint64_t group_available(const std::string& folder, const GroupFiles& files
   return limit > held ? limit - held : 0;
 }
 
-/// The least over the process's own group and those that it is in.
+/// Returns the least over the process's own group and the groups that contain it.
 std::uint64_t groups_available(const std::string& path, const GroupFiles& files) {
   std::uint64_t least = kUnknown;
   for (const std::string& group : with_parents(path))
@@ -69,7 +70,7 @@ std::uint64_t groups_available(const std::string& path, const GroupFiles& files)
   return least;
 }
 
-/// What is left of the limit that a shell's `ulimit -v` sets.
+/// Returns the rest of the limit that a shell's `ulimit -v` sets.
 std::uint64_t address_space_available() {
   rlimit limit = {};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kUnknown;
@@ -83,7 +84,7 @@ bool has_memory(const std::string& controllers) {
   return ("," + controllers + ",").find(",memory,") != std::string::npos;
 }
 
-/// What a MemoryLimit leaves; kUnknown where there is none.
+/// The rest of the MemoryLimit's budget; kUnknown without a limit.
 std::atomic<std::uint64_t> left_of_limit{kUnknown};
 
 }  // namespace
@@ -105,7 +106,7 @@ bool MemoryLimit::take(std::uint64_t bytes) {
   return true;
 }
 
-// A line is "number:controllers:path"; of version 2 there is one, with no controllers.
+// A line is "number:controllers:path". The only line of version 2 has no controllers.
 GroupPaths parse_group_paths(const std::string& text) {
   GroupPaths paths;
   std::istringstream lines(text);

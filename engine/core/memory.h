@@ -6,27 +6,27 @@
 
 namespace mesher {
 
-/// Bytes that this process can still fill before the machine, its container or its own limit runs
-/// out: what the system calls available, or what is left of the limit of a control group that it is
-/// in or of its address space, where that is less. The highest number there is where the system
-/// does not say.
+/// Returns the number of bytes that this process can still fill: the least of the system's
+/// available memory, the rest of the limit of each of its control groups, and the rest of its
+/// address-space limit. Returns the largest std::uint64_t if the system reports none of them.
 std::uint64_t available_memory_bytes();
 
-/// In which control group a process is, for memory, by either version; empty: in none but the root.
+/// The control groups of a process, for memory, one path per cgroup version. Empty: the root group.
 struct GroupPaths {
   std::string v2;  ///< "/user.slice/session.scope"
   std::string v1;
 };
 
-/// What /proc/self/cgroup says.
+/// Parses the text of /proc/self/cgroup.
 GroupPaths parse_group_paths(const std::string& text);
 
-/// "/a/b", "/a" and "", which is the root.
+/// Returns a path and all its parents: "/a/b", "/a" and "" (the root).
 std::vector<std::string> with_parents(std::string path);
 
-/// As long as it lives, arrays of the whole process (engine/core/array.h) may take so many bytes
-/// more and no others, freed or not; what is available is at most that. What runs out of memory can
-/// so be shown on any machine, under a sanitizer, too. One at a time.
+/// Limits further array allocations (engine/core/array.h) of the whole process to `bytes` in total
+/// while it lives; freeing arrays does not restore the budget. available_memory_bytes() then
+/// returns at most the rest of the budget. It makes out-of-memory paths testable on any machine,
+/// and under a sanitizer. Pre: no other MemoryLimit is alive.
 class MemoryLimit {
  public:
   explicit MemoryLimit(std::uint64_t bytes);
@@ -34,8 +34,8 @@ class MemoryLimit {
   MemoryLimit(const MemoryLimit&) = delete;
   MemoryLimit& operator=(const MemoryLimit&) = delete;
 
-  /// Takes bytes off the limit there is. False where it does not hold them; true where there is
-  /// none.
+  /// Subtracts bytes from the current budget. Returns false, and subtracts nothing, if the budget
+  /// is smaller. Returns true if there is no limit.
   static bool take(std::uint64_t bytes);
 };
 

@@ -23,21 +23,21 @@ struct EnumMember {
   void (*set)(S& options, std::size_t index);
 };
 
-/// A value with a meaning of its own: "180: tagged creases only".
+/// A value with a special meaning: "180: tagged creases only".
 struct SpecialValue {
-  double value = std::numeric_limits<double>::quiet_NaN();  ///< not a number: there is none
+  double value = std::numeric_limits<double>::quiet_NaN();  ///< NaN: none
   const char* label = "";
 };
 
-/// A row of the table that describes an options struct: one member of it. Command line and --help,
-/// JSON, panels with their tooltips, and docs/options.md are made from these tables; the default is
-/// the member's own. To add an option, add the member and its row.
+/// A row of the table that describes an options struct: one of its members. The command line,
+/// --help, JSON, panels with their tooltips, and docs/options.md are generated from these tables.
+/// The default is the member's own. To add an option, add the member and its row.
 template <class S>
 struct Option {
   using Member =
       std::variant<bool S::*, float S::*, std::uint32_t S::*, std::uint64_t S::*, EnumMember<S>>;
 
-  const char* key;    ///< "crease-angle": on the command line; JSON has underscores
+  const char* key;    ///< "crease-angle": on the command line; JSON uses underscores
   const char* label;  ///< in panels
   const char* help;   ///< what it does, in one phrase without a period
   Member member;
@@ -45,7 +45,7 @@ struct Option {
   double least = 0.0;     ///< a number's range
   double most = std::numeric_limits<double>::infinity();
   SpecialValue special{};
-  /// Whether the option has an effect beside the others; null: it always has.
+  /// Whether the option has an effect, given the other options; null: always.
   bool (*applies)(const S& options) = nullptr;
 };
 
@@ -58,7 +58,7 @@ T type_of(T S::*);
 
 }  // namespace detail
 
-/// Makes an EnumMember of a pointer to a member.
+/// Returns the EnumMember for a pointer to a member.
 template <auto kMember>
 constexpr auto enum_member() {
   using S = decltype(detail::class_of(kMember));
@@ -70,8 +70,8 @@ constexpr auto enum_member() {
       .set = [](S& options, std::size_t index) { options.*kMember = static_cast<Enum>(index); }};
 }
 
-/// The option's key in JSON: underscores, and the unit of an angle, a percentage or a length on the
-/// screen at the end ("crease_angle_deg").
+/// Returns the option's key in JSON: underscores, and a suffix for an angle, a percentage or a
+/// length on the screen ("crease_angle_deg").
 template <class S>
 std::string json_key(const Option<S>& option) {
   std::string key = option.key;
@@ -84,7 +84,8 @@ std::string json_key(const Option<S>& option) {
   return key;
 }
 
-/// The default of an option as --help and the documentation show it: "quadric", "off", "180".
+/// Returns the default of an option as --help and the documentation show it: "quadric", "off",
+/// "180".
 template <class S>
 std::string default_text(const Option<S>& option) {
   const S defaults{};
@@ -105,7 +106,7 @@ std::string default_text(const Option<S>& option) {
   return std::visit(text, option.member);
 }
 
-/// Returns the row of a table that has this key. Pre: there is one.
+/// Returns the row with this key. Pre: the table has one.
 template <class S, std::size_t N>
 constexpr const Option<S>& option_named(const std::array<Option<S>, N>& table,
                                         std::string_view key) {

@@ -10,11 +10,11 @@ namespace mesher {
 
 class Progress;
 
-/// Number of threads that parallel loops may use now (at least 1).
+/// Returns the number of threads that parallel loops may use now, at least 1.
 unsigned thread_count();
 
-/// Limits every parallel loop of the process to `count` threads (0: as many as the machine has)
-/// for as long as the object lives.
+/// Limits every parallel loop of the process to `count` threads while the object lives. 0: no
+/// additional limit.
 class ThreadLimit {
  public:
   explicit ThreadLimit(unsigned count);
@@ -26,19 +26,20 @@ class ThreadLimit {
   void* control_;
 };
 
-/// Half-open range of indices.
+/// A half-open range of indices.
 struct IndexRange {
   std::size_t begin = 0;
   std::size_t end = 0;
   std::size_t size() const { return end - begin; }
 };
 
-/// Runs `body(range)` over chunks that cover [0, n) once, in parallel, in no particular order.
-/// Chunks hold about `grain` indices or more. Results must not depend on how [0, n) is cut.
+/// Runs `body(range)` in parallel over chunks that together cover [0, n) exactly once, in
+/// unspecified order. Chunks hold about `grain` indices or more. Results must not depend on the
+/// chunk boundaries.
 void parallel_for(std::size_t n, std::size_t grain, const std::function<void(IndexRange)>& body);
 
-/// Runs `body(i)` once for every index below `n`, in parallel, in no particular order, about
-/// `grain` of them at a time.
+/// Runs `body(i)` in parallel once per index below `n`, in unspecified order, in chunks of about
+/// `grain`.
 template <class Body>
 void parallel_for_each(std::size_t n, std::size_t grain, const Body& body) {
   parallel_for(n, grain, [&](IndexRange range) {
@@ -47,23 +48,24 @@ void parallel_for_each(std::size_t n, std::size_t grain, const Body& body) {
   });
 }
 
-/// Cuts [0, n) into chunks of `chunk` indices (the last may be shorter), whatever the thread
-/// count, and runs `body(chunk_index, range)` for each in parallel. For work whose partial results
-/// are then combined in chunk order, so that the outcome is the same for any number of threads.
+/// Splits [0, n) into chunks of `chunk` indices (the last may be shorter) regardless of the thread
+/// count, and runs `body(chunk_index, range)` for each in parallel. Use it when partial results are
+/// combined in chunk order, so that the result is the same for any number of threads.
 void parallel_chunks(std::size_t n, std::size_t chunk,
                      const std::function<void(std::size_t, IndexRange)>& body);
 
-/// The same where somebody may be watching: notes how far it has come before each chunk, and throws
-/// Cancelled soon after that is asked for.
+/// The same, but reports progress before each chunk and throws Cancelled soon after a cancellation.
+/// `progress` may be null.
 void parallel_chunks(std::size_t n, std::size_t chunk, Progress* progress,
                      const std::function<void(std::size_t, IndexRange)>& body);
 
-/// Number of chunks that parallel_chunks makes.
+/// Returns the number of chunks that parallel_chunks makes.
 constexpr std::size_t chunk_count(std::size_t n, std::size_t chunk) {
   return (n + chunk - 1) / chunk;
 }
 
-/// Sum of `map(range)` over fixed chunks, added in chunk order: deterministic for floats too.
+/// Returns the sum of `map(range)` over fixed chunks, added in chunk order, so that floating-point
+/// sums are deterministic too.
 template <class T, class Map>
 T parallel_sum(std::size_t n, std::size_t chunk, Map&& map) {
   std::vector<T> partial(chunk_count(n, chunk));

@@ -2,12 +2,12 @@
 
 namespace mesher {
 
-/// Asks the caches for what lies at an address, some time before it is read. Changes nothing but
-/// time; any address will do.
+/// Prefetches the cache line at an address, to be called some time before the address is read. It
+/// only affects timing; any address is allowed.
 inline void prefetch(const void* address) {
   __builtin_prefetch(address);
-  // Without an effect that it can see g++ 12 takes a function that only prefetches for one that
-  // does nothing, and drops the calls of it.
+  // Without this visible side effect, g++ 12 treats a function that only prefetches as one without
+  // effect and removes the calls to it.
   asm volatile("");
 }
 

@@ -7,13 +7,13 @@
 
 namespace mesher {
 
-/// How far a long piece of work has come, and whether it is still wanted. Written by the worker,
-/// read and cancelled by another thread. Passed as a pointer; null means nobody is watching.
+/// The progress of a long operation, and whether it has been cancelled. The worker writes the
+/// progress; another thread reads it and may cancel. Passed as a pointer; null: nobody is watching.
 class Progress {
  public:
-  /// Names the stage that begins, as a person would read it ("reading bunny.obj").
+  /// Starts a stage. `stage` is text for the user ("reading bunny.obj").
   void begin(std::string_view stage);
-  /// Fraction of the stage that is done, 0 to 1.
+  /// Sets the finished fraction of the stage, 0 to 1.
   void set(float fraction) { fraction_.store(fraction, std::memory_order_relaxed); }
   float fraction() const { return fraction_.load(std::memory_order_relaxed); }
   std::string stage() const;
@@ -28,11 +28,11 @@ class Progress {
   std::string stage_;
 };
 
-/// Throws Cancelled where `progress` is watched and cancelled; otherwise notes the fraction.
-/// Call between pieces of work, not in inner loops.
+/// Sets the fraction, or throws Cancelled if `progress` was cancelled. Does nothing if it is null.
+/// Call it between units of work, not in inner loops.
 void report(Progress* progress, float fraction);
 
-/// Names a stage where anybody is watching; throws Cancelled where the work is not wanted any more.
+/// Starts a stage, or throws Cancelled if `progress` was cancelled. Does nothing if it is null.
 void begin_stage(Progress* progress, std::string_view stage);
 
 }  // namespace mesher

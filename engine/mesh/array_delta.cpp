@@ -8,7 +8,7 @@ namespace mesher {
 namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 16U;
-// So much is compared at once before single elements are looked at.
+// Elements are compared one by one only in blocks of this size that differ.
 constexpr std::size_t kBlock = 64;
 
 /// Two arrays of the same number of elements, side by side.
@@ -21,7 +21,7 @@ struct Pair {
     return std::memcmp(before + first * element_bytes, after + first * element_bytes,
                        count * element_bytes) == 0;
   }
-  // A call of memcmp would cost more than the few words of one element.
+  // A memcmp call would cost more than comparing the few words of one element.
   bool is_same_element(std::size_t i) const {
     for (std::size_t at = i * element_bytes; at < (i + 1) * element_bytes; at += 4) {
       std::uint32_t a = 0;

@@ -13,30 +13,30 @@
 
 namespace mesher {
 
-/// Which way a difference is written.
+/// The direction in which a difference is applied.
 enum class Direction : std::uint8_t { forward, back };
 
-/// One element of an array and what it shall hold.
+/// A value to write to one element of an array.
 template <class T>
 struct ElementWrite {
   std::uint32_t index = 0;
   T value;
 };
 
-/// The difference between two states of an array of plain values, bit by bit: the ranges that
-/// differ, with what they held before and after. What is the same costs nothing.
+/// The bitwise difference between two states of an array of plain values: the ranges that differ,
+/// with their old and new contents. Equal elements take no memory.
 class ArrayDelta {
  public:
   ArrayDelta() = default;
-  /// O(n) at the speed of memory, parallel.
+  /// Compares the two states. O(n) at memory bandwidth, parallel.
   template <class T>
   ArrayDelta(std::span<const T> before, std::span<const T> after)
       : ArrayDelta(std::as_bytes(before), std::as_bytes(after), sizeof(T)) {
     static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(std::uint32_t) == 0);
   }
 
-  /// What writing single elements changes: as if both states had been compared, at the cost of the
-  /// elements alone. Pre: the indices ascend and are within the array.
+  /// Returns the difference that single writes make, as if both states had been compared, in
+  /// O(writes). Pre: the indices ascend and are within the array.
   template <class T>
   static ArrayDelta of_elements(std::span<const T> before,
                                 std::span<const ElementWrite<T>> writes) {
@@ -52,23 +52,24 @@ class ArrayDelta {
   }
 
   bool is_empty() const { return old_count_ == new_count_ && ranges_.empty(); }
-  /// Bytes that the difference occupies.
+  /// Returns the number of bytes that the difference occupies.
   std::size_t memory_bytes() const;
 
-  /// Gives `array` room for either state, so that writing cannot fail. Throws std::bad_alloc.
+  /// Reserves memory in `array` for either state, so that `write` cannot fail. Throws
+  /// std::bad_alloc.
   template <class T>
   void make_room(Array<T>& array) const {
     array.reserve(std::max(old_count_, new_count_));
   }
-  /// Takes `array` from one state to the other. O(differences), apart from resizing.
-  /// Pre: it is in the state that `direction` starts from.
+  /// Changes `array` from one state to the other. O(differences), apart from resizing. Pre: it is
+  /// in the state that `direction` starts from.
   template <class T>
   void write(Array<T>& array, Direction direction) const {
     MESHER_ASSERT(array.size() == count(reverse(direction)));
     array.resize(count(direction));
     write_bytes(std::as_writable_bytes(std::span(array)), direction);
   }
-  /// Calls `visit` for every range of elements that writing changes or adds, in order.
+  /// Calls `visit` once per range of elements that `write` changes or adds, in order.
   template <class Visit>
   void for_each_written(Direction direction, Visit&& visit) const {
     for (const ChangedRange range : ranges_)
@@ -88,19 +89,20 @@ class ArrayDelta {
   static Direction reverse(Direction direction) {
     return direction == Direction::forward ? Direction::back : Direction::forward;
   }
-  /// Number of elements in the state that `direction` leads to.
+  /// Returns the number of elements in the state that `direction` leads to.
   std::size_t count(Direction direction) const {
     return direction == Direction::forward ? new_count_ : old_count_;
   }
   std::size_t common() const { return std::min(old_count_, new_count_); }
-  /// What the changed ranges hold, one after the other, then what lies past the common elements.
+  /// Returns the contents of the changed ranges one after the other, then the elements past the
+  /// common ones.
   Array<std::byte> gather(std::span<const std::byte> bytes) const;
   void write_bytes(std::span<std::byte> bytes, Direction direction) const;
 
   std::size_t element_bytes_ = 0;
   std::size_t old_count_ = 0;
   std::size_t new_count_ = 0;
-  std::vector<ChangedRange> ranges_;  ///< of the elements that both states have
+  std::vector<ChangedRange> ranges_;  ///< among the elements that both states have
   Array<std::byte> before_;
   Array<std::byte> after_;
 };

@@ -11,14 +11,14 @@
 
 namespace mesher {
 
-/// What a file says beyond shape, one value a corner (index 3*face + corner, that is, a half-edge),
-/// each array either empty or 3F long, so that seams need nothing special. A corner that the file
-/// leaves out has NaN (texture coordinate, normal).
+/// The data of a file besides shape, one value per corner (index 3*face + corner, which is the
+/// half-edge), so that seams need no special case. Each array is either empty or has 3F elements. A
+/// corner without a value has NaN (texture coordinate, normal).
 struct Attributes {
   Array<glm::vec2> texcoord;
   Array<glm::vec3> normal;
-  Array<glm::u8vec4> color;    ///< RGBA, 255 is full
-  Array<std::uint32_t> group;  ///< one a face (F, or empty): index into `group_names`
+  Array<glm::u8vec4> color;    ///< RGBA, 255 is full intensity
+  Array<std::uint32_t> group;  ///< one per face (F, or empty): index into `group_names`
   std::vector<std::string> group_names;
 
   bool is_empty() const {

@@ -8,23 +8,23 @@
 
 namespace mesher {
 
-/// One copy of a bow-tie vertex. A bow-tie vertex is a vertex of the input where several fans of
-/// faces meet that no edge of the input joins. A mesh is a manifold, so `build_mesh` gives each fan
-/// a vertex of its own: these are the copies. Simplification and subdivision pin them, so that the
-/// surfaces still meet there (OpenSubdiv makes such vertices infinitely sharp, too).
+/// One copy of a bow-tie vertex. A bow-tie vertex is a vertex of the input at which several fans of
+/// faces meet without a common edge. A mesh is a manifold, so `build_mesh` gives each fan its own
+/// vertex; these are the copies. Simplification and subdivision pin them, so that the surfaces
+/// still meet there. (OpenSubdiv also makes such vertices infinitely sharp.)
 struct BowTieCopy {
   Vertex v;
-  Vertex first;  ///< the lowest of the copies of the same bow-tie vertex
+  Vertex first;  ///< the lowest copy of the same bow-tie vertex
   friend bool operator==(const BowTieCopy&, const BowTieCopy&) = default;
 };
 
 /// Restores invariant 13 of Mesh: sorts the list, drops copies that are the only one left of their
-/// vertex, and names the first of each vertex. O(k log k).
-/// Pre: no `v` twice; copies of the same vertex, and no others, agree in `first`, whatever it is.
+/// vertex, and sets `first`. O(k log k). Pre: no `v` occurs twice; two copies have the same
+/// `first`, with any value, exactly if they are copies of the same vertex.
 void normalize(Array<BowTieCopy>& copies);
 
-/// Returns the list with the ids that `new_id(Vertex)` gives. It gives none (an invalid id) to
-/// vertices that are no copies any more. O(k log k). Pre: `new_id` gives no id twice.
+/// Returns the list with every id replaced by `new_id(Vertex)`, which returns an invalid id for a
+/// vertex that is no longer a copy. O(k log k). Pre: `new_id` returns no valid id twice.
 template <class NewId>
 Array<BowTieCopy> renamed(std::span<const BowTieCopy> copies, const NewId& new_id) {
   Array<BowTieCopy> result;

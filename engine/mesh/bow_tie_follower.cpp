@@ -9,7 +9,7 @@ BowTieFollower::BowTieFollower(const Mesh& mesh) {
   }
 }
 
-void BowTieFollower::lose(std::unordered_map<Vertex, std::size_t>::iterator entry) {
+void BowTieFollower::stop_following(std::unordered_map<Vertex, std::size_t>::iterator entry) {
   followed_[entry->second].now = Vertex{};
   by_vertex_.erase(entry);
 }
@@ -18,11 +18,11 @@ void BowTieFollower::merge(Vertex removed, Vertex kept, const glm::vec3& p) {
   const auto stays = [&](auto entry) { return followed_[entry->second].position == p; };
   const auto at_kept = by_vertex_.find(kept);
   const bool is_taken = at_kept != by_vertex_.end() && stays(at_kept);
-  if (at_kept != by_vertex_.end() && !is_taken) lose(at_kept);
+  if (at_kept != by_vertex_.end() && !is_taken) stop_following(at_kept);
   const auto at_removed = by_vertex_.find(removed);
   if (at_removed == by_vertex_.end()) return;
   const std::size_t index = at_removed->second;
-  if (is_taken || !stays(at_removed)) return lose(at_removed);
+  if (is_taken || !stays(at_removed)) return stop_following(at_removed);
   by_vertex_.erase(at_removed);
   by_vertex_[kept] = index;
   followed_[index].now = kept;

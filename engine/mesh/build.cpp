@@ -18,15 +18,15 @@ namespace mesher {
 namespace {
 
 constexpr std::size_t kGrain = std::size_t{1} << 16;
-// A flipped diagonal may meet another one in its turn; where it goes on, the polygons themselves
-// are at fault and their edges are cut.
+// A flipped diagonal may coincide with another one in turn. If that goes on, the polygons
+// themselves overlap, and their edges are cut.
 constexpr int kFlipRounds = 3;
 
 bool is_finite(const glm::vec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-/// Keeps the elements [width*i, width*(i+1)) whose `drop[i]` is 0.
+/// Keeps the elements [width*i, width*(i+1)) with `drop[i] == 0`.
 template <class T>
 void compact(Array<T>& values, const std::vector<std::uint8_t>& drop, std::size_t width) {
   if (values.empty()) return;
@@ -82,7 +82,7 @@ class Builder {
         throw InputError("face offsets do not cover the corners");
       }
     } else if (soup_.corners.size() % 3 != 0) {
-      throw InputError("a triangle lacks corners");
+      throw InputError("the number of corners is not a multiple of three");
     }
     check_attribute_sizes();
     const std::size_t vertices = soup_.positions.size();
@@ -102,10 +102,10 @@ class Builder {
     const std::size_t corners = soup_.corners.size();
     for (const std::size_t size : {a.texcoord.size(), a.normal.size(), a.color.size()}) {
       if (size != 0 && size != corners)
-        throw InputError("attributes differ in number from corners");
+        throw InputError("the number of attributes differs from the number of corners");
     }
     if (!a.group.empty() && a.group.size() != soup_.face_count()) {
-      throw InputError("groups differ in number from faces");
+      throw InputError("the number of groups differs from the number of faces");
     }
   }
 
@@ -248,7 +248,8 @@ class Builder {
     swap_corners(soup_.attributes.normal);
     swap_corners(soup_.attributes.color);
     if (soup_.attributes.normal.empty()) return;
-    // Either the winding was wrong or the normals were turned with it: the face now says which.
+    // Either only the winding was wrong, or the normals were reversed too: the face normal tells
+    // which.
     const glm::dvec3 face = face_normal(f);
     for (std::size_t c = 0; c < 3; ++c) {
       glm::vec3& n = soup_.attributes.normal[3 * std::size_t{f} + c];
@@ -275,8 +276,7 @@ class Builder {
 
   static bool is_usable(float sharpness) { return sharpness >= 0.0F; }
 
-  /// Tags by file vertices, sorted so that those of one edge are neighbours, the last in the file
-  /// last.
+  /// Returns the tags sorted by file vertices, one per edge: the last one in the file.
   std::vector<CreaseTag> sorted_tags() {
     std::vector<CreaseTag> tags;
     for (CreaseTag tag : soup_.creases) {

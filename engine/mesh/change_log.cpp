@@ -20,7 +20,8 @@ void ChangeLog::add(GpuArray array, std::uint32_t first, std::uint32_t count) {
       ranges.push_back({first, first + count});
       return;
     } catch (const std::bad_alloc&) {
-      // As with too many: that costs a copy, an edit that fails halfway costs the mesh.
+      // Fall through, as with too many ranges: a whole copy is slower, but a failed edit loses the
+      // mesh.
     }
   }
   whole_[i] = true;

@@ -9,25 +9,25 @@
 
 namespace mesher {
 
-/// The arrays of a mesh that have a mirror on the GPU.
+/// The arrays of a mesh that are mirrored on the GPU.
 enum class GpuArray : std::uint8_t {
-  position,    ///< one element a vertex
-  origin,      ///< one element a half-edge: the index buffer
-  edge_class,  ///< one element a half-edge: boundary, crease or ordinary, from twin and sharpness
+  position,    ///< one element per vertex
+  origin,      ///< one element per half-edge: the index buffer
+  edge_class,  ///< one element per half-edge: boundary, crease or ordinary, from twin and sharpness
 };
 inline constexpr std::size_t kGpuArrayCount = 3;
 
-/// Elements [begin, end) of one array.
+/// The elements [begin, end) of an array.
 struct ChangedRange {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
   friend bool operator==(const ChangedRange&, const ChangedRange&) = default;
 };
 
-/// Which elements of which GPU arrays edits have touched since the log was last cleared. Noting is
-/// O(1); a range that continues or repeats the one noted before it is merged at once. Past
-/// kMaxRanges ranges, or where there is no memory for more, an array counts as changed whole:
-/// sorting them would cost more than copying. Noting never fails.
+/// The elements of each GPU array that edits have changed since the log was last cleared. Noting a
+/// change is O(1); a range that continues or repeats the previous one is merged into it. An array
+/// counts as wholly changed after more than kMaxRanges ranges, when sorting them would cost more
+/// than copying the array, or if there is no memory for more. Noting never fails.
 class ChangeLog {
  public:
   static constexpr std::size_t kMaxRanges = 100'000;
@@ -35,16 +35,16 @@ class ChangeLog {
   void note(GpuArray array, std::uint32_t first, std::uint32_t count = 1) {
     if (!whole_[index(array)] && count > 0) add(array, first, count);
   }
-  /// Everything may differ (a new mesh in the same place).
+  /// Notes that everything may differ (a new mesh in the same object).
   void note_all();
   void clear();
 
   bool is_empty() const;
-  /// True where the array must be copied whole.
+  /// Returns whether the whole array must be copied.
   bool is_whole(GpuArray array) const { return whole_[index(array)]; }
-  /// The noted ranges, sorted, disjoint, and joined where at most `gap` elements lie between; cut
-  /// off at `count`, the number of elements that are left. O(n log n) in their number. Empty where
-  /// `is_whole`.
+  /// Returns the noted ranges, sorted and disjoint. Ranges with at most `gap` elements between them
+  /// are joined, and ranges are clipped to `count`, the current number of elements. Empty if
+  /// `is_whole`. O(n log n) in their number.
   std::vector<ChangedRange> merged(GpuArray array, std::uint32_t gap = 0,
                                    std::uint32_t count = kNone) const;
 

@@ -7,12 +7,11 @@
 
 namespace mesher {
 
-/// A sweep counter-clockwise around a vertex, from outgoing(v). One template; a projection says
-/// what each step yields. A step is a *spoke*: an edge at the vertex. On a boundary vertex there is
-/// one spoke more than there are faces, and the last is known only by the half-edge that comes in
-/// along it; projections that yield edges or neighbours include it, those that yield faces or
-/// outgoing half-edges end before it. O(1) a step, O(valence) in all. Any edit of the mesh ends the
-/// sweep.
+/// A counter-clockwise sweep around a vertex, starting at outgoing(v). The projection defines the
+/// value of each step. A step is a *spoke*: an edge at the vertex. A boundary vertex has one spoke
+/// more than faces, and its last spoke has only an incoming half-edge. Projections that yield edges
+/// or neighbors include the last spoke; those that yield faces or outgoing half-edges do not. O(1)
+/// per step, O(valence) in total. Any edit of the mesh invalidates the iterators.
 template <class Projection>
 class Around {
  public:
@@ -86,19 +85,19 @@ struct ProjectEdge {
   static Value value(const Mesh& mesh, Halfedge h, bool) { return mesh.edge(h); }
 };
 
-/// Half-edges out of `v`, one a face.
+/// Returns the outgoing half-edges of `v`, one per face.
 inline auto halfedges_around(const Mesh& mesh, Vertex v) {
   return Around<ProjectHalfedge>(mesh, v);
 }
-/// Faces at `v`.
+/// Returns the faces at `v`.
 inline auto faces_around(const Mesh& mesh, Vertex v) {
   return Around<ProjectFace>(mesh, v);
 }
-/// The one-ring: neighbours of `v`; on a boundary vertex, from one boundary neighbour to the other.
+/// Returns the one-ring of `v`; on a boundary vertex, from one boundary neighbor to the other.
 inline auto vertices_around(const Mesh& mesh, Vertex v) {
   return Around<ProjectVertex>(mesh, v);
 }
-/// Edges at `v`, in the order of the one-ring.
+/// Returns the edges at `v`, in the order of the one-ring.
 inline auto edges_around(const Mesh& mesh, Vertex v) {
   return Around<ProjectEdge>(mesh, v);
 }

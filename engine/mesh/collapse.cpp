@@ -19,8 +19,8 @@ bool is_apex(const Mesh& mesh, Halfedge h, Vertex v) {
   return v == apex(mesh, h) || (t.is_valid() && v == apex(mesh, t));
 }
 
-/// A neighbour of both ends that is not across the edge, or none.
-Vertex stray_common_neighbour(const Mesh& mesh, Halfedge h) {
+/// Returns a common neighbor of both ends that is not opposite the edge, or none.
+Vertex stray_common_neighbor(const Mesh& mesh, Halfedge h) {
   std::vector<Vertex> ring;
   for (const Vertex n : vertices_around(mesh, mesh.target(h)))
     ring.push_back(n);
@@ -31,7 +31,7 @@ Vertex stray_common_neighbour(const Mesh& mesh, Halfedge h) {
   return {};
 }
 
-/// A half-edge out of target(h) that outlives the edge's faces.
+/// Returns a half-edge out of target(h) that survives the removal of the edge's faces.
 Halfedge surviving_spoke(const Mesh& mesh, Halfedge h) {
   const Halfedge beyond_prev = mesh.twin(Mesh::prev(h));  // starts at origin(h)
   if (beyond_prev.is_valid()) return beyond_prev;
@@ -51,7 +51,7 @@ std::string_view describe(CollapseVerdict verdict) {
     case CollapseVerdict::pinches_boundary:
       return "pinches the boundary";
     case CollapseVerdict::leaves_vertex:
-      return "leaves a vertex over";
+      return "leaves an isolated vertex";
     case CollapseVerdict::tetrahedron:
       return "part of a tetrahedron";
     case CollapseVerdict::legal:
@@ -72,9 +72,9 @@ CollapseCheck check_collapse(const Mesh& mesh, Halfedge h) {
       return {CollapseVerdict::leaves_vertex, apex(mesh, side)};
     }
   }
-  const Vertex stray = stray_common_neighbour(mesh, h);
+  const Vertex stray = stray_common_neighbor(mesh, h);
   if (stray.is_valid()) return {CollapseVerdict::link_condition, stray};
-  // Both rings are a cycle of the same two apexes and one another: a closed tetrahedron.
+  // Each ring consists of the two apexes and the other end: a closed tetrahedron.
   if (t.is_valid() && !mesh.is_boundary(a) && !mesh.is_boundary(b) && mesh.valence(a) == 3 &&
       mesh.valence(b) == 3) {
     return {CollapseVerdict::tetrahedron, a};
@@ -101,7 +101,7 @@ CollapseResult collapse(Mesh& mesh, Halfedge h, const glm::vec3& p) {
   result.vertex_move = edit.remove_vertex(removed);
   if (result.vertex_move.from == kept.index()) kept = removed;
   result.kept = kept;
-  // The higher face first: otherwise it could be the one that moves into the other's hole.
+  // Remove the higher face first: otherwise it could be the face that moves into the other's hole.
   std::array<std::uint32_t, 2> faces{Mesh::face(h).index(),
                                      t.is_valid() ? Mesh::face(t).index() : kNone};
   std::sort(faces.begin(), faces.end(), std::greater<>());

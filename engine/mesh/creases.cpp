@@ -17,7 +17,7 @@ glm::dvec3 area_normal(const Mesh& mesh, Face f) {
   return glm::cross(b - a, c - a);
 }
 
-/// Edges that meet a condition, ascending.
+/// Returns the edges that satisfy a condition, ascending.
 template <class Condition>
 std::vector<Edge> edges_where(const Mesh& mesh, const Condition& is_wanted) {
   constexpr std::size_t kChunk = 1U << 16;
@@ -43,7 +43,7 @@ Vertex other_end(const Mesh& mesh, Edge e, Vertex v) {
   return mesh.origin(h) == v ? mesh.target(h) : mesh.origin(h);
 }
 
-/// Unit vector along an edge, away from its end `v`.
+/// Returns the unit vector along an edge, away from its end `v`.
 glm::dvec3 direction_from(const Mesh& mesh, Edge e, Vertex v) {
   const glm::dvec3 along =
       glm::dvec3(mesh.position(other_end(mesh, e, v))) - glm::dvec3(mesh.position(v));
@@ -51,7 +51,7 @@ glm::dvec3 direction_from(const Mesh& mesh, Edge e, Vertex v) {
   return length > 0.0 ? along / length : glm::dvec3(0.0);
 }
 
-/// The other sharp edge at `v` where there is exactly one.
+/// Returns the other sharp edge at `v` if there is exactly one.
 Edge next_of_crease(const Mesh& mesh, Edge e, Vertex v) {
   Edge next;
   for (const Edge other : edges_around(mesh, v)) {
@@ -62,8 +62,8 @@ Edge next_of_crease(const Mesh& mesh, Edge e, Vertex v) {
   return next;
 }
 
-/// The smooth edge at `v` that turns least, by less than the angle of that cosine; the lower one
-/// where two turn alike.
+/// Returns the smooth edge at `v` with the least turn, if its cosine exceeds `least_cosine`; of
+/// equal turns, the lower edge.
 Edge straightest(const Mesh& mesh, Edge e, Vertex v, double least_cosine) {
   const glm::dvec3 onward = -direction_from(mesh, e, v);
   Edge next;
@@ -120,7 +120,7 @@ std::vector<Edge> sharp_edges(const Mesh& mesh) {
   return edges_where(mesh, [&](Edge e) { return is_sharp(mesh, e); });
 }
 
-// Continuing is mutual, so edges hang together in lines and loops, and only a loop comes back.
+// Continuation is mutual, so edges form lines and loops, and only a loop returns to its start.
 std::vector<Edge> crease_chain(const Mesh& mesh, Edge start, float turn_rad) {
   std::vector<Edge> chain{start};
   if (mesh.is_boundary(start)) return chain;

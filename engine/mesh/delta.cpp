@@ -63,7 +63,7 @@ void MeshDelta::make_room(Mesh& mesh) const {
   bow_tie_copies_.make_room(mesh.bow_tie_copies_);
 }
 
-// All that can fail comes first: a mesh that is written by half is none.
+// Everything that can fail comes first: a half-written mesh is invalid.
 void MeshDelta::write(Mesh& mesh, Direction direction) const {
   make_room(mesh);
   position_.write(mesh.position_, direction);
@@ -78,7 +78,7 @@ void MeshDelta::write(Mesh& mesh, Direction direction) const {
   note(changes, GpuArray::origin, origin_, direction);
   note(changes, GpuArray::edge_class, twin_, direction);
   note(changes, GpuArray::edge_class, sharpness_, direction);
-  // Where a vertex has lost its last face, no other element tells that its normal is gone.
+  // If a vertex has lost its last face, no other change tells that its normal is gone.
   outgoing_.for_each_written(direction, [&](ChangedRange range) {
     for (std::uint32_t v = range.begin; v < range.end; ++v) {
       if (!mesh.outgoing_[v].is_valid()) changes.note(GpuArray::position, v);

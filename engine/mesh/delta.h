@@ -12,19 +12,19 @@
 
 namespace mesher {
 
-/// The difference between two meshes, array by array and bit by bit: what an edit changed, to be
-/// taken back and done again. Ranges with their old and new contents; in proportion to what
-/// differs.
+/// The bitwise difference between two meshes, array by array: the undo and redo data of an edit. It
+/// stores the changed ranges with their old and new contents; its size is proportional to the
+/// difference.
 class MeshDelta {
  public:
   MeshDelta() = default;
 
-  /// The two meshes have the very same arrays.
+  /// Returns whether both meshes have identical arrays.
   bool is_empty() const;
-  /// Both meshes have the same vertices, edges and faces under the same ids; positions and
-  /// sharpness may differ.
+  /// Returns whether both meshes have the same vertices, edges and faces under the same ids;
+  /// positions and sharpness may differ.
   bool keeps_topology() const { return origin_.is_empty() && twin_.is_empty(); }
-  /// Bytes that the difference occupies.
+  /// Returns the number of bytes that the difference occupies.
   std::size_t memory_bytes() const;
 
  private:
@@ -48,26 +48,26 @@ class MeshDelta {
   ArrayDelta bow_tie_copies_;
 };
 
-/// What turns `before` into `after`. O(V + F) at the speed of memory, parallel.
+/// Returns the difference that turns `before` into `after`. O(V + F) at memory bandwidth, parallel.
 MeshDelta difference(const Mesh& before, const Mesh& after);
 
-/// What gives each of these edges its wanted sharpness: the difference to the mesh with that done,
-/// without looking at the rest of it. O(n log n) in the number of edges. Pre: every sharpness is 0
-/// or more, no edge twice.
+/// Returns the difference that sets these edges to their new sharpness, without reading the rest of
+/// the mesh. O(n log n) in the number of edges. Pre: every sharpness is at least 0, no edge occurs
+/// twice.
 MeshDelta sharpness_difference(const Mesh& mesh, std::span<const EdgeSharpness> wanted);
 
-/// Turns the delta's `before` into its `after`, arrays identical bit by bit, and notes what the GPU
-/// mirrors of it in `mesh.changes()`: every changed or new element (twins and sharpnesses as edge
-/// classes, and the position of a vertex that no face uses any more, whose normal is gone).
-/// O(differences), apart from resizing. Throws std::bad_alloc, and nothing has changed then.
-/// Pre: `mesh` has the arrays of `before`.
+/// Changes the delta's `before` into its `after`, bit for bit. Notes in `mesh.changes()` every
+/// element of a GPU array that changes or is new: twins and sharpnesses as edge classes, and also
+/// the position of a vertex that lost its last face, because its normal is gone. O(differences),
+/// apart from resizing. Throws std::bad_alloc; the mesh is then unchanged. Pre: `mesh` has the
+/// arrays of `before`.
 void apply(Mesh& mesh, const MeshDelta& delta);
-/// The way back. Pre: `mesh` has the arrays of `after`.
+/// Changes the delta's `after` back into its `before`. Pre: `mesh` has the arrays of `after`.
 void revert(Mesh& mesh, const MeshDelta& delta);
-/// Makes room for either state: apply and revert cannot fail after that. Throws std::bad_alloc.
+/// Reserves memory for either state, so that apply and revert cannot fail. Throws std::bad_alloc.
 void make_room(Mesh& mesh, const MeshDelta& delta);
 
-/// The same for what a file says beyond shape.
+/// The difference between two Attributes, like MeshDelta.
 class AttributesDelta {
  public:
   AttributesDelta() = default;
@@ -89,17 +89,17 @@ class AttributesDelta {
   ArrayDelta normal_;
   ArrayDelta color_;
   ArrayDelta group_;
-  std::vector<std::string> old_names_;  ///< as new_names_: empty where they do not differ
+  std::vector<std::string> old_names_;  ///< like new_names_, empty if they do not differ
   std::vector<std::string> new_names_;
 };
 
 AttributesDelta difference(const Attributes& before, const Attributes& after);
-/// Pre: `attributes` are those of the delta's `before`.
+/// Changes `before` into `after`. Pre: `attributes` are those of the delta's `before`.
 void apply(Attributes& attributes, const AttributesDelta& delta);
-/// Pre: they are those of its `after`.
+/// Changes `after` back into `before`. Pre: `attributes` are those of the delta's `after`.
 void revert(Attributes& attributes, const AttributesDelta& delta);
-/// Makes room for either state: what can still fail after that are the names of groups, before
-/// anything has changed. Throws std::bad_alloc.
+/// Reserves memory for either state. After that, only copying the group names can fail, before any
+/// change. Throws std::bad_alloc.
 void make_room(Attributes& attributes, const AttributesDelta& delta);
 
 }  // namespace mesher

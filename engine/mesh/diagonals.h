@@ -14,16 +14,16 @@ struct Diagonal {
   Halfedge b;
 };
 
-/// Diagonals of cut polygons that coincide with another edge: two polygons that share several
-/// vertices may have been cut along the same pair, or along an edge of a third, and a clean mesh of
-/// quads would come out non-manifold. The other diagonal of the two triangles is free of that. At
-/// most one diagonal a face; none where both triangles have the same third vertex. `polygon_of`
-/// names the polygon that each triangle was cut from. O(faces at crowded edges). Internal to
-/// building.
+/// Returns the diagonals of triangulated polygons that coincide with another edge. Two polygons
+/// that share several vertices may have been cut along the same pair of vertices, or along an edge
+/// of a third polygon, so that a clean quad mesh would become non-manifold. The other diagonal of
+/// the two triangles avoids that. Returns at most one diagonal per face, and none if both triangles
+/// have the same third vertex. `polygon_of` maps each triangle to its polygon. O(faces at edges of
+/// three and more faces). Internal to building.
 std::vector<Diagonal> crowded_diagonals(const Array<Vertex>& origin, const EdgeMatching& matching,
                                         const Array<std::uint32_t>& polygon_of);
 
-/// Flips a diagonal in an array of values a corner (vertices, attributes): triangles (a b c) and
+/// Flips a diagonal in an array of values per corner (vertices, attributes): triangles (a b c) and
 /// (b a d) become (a d c) and (b c d). Does nothing to an empty array.
 template <class T>
 void flip_diagonal(const Diagonal& diagonal, Array<T>& values) {

@@ -11,9 +11,9 @@ std::span<const std::uint32_t> corners_of(const Soup& soup, std::uint32_t face) 
           soup.face_start[face + 1] - soup.face_start[face]};
 }
 
-/// The corners from the lowest on, towards the lower of its neighbours: the same for every way of
-/// writing one outline down. (An outline that visits its lowest corner twice may have several; two
-/// of those may then count as different.)
+/// Returns the corners from the lowest one on, toward the lower of its neighbors: the same for
+/// every start corner and direction of one outline. (An outline that visits its lowest corner twice
+/// may have several such forms, so two copies of it may count as different.)
 std::vector<std::uint32_t> canonical(std::span<const std::uint32_t> corners) {
   std::vector<std::uint32_t> result(corners.begin(), corners.end());
   std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
@@ -21,7 +21,7 @@ std::vector<std::uint32_t> canonical(std::span<const std::uint32_t> corners) {
   return result;
 }
 
-/// A sum over corners, so that every way of writing one outline down has the same.
+/// A sum over corners, so that the hash is the same for every start corner and direction.
 std::uint64_t order_free_hash(std::span<const std::uint32_t> corners) {
   std::uint64_t hash = corners.size();
   for (const std::uint32_t v : corners) {
@@ -52,8 +52,8 @@ std::vector<std::uint32_t> duplicate_polygons(const Soup& soup) {
     std::size_t end = begin + 1;
     while (end < keys.size() && keys[end].hash == keys[begin].hash)
       ++end;
-    // Faces of one hash have the same corners but for their order; sorted, equal ones are
-    // neighbours.
+    // Faces with equal hashes have the same corners up to order. Sorting makes equal faces
+    // adjacent.
     std::vector<std::pair<std::vector<std::uint32_t>, std::uint32_t>> group;
     for (std::size_t i = begin; end - begin > 1 && i < end; ++i) {
       group.emplace_back(canonical(corners_of(soup, keys[i].face)), keys[i].face);

@@ -10,7 +10,7 @@
 namespace mesher {
 namespace {
 
-// Point tests that an outline of n corners may cost: ordinary ones need a few a corner.
+// The budget of point tests per corner. Ordinary outlines need a few.
 constexpr std::uint64_t kTestsPerCorner = 400;
 
 }  // namespace
@@ -22,7 +22,7 @@ EarClipper::EarClipper(std::span<const glm::vec3> polygon)
       next_(polygon.size()),
       version_(polygon.size(), 0),
       is_alive_(polygon.size(), true),
-      first_waiting_(polygon.size(), kNone),
+      first_blocked_(polygon.size(), kNone),
       remaining_(static_cast<std::uint32_t>(polygon.size())),
       budget_(kTestsPerCorner * polygon.size()) {
   for (std::uint32_t i = 0; i < remaining_; ++i) {
@@ -33,7 +33,7 @@ EarClipper::EarClipper(std::span<const glm::vec3> polygon)
   build_grid();
 }
 
-// Dropping the axis along which the normal is longest keeps the coordinates as they are, so that
+// Dropping the axis of the largest normal component leaves the other coordinates unchanged, so that
 // differences of floats stay exact in double.
 void EarClipper::project() {
   glm::dvec3 normal(0.0);  // Newell: robust for any outline
@@ -110,8 +110,8 @@ std::size_t EarClipper::cell_index(std::uint32_t i) const {
   return std::size_t{y} * grid_side_ + x;
 }
 
-// A corner in the same place as one of the triangle's own does not block: outlines that touch
-// themselves (a hole joined by a bridge) are legal.
+// A corner at the position of one of the triangle's own corners does not block it: outlines that
+// touch themselves (a hole joined by a bridge) are legal.
 bool EarClipper::blocks(std::uint32_t i, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
   if (i == a || i == b || i == c) return false;
   const glm::dvec2& p = point_[i];
@@ -119,7 +119,8 @@ bool EarClipper::blocks(std::uint32_t i, std::uint32_t a, std::uint32_t b, std::
   return turn(a, b, i) >= 0.0 && turn(b, c, i) >= 0.0 && turn(c, a, i) >= 0.0;
 }
 
-// Row by row, only the cells that the triangle can touch: long thin ears are common (stars, gears).
+// Visits only the cells that the triangle can touch, row by row: long thin ears are common (stars,
+// gears).
 std::uint32_t EarClipper::find_blocker(std::uint32_t i) {
   if (blockers_ == 0) return kNone;
   const std::uint32_t a = prev_[i];
@@ -142,7 +143,7 @@ std::uint32_t EarClipper::find_blocker(std::uint32_t i) {
 
 std::array<std::uint32_t, 2> EarClipper::columns_in_row(const std::array<glm::dvec2, 3>& t,
                                                         std::uint32_t row) const {
-  // A cell wider on each side than it need be: rounding must not lose a blocker.
+  // One extra cell on each side, so that rounding cannot lose a blocker.
   const double low = grid_min_.y + (row - 1.0) * cell_size_.y;
   const double high = grid_min_.y + (row + 2.0) * cell_size_.y;
   double x_min = std::numeric_limits<double>::infinity();
@@ -163,7 +164,7 @@ std::array<std::uint32_t, 2> EarClipper::columns_in_row(const std::array<glm::dv
   return {x0, std::max(x0, cell_of({x_max + cell_size_.x, 0.0})[0])};
 }
 
-/// 1 for an equilateral triangle, 0 for one without area, in 3D.
+/// Returns 1 for an equilateral triangle, 0 for one without area, in 3D.
 double EarClipper::shape(std::uint32_t i) const {
   const glm::dvec3 a = polygon_[prev_[i]];
   const glm::dvec3 b = polygon_[i];
@@ -194,8 +195,8 @@ void EarClipper::clip(std::uint32_t i, std::vector<Triangle>& triangles) {
   stop_blocking(i);
 }
 
-// A corner that is clipped or has become convex blocks nothing: it leaves the grid, and what waited
-// for it is tried again.
+// A clipped or newly convex corner blocks nothing: it leaves the grid, and the candidates that it
+// blocked are retried.
 void EarClipper::stop_blocking(std::uint32_t i) {
   if (slot_[i] == kNone) return;
   const std::uint32_t last = --cell_end_[cell_index(i)];
@@ -203,14 +204,14 @@ void EarClipper::stop_blocking(std::uint32_t i) {
   slot_[cell_corner_[last]] = slot_[i];
   slot_[i] = kNone;
   --blockers_;
-  for (std::uint32_t w = first_waiting_[i]; w != kNone; w = waiting_[w].next) {
-    if (is_alive_[waiting_[w].corner]) push(waiting_[w].corner);
+  for (std::uint32_t w = first_blocked_[i]; w != kNone; w = blocked_[w].next) {
+    if (is_alive_[blocked_[w].corner]) push(blocked_[w].corner);
   }
 }
 
-// No ear anywhere: the outline crosses or touches itself. Any convex corner, else any corner, ends
-// it.
-std::uint32_t EarClipper::best_of_the_bad() const {
+// The outline has no ear, so it crosses or touches itself. Clipping any convex corner, or else any
+// corner, makes progress.
+std::uint32_t EarClipper::best_fallback_corner() const {
   std::uint32_t best = some_corner_;
   double best_shape = -1.0;
   std::uint32_t i = some_corner_;
@@ -230,7 +231,7 @@ void EarClipper::run(std::vector<Triangle>& triangles) {
     push(i);
   while (remaining_ > 3) {
     if (candidates_.empty()) {
-      clip(spend(remaining_) ? best_of_the_bad() : some_corner_, triangles);
+      clip(spend(remaining_) ? best_fallback_corner() : some_corner_, triangles);
       continue;
     }
     const Candidate top = candidates_.top();
@@ -241,8 +242,8 @@ void EarClipper::run(std::vector<Triangle>& triangles) {
     if (blocker == kNone) {
       clip(i, triangles);
     } else {
-      waiting_.push_back({i, first_waiting_[blocker]});
-      first_waiting_[blocker] = static_cast<std::uint32_t>(waiting_.size() - 1);
+      blocked_.push_back({i, first_blocked_[blocker]});
+      first_blocked_[blocker] = static_cast<std::uint32_t>(blocked_.size() - 1);
     }
   }
   triangles.push_back({prev_[some_corner_], some_corner_, next_[some_corner_]});

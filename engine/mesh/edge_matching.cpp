@@ -28,13 +28,13 @@ Vertex apex(const Array<Vertex>& origin, std::uint32_t h) {
   return origin[Mesh::prev(Halfedge(h)).index()];
 }
 
-/// Of the edge's two vertices the one that is not the lower, without asking which that is.
+/// Returns the edge's vertex other than `lower`, without a branch.
 std::uint32_t upper(const Array<Vertex>& origin, std::uint32_t h, std::uint32_t lower) {
   return origin[h].index() ^ target(origin, h).index() ^ lower;
 }
 
-/// Chains the half-edges of each lower vertex, by increasing index: `first` of the vertex, then
-/// `link` of the half-edge before.
+/// Chains the half-edges of each lower vertex by increasing index. `first` holds the head per
+/// vertex, `link` the next half-edge per half-edge.
 Array<Halfedge> chain(const Array<Vertex>& origin, std::uint32_t vertex_count,
                       Array<Halfedge>& link) {
   Array<Halfedge> first(vertex_count, Halfedge{});
@@ -53,9 +53,9 @@ Array<Halfedge> chain(const Array<Vertex>& origin, std::uint32_t vertex_count,
   return first;
 }
 
-/// The half-edges of one lower vertex where they are few, as they mostly are: side by side, so that
-/// each can be compared with all at once, without an order and without a branch that a processor
-/// could guess wrong. The place past the last stands for none.
+/// The half-edges of one lower vertex, usually few, in parallel arrays. Each is compared with all
+/// others at once, without sorting and without a branch that could be mispredicted. The slot past
+/// the last stands for none.
 class FewHalfedges {
  public:
   static constexpr std::size_t kMost = 16;
@@ -73,8 +73,9 @@ class FewHalfedges {
     h_[size_++] = h;
   }
 
-  /// Where no edge has more than two half-edges and no two faces are the same: writes all twins,
-  /// and says how many pairs run the same way. Otherwise writes nothing.
+  /// Writes all twins and returns the number of pairs that run in the same direction. Returns
+  /// nothing, and writes nothing, if an edge has more than two half-edges or two faces are the
+  /// same.
   std::optional<std::uint64_t> match(Array<Halfedge>& twin) const {
     std::array<std::size_t, kMost> mate;
     bool is_plain = true;
@@ -89,14 +90,14 @@ class FewHalfedges {
       twin[h_[i]] = Halfedge(h_[mate[i]]);
       disagreeing += from_[i] == from_[mate[i]] ? 1U : 0U;
     }
-    return disagreeing / 2;  // each was met from both sides
+    return disagreeing / 2;  // each pair was counted from both sides
   }
 
  private:
   using Numbers = std::array<std::uint32_t, kMost + 1>;
   using Four = std::uint32_t __attribute__((vector_size(16)));
 
-  /// A bit for each place whose upper vertex is this one.
+  /// Returns one bit per slot whose upper vertex is `upper`.
   std::uint32_t equal_to(std::uint32_t upper) const {
     constexpr Four kBits{1U << 0, 1U << 1, 1U << 2, 1U << 3};
     Four bits{};
@@ -115,7 +116,7 @@ class FewHalfedges {
   Numbers h_;
 };
 
-/// What one chunk of vertices found; joined in order of chunks.
+/// The findings for one chunk of vertices, joined in chunk order.
 struct Findings {
   std::uint64_t disagreeing_edges = 0;
   std::vector<std::uint32_t> crowded;
@@ -128,9 +129,9 @@ class Matcher {
   Matcher(const Array<Vertex>& origin, Array<Halfedge>& twin, Findings& findings)
       : origin_(origin), twin_(twin), findings_(findings) {}
 
-  /// Matches the edges whose lower vertex this is, and has this chain. Its links lie where the
-  /// twins will be: they are read before the first twin is written, and no other chain runs through
-  /// them.
+  /// Matches the edges with this lower vertex, whose chain starts at `first`. The links of the
+  /// chain are in the memory of the twins: they are read before the first twin is written, and no
+  /// other chain uses them.
   void match_chain(std::uint32_t lower, Halfedge first) {
     FewHalfedges few;
     Halfedge h = first;
@@ -183,7 +184,7 @@ class Matcher {
     for (const Entry& entry : edge)
       findings_.crowded.push_back(entry.h);
     findings_.crowd_sizes.push_back(static_cast<std::uint32_t>(edge.size()));
-    // Faces of one edge are the same where their third vertex is.
+    // Faces at one edge are the same if their third vertices are.
     std::vector<Entry> by_apex;
     for (const Entry& entry : edge)
       by_apex.push_back({apex(origin_, entry.h).index(), entry.h});
@@ -211,7 +212,7 @@ void join(const std::vector<Findings>& all, EdgeMatching& matching) {
     matching.duplicate_faces.insert(matching.duplicate_faces.end(), part.duplicate_faces.begin(),
                                     part.duplicate_faces.end());
   }
-  // Each duplicate was seen from three edges.
+  // Each duplicate was found at three edges.
   auto& faces = matching.duplicate_faces;
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());

@@ -9,17 +9,20 @@
 
 namespace mesher {
 
-/// The half-edges of triangles matched by undirected edge. Internal to building.
+/// The half-edges of triangles matched by undirected edge. A *crowd* is an edge of three or more
+/// faces. Internal to building.
 struct EdgeMatching {
-  /// The other half-edge of each edge that has exactly two, whichever way they run; none otherwise.
+  /// For each half-edge of an edge with exactly two half-edges, the other one, in either direction;
+  /// none for any other edge.
   Array<Halfedge> twin;
-  /// Edges whose two half-edges run the same way: their faces disagree in orientation.
+  /// The number of edges whose two half-edges run in the same direction: their faces disagree in
+  /// orientation.
   std::uint64_t disagreeing_edges = 0;
-  /// Edges of three and more faces: group i holds half-edges
-  /// crowded[crowd_start[i]] .. crowded[crowd_start[i+1]-1], by increasing index.
+  /// The half-edges of crowds: crowd i is crowded[crowd_start[i]] .. crowded[crowd_start[i+1]-1],
+  /// by increasing index.
   std::vector<std::uint32_t> crowded;
   std::vector<std::size_t> crowd_start{0};
-  /// Faces with the same three vertices as an earlier one, in increasing order.
+  /// The faces with the same three vertices as an earlier face, in increasing order.
   std::vector<std::uint32_t> duplicate_faces;
 
   std::size_t crowd_count() const { return crowd_start.size() - 1; }
@@ -28,12 +31,13 @@ struct EdgeMatching {
   }
 };
 
-/// Chains the half-edges by the lower vertex of their edge, in the memory that the twins will have.
-/// Those of a short chain are compared with all others at once; a long one, or one with crowds or
-/// duplicates, is sorted by the other vertex: O(F + V) where valences are bounded, O(k log k) for a
-/// chain of k, and no memory but 4 bytes a vertex. The chains are matched in parallel; the result
-/// does not depend on the number of threads. `origin` holds 3F vertices below `vertex_count`; no
-/// face uses one twice.
+/// Returns the half-edges matched by edge. Half-edges are chained by the lower vertex of their
+/// edge, in the memory of the twins. In a short chain, each half-edge is compared with all others
+/// at once. A long chain, or one with crowds or duplicates, is sorted by the other vertex.
+///
+/// O(F + V) if valences are bounded, O(k log k) for a chain of k; scratch memory of 4 bytes per
+/// vertex. Chains are matched in parallel; the result does not depend on the number of threads.
+/// Pre: `origin` holds 3F vertices below `vertex_count`; no face uses a vertex twice.
 EdgeMatching match_edges(const Array<Vertex>& origin, std::uint32_t vertex_count);
 
 }  // namespace mesher

@@ -10,8 +10,8 @@
 namespace mesher {
 namespace {
 
-/// Tells `take` of each split that still grows below a head, newest first: whether the vertex was
-/// its child, and what share of it is still to come.
+/// Calls `take` for each incomplete split of a vertex from `head` on, newest first, with whether
+/// the vertex was its child, and with the fraction of the split that remains.
 template <class Take>
 void for_each_growing(std::uint32_t head, std::span<const SplitMorph> splits,
                       const GeomorphTime& time, Take&& take) {
@@ -27,7 +27,7 @@ void for_each_growing(std::uint32_t head, std::span<const SplitMorph> splits,
 
 GeomorphTime GeomorphTime::continuous(double time, double range) {
   MESHER_ASSERT(time >= 0.0 && range > 0.0);
-  // Past it nothing grows; and every difference from a split's number is still exact.
+  // At this time every split is complete, and differences from split numbers are still exact.
   constexpr double kMost = 2147483647.0;
   const double whole = std::floor(std::min(time, kMost));
   const double first = std::max(0.0, std::floor(std::min(time - range, kMost)));

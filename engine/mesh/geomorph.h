@@ -6,11 +6,12 @@
 
 namespace mesher {
 
-/// What a split moves: of parent and child, the way from where the parent was to where they are
-/// after it, and normals (encode_normal). GPU layout, 40 bytes: shaders read an array of these.
+/// The displacements of one vertex split: for parent and child, the vector from the parent's
+/// position before the split to the position after it, and the normals (encode_normal). GPU layout
+/// of 40 bytes; shaders read an array of these.
 struct SplitMorph {
   glm::vec3 parent_delta;
-  /// The split before this in which the parent took part, as a head (see below).
+  /// The previous split in which the parent took part, as a head (see below).
   std::uint32_t previous;
   glm::vec3 child_delta;
   std::uint32_t coarse_normal;
@@ -19,16 +20,16 @@ struct SplitMorph {
 };
 static_assert(sizeof(SplitMorph) == 40);
 
-/// A head names the last split in which a vertex took part and its part in it: 2 * split + (1 for
-/// the child); kNoHead where it took part in none. From there `previous` leads to all that moved
-/// the vertex or an ancestor of it before the vertex was its own.
+/// A head encodes the last split in which a vertex took part and its role: 2 * split + (1 for the
+/// child); kNoHead without any split. From there, `previous` links all earlier splits that moved
+/// the vertex, or an ancestor of it before the vertex existed.
 inline constexpr std::uint32_t kNoHead = 0xFFFFFFFFU;
 
-/// How far each split has grown: 0 where parent and child are still in one place, 1 where it is
-/// done. Splits before `first_growing` are done; split i from there on has grown by
-/// clamp(fixed + rate * (whole - i + fraction), 0, 1).
+/// The morph state of all splits: 0 while parent and child coincide, 1 when the split is complete.
+/// Splits before `first_growing` are complete; a later split i has the state clamp(fixed + rate *
+/// (whole - i + fraction), 0, 1).
 ///
-/// Of the same layout and meaning in shaders/shared/constants.h.
+/// The same layout and meaning as in shaders/shared/constants.h.
 struct GeomorphTime {
   std::uint32_t first_growing = 0xFFFFFFFFU;
   std::int32_t whole = 0;
@@ -36,25 +37,27 @@ struct GeomorphTime {
   float rate = 0.0F;
   float fixed = 1.0F;
 
-  /// Continuous: split i grows while `time` goes from i to i + range. Draw level min(splits,
-  /// ceil(time)). At time = splits + range everything has grown. Pre: time >= 0, range > 0.
+  /// Returns the state at a continuous time: split i grows while `time` goes from i to i + range.
+  /// Draw level min(splits, ceil(time)). At time = splits + range all splits are complete. Pre:
+  /// time >= 0, range > 0.
   static GeomorphTime continuous(double time, double range);
-  /// Between two levels: splits from `coarse` on have all grown by `alpha`.
+  /// Returns a state between two levels: all splits from `coarse` on have the state `alpha`.
   static GeomorphTime between(std::uint32_t coarse, float alpha);
-  /// Everything has grown: the mesh as it is.
+  /// Returns the state with all splits complete: the mesh as it is.
   static GeomorphTime done() { return {}; }
 
   friend bool operator==(const GeomorphTime&, const GeomorphTime&) = default;
 };
 
-/// How far split `i` has grown, 0 to 1.
+/// Returns the morph state of split `i`, 0 to 1.
 float growth(const GeomorphTime& time, std::uint32_t i);
 
-/// Where a vertex is drawn: the formula of shaders/geomorph.glsl. `position`: where it is in the
-/// level that is drawn. O(splits that moved it since time.first_growing).
+/// Returns the morphed position of a vertex, by the formula of shaders/geomorph.glsl. `position`:
+/// its position in the level that is drawn. O(splits that moved it since time.first_growing).
 glm::vec3 morphed_position(const glm::vec3& position, std::uint32_t head,
                            std::span<const SplitMorph> splits, const GeomorphTime& time);
-/// The same for its normal (`normal`: encoded, in the level that is drawn); unit length.
+/// Returns the morphed unit normal of a vertex. `normal`: its encoded normal in the level that is
+/// drawn.
 glm::vec3 morphed_normal(std::uint32_t normal, std::uint32_t head,
                          std::span<const SplitMorph> splits, const GeomorphTime& time);
 

@@ -7,12 +7,12 @@
 
 namespace mesher {
 
-/// The index that means "none" in every id type; also the limit on counts: arrays hold at most
+/// The index that means "none" in every id type, and the limit on counts: arrays hold at most
 /// `kNone` entries, so that ids fit in 32 bits.
 inline constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-/// A 32-bit index with a type of its own: a Vertex cannot be passed where a Face is meant. An array
-/// of ids is, byte for byte, an array of `uint32_t`: the index buffer that the GPU reads.
+/// A 32-bit index with its own type, so that a Vertex cannot be passed as a Face. An array of ids
+/// has the bytes of an array of `uint32_t`: it is the index buffer that the GPU reads.
 template <class Tag>
 class Id {
  public:
@@ -29,9 +29,9 @@ class Id {
 };
 
 using Vertex = Id<struct VertexTag>;
-/// Half-edge `h = 3*face + corner`, directed from the vertex of its corner to that of the next.
+/// Half-edge `h = 3*face + corner`, from the vertex of its corner to the vertex of the next corner.
 using Halfedge = Id<struct HalfedgeTag>;
-/// An undirected edge, named by the lower of its half-edges (so ids of edges have gaps).
+/// An undirected edge, identified by the lower of its half-edges (so edge ids have gaps).
 using Edge = Id<struct EdgeTag>;
 using Face = Id<struct FaceTag>;
 

@@ -10,7 +10,7 @@
 
 namespace mesher {
 
-/// A half-edge of a crowded edge, by the vertices that its ends have after splitting.
+/// A half-edge of a crowded edge, keyed by the vertices of its ends after splitting.
 struct CrowdEntry {
   Vertex low, high;
   std::uint32_t h;
@@ -20,7 +20,7 @@ struct CrowdEntry {
 
 namespace {
 
-/// Halves the way for the next query.
+/// Finds the root with path halving.
 Vertex root_of(std::vector<Vertex>& parent, Vertex v) {
   while (parent[v.index()] != v) {
     parent[v.index()] = parent[parent[v.index()].index()];
@@ -68,10 +68,11 @@ void ManifoldCutter::pair_crowds() {
     pair_crowd(matching_.crowd(i));
 }
 
-// Faces are sorted by angle around the edge, from its lower to its upper vertex. One whose
-// half-edge runs up has its inside (the side its normal turns away from) towards lower angles, one
-// that runs down towards higher angles: a "down" and the next "up" bound a wedge of solid and are
-// paired, like brackets, so that solids that touch along an edge come apart whole.
+// Faces are sorted by angle around the edge, from its lower to its upper vertex. The inside of a
+// face is the side that its normal points away from. It lies toward lower angles if the half-edge
+// runs up, and toward higher angles if it runs down. So a "down" face and the next "up" face bound
+// a wedge of solid. They are paired like brackets, and solids that touch along an edge are
+// separated whole.
 void ManifoldCutter::pair_crowd(std::span<const std::uint32_t> crowd) {
   const Vertex low = std::min(mesh_.origin[crowd[0]], target(crowd[0]));
   const Vertex high = std::max(mesh_.origin[crowd[0]], target(crowd[0]));
@@ -120,7 +121,7 @@ bool ManifoldCutter::has_single_fans() const {
         }
         return count;
       });
-  // No half-edge belongs to two fans, so all are met only where each vertex has one.
+  // No half-edge belongs to two fans, so all are visited only if each vertex has one fan.
   return met == mesh_.origin.size();
 }
 
@@ -173,9 +174,9 @@ bool ManifoldCutter::has_parallel_edges(std::span<const std::uint32_t> crowd) co
   return false;
 }
 
-// Pairing can leave two edges between the same two vertices, where the fans at both ends lead from
-// one to the other. Such a crowd is cut altogether: then at most one half-edge each way can remain
-// between a fan's copy of one end and a fan's copy of the other, and those are stitched.
+// Pairing can leave two edges between the same two vertices, if the fans at both ends contain both
+// edges. Such a crowd is cut completely. Then at most one half-edge in each direction remains
+// between a fan's copy of one end and a fan's copy of the other, and those two are stitched.
 bool ManifoldCutter::cut_parallel_crowds() {
   for (std::size_t i = 0; i < matching_.crowd_count(); ++i) {
     if (has_parallel_edges(matching_.crowd(i))) cut_crowds_.push_back(i);
@@ -197,12 +198,12 @@ void ManifoldCutter::undo_splits() {
 }
 
 std::uint64_t ManifoldCutter::count_split_vertices() const {
-  std::vector<Vertex> split = split_from_;  // a vertex of many fans is there once a copy
+  std::vector<Vertex> split = split_from_;  // a vertex occurs once per copy
   std::sort(split.begin(), split.end());
   return static_cast<std::uint64_t>(std::unique(split.begin(), split.end()) - split.begin());
 }
 
-/// A forest over the vertices, each with its parent: the copies of a vertex are in one tree if
+/// Returns a forest over the vertices, as the parent of each. Copies of a vertex are in one tree if
 /// edges of the input joined their fans before they were cut.
 std::vector<Vertex> ManifoldCutter::fans_joined_by_cut_edges() const {
   std::vector<Vertex> parent;

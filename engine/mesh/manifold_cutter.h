@@ -12,20 +12,20 @@ namespace mesher {
 
 struct CrowdEntry;
 
-/// Turns matched triangles into a manifold. Internal to building; expects duplicate faces gone and
-/// orientation settled. Crowded edges are paired around the edge and vertices where several fans
-/// meet are split, so that the invariants of Mesh hold. Where the fans were joined by no edge of
-/// the input, the vertex was a bow tie, and its copies are listed as such. Where the surface was
-/// opened along an edge, the copies are free to move apart.
+/// Makes matched triangles manifold, so that the invariants of Mesh hold. Crowded edges (three or
+/// more faces) are paired around the edge, and vertices where several fans meet are split. If no
+/// edge of the input joined the fans, the vertex was a bow-tie vertex, and its copies are listed as
+/// such. If the surface was cut along an edge, the copies may move apart. Internal to building.
+/// Pre: no duplicate faces; orientation is settled.
 class ManifoldCutter {
  public:
-  /// `mesh` has positions and origins. `vertex_source` names, for each vertex, where it came from;
-  /// copies made by splitting are appended to both.
+  /// `mesh` has positions and origins. `vertex_source` maps each vertex to its source. Copies made
+  /// by splitting are appended to both.
   ManifoldCutter(MeshArrays& mesh, Array<std::uint32_t>& vertex_source, BuildReport& report)
       : mesh_(mesh), vertex_source_(vertex_source), report_(report) {}
 
-  /// Fills mesh.twin, mesh.outgoing and mesh.bow_tie_copies. O(F + V), plus O(k log k) for each
-  /// edge of k faces.
+  /// Fills mesh.twin, mesh.outgoing and mesh.bow_tie_copies. O(F + V), plus O(k log k) per edge of
+  /// k faces.
   void run(EdgeMatching&& matching);
 
  private:
@@ -42,7 +42,7 @@ class ManifoldCutter {
   std::vector<Vertex> fans_joined_by_cut_edges() const;
   void stitch(std::span<const std::uint32_t> crowd);
   std::vector<CrowdEntry> sorted_by_ends(std::span<const std::uint32_t> crowd) const;
-  /// The vertex of the input that a vertex stands for.
+  /// Returns the vertex of the input that `v` is a copy of, or `v` itself.
   Vertex before_split(Vertex v) const {
     return v.index() < original_vertices_ ? v : split_from_[v.index() - original_vertices_];
   }
@@ -53,9 +53,9 @@ class ManifoldCutter {
   BuildReport& report_;
   EdgeMatching matching_;
   std::size_t original_vertices_ = 0;
-  std::vector<Vertex> split_from_;  ///< for each vertex past the original ones
+  std::vector<Vertex> split_from_;  ///< per vertex past the original ones
   std::vector<std::size_t> cut_crowds_;
-  std::vector<std::uint32_t> cut_disagreeing_;  ///< one half-edge of each such edge, and its twin
+  std::vector<std::uint32_t> cut_disagreeing_;  ///< pairs: each cut half-edge and its twin
 };
 
 }  // namespace mesher

@@ -8,7 +8,7 @@ namespace mesher {
 
 namespace {
 
-/// Takes a face's edge out: the faces beyond its two other sides become neighbours.
+/// Removes a face at its edge `h`: the faces beyond its two other sides become neighbors.
 void close_face(MeshEditor& edit, Halfedge h) {
   const Mesh& mesh = edit.mesh();
   const Halfedge next = Mesh::next(h);
@@ -17,8 +17,8 @@ void close_face(MeshEditor& edit, Halfedge h) {
   const Halfedge beyond_prev = mesh.twin(prev);
   if (beyond_next.is_valid()) edit.set_twin(beyond_next, beyond_prev);
   if (beyond_prev.is_valid()) edit.set_twin(beyond_prev, beyond_next);
-  // An apex whose sweep started in this face starts beyond it: at a boundary that half-edge has
-  // just lost its twin.
+  // If the apex's sweep started in this face, it now starts beyond it: at a boundary, that
+  // half-edge has just lost its twin.
   const Vertex top = mesh.origin(prev);
   if (mesh.outgoing(top) == prev) edit.set_outgoing(top, beyond_next);
 }
@@ -49,7 +49,7 @@ void MeshEditor::take_over(Vertex removed, Vertex kept) {
 }
 
 void MeshEditor::move_fan(Vertex from, Vertex to) {
-  // The sweep follows twins, which stay: changing origins under it is safe.
+  // The sweep follows twins, which do not change, so changing origins during it is safe.
   for (const Halfedge h : halfedges_around(mesh_, from)) {
     set_origin(h, to);
   }
@@ -60,7 +60,7 @@ void MeshEditor::start_fan_at_boundary(Vertex v, Halfedge spoke) {
   for (Halfedge h = mesh_.rotate_cw(spoke); h.is_valid() && h != spoke; h = mesh_.rotate_cw(h)) {
     start = h;
   }
-  // A closed fan may start anywhere; its first spoke is as good as its last.
+  // A closed fan may start anywhere, so `spoke` will do.
   set_outgoing(v, mesh_.is_boundary(start) ? start : spoke);
 }
 
@@ -109,7 +109,7 @@ CollapseResult::Move MeshEditor::remove_face(Face f) {
       mesh_.origin_[to.index()] = v;
       mesh_.twin_[to.index()] = mesh_.twin(from);
       mesh_.sharpness_[to.index()] = mesh_.sharpness(from);
-      // Noted though its class stays: which of the two stands for the edge may change.
+      // Noted although its class stays: the half-edge that represents the edge may change.
       if (mesh_.twin(from).is_valid()) set_twin(mesh_.twin(from), to);
       if (mesh_.outgoing(v) == from) mesh_.outgoing_[v.index()] = to;
     }

@@ -5,9 +5,9 @@
 
 namespace mesher {
 
-/// Single steps of edits on a mesh's arrays, each noted in its changes. Between steps invariants
-/// may be broken; whoever strings steps together restores them. For engine/mesh and for
-/// simplification in bulk, which closes the holes at the end instead of after each collapse.
+/// Elementary edits of a mesh's arrays, each noted in its change log. Invariants may be broken
+/// between edits; the caller restores them. For engine/mesh and for bulk simplification, which
+/// fills the holes at the end instead of after each collapse.
 class MeshEditor {
  public:
   explicit MeshEditor(Mesh& mesh) : mesh_(mesh) {}
@@ -27,28 +27,29 @@ class MeshEditor {
     mesh_.origin_[h.index()] = v;
     mesh_.changes_.note(GpuArray::origin, h.index());
   }
-  /// Every half-edge out of `from` starts at `to`. O(valence).
+  /// Makes every half-edge out of `from` start at `to`. O(valence).
   void move_fan(Vertex from, Vertex to);
-  /// Makes outgoing(v) the start of the sweep that contains `spoke`: at a boundary its first
+  /// Makes outgoing(v) the start of the fan that contains `spoke`: at a boundary, its first
   /// half-edge. O(valence).
   void start_fan_at_boundary(Vertex v, Halfedge spoke);
-  /// Of two edges that will fall together when the edge of `h` is merged, both get the larger
-  /// sharpness. O(1).
+  /// Gives each pair of edges that will coincide when the edge of `h` is collapsed the larger of
+  /// their sharpnesses. O(1).
   void join_sharpness(Halfedge h);
-  /// Takes the one or two faces at the edge of `h` out of everything that names them; their own
-  /// entries stay behind as holes. Sharpness (`join_sharpness`, before) and the fans of both ends
-  /// are left to the caller. O(1).
+  /// Removes all references to the one or two faces at the edge of `h`; their own entries remain as
+  /// holes. The caller handles sharpness (`join_sharpness`, before this) and the fans of both ends.
+  /// O(1).
   void close_edge(Halfedge h);
-  /// What `kept` takes over of `removed` besides its fan: its sharpness, if that is larger.
+  /// Gives `kept` the sharpness of `removed` if that is larger.
   void take_over(Vertex removed, Vertex kept);
-  /// Updates the list of bow-tie copies before `removed` is merged into `kept`, which moves to `p`:
-  /// a copy stays in the list if `p` is its position. O(log k) in their number; O(k log k) where
-  /// one of the two is a copy. Not for several threads at once, unlike the steps above.
+  /// Updates the list of bow-tie copies before `removed` is merged into `kept`, which moves to `p`.
+  /// A copy stays in the list if `p` is its position. O(log k) in their number; O(k log k) if one
+  /// of the two is a copy. Not thread-safe, unlike the edits above.
   void merge_bow_tie_copies(Vertex removed, Vertex kept, const glm::vec3& p);
-  /// Moves the last vertex into the place of `v`, which no face uses any more and which is no copy
-  /// of a bow-tie vertex. O(valence).
+  /// Moves the last vertex into the slot of `v`. O(valence). Pre: no face uses `v`, and `v` is not
+  /// a copy of a bow-tie vertex.
   CollapseResult::Move remove_vertex(Vertex v);
-  /// Moves the last face into the place of `f`, which no twin or outgoing names any more. O(1).
+  /// Moves the last face into the slot of `f`. O(1). Pre: no twin or outgoing half-edge refers to
+  /// `f`.
   CollapseResult::Move remove_face(Face f);
 
  private:

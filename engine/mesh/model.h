@@ -8,9 +8,9 @@
 
 namespace mesher {
 
-/// A mesh with everything its file said, and what opening it took.
+/// A mesh with all other data of its file, and the repairs made when it was opened.
 struct Model {
-  std::string name;  ///< as a title: the file's name without folder
+  std::string name;  ///< for titles: the file's name without folder
   Mesh mesh;
   Attributes attributes;
   BuildReport report;

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kGrain = 4096;
 constexpr float kPi = 3.14159265F;
 
-// Double throughout: squared lengths of a model 1e-6 units across leave the range of floats.
+// Double throughout: squared lengths of a model 1e-6 units across fall below the range of floats.
 glm::dvec3 unit_or_zero(const glm::dvec3& v) {
   const double length = glm::length(v);
   return length > 0.0 ? v / length : glm::dvec3(0.0);
@@ -32,7 +32,7 @@ double angle_at(const Mesh& mesh, Halfedge h) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-/// A corner's share in its vertex's normal, from the cross product of its face.
+/// Returns a corner's contribution to its vertex's normal, given the cross product of its face.
 glm::dvec3 weighted_normal(const Mesh& mesh, Halfedge h, const glm::dvec3& cross,
                            NormalWeight weight) {
   switch (weight) {
@@ -46,7 +46,7 @@ glm::dvec3 weighted_normal(const Mesh& mesh, Halfedge h, const glm::dvec3& cross
   return unit_or_zero(cross);
 }
 
-/// The corners around one vertex, in order, and between which of them its normals are split.
+/// The corners around one vertex, in order, and the edges at which its normals are split.
 class Fan {
  public:
   void gather(const Mesh& mesh, Vertex v, const CornerNormalOptions& options) {
@@ -87,14 +87,14 @@ class Fan {
     bool starts_run;
   };
 
-  // The edge between corner i-1 and corner i is the one that half-edge i runs along.
+  // Half-edge i runs along the edge between corner i-1 and corner i.
   bool is_split_before(const Mesh& mesh, std::size_t i, const CornerNormalOptions& options,
                        double cos_limit) const {
     const Halfedge h = corners_[i].h;
     if (mesh.is_boundary(h)) return true;
     if (options.split_at_creases && mesh.sharpness(h) > 0.0F) return true;
     const glm::dvec3& before = corners_[i == 0 ? corners_.size() - 1 : i - 1].unit;
-    // A face without area has no angle with anything: a sliver must not tear the shading.
+    // A face without area has no angle to its neighbors: a sliver must not split the shading.
     if (before == glm::dvec3(0.0) || corners_[i].unit == glm::dvec3(0.0)) return false;
     return options.crease_angle_rad < kPi && glm::dot(before, corners_[i].unit) < cos_limit;
   }
@@ -141,7 +141,7 @@ glm::vec3 vertex_normal(const Mesh& mesh, Vertex v, NormalWeight weight) {
 }
 
 Array<glm::vec3> vertex_normals(const Mesh& mesh, NormalWeight weight) {
-  // Where faces count by their unit normals, each is made once and not once a corner.
+  // If unit face normals are needed, compute each once instead of once per corner.
   const bool takes_units = weight != NormalWeight::area;
   const Array<glm::vec3> unit = takes_units ? face_normals(mesh) : Array<glm::vec3>{};
   Array<glm::vec3> normals(mesh.vertex_count());

@@ -7,41 +7,41 @@
 
 namespace mesher {
 
-/// How the faces around a vertex are weighted in its normal.
+/// The weight of each face in the normal of its vertex.
 enum class NormalWeight {
-  uniform,  ///< each face counts the same (H. Gouraud, 1971)
-  area,     ///< by face area: the cross product as it comes, cheapest
+  uniform,  ///< equal weights (H. Gouraud, 1971)
+  area,     ///< by face area: the plain cross product, cheapest
   angle,    ///< by the face's angle at the vertex (G. Thuermer, C. Wuethrich, 1998): independent of
-            ///< how a flat region is cut into triangles
+            ///< the triangulation of a flat region
 };
 
-/// Unit normal of a face, by the right-hand rule; zero where the face has no area. O(1).
+/// Returns the unit normal of a face by the right-hand rule, or zero if the face has no area. O(1).
 glm::vec3 face_normal(const Mesh& mesh, Face f);
 
-/// One unit normal a face. O(F) time, parallel.
+/// Returns one unit normal per face. O(F), parallel.
 Array<glm::vec3> face_normals(const Mesh& mesh);
 
-/// Unit normal of `v`, by a walk around its one-ring; zero where it has none (isolated vertex, flat
-/// fan folded on itself). O(valence).
+/// Returns the unit normal of `v` from its one-ring, or zero if it has none (isolated vertex, or a
+/// flat fan folded onto itself). O(valence).
 glm::vec3 vertex_normal(const Mesh& mesh, Vertex v, NormalWeight weight = NormalWeight::angle);
 
-/// One unit normal a vertex, as vertex_normal gives it to within rounding. The sum of the valences
-/// is 3F, so the walks are O(V + F) in all; parallel. 12 bytes a face of scratch.
+/// Returns one unit normal per vertex, equal to vertex_normal up to rounding. O(V + F), because the
+/// valences sum to 3F; parallel. Scratch memory: 12 bytes per face.
 Array<glm::vec3> vertex_normals(const Mesh& mesh, NormalWeight weight = NormalWeight::angle);
 
 struct CornerNormalOptions {
   NormalWeight weight = NormalWeight::angle;
-  /// Normals are split at an edge whose faces meet at more than this angle (0: everywhere, pi:
-  /// nowhere but at creases).
+  /// Normals are split at edges whose face normals differ by more than this angle (0: at all edges,
+  /// pi: at creases only).
   float crease_angle_rad = 3.14159265F;
   bool split_at_creases = true;  ///< also at edges with sharpness > 0
 };
 
-/// One unit normal a half-edge (for its corner). Around each vertex the faces are grouped into runs
-/// between split edges, and each run is averaged. O(V + F), parallel.
+/// Returns one unit normal per half-edge (for its corner). The faces around each vertex are grouped
+/// into runs between split edges, and each run is averaged. O(V + F), parallel.
 Array<glm::vec3> corner_normals(const Mesh& mesh, const CornerNormalOptions& options);
 
-/// The same for the corners at one vertex, written to `normals[h]`: what an edit near `v` needs.
+/// Recomputes the normals of the corners at one vertex, `normals[h]`, for an edit near `v`.
 /// O(valence).
 void update_corner_normals(const Mesh& mesh, Vertex v, const CornerNormalOptions& options,
                            Array<glm::vec3>& normals);

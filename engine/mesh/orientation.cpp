@@ -17,7 +17,7 @@ std::vector<std::uint32_t> faces_to_flip(const Array<Vertex>& origin,
                                          const EdgeMatching& matching) {
   const auto face_count = static_cast<std::uint32_t>(origin.size() / 3);
   std::vector<Turn> turn(face_count, Turn::unknown);
-  std::vector<std::uint32_t> component;  // its faces, in the order in which they are met
+  std::vector<std::uint32_t> component;  // its faces, in visiting order
   std::vector<std::uint32_t> flips;
   for (std::uint32_t seed = 0; seed < face_count; ++seed) {
     if (turn[seed] != Turn::unknown) continue;

@@ -7,9 +7,10 @@
 
 namespace mesher {
 
-/// Which faces to turn around so that neighbours agree. Internal to building. Each component (over
-/// edges of exactly two faces) is walked once; where two ways remain, the one that turns fewer
-/// faces is taken. A one-sided surface still disagrees along some edges afterwards. O(F).
+/// Returns the faces to flip so that neighbors agree in orientation. Each component (over edges of
+/// exactly two faces) is walked once; of its two orientations, the one that flips fewer faces is
+/// chosen. A one-sided surface still disagrees along some edges afterwards. O(F). Internal to
+/// building.
 std::vector<std::uint32_t> faces_to_flip(const Array<Vertex>& origin, const EdgeMatching& matching);
 
 }  // namespace mesher

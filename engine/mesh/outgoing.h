@@ -4,8 +4,9 @@
 
 namespace mesher {
 
-/// Makes `outgoing` of positions, origins and twins: the half-edge without twin where there is one
-/// (invariant 9), otherwise the lowest out of the vertex; none where no face uses it. O(V + F).
+/// Fills `outgoing` from positions, origins and twins: the half-edge without twin if there is one
+/// (invariant 9), otherwise the lowest half-edge out of the vertex; none if no face uses it. O(V +
+/// F).
 void fill_outgoing(MeshArrays& arrays);
 
 }  // namespace mesher

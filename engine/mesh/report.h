@@ -8,22 +8,22 @@
 
 namespace mesher {
 
-/// What building a mesh from a file's polygons changed or noticed, by kind.
+/// The kinds of changes and findings when a mesh is built from a file's polygons.
 enum class Repair : std::uint8_t {
-  polygons_triangulated,        ///< faces of four and more corners
-  degenerate_faces_dropped,     ///< a vertex twice, or fewer than three corners
+  polygons_triangulated,        ///< faces with four or more corners
+  degenerate_faces_dropped,     ///< a vertex used twice, or fewer than three corners
   duplicate_faces_dropped,      ///< the same three vertices as an earlier face
-  non_finite_vertices_dropped,  ///< a coordinate was NaN or infinite
-  non_finite_faces_dropped,     ///< faces that used one
-  faces_flipped,                ///< turned around to agree with their neighbours
-  unorientable_edges_cut,       ///< where a one-sided surface (Moebius) cannot agree with itself
-  non_manifold_edges_cut,       ///< edges of three and more faces
-  non_manifold_vertices_cut,    ///< several fans met, or a cut edge ended there
-  isolated_vertices_dropped,    ///< no face used them
+  non_finite_vertices_dropped,  ///< with a NaN or infinite coordinate
+  non_finite_faces_dropped,     ///< faces that use such a vertex
+  faces_flipped,                ///< to agree with their neighbors
+  unorientable_edges_cut,       ///< on a one-sided surface (Moebius strip)
+  non_manifold_edges_cut,       ///< edges of three or more faces
+  non_manifold_vertices_cut,    ///< several fans meet, or a cut edge ends there
+  isolated_vertices_dropped,    ///< no face uses them
   isolated_vertices_kept,       ///< no face uses them; kept on request
-  creases_on_missing_edges,     ///< between vertices that no edge joins, or on a missing vertex
+  creases_on_missing_edges,     ///< between vertices without an edge, or on a missing vertex
   invalid_sharpness_ignored,    ///< NaN or negative
-  contradictory_creases,        ///< tagged twice with different values; the last counts
+  contradictory_creases,        ///< tagged twice with different values; the last one is used
 };
 inline constexpr Choices<Repair, 14> kRepairs{{
     {Repair::polygons_triangulated, {"polygons_triangulated", "polygons triangulated"}},
@@ -45,14 +45,14 @@ inline constexpr Choices<Repair, 14> kRepairs{{
     {Repair::invalid_sharpness_ignored,
      {"invalid_sharpness_ignored", "invalid sharpness values ignored"}},
     {Repair::contradictory_creases,
-     {"contradictory_creases", "contradictory creases (the last counts)"}},
+     {"contradictory_creases", "contradictory creases (the last one is used)"}},
 }};
 static_assert(is_complete(kRepairs));
 constexpr const auto& choices(Repair) {
   return kRepairs;
 }
 
-/// Counts by kind. All zero: the file was a clean manifold as it stood.
+/// The number of repairs of each kind. All zero: the file was a clean manifold.
 class BuildReport {
  public:
   std::uint64_t& operator[](Repair repair) { return counts_[static_cast<std::size_t>(repair)]; }

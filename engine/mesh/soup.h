@@ -9,32 +9,32 @@
 
 namespace mesher {
 
-/// A crease as a file names it: an edge by its vertices (indices into Soup::positions).
+/// A crease as in a file: an edge given by its vertices (indices into Soup::positions).
 struct CreaseTag {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
   float sharpness = 0.0F;
 };
 
-/// A vertex with a sharpness of its own (OpenSubdiv's corner).
+/// A vertex with its own sharpness (OpenSubdiv's corner).
 struct CornerTag {
   std::uint32_t v = 0;
   float sharpness = 0.0F;
 };
 
-/// Faces as a file lists them, with no promise of anything: what readers produce and `build_mesh`
-/// turns into a mesh.
+/// A polygon soup: faces as in a file, with no guarantees. Readers produce it, and `build_mesh`
+/// turns it into a mesh.
 struct Soup {
   Array<glm::vec3> positions;
-  /// Position index of each corner, face after face.
+  /// The position index of each corner, face after face.
   Array<std::uint32_t> corners;
-  /// Empty where every face is a triangle. Otherwise F+1 offsets into `corners`: face f has corners
+  /// Empty if every face is a triangle. Otherwise F+1 offsets into `corners`: face f has corners
   /// [face_start[f], face_start[f+1]).
   Array<std::uint32_t> face_start;
-  /// For each triangle the polygon that it was cut from; empty where nothing was cut. Set by
+  /// For each triangle, the polygon that it was cut from; empty if nothing was cut. Set by
   /// `triangulate`.
   Array<std::uint32_t> polygon_of;
-  /// One value a corner of `corners` (not 3F, where there are polygons); groups one a face.
+  /// One value per corner of `corners` (not 3F if there are polygons); one group per face.
   Attributes attributes;
   std::vector<CreaseTag> creases;
   std::vector<CornerTag> corner_tags;

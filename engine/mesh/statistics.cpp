@@ -26,7 +26,7 @@ struct Measures {
   }
 };
 
-/// Volumes are summed about `center`, so that a model far from the origin keeps its digits.
+/// Sums volumes about `center`, so that a model far from the origin keeps its precision.
 Measures measure(const Mesh& mesh, IndexRange faces, const glm::dvec3& center) {
   Measures sum;
   for (std::size_t f = faces.begin; f < faces.end; ++f) {

@@ -8,47 +8,48 @@
 
 namespace mesher {
 
-/// Axis-aligned box. Empty (min > max) for a mesh without vertices.
+/// An axis-aligned box. Empty (min > max) for a mesh without vertices.
 struct Box {
   glm::vec3 min{1.0F};
   glm::vec3 max{-1.0F};
   bool is_empty() const { return min.x > max.x; }
   glm::dvec3 center() const { return 0.5 * (glm::dvec3(min) + glm::dvec3(max)); }
-  /// Length of the diagonal, 0 where empty. Double: the square of a float may overflow.
+  /// Returns the length of the diagonal, 0 if empty. In double, because the square of a float may
+  /// overflow.
   double diagonal() const;
 };
 
-/// Box of all positions. O(V), parallel.
+/// Returns the box of all positions. O(V), parallel.
 Box bounding_box(const Mesh& mesh);
 
-/// Each boundary loop, as the half-edges without twin that follow one another (with the surface on
-/// their left). O(F) time.
+/// Returns each boundary loop as a sequence of half-edges without twin (with the surface on their
+/// left). O(F).
 std::vector<std::vector<Halfedge>> boundary_loops(const Mesh& mesh);
 
-/// Component of each face, counted from 0 by lowest face; the number of components is one more than
-/// the highest. O(F) time.
+/// Returns the component of each face, numbered from 0 by lowest face. The number of components is
+/// one more than the highest number. O(F).
 std::vector<std::uint32_t> face_components(const Mesh& mesh);
 
-/// What `info` and the panel show.
+/// The figures that `info` and the panel show.
 struct Statistics {
   std::uint32_t vertices = 0;
   std::uint32_t edges = 0;
   std::uint32_t faces = 0;
   std::uint32_t boundary_edges = 0;
   std::uint32_t boundary_loops = 0;
-  std::uint32_t components = 0;  ///< of faces; an isolated vertex is not counted
+  std::uint32_t components = 0;  ///< of faces; isolated vertices not counted
   std::uint32_t isolated_vertices = 0;
   std::uint32_t crease_edges = 0;  ///< sharpness > 0, boundary not counted
   std::uint32_t zero_area_faces = 0;
-  std::int64_t euler_characteristic = 0;  ///< V - E + F, isolated vertices left out
+  std::int64_t euler_characteristic = 0;  ///< V - E + F, without isolated vertices
   double area = 0.0;                      ///< square model units
-  double volume = 0.0;                    ///< signed, cubic model units; meaningful where closed
+  double volume = 0.0;                    ///< signed, cubic model units; meaningful if closed
   Box box;
 
   bool is_closed() const { return boundary_edges == 0; }
 };
 
-/// O(F) time.
+/// Returns the statistics of a mesh. O(F).
 Statistics statistics(const Mesh& mesh);
 
 }  // namespace mesher

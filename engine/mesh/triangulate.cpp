@@ -30,7 +30,7 @@ double squared_length(const glm::dvec3& v) {
   return glm::dot(v, v);
 }
 
-// A diagonal lies inside a quad where its two triangles face the same way as the quad.
+// A diagonal lies inside a quad if its two triangles face the same way as the quad.
 void triangulate_quad(std::span<const glm::vec3> p, std::vector<Triangle>& triangles) {
   const glm::dvec3 normal =
       glm::cross(glm::dvec3(p[2]) - glm::dvec3(p[0]), glm::dvec3(p[3]) - glm::dvec3(p[1]));
@@ -51,8 +51,8 @@ void triangulate_quad(std::span<const glm::vec3> p, std::vector<Triangle>& trian
   }
 }
 
-/// Where each face's triangles start among all triangles; one entry more than faces. Faces that are
-/// dropped have none.
+/// Returns the index of each face's first triangle, plus the total at the end. Dropped faces have
+/// no triangles.
 std::vector<std::size_t> triangle_starts(const Soup& soup, BuildReport& report) {
   const std::uint32_t faces = soup.face_count();
   const std::vector<std::uint32_t> duplicates = duplicate_polygons(soup);

@@ -13,7 +13,7 @@ class Validator {
   Validator(const Mesh& mesh, std::size_t limit) : mesh_(mesh), limit_(limit) {}
 
   std::vector<Violation> run() {
-    // Later checks follow indices that the earlier ones have proved to be in range.
+    // Later checks follow indices that earlier checks have proved to be in range.
     check_sizes();
     if (is_sound_) check_index_ranges();
     if (is_sound_) {
@@ -40,13 +40,14 @@ class Validator {
 
   void check_sizes() {
     const std::size_t halfedges = mesh_.origins().size();
-    if (halfedges % 3 != 0) fail(1, "origins are not a multiple of three");
-    if (mesh_.twins().size() != halfedges) fail(1, "twins differ in number from origins");
-    if (mesh_.sharpnesses().size() != halfedges) fail(1, "sharpnesses differ from origins");
+    if (halfedges % 3 != 0) fail(1, "the number of origins is not a multiple of three");
+    if (mesh_.twins().size() != halfedges) fail(1, "not as many twins as origins");
+    if (mesh_.sharpnesses().size() != halfedges) fail(1, "not as many sharpnesses as origins");
     const std::size_t vertices = mesh_.positions().size();
-    if (mesh_.outgoings().size() != vertices) fail(1, "outgoing half-edges differ from positions");
+    if (mesh_.outgoings().size() != vertices)
+      fail(1, "not as many outgoing half-edges as positions");
     const std::size_t own = mesh_.vertex_sharpnesses().size();
-    if (own != 0 && own != vertices) fail(1, "vertex sharpnesses differ from positions");
+    if (own != 0 && own != vertices) fail(1, "not as many vertex sharpnesses as positions");
   }
 
   void check_index_ranges() {
@@ -105,7 +106,7 @@ class Validator {
       const Vertex v(i);
       const Halfedge start = mesh_.outgoing(v);
       if (start.is_valid() != (degree[i] > 0)) {
-        fail(7, name(v) + ": outgoing half-edge is none, and faces use it (or the reverse)");
+        fail(7, name(v) + ": outgoing half-edge is none but faces use it, or the reverse");
         continue;
       }
       if (!start.is_valid()) continue;
@@ -127,8 +128,8 @@ class Validator {
       is_open = !h.is_valid();
     } while (!is_open && h != start && met <= degree);
     if (met != degree) {
-      fail(8, name(v) + ": a sweep meets " + std::to_string(met) + " of " + std::to_string(degree) +
-                  " half-edges");
+      fail(8, name(v) + ": a sweep visits " + std::to_string(met) + " of " +
+                  std::to_string(degree) + " half-edges");
     }
     if (is_open && mesh_.twin(start).is_valid()) {
       fail(9, name(v) + ": the sweep does not start at the boundary");
@@ -186,14 +187,14 @@ class Validator {
       const auto [v, first] = copies[i];
       if (i > 0 && !(copies[i - 1].v < v)) fail(13, "copies of bow-tie vertices do not ascend");
       if (v.index() >= mesh_.vertex_count() || mesh_.is_isolated(v)) {
-        fail(13, "a copy of a bow-tie vertex is no vertex that faces use");
+        fail(13, "a copy of a bow-tie vertex is not a vertex that faces use");
         continue;
       }
       if (!copies_of.contains(first)) {
         if (first != v) fail(13, name(v) + ": not the lowest copy of its bow-tie vertex");
       } else if (first.index() < mesh_.vertex_count() &&
                  mesh_.position(v) != mesh_.position(first)) {
-        fail(14, name(v) + " is not where the other copies of its bow-tie vertex are");
+        fail(14, name(v) + ": position differs from the other copies of its bow-tie vertex");
       }
       ++copies_of[first];
     }
@@ -204,7 +205,7 @@ class Validator {
 
   const Mesh& mesh_;
   std::size_t limit_;
-  bool is_sound_ = true;  // not whether the list is empty: a limit of 0 keeps it so
+  bool is_sound_ = true;  // not derived from violations_, which stays empty with a limit of 0
   std::vector<Violation> violations_;
 };
 

@@ -8,15 +8,14 @@
 
 namespace mesher {
 
-/// A broken invariant of Mesh: its number there, and where.
+/// A violated invariant of Mesh: its number and a description of the location.
 struct Violation {
   int invariant = 0;
   std::string what;
 };
 
-/// Checks every invariant of Mesh (numbered in engine/mesh/mesh.h). Returns what is broken, at most
-/// `limit` entries; empty: the mesh is sound. Never crashes, whatever the arrays hold.
-/// O(F log F) time.
+/// Returns the violated invariants of Mesh (numbered in engine/mesh/mesh.h), at most `limit`
+/// entries; empty: the mesh is valid. Never crashes, whatever the arrays hold. O(F log F).
 std::vector<Violation> validate(const Mesh& mesh, std::size_t limit = 20);
 
 }  // namespace mesher

@@ -28,7 +28,7 @@ ErrorBound::ErrorBound(const Mesh& input, double bound, Array<float> shares)
       shares_(std::move(shares)),
       near_(input.vertex_count(), Face(0)) {
   constexpr std::size_t kGrain = 1U << 13U;
-  if (!is_fine(input, bound)) tree_.emplace(input, TriangleOrder::by_place);
+  if (!is_fine(input, bound)) tree_.emplace(input, TriangleOrder::presorted);
   parallel_for_each(next_.size(), kGrain, [&](std::uint32_t v) {
     next_[v] = v;
     if (!input.is_isolated(Vertex(v))) near_[v] = Mesh::face(input.outgoing(Vertex(v)));

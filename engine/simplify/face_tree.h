@@ -28,7 +28,7 @@ struct alignas(32) LaneBox {
 };
 
 template <>
-inline constexpr bool kLeftAsItWas<LaneBox> = true;
+inline constexpr bool kLeftUninitialized<LaneBox> = true;
 
 inline bool do_overlap(const LaneBox& a, const LaneBox& b) {
   return !any((a.min > b.max) | (b.min > a.max));

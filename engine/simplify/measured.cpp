@@ -28,8 +28,8 @@ constexpr int kRunsBeforeEffort = 4;
 constexpr std::uint64_t kEffort = 16;
 
 HausdorffBounds bounds_of(const Trace& trace, const HausdorffOptions& options) {
-  LazyTree before(trace.before, TriangleOrder::by_place);
-  LazyTree after(trace.after, TriangleOrder::by_place);
+  LazyTree before(trace.before, TriangleOrder::presorted);
+  LazyTree after(trace.after, TriangleOrder::presorted);
   return hausdorff_bounds({trace.before, before, trace.near_before},
                           {trace.after, after, trace.near_after}, options);
 }

@@ -87,9 +87,9 @@ struct alignas(64) VertexState {
 
 /// Both are fully written, in parallel, before they are read.
 template <>
-inline constexpr bool kLeftAsItWas<FaceState> = true;
+inline constexpr bool kLeftUninitialized<FaceState> = true;
 template <>
-inline constexpr bool kLeftAsItWas<VertexState> = true;
+inline constexpr bool kLeftUninitialized<VertexState> = true;
 
 /// Several vertex states at once.
 template <class F>

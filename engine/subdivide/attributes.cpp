@@ -20,7 +20,7 @@ glm::u8vec4 middle(const glm::u8vec4& a, const glm::u8vec4& b) {
   return result;
 }
 
-/// The corners of the four children of each face, in the order of `refine`.
+/// Returns the corners of the four children of each face, in the order of `refine`.
 template <class T>
 Array<T> split_corners(const Array<T>& corner, Progress* progress) {
   Array<T> child(4 * corner.size());

@@ -16,14 +16,14 @@ namespace mesher {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
-// From here on the stencils around a vertex are made together.
+// From this valence on, the stencils around a vertex are computed together.
 constexpr std::uint32_t kHubValence = 33;
 
-/// What stencils need to know of sharp edges, at hand by half-edge and vertex; empty where nothing
-/// is sharp but boundaries.
+/// Sharp edges and vertices by index, for stencils. `sharpness` is empty if only boundaries are
+/// sharp.
 struct SharpLookup {
   Array<float> sharpness;              ///< 3F
-  std::vector<std::uint8_t> is_curve;  ///< V: the vertex lies on a crease or is sharp
+  std::vector<std::uint8_t> is_curve;  ///< V: the vertex is on a crease or is sharp
 
   SharpLookup(const LevelView& level, const Features& features) {
     const bool has_creases = std::ranges::any_of(features.edges(), [&](const SharpEdge& edge) {
@@ -44,19 +44,19 @@ struct SharpLookup {
   }
 };
 
-/// The stencils around a vertex of very many neighbours, all at once. The weights of neighbour j
-/// for the edge to neighbour i are cosines of j - i, so that a few sums over the ring serve every
-/// edge: O(1) an edge where adding up each stencil would be O(valence).
+/// All stencils around a vertex of high valence. The weights of neighbor j for the edge to neighbor
+/// i are cosines of j - i, so a few sums over the ring serve every edge: O(1) per edge, where
+/// summing each stencil would be O(valence).
 class HubStencils {
  public:
-  /// Counter-clockwise from any spoke on.
+  /// Sums the ring counter-clockwise, from any spoke.
   HubStencils(const LevelView& level, Halfedge start) {
     Halfedge h = start;
     do {
-      places_.emplace_back(h, static_cast<std::uint32_t>(places_.size()));
+      spoke_indices_.emplace_back(h, static_cast<std::uint32_t>(spoke_indices_.size()));
       h = level.twin[Mesh::prev(h).index()];
     } while (h != start);
-    for (const auto& [spoke, j] : places_) {
+    for (const auto& [spoke, j] : spoke_indices_) {
       const glm::dvec3 end = level.position[level.origin[Mesh::next(spoke).index()].index()];
       sum_ += end;
       for (std::size_t k = 0; k < 2; ++k) {
@@ -64,27 +64,27 @@ class HubStencils {
         sin_[k] += std::sin(angle(k, j)) * end;
       }
     }
-    std::ranges::sort(places_);
+    std::ranges::sort(spoke_indices_);
   }
 
-  /// What the ring gives to the new vertex on the edge of `h`, which leaves the hub.
+  /// Returns the ring's contribution to the new vertex on the edge of `h`, which leaves the hub.
   glm::dvec3 ring_part(Halfedge h) const {
     const std::uint32_t i =
-        std::ranges::lower_bound(places_, h, {}, &std::pair<Halfedge, std::uint32_t>::first)
+        std::ranges::lower_bound(spoke_indices_, h, {}, &std::pair<Halfedge, std::uint32_t>::first)
             ->second;
     const auto wave = [&](std::size_t k) {
       return std::cos(angle(k, i)) * cos_[k] + std::sin(angle(k, i)) * sin_[k];
     };
-    return (0.25 * sum_ + wave(0) + 0.5 * wave(1)) / static_cast<double>(places_.size());
+    return (0.25 * sum_ + wave(0) + 0.5 * wave(1)) / static_cast<double>(spoke_indices_.size());
   }
 
  private:
   double angle(std::size_t k, std::uint32_t j) const {
     return 2.0 * std::numbers::pi * static_cast<double>(k + 1) * j /
-           static_cast<double>(places_.size());
+           static_cast<double>(spoke_indices_.size());
   }
 
-  std::vector<std::pair<Halfedge, std::uint32_t>> places_;  ///< spokes and where they come
+  std::vector<std::pair<Halfedge, std::uint32_t>> spoke_indices_;  ///< spokes with ring indices
   glm::dvec3 sum_{0.0};
   std::array<glm::dvec3, 2> cos_{glm::dvec3(0.0), glm::dvec3(0.0)};
   std::array<glm::dvec3, 2> sin_{glm::dvec3(0.0), glm::dvec3(0.0)};
@@ -100,7 +100,8 @@ class Butterfly {
     }
   }
 
-  /// As if the edge itself were smooth. On a boundary some value.
+  /// Returns the new vertex as if the edge itself were smooth. On a boundary, the value is
+  /// arbitrary.
   glm::dvec3 smooth_point(Halfedge h, Halfedge twin) const {
     if (!twin.is_valid()) return from(h);
     const bool first = is_extraordinary(origin(h));
@@ -114,7 +115,7 @@ class Butterfly {
            kButterflyOpposite * (opposite(h) + opposite(twin)) + kButterflyWing * wings;
   }
 
-  /// Along the boundary or crease.
+  /// Returns the new vertex by the four-point rule along the boundary or crease.
   glm::dvec3 curve_point(const SharpEdge& edge) const {
     const glm::dvec3 a = end(edge, 0);
     const glm::dvec3 b = end(edge, 1);
@@ -136,7 +137,8 @@ class Butterfly {
            sharp_.is_curve[v.index()] == 0;
   }
 
-  /// The vertex across `h` from its face: reflected as far as the edge is sharp.
+  /// Returns the vertex across `h` from its face, blended with its reflection by the edge's
+  /// sharpness.
   glm::dvec3 wing(Halfedge h) const {
     const Halfedge twin = level_.twin[h.index()];
     const glm::dvec3 reflected = from(h) + from(Mesh::next(h)) - opposite(h);
@@ -146,10 +148,10 @@ class Butterfly {
     return blend * reflected + (1.0 - blend) * opposite(twin);
   }
 
-  /// From the ring of the extraordinary vertex that `h` leaves.
+  /// Returns the new vertex from the ring of the extraordinary vertex that `h` leaves.
   glm::dvec3 around(Halfedge h) const {
     const std::uint32_t valence = rings_.base_valence(origin(h).index());
-    glm::dvec3 point = kButterflyCentre * from(h);
+    glm::dvec3 point = kButterflyCenter * from(h);
     if (valence >= kHubValence) return point + hubs_.at(origin(h).index()).ring_part(h);
     Halfedge spoke = h;
     for (std::uint32_t i = 0; i < valence; ++i) {
@@ -163,8 +165,8 @@ class Butterfly {
     return at(features_.vertices()[edge.end[side]].v);
   }
 
-  /// The next vertex along the curve beyond `near`, the end on that side; where the curve does not
-  /// go on, or not in one way, it goes on straight.
+  /// Returns the next vertex along the curve beyond `near`, the end on that side. If the curve ends
+  /// or branches there, it is extended straight.
   glm::dvec3 beyond(const SharpEdge& edge, std::size_t side, const glm::dvec3& near,
                     const glm::dvec3& far) const {
     const SharpVertex& vertex = features_.vertices()[edge.end[side]];
@@ -182,7 +184,7 @@ class Butterfly {
   std::unordered_map<std::uint32_t, HubStencils> hubs_;
 };
 
-/// Old vertices stay where they are.
+/// Copies the old vertices, which do not move.
 void copy_positions(const LevelView& coarse, Level& finer) {
   std::ranges::copy(coarse.position, finer.position.begin());
 }
@@ -197,10 +199,10 @@ Level butterfly_step(const LevelView& coarse, const Rings& rings, const Features
   });
   parallel_for_each(features.edges().size(), kGrain, [&](std::uint32_t i) {
     const SharpEdge& edge = features.edges()[i];
-    glm::vec3& place = finer.position[edge_vertex(finer, edge.h).index()];
+    glm::vec3& position = finer.position[edge_vertex(finer, edge.h).index()];
     const double blend = edge_blend(edge.sharpness, edge.left[0], edge.left[1]);
     const glm::dvec3 curve = butterfly.curve_point(edge);
-    place = blend >= 1.0 ? curve : blend * curve + (1.0 - blend) * glm::dvec3(place);
+    position = blend >= 1.0 ? curve : blend * curve + (1.0 - blend) * glm::dvec3(position);
   });
   copy_positions(coarse, finer);
   if (!is_last) write_outgoing(coarse, finer);

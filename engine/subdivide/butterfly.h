@@ -7,14 +7,14 @@
 
 namespace mesher {
 
-/// One step of modified butterfly subdivision: old vertices stay. No stencil reaches across a
-/// boundary or a crease: a missing wing is the reflection of the vertex opposite, and along the
-/// edge itself the four-point rule holds. A vertex on either counts as regular. Semi-sharp edges
-/// blend. Old vertices are copied. O(F), parallel. Throws Cancelled.
+/// Returns the next level of modified butterfly subdivision; old vertices are copied. No stencil
+/// reaches across a boundary or a crease: a missing wing is the reflection of the opposite vertex,
+/// and the edge itself uses the four-point rule. A vertex on a boundary or crease counts as
+/// regular. Semi-sharp edges blend the smooth and the sharp rule. O(F), parallel. Throws Cancelled.
 Level butterfly_step(const LevelView& coarse, const Rings& rings, const Features& features,
                      const SubdivideOptions& options, bool is_last);
 
-/// Splits edges in the middle; nothing moves.
+/// Returns the next level with edges split in the middle; no vertex moves.
 Level midpoint_step(const LevelView& coarse, const SubdivideOptions& options, bool is_last);
 
 }  // namespace mesher

@@ -8,7 +8,7 @@
 namespace mesher {
 namespace {
 
-/// Three faces on each side of the crease, or on the only side.
+/// Returns whether there are three faces on each side of the crease, or on the only side.
 bool is_regular_crease(const LevelView& level, Vertex v, Halfedge a, Halfedge b) {
   const auto runs_along = [&](Halfedge h, Halfedge sharp) {
     return h == sharp || level.twin[h.index()] == sharp;
@@ -33,15 +33,16 @@ bool is_regular_crease(const LevelView& level, Vertex v, Halfedge a, Halfedge b)
 
 }  // namespace
 
-/// Fills a Features in the order edges, vertices with their incidences, what follows from both.
+/// Builds a Features in this order: edges; vertices, each followed by its incident edges; derived
+/// data.
 class FeatureBuilder {
  public:
-  /// Vertices from `first_regular` on are edge vertices of some level before.
+  /// Vertices from `first_regular` on are edge vertices of some earlier level.
   FeatureBuilder(const SubdivideOptions& options, std::uint32_t first_regular) : options_(options) {
     features_.first_regular_ = first_regular;
   }
 
-  /// Room for so many: no more is taken.
+  /// Reserves memory for exactly these numbers.
   void reserve(std::size_t edges, std::size_t vertices) {
     features_.edges_.reserve(edges);
     features_.incident_.reserve(2 * edges);
@@ -53,7 +54,7 @@ class FeatureBuilder {
   }
   std::uint32_t edge_count() const { return static_cast<std::uint32_t>(features_.edges_.size()); }
 
-  /// Its edges follow, by `add_incident`.
+  /// Adds a vertex. Its edges follow, through `add_incident`.
   void add_vertex(Vertex v, float own) {
     features_.vertices_.push_back(
         {.v = v, .own = own, .begin = static_cast<std::uint32_t>(features_.incident_.size())});
@@ -75,7 +76,7 @@ class FeatureBuilder {
     for (SharpVertex& vertex : features_.vertices_)
       vertex.kind = kind_of(level, vertex);
     for (SharpVertex& vertex : features_.vertices_)
-      wear_edges_at(vertex);
+      decay_edges_at(vertex);
     return std::move(features_);
   }
 
@@ -91,8 +92,8 @@ class FeatureBuilder {
     return is_regular ? VertexKind::regular_crease : VertexKind::crease;
   }
 
-  /// What is left on the halves at the vertex.
-  void wear_edges_at(const SharpVertex& vertex) {
+  /// Sets the next sharpness of the edge halves at the vertex.
+  void decay_edges_at(const SharpVertex& vertex) {
     SemiSharpSum sum;
     for (const std::uint32_t i : features_.at(vertex))
       sum.add(features_.edges_[i].sharpness);
@@ -110,7 +111,7 @@ class FeatureBuilder {
 
 namespace {
 
-/// The sharpness of its own that a vertex has on the given mesh. Copies of a bow-tie vertex are
+/// Returns a vertex's own sharpness on the unsubdivided mesh. Copies of a bow-tie vertex are
 /// infinitely sharp, or they would drift apart.
 float own_sharpness(const Mesh& mesh, Vertex v, const SubdivideOptions& options) {
   if (mesh.is_isolated(v)) return 0.0F;
@@ -124,13 +125,13 @@ float own_sharpness(const Mesh& mesh, Vertex v, const SubdivideOptions& options)
   return own >= kSharpForEver ? kInfinitelySharp : own;
 }
 
-/// A crease, seen by its lower half-edge, or a boundary.
+/// Returns whether `h` is the lower half-edge of a crease, or a boundary.
 bool is_sharp_edge(const Mesh& mesh, Halfedge h) {
   if (mesh.is_boundary(h)) return true;
   return mesh.sharpness(h) > 0.0F && h < mesh.twin(h);
 }
 
-/// An end of a sharp edge; sorted, they are grouped by vertex.
+/// An end of a sharp edge; sorting groups them by vertex.
 struct EdgeEnd {
   Vertex v;
   std::uint32_t edge = 0;
@@ -201,7 +202,7 @@ Features next_features(const Features& features, const Level& finer,
   for (std::size_t i = 0; i < halves.size(); ++i) {
     if (halves[i][0] == kNone && halves[i][1] == kNone) continue;
     builder.add_vertex(edge_vertex(finer, features.edges()[i].h), 0.0F);
-    // The first half ends at the new vertex, the second begins there.
+    // The first half ends at the new vertex; the second half begins there.
     if (halves[i][0] != kNone) builder.add_incident(halves[i][0], 1);
     if (halves[i][1] != kNone) builder.add_incident(halves[i][1], 0);
   }

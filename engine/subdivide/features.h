@@ -14,40 +14,43 @@ namespace mesher {
 
 /// A sharp edge of a level: a crease, or a boundary.
 struct SharpEdge {
-  Halfedge h;  ///< either, or the one without twin
+  Halfedge h;  ///< either half-edge, or the one without twin
   float sharpness = 0.0F;
-  std::array<float, 2> left{};  ///< what its halves keep: at the origin of `h`, at its target
+  std::array<float, 2> left{};  ///< sharpness of its halves on the next level: at the origin of
+                                ///< `h`, at its target
   std::array<std::uint32_t, 2> end{};  ///< its ends as indices into Features::vertices
 };
 
-/// A vertex that is sharp itself or ends sharp edges.
+/// A vertex that is sharp itself or is the end of sharp edges.
 struct SharpVertex {
   Vertex v;
   float own = 0.0F;         ///< its own sharpness
-  std::uint32_t begin = 0;  ///< its sharp edges: `count` indices into Features::edges, listed from
-  std::uint32_t count = 0;  ///< `begin` on in Features::incident
+  std::uint32_t begin = 0;  ///< index of its first sharp edge in Features::incident_
+  std::uint32_t count = 0;  ///< number of its sharp edges
   VertexKind kind = VertexKind::smooth;
 };
 
-/// All that is sharp on one level, sparse: subdivision treats everything as smooth first and then
-/// corrects what is listed here. A level's list follows from the list before by arithmetic: the
-/// edge vertices of sharp edges are the only new sharp vertices, and each ends two halves of one
-/// edge. O(sharp edges) in memory and time on every level but the first, which is found by a scan.
+/// The sharp edges and vertices of one level, as sparse lists. Subdivision first treats everything
+/// as smooth and then corrects the listed edges and vertices. The lists of the next level follow by
+/// arithmetic: its only new sharp vertices are the edge vertices of sharp edges, each the end of
+/// the two halves of one edge. O(sharp edges) in memory and time on every level except the first,
+/// which takes a scan of the mesh.
 class Features {
  public:
   std::span<const SharpEdge> edges() const { return edges_; }
   std::span<const SharpVertex> vertices() const { return vertices_; }
-  /// The sharp edges at a vertex, as indices into `edges()`.
+  /// Returns the sharp edges at a vertex, as indices into `edges()`.
   std::span<const std::uint32_t> at(const SharpVertex& vertex) const {
     return {incident_.data() + vertex.begin, vertex.count};
   }
-  /// Vertices from here on were made on an edge: a crease through one has three faces on each side.
+  /// Returns the first vertex that was made on an edge. A crease through such a vertex has three
+  /// faces on each side.
   std::uint32_t first_regular() const { return first_regular_; }
-  /// 0 where the vertex is the origin of the edge's half-edge, 1 where it is its target.
+  /// Returns 0 if the vertex is the origin of the edge's half-edge, 1 if it is its target.
   std::size_t side(const SharpEdge& edge, const SharpVertex& vertex) const {
     return &vertices_[edge.end[0]] == &vertex ? 0 : 1;
   }
-  /// The vertex at the other end.
+  /// Returns the vertex at the other end.
   const SharpVertex& other_end(const SharpEdge& edge, const SharpVertex& vertex) const {
     return vertices_[edge.end[1 - side(edge, vertex)]];
   }
@@ -60,16 +63,16 @@ class Features {
   std::uint32_t first_regular_ = 0;
 };
 
-/// How many edges are creases or boundaries. O(F).
+/// Returns the number of edges that are creases or boundaries. O(F).
 std::size_t count_sharp_edges(const Mesh& mesh);
-/// Bytes that a level's list takes for each of them, and what making the next one takes beside.
-inline constexpr std::size_t kBytesASharpEdge =
+/// The bytes per sharp edge: its entries in a level's lists, and scratch for the next level.
+inline constexpr std::size_t kBytesPerSharpEdge =
     sizeof(SharpEdge) + sizeof(SharpVertex) + 4 * sizeof(std::uint32_t);
 
-/// What is sharp on the mesh as it is given. O(F + sharp edges log sharp edges).
+/// Returns the features of the unsubdivided mesh. O(F + sharp edges log sharp edges).
 Features features_of(const Mesh& mesh, const SubdivideOptions& options);
 
-/// What is sharp on the level `finer`, which was made of the level with `features`. O(sharp edges).
+/// Returns the features of `finer`, the next level after the one with `features`. O(sharp edges).
 /// Pre: `finer` has its twins.
 Features next_features(const Features& features, const Level& finer,
                        const SubdivideOptions& options);

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kChunk = 4096;
 constexpr std::size_t kSharpChunk = 512;
 
-/// cos and sin of 2 pi i / n for the common valences n, in rows.
+/// cos and sin of 2 pi i / n, precomputed for common valences n, one row per valence.
 class TangentMasks {
  public:
   TangentMasks() {
@@ -39,7 +39,7 @@ class TangentMasks {
   std::array<std::array<glm::dvec2, kCommon>, kCommon> common_{};
 };
 
-/// Takes everything as smooth; what is not is corrected afterwards.
+/// Computes the limit as if everything were smooth; sharp vertices are corrected afterwards.
 class SmoothLimit {
  public:
   SmoothLimit(const LevelView& level, LimitSurface& limit) : level_(level), limit_(limit) {}

@@ -9,15 +9,15 @@
 
 namespace mesher {
 
-/// What Loop subdivision, carried on for ever, makes of a level's vertices.
+/// The limit of Loop subdivision at the vertices of a level.
 struct LimitSurface {
   Array<glm::vec3> position;  ///< V
-  Array<glm::vec3> normal;    ///< 3F: unit, one a corner; zero where the surface has none
+  Array<glm::vec3> normal;    ///< 3F: unit, one per corner; zero if the surface has no normal there
 };
 
-/// Exact by masks (C. Loop, 1987; H. Hoppe et al., 1994); semi-sharp vertices are followed until
-/// their sharpness is used up, so that the limit does not depend on the level it is taken from.
-/// O(F), parallel. Throws Cancelled.
+/// Returns the limit positions and normals of a level, exact by masks (C. Loop, 1987; H. Hoppe et
+/// al., 1994). Semi-sharp vertices are subdivided until their sharpness is used up, so that the
+/// limit does not depend on the level. O(F), parallel. Throws Cancelled.
 LimitSurface limit_surface(const LevelView& level, const Features& features,
                            const SubdivideOptions& options);
 

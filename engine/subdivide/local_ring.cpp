@@ -12,10 +12,10 @@
 namespace mesher {
 namespace {
 
-// The slowest ring shrinks to 5/8 a step: after so many, what is left is below 1e-13 of it.
+// The slowest ring shrinks to 5/8 per step: after this many steps, less than 1e-13 of it remains.
 constexpr int kStepsToConverge = 64;
-// Enough for a ring of up to a dozen neighbours to lie in its tangent plane. Not more: at a dart it
-// shrinks faster one way than the other, until it is a line.
+// Enough for a ring of up to a dozen neighbors to lie in its tangent plane. More steps would hurt:
+// at a dart, the ring shrinks faster in one direction than in the other and degenerates to a line.
 constexpr int kStepsToFlatten = 24;
 
 glm::dvec3 unit_or_zero(const glm::dvec3& v) {
@@ -29,7 +29,7 @@ void LocalRing::gather(const LevelView& level, const Features& features, const S
                        const SubdivideOptions& options) {
   options_ = options;
   vertex_ = level.position[vertex.v.index()];
-  centre_ = glm::dvec3(0.0);
+  center_ = glm::dvec3(0.0);
   own_ = vertex.own;
   halfedges_.clear();
   spokes_.clear();
@@ -48,7 +48,8 @@ void LocalRing::gather(const LevelView& level, const Features& features, const S
   note_sharpness(level, features, vertex, incoming);
 }
 
-/// `incoming`: along the last spoke of a boundary vertex, out of which no half-edge runs.
+/// `incoming`: the half-edge along the last spoke of a boundary vertex, which has no outgoing
+/// half-edge.
 void LocalRing::note_sharpness(const LevelView& level, const Features& features,
                                const SharpVertex& vertex, Halfedge incoming) {
   sharp_edges_.clear();
@@ -104,11 +105,12 @@ bool LocalRing::has_semi_sharp() const {
 }
 
 void LocalRing::settle() {
-  // Hoppe's masks depend on the kinds of the neighbours until those are new vertices of an edge.
+  // Hoppe's masks depend on the kinds of the neighbors. After one step, the neighbors are new edge
+  // vertices, of known kind.
   if (options_.creases == CreaseRules::hoppe94) step();
   while (has_semi_sharp())
     step();
-  // DeRose's masks at a dart have no limit in closed form here.
+  // DeRose's masks at a dart have no closed-form limit here.
   if (kind() == VertexKind::dart && options_.creases == CreaseRules::derose98) converge();
 }
 
@@ -117,18 +119,18 @@ void LocalRing::converge() {
   const glm::dvec3 vertex = vertex_;
   for (int i = 0; i < kStepsToConverge; ++i)
     step();
-  centre_ = vertex_;
-  // Once more around the vertex itself: the ring keeps its digits while it shrinks.
+  center_ = vertex_;
+  // Repeat with the vertex at the origin: the ring then keeps its precision while it shrinks.
   spokes_ = spokes;
   vertex_ = vertex;
   for (int i = 0; i < kStepsToFlatten; ++i) {
-    centre_on_vertex();
+    center_on_vertex();
     step();
   }
 }
 
-/// Moves all so that the vertex is at the origin.
-void LocalRing::centre_on_vertex() {
+/// Translates the ring so that the vertex is at the origin.
+void LocalRing::center_on_vertex() {
   for (Spoke& spoke : spokes_)
     spoke.end -= vertex_;
   vertex_ = glm::dvec3(0.0);
@@ -162,7 +164,7 @@ glm::dvec3 LocalRing::next_vertex() const {
 
 glm::dvec3 LocalRing::next_end(std::size_t i, VertexKind own_kind) const {
   const Spoke& spoke = spokes_[i];
-  // On a boundary, the first and last spoke are sharp and take no smooth mask.
+  // On a boundary, the first and last spokes are sharp and use no smooth mask.
   const glm::dvec3 smooth =
       kLoopEdgeEnd * (vertex_ + spoke.end) + kLoopEdgeOpposite * (before(i).end + after(i).end);
   if (spoke.sharpness <= 0.0F) return smooth;
@@ -176,7 +178,7 @@ glm::dvec3 LocalRing::next_end(std::size_t i, VertexKind own_kind) const {
 
 void LocalRing::decay_spoke_sharpness() {
   for (Spoke& spoke : spokes_) {
-    // Now the edge ends at a new vertex, beyond which its other half goes on.
+    // The edge now ends at a new vertex; its other half continues from there.
     spoke.sharpness = spoke.near_left;
     spoke.end_kind = spoke.far_left > 0.0F ? VertexKind::regular_crease : VertexKind::dart;
   }
@@ -185,7 +187,7 @@ void LocalRing::decay_spoke_sharpness() {
     at_vertex.add(spoke.sharpness);
   const bool is_chaikin = options_.decay == CreaseDecay::chaikin;
   for (Spoke& spoke : spokes_) {
-    SemiSharpSum at_end;  // the edge comes in, its other half goes on
+    SemiSharpSum at_end;  // at the new vertex: this half and the other one
     at_end.add(spoke.sharpness);
     at_end.add(spoke.far_left);
     spoke.near_left =
@@ -208,7 +210,7 @@ glm::dvec3 LocalRing::limit_position() const {
     const RingMask mask = crease_limit_mask(options_.creases, own_kind);
     return mask.own * vertex_ + mask.each * crease;
   }
-  if (own_kind == VertexKind::dart && options_.creases == CreaseRules::derose98) return centre_;
+  if (own_kind == VertexKind::dart && options_.creases == CreaseRules::derose98) return center_;
   const RingMask mask = loop_limit_mask(static_cast<std::uint32_t>(spokes_.size()));
   return mask.own * vertex_ + mask.each * sum;
 }
@@ -225,7 +227,7 @@ std::span<const glm::dvec3> LocalRing::limit_normals() {
   for (std::size_t i = 0; i < spokes_.size(); ++i) {
     if (spokes_[i].sharpness > 0.0F) sharp_.push_back(i);
   }
-  if (sharp_.empty()) sharp_.push_back(0);  // sharp by itself: a cone, cut open anywhere
+  if (sharp_.empty()) sharp_.push_back(0);  // sharp itself: a cone, cut open anywhere
   const std::size_t sectors = is_boundary() ? sharp_.size() - 1 : sharp_.size();
   for (std::size_t k = 0; k < sectors; ++k) {
     const std::size_t first = sharp_[k];
@@ -249,13 +251,13 @@ glm::dvec3 LocalRing::smooth_normal() const {
   return unit_or_zero(glm::cross(along, across));
 }
 
-/// Between two sharp spokes, of `count` spokes from `first` on, both included.
+/// Returns the normal between two sharp spokes: `count` spokes from `first` on, including both.
 glm::dvec3 LocalRing::sector_normal(VertexKind own_kind, std::size_t first,
                                     std::size_t count) const {
   const auto end = [&](std::size_t i) { return spokes_[(first + i) % spokes_.size()].end; };
   const glm::dvec3 average = fan_normal(first, count);
   if (own_kind == VertexKind::corner) {
-    // The plane of the two creases' tangents, unless they run into each other.
+    // The plane of the two creases' tangents, unless they are nearly parallel.
     const glm::dvec3 a = unit_or_zero(end(0) - vertex_);
     const glm::dvec3 b = unit_or_zero(end(count - 1) - vertex_);
     const glm::dvec3 normal = glm::cross(a, b);

@@ -11,32 +11,35 @@
 
 namespace mesher {
 
-/// A sharp vertex with its neighbours, which a step of Loop subdivision maps to the same: so it can
-/// be followed to the limit alone, however long its sharpness lasts. In double precision.
+/// A sharp vertex with its one-ring. A step of Loop subdivision maps the ring to the new ring of
+/// the same vertex, so that one vertex can be followed to its limit alone, however long its
+/// sharpness lasts. In double.
 class LocalRing {
  public:
-  /// The ring of a vertex of `level`, whose features are `features`. O(valence).
+  /// Loads the ring of a vertex of `level`, whose features are `features`. O(valence).
   void gather(const LevelView& level, const Features& features, const SharpVertex& vertex,
               const SubdivideOptions& options);
 
-  /// Follows the vertex until its limit is known by a mask, or is as near as doubles get.
-  /// O(valence) a step; few steps but where semi-sharp edges last long and at DeRose's darts.
+  /// Subdivides until the limit is given by a mask, or has converged in double precision.
+  /// O(valence) per step. It takes few steps, except for long-lasting semi-sharp edges and at
+  /// DeRose's darts.
   void settle();
 
-  /// Where the vertex goes in the end. Pre: settled.
+  /// Returns the limit position of the vertex. Pre: settled.
   glm::dvec3 limit_position() const;
-  /// Unit normals of the limit surface, one for each half-edge out of the vertex, in the order of
-  /// `halfedges()`: creases split them. Pre: settled. O(valence).
+  /// Returns unit normals of the limit surface, one per half-edge out of the vertex, in the order
+  /// of `halfedges()`; creases split them. O(valence). Pre: settled.
   std::span<const glm::dvec3> limit_normals();
-  /// The half-edges out of the vertex, counter-clockwise, on a boundary from its start on.
+  /// Returns the half-edges out of the vertex, counter-clockwise; on a boundary, from the first one
+  /// on.
   std::span<const Halfedge> halfedges() const { return halfedges_; }
 
  private:
   struct Spoke {
     glm::dvec3 end;
     float sharpness = 0.0F;
-    float near_left = 0.0F;  ///< what is left of it at the vertex
-    float far_left = 0.0F;   ///< and at the other end
+    float near_left = 0.0F;  ///< sharpness of the half at the vertex on the next level
+    float far_left = 0.0F;   ///< the same for the half at the other end
     VertexKind end_kind = VertexKind::smooth;
   };
 
@@ -51,7 +54,7 @@ class LocalRing {
   bool has_semi_sharp() const;
   void step();
   void converge();
-  void centre_on_vertex();
+  void center_on_vertex();
   glm::dvec3 next_vertex() const;
   glm::dvec3 next_end(std::size_t i, VertexKind kind) const;
   void decay_spoke_sharpness();
@@ -61,14 +64,14 @@ class LocalRing {
 
   SubdivideOptions options_;
   glm::dvec3 vertex_{0.0};
-  glm::dvec3 centre_{0.0};  ///< the limit, where it was found by following the ring
+  glm::dvec3 center_{0.0};  ///< the limit, if it was found by subdividing
   float own_ = 0.0F;
   std::vector<Halfedge> halfedges_;
   std::vector<Spoke> spokes_;
   std::vector<Spoke> next_spokes_;
-  using SharpHalfedge = std::pair<Halfedge, std::uint32_t>;  ///< and which sharp edge it is of
+  using SharpHalfedge = std::pair<Halfedge, std::uint32_t>;  ///< with the index of its sharp edge
   std::vector<SharpHalfedge> sharp_edges_;
-  std::vector<std::size_t> sharp_;  ///< spokes that are sharp
+  std::vector<std::size_t> sharp_;  ///< indices of the sharp spokes
   std::vector<glm::dvec3> normals_;
 };
 

@@ -7,8 +7,9 @@
 
 namespace mesher {
 
-/// One step of Loop subdivision with creases: everything by the smooth masks first, then what
-/// `features` list anew. `is_last`: without twins and outgoing half-edges. O(F). Throws Cancelled.
+/// Returns the next level of Loop subdivision with creases: everything by the smooth masks first,
+/// then the edges and vertices in `features` by the crease rules. `is_last`: without twins and
+/// outgoing half-edges. O(F). Throws Cancelled.
 Level loop_step(const LevelView& coarse, const Rings& rings, const Features& features,
                 const SubdivideOptions& options, bool is_last);
 

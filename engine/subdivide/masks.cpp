@@ -49,16 +49,16 @@ double sharp_edge_weight(CreaseRules rules, VertexKind first, VertexKind second)
   return first_is_regular ? 5.0 / 8.0 : 3.0 / 8.0;
 }
 
-double across_crease_tangent(CreaseRules rules, VertexKind kind, std::span<double> neighbours) {
-  const std::size_t n = neighbours.size();
+double across_crease_tangent(CreaseRules rules, VertexKind kind, std::span<double> neighbors) {
+  const std::size_t n = neighbors.size();
   MESHER_ASSERT(n >= 2 && is_crease(kind));
   if (n == 2) {
-    neighbours[0] = neighbours[1] = 1.0;
+    neighbors[0] = neighbors[1] = 1.0;
     return -2.0;
   }
   if (n == 3) {
-    neighbours[0] = neighbours[2] = 0.0;
-    neighbours[1] = 1.0;
+    neighbors[0] = neighbors[2] = 0.0;
+    neighbors[1] = 1.0;
     return -1.0;
   }
   const bool has_halves = rules == CreaseRules::derose98 || kind == VertexKind::regular_crease;
@@ -67,8 +67,8 @@ double across_crease_tangent(CreaseRules rules, VertexKind kind, std::span<doubl
   const double s = std::sin(angle);
   const double inner = has_halves ? (1.0 + 1.0 / c - 2.0 * c) / s : 2.0 - 2.0 * c;
   for (std::size_t i = 0; i < n; ++i)
-    neighbours[i] = inner * std::sin(static_cast<double>(i) * angle);
-  neighbours[0] = neighbours[n - 1] = has_halves ? -1.0 : -s;
+    neighbors[i] = inner * std::sin(static_cast<double>(i) * angle);
+  neighbors[0] = neighbors[n - 1] = has_halves ? -1.0 : -s;
   return has_halves ? -1.0 / c : 0.0;
 }
 

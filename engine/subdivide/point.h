@@ -9,8 +9,7 @@
 
 namespace mesher {
 
-/// A position that is computed with in one register; each coordinate rounds as a float on its own
-/// does.
+/// A position in one SIMD register. Each coordinate rounds like a separate float.
 class Point {
  public:
   Point() : lanes_{} {}

@@ -72,7 +72,7 @@ void write_twins(const LevelView& coarse, IndexRange faces, Level& finer) {
     const Halfedge bc = coarse.twin[3 * f + 1];
     const Halfedge ca = coarse.twin[3 * f + 2];
     const auto base = static_cast<std::uint32_t>(12 * f);
-    // Each outer child shares one edge with the middle one, whose corners are the last three.
+    // Each outer child shares one edge with the middle child, whose corners are the last three.
     auto* const to = reinterpret_cast<FourIndices*>(&finer.twin[12 * f]);
     to[0] = FourIndices{second(ab), base + 11, first(ca), first(ab)};
     to[1] = FourIndices{second(bc), base + 9, base + 10, first(bc)};

@@ -9,14 +9,14 @@
 
 namespace mesher {
 
-// Splitting faces in four: connectivity alone, the same for every scheme. The new vertices are
-// numbered one an edge, after the old ones, in the order met when walking faces 0..F-1 and their
-// edges ab, bc, ca.
+// The connectivity of splitting each face into four, which is the same for every scheme. There is
+// one new vertex per edge. New vertices come after the old ones, in the order in which a walk over
+// faces 0..F-1 and their edges ab, bc, ca first visits the edges.
 
-/// Faces that are worked on at a time: what they touch stays in the cache.
+/// The faces per work unit: their data stays in the cache.
 inline constexpr std::size_t kFaceChunk = 2048;
 
-/// An edge as its lower half-edge sees it.
+/// An edge, seen from its lower half-edge.
 struct EdgeSite {
   Halfedge h;
   Halfedge next;
@@ -24,25 +24,27 @@ struct EdgeSite {
   Halfedge twin;  ///< none on a boundary
 };
 
-/// Splits the faces of `coarse`. `place(EdgeSite)` says where the new vertex on an edge goes, asked
-/// once an edge from several threads. The places of the old vertices are left open, and with
-/// `is_last` there are no twins; outgoing half-edges only of the new vertices (`write_outgoing`).
-/// O(F). Throws Cancelled. Pre: the finer half-edges have ids.
+/// Returns the next level of `coarse`. `place(EdgeSite)` returns the position of the new vertex on
+/// an edge; it is called once per edge, from several threads. The positions of the old vertices are
+/// not set. Outgoing half-edges are set for the new vertices only (see `write_outgoing`). With
+/// `is_last` there are no twins and no outgoing half-edges. O(F). Throws Cancelled. Pre: the finer
+/// half-edges have ids.
 template <class Place>
 Level refine(const LevelView& coarse, bool is_last, Progress* progress, const Place& place);
 
-/// Number of edges. O(F), parallel.
+/// Returns the number of edges. O(F), parallel.
 std::uint32_t count_edges(std::span<const Halfedge> twin);
 
-/// The arrays of the next level, of the right sizes; with `is_last`, no twins and outgoing
+/// Returns uninitialized arrays for the next level; with `is_last`, without twins and outgoing
 /// half-edges.
 Level unfilled_level(const LevelView& coarse, std::uint32_t edges, bool is_last);
 
-/// The twelve half-edges of a face's children are written four at a time: one by one, storing them
-/// is what a level waits for.
+/// The twelve half-edges of a face's children are stored four at a time: storing them one by one is
+/// the bottleneck of a step.
 using FourIndices = std::uint32_t __attribute__((vector_size(16), aligned(4), may_alias));
 
-/// The corners of a face's children, given its own and the vertices on its edges ab, bc, ca.
+/// Writes the corners of a face's children, given its corners and the vertices on its edges ab, bc,
+/// ca.
 inline void write_children(const std::array<Vertex, 3>& corner, const std::array<Vertex, 3>& edge,
                            Vertex* child) {
   const auto [a, b, c] = corner;
@@ -53,27 +55,28 @@ inline void write_children(const std::array<Vertex, 3>& corner, const std::array
   to[2] = FourIndices{c.index(), ab.index(), bc.index(), ca.index()};
 }
 
-/// The twins in the children of `faces`.
+/// Writes the twins in the children of `faces`.
 void write_twins(const LevelView& coarse, IndexRange faces, Level& finer);
-/// The outgoing half-edges of the old vertices. O(V), parallel.
+/// Writes the outgoing half-edges of the old vertices. O(V), parallel.
 void write_outgoing(const LevelView& coarse, Level& finer);
 
 namespace refine_detail {
 
-/// For each chunk of half-edges the number of edges that begin before it; last the number of all.
+/// Returns, for each chunk of half-edges, the number of edges that begin before it, and finally the
+/// total number of edges.
 std::vector<std::uint32_t> first_edges(std::span<const Halfedge> twin, std::size_t chunk);
 
 void write_faces(const LevelView& coarse, IndexRange faces, std::span<const Vertex> vertex_on,
                  Level& finer);
 
-/// The new vertices on the edges that begin in `faces`: their numbers from `next` on, listed in
-/// `vertex_on` by the edge's lower half-edge.
+/// Creates the new vertices on the edges that begin in `faces`. They are numbered from `next` on
+/// and stored in `vertex_on` under the edge's lower half-edge.
 template <class Place>
 void write_edges(const LevelView& coarse, IndexRange faces, std::uint32_t next,
                  std::span<Vertex> vertex_on, Level& finer, const Place& place) {
   const auto number = [&](std::uint32_t h, std::uint32_t next_h, std::uint32_t prev_h) {
     const Halfedge twin = coarse.twin[h];
-    if (twin.index() < h) return;  // none is the highest of all
+    if (twin.index() < h) return;  // none is the highest index
     vertex_on[h] = Vertex(next);
     if (!finer.outgoing.empty()) finer.outgoing[next] = second_half(Halfedge(h));
     place(EdgeSite{Halfedge(h), Halfedge(next_h), Halfedge(prev_h), twin})

@@ -7,7 +7,7 @@
 
 namespace mesher {
 
-/// Loop's masks as floats, at hand for common valences.
+/// Loop's masks as floats, precomputed for common valences.
 class RingMasks {
  public:
   struct Weights {
@@ -20,7 +20,7 @@ class RingMasks {
     for (std::uint32_t n = 3; n < kCommon; ++n)
       common_[n] = rounded(mask(n));
   }
-  /// Nothing moves where a ring is no ring (fewer than 3).
+  /// Returns the weights for a valence. With fewer than 3 neighbors, the vertex keeps its position.
   Weights operator()(std::uint32_t valence) const {
     return valence < kCommon ? common_[valence] : rounded(mask_(valence));
   }

@@ -10,7 +10,7 @@ Rings::Rings(const LevelView& base, bool lists_spokes) {
     start_[v] += start_[v - 1];
   if (lists_spokes) {
     spokes_.resize(base.origin.size());
-    // Counts up start_[v + 1] from the start of v to that of v + 1.
+    // Advances start_[v + 1] from the start of v to the start of v + 1.
     for (std::uint32_t h = 0; h < base.origin.size(); ++h)
       spokes_[start_[base.origin[h].index() + 1]++] = Halfedge(h);
     start_.pop_back();

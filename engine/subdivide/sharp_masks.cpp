@@ -5,7 +5,7 @@
 namespace mesher {
 namespace {
 
-/// Sum and number of the neighbours along edges that are sharp at one moment.
+/// The sum and number of the neighbors along edges that are sharp at one level.
 struct CreaseSum {
   glm::dvec3 sum{0.0};
   std::size_t count = 0;

@@ -47,15 +47,15 @@ void place_sharp(const LevelView& coarse, const Features& features, const Subdiv
                  Level& finer) {
   parallel_for_each(features.edges().size(), kGrain, [&](std::uint32_t i) {
     const SharpEdge& edge = features.edges()[i];
-    glm::vec3& place = finer.position[edge_vertex(finer, edge.h).index()];
-    place = edge_point(coarse, features, options.creases, edge, place);
+    glm::vec3& position = finer.position[edge_vertex(finer, edge.h).index()];
+    position = edge_point(coarse, features, options.creases, edge, position);
   });
   parallel_for(features.vertices().size(), kGrain, [&](IndexRange range) {
     std::vector<SharpSpoke> spokes;
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const SharpVertex& vertex = features.vertices()[i];
-      glm::vec3& place = finer.position[vertex.v.index()];
-      place = vertex_point(coarse, features, vertex, place, spokes);
+      glm::vec3& position = finer.position[vertex.v.index()];
+      position = vertex_point(coarse, features, vertex, position, spokes);
     }
   });
 }

@@ -6,9 +6,9 @@
 
 namespace mesher {
 
-/// Places anew what lies on creases and boundaries, by the crease rules of `options`.
-/// Pre: `finer` was made of `coarse`, whose features are `features`, and everything in it is where
-/// the smooth masks have it (on boundaries: anywhere). O(sharp edges), parallel.
+/// Repositions the edge vertices and vertices on creases and boundaries by the crease rules of
+/// `options`. O(sharp edges), parallel. Pre: `finer` was made from `coarse`, whose features are
+/// `features`, and its positions are those of the smooth masks (on boundaries: arbitrary).
 void place_sharp(const LevelView& coarse, const Features& features, const SubdivideOptions& options,
                  Level& finer);
 

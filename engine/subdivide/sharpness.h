@@ -9,18 +9,18 @@
 namespace mesher {
 
 // Semi-sharp creases (T. DeRose, M. Kass, T. Truong, "Subdivision surfaces in character animation",
-// 1998, section 5), with OpenSubdiv's rules for what the paper leaves open. All O(1).
+// 1998, section 5). Where the paper is silent, OpenSubdiv's rules apply. All O(1).
 
 inline bool is_semi_sharp(float sharpness) {
   return sharpness > 0.0F && sharpness < kSharpForEver;
 }
 
-/// What is left of a sharpness on the next level.
+/// Returns a sharpness on the next level.
 inline float decayed(float sharpness) {
   return sharpness >= kSharpForEver ? kInfinitelySharp : std::max(sharpness - 1.0F, 0.0F);
 }
 
-/// The semi-sharp edges at a vertex, summed up; smooth ones and those for ever do not count.
+/// The sum over the semi-sharp edges at a vertex; smooth and permanently sharp edges do not count.
 class SemiSharpSum {
  public:
   void add(float sharpness) {
@@ -28,7 +28,7 @@ class SemiSharpSum {
     sum_ += sharpness;
     ++count_;
   }
-  /// Of all but one edge of that sharpness. Pre: it was added, and has_others().
+  /// Returns the mean over all but one edge of that sharpness. Pre: it was added, and has_others().
   double mean_of_others(float sharpness) const { return (sum_ - sharpness) / (count_ - 1); }
   bool has_others() const { return count_ > 1; }
 
@@ -37,16 +37,17 @@ class SemiSharpSum {
   int count_ = 0;
 };
 
-/// The same by Chaikin's rule, for the half of the edge at one end; `at_end` are the edges there,
-/// this one included.
+/// Returns a sharpness on the next level by Chaikin's rule, for the half of the edge at one end.
+/// `at_end`: the edges at that end, including this one.
 float chaikin_decayed(float sharpness, const SemiSharpSum& at_end);
 
-/// Whether a vertex stays, moves along a crease or freely.
+/// The rule that a vertex follows: free, along a crease, or fixed.
 enum class VertexRule : std::uint8_t { smooth, crease, corner };
 VertexRule vertex_rule(float own, std::size_t sharp_edges);
 
-/// The sharpnesses at a vertex, some of which may just have fallen to 0, as they decay: how much
-/// the sharper, older rule counts, 0 to 1. `before` and `after` are parallel.
+/// The blend between the rules of two levels at a vertex where sharpnesses fall to 0: the weight of
+/// the sharper, older rule, 0 to 1. Each sharpness is added with its value before and after the
+/// step.
 class Transition {
  public:
   void add(float before, float after) {
@@ -62,9 +63,10 @@ class Transition {
   int count_ = 0;
 };
 
-/// How much the sharp mask counts for the new vertex on an edge; `first` and `second` are what is
-/// left of its sharpness on its halves. OpenSubdiv 3.5 does not keep it below 1, and overshoots
-/// where Chaikin's rule wears one half of a sharper edge down to 0; here it is.
+/// Returns the weight of the sharp mask for the new vertex on an edge. `first` and `second` are the
+/// sharpnesses of its halves on the next level. OpenSubdiv 3.5 does not clamp the weight to 1, and
+/// overshoots if Chaikin's rule reduces one half of an edge of sharpness above 1 to 0; this
+/// function clamps it.
 inline double edge_blend(float sharpness, float first, float second) {
   if (first > 0.0F && second > 0.0F) return 1.0;
   return std::min(1.0, static_cast<double>(sharpness));

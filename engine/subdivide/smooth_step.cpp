@@ -11,17 +11,17 @@ namespace mesher {
 namespace {
 
 constexpr std::size_t kVertexChunk = 8192;
-// From here on a sum of floats may be off by more than 1e-6 of what it sums.
+// From this valence on, a sum of floats may have a relative error above 1e-6.
 constexpr std::uint32_t kHubValence = 65;
 
-/// What one face gives to the new vertex on one of its edges; two faces make the whole.
+/// Returns one face's contribution to the new vertex on one of its edges; two faces contribute.
 inline Point edge_share(Point start, Point end, Point opposite) {
   return static_cast<float>(kLoopEdgeEnd / 2.0) * (start + end) +
          static_cast<float>(kLoopEdgeOpposite) * opposite;
 }
 
-/// Fetches what faces a little further on will ask for, where all is random: the numbers of the
-/// edges that begin before, then their vertices.
+/// Prefetches the random accesses of the faces a little further on: the ids of the vertices on
+/// edges that began earlier, then their positions.
 inline void look_ahead(const LevelView& coarse, const Level& finer, std::uint32_t f) {
   constexpr std::uint32_t kFar = 16;
   constexpr std::uint32_t kNear = 8;
@@ -41,11 +41,11 @@ inline void look_ahead(const LevelView& coarse, const Level& finer, std::uint32_
   }
 }
 
-/// Adds the shares of a run of faces, makes their children, and numbers the edges that begin in
-/// them from `next` on. Nothing across an edge is looked up but the number of its vertex.
+/// Adds the contributions of a run of faces, writes their children, and numbers the edges that
+/// begin in them from `next` on. The only data read across an edge is the id of its vertex.
 void sweep(const LevelView& coarse, IndexRange faces, Level& finer, Array<Point>& rings,
            std::uint32_t& next) {
-  // Plain pointers: the compiler would fetch those of the arrays again after every store.
+  // Plain pointers, because the compiler would reload those of the arrays after every store.
   const LevelView level = coarse;
   Vertex* const origin = finer.origin.data();
   glm::vec3* const position = finer.position.data();
@@ -53,7 +53,7 @@ void sweep(const LevelView& coarse, IndexRange faces, Level& finer, Array<Point>
   Point* const ring = rings.data();
   const auto add_to_edge = [&](std::uint32_t h, Point share) {
     const Halfedge twin = level.twin[h];
-    if (twin.index() < h) {  // none is the highest of all
+    if (twin.index() < h) {  // none is the highest index
       const Vertex v = origin[second_half(twin).index()];
       (Point(position[v.index()]) + share).store(position[v.index()]);
       return v;
@@ -82,7 +82,7 @@ void sweep(const LevelView& coarse, IndexRange faces, Level& finer, Array<Point>
   }
 }
 
-/// Moves the old vertices, given what their neighbours add up to.
+/// Moves the old vertices, given the sum of their neighbors.
 class VertexMasks {
  public:
   explicit VertexMasks(const Rings& rings) : rings_(rings) {}
@@ -143,7 +143,7 @@ Level gathered(const LevelView& coarse, const Rings& rings, bool is_last, Progre
   return finer;
 }
 
-/// Vertices of very many neighbours once more, in doubles: there are few.
+/// Recomputes the vertices of high valence in double: there are few.
 void place_hubs(const LevelView& coarse, const Rings& rings, Level& finer) {
   for (std::uint32_t v = 0; v < rings.base_vertices(); ++v) {
     const std::uint32_t valence = rings.base_valence(v);

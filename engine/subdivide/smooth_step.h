@@ -6,12 +6,13 @@
 
 namespace mesher {
 
-/// One step of Loop subdivision as if nothing were sharp; what lies on a boundary gets some place.
-/// With one thread it is a single sweep over the faces, each of which gives its share to its
-/// vertices and edges; with more, vertices and edges gather what they need across their faces, in
-/// the same order, so that the bytes are the same. It gathers where `rings` list spokes. `is_last`:
-/// without twins and outgoing half-edges. O(F). Throws Cancelled. Pre: `rings` are those of
-/// `coarse`.
+/// Returns the next level of Loop subdivision as if nothing were sharp; positions on boundaries are
+/// arbitrary. `is_last`: without twins and outgoing half-edges. O(F). Throws Cancelled. Pre:
+/// `rings` are those of `coarse`.
+///
+/// If `rings` list no spokes, one thread scatters: a single sweep over the faces adds each face's
+/// contributions to its vertices and edges. Otherwise threads gather: each vertex and edge sums
+/// over its faces in the same order, so that the bytes are the same.
 Level smooth_step(const LevelView& coarse, const Rings& rings, bool is_last, Progress* progress);
 
 }  // namespace mesher

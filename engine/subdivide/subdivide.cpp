@@ -23,8 +23,9 @@ Array<T> copy_of(std::span<const T> values) {
   return Array<T>(values.begin(), values.end());
 }
 
-/// The power of two that coordinates are divided by before they are added up. 0 for all but sizes
-/// near the end of what floats can hold, where sums over a ring would leave it.
+/// Returns the exponent of the power of two that divides coordinates before they are summed. It is
+/// 0 except for coordinates near the limits of float, where sums over a ring would overflow or
+/// underflow.
 int exponent_of(std::span<const glm::vec3> positions) {
   float most = 0.0F;
   for (const glm::vec3& p : positions)
@@ -34,14 +35,14 @@ int exponent_of(std::span<const glm::vec3> positions) {
   return exponent - std::clamp(exponent, -kFarFromTheEnd, kFarFromTheEnd);
 }
 
-/// What a scheme that overshoots makes of the largest coordinates stays a number.
+/// Clamped, so that a scheme that overshoots the largest coordinates still gives finite ones.
 glm::vec3 scaled(const glm::vec3& p, int exponent) {
   constexpr float kMost = std::numeric_limits<float>::max();
   const auto scale = [&](float x) { return std::clamp(std::ldexp(x, exponent), -kMost, kMost); };
   return {scale(p.x), scale(p.y), scale(p.z)};
 }
 
-/// Steps down the levels from a mesh.
+/// Subdivides a mesh level by level.
 class Subdivision {
  public:
   Subdivision(const Mesh& mesh, const SubdivideOptions& options)
@@ -57,7 +58,7 @@ class Subdivision {
     coarse_.position = scaled_;
   }
 
-  /// Without `keeps_connectivity` the last level has positions and origins only.
+  /// Runs all levels. Without `keeps_connectivity`, the last level has positions and origins only.
   void run(bool keeps_connectivity) {
     for (std::uint32_t i = 1; i <= options_.levels; ++i) {
       begin_stage(options_.progress, "subdividing, level " + std::to_string(i) + " of " +
@@ -72,8 +73,8 @@ class Subdivision {
     if (options_.levels == 0) level_ = copy_of_coarse();
   }
 
-  /// Call when nothing is left to compute. Gives the positions their size back; what never moved is
-  /// where it was to the last bit.
+  /// Scales the positions back. Vertices that never move get their original positions, bit for bit.
+  /// Call it after all computations.
   void restore_size() {
     if (exponent_ == 0) return;
     for (glm::vec3& p : level_.position)
@@ -136,7 +137,8 @@ class Subdivision {
     return sharpness;
   }
 
-  /// The tags of the mesh, worn down; not what is sharp by the boundary rule, which will be again.
+  /// Returns the decayed vertex tags of the mesh, without the sharpness that the boundary rule
+  /// adds: that is derived again.
   Array<float> vertex_sharpness() const {
     if (mesh_.vertex_sharpnesses().empty()) return {};
     Array<float> sharpness(level_.position.size(), 0.0F);
@@ -157,7 +159,7 @@ class Subdivision {
   Features features_;
   Level level_;
   int exponent_;
-  Array<glm::vec3> scaled_;  ///< the mesh's positions, where they are scaled at all
+  Array<glm::vec3> scaled_;  ///< the mesh's positions, if they are scaled
 };
 
 bool wants_limit(const SubdivideOptions& options) {
@@ -188,12 +190,12 @@ SubdivisionSize subdivision_size(const Mesh& mesh, const SubdivideOptions& optio
     size.has_ids = 3 * size.faces < kNone && size.vertices < kNone;
   }
   size.result_bytes = mesh_bytes(size.vertices, size.faces);
-  // Beside the result there is the level before, and while that is read the number of the vertex on
-  // each of its half-edges, or one point a vertex of it, which is less; what is sharp, on both
-  // levels; and where the half-edges of the mesh are.
+  // The peak also has the previous level; the id of the new vertex on each of its half-edges, or
+  // one point per vertex of it, which is less; the sharp features of both levels; and the rings of
+  // the mesh.
   size.peak_bytes =
       size.result_bytes + last_bytes + 3 * sizeof(Vertex) * size.faces / 4 +
-      kBytesASharpEdge * (sharp + sharp / 2) +
+      kBytesPerSharpEdge * (sharp + sharp / 2) +
       sizeof(std::uint32_t) * (std::uint64_t{mesh.vertex_count()} + mesh.halfedge_count());
   if (wants_limit(options)) {
     const std::uint64_t normals = 3 * sizeof(glm::vec3) * size.faces;

@@ -55,7 +55,7 @@ TEST(Job, NamesItselfWhereMemoryIsShort) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.exit_code(), ExitCode::machine_lacks);
-    EXPECT_STREQ(error.what(), "Opening a.obj: not enough memory");
+    EXPECT_STREQ(error.what(), "Opening a.obj: out of memory");
   }
 }
 

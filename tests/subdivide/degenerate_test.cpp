@@ -76,7 +76,7 @@ TEST(Degenerate, ButterflyAtAHubIsItsStencil) {
   const Mesh fine = subdivide(mesh, {.scheme = Scheme::butterfly}).mesh;
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
     if (mesh.origin(Halfedge(h)) != Vertex(0)) continue;
-    glm::dvec3 expected = kButterflyCentre * glm::dvec3(mesh.position(Vertex(0)));
+    glm::dvec3 expected = kButterflyCenter * glm::dvec3(mesh.position(Vertex(0)));
     Halfedge spoke(h);
     for (std::uint32_t i = 0; i < kSpokes; ++i) {
       expected += butterfly_ring_weight(kSpokes, i) * glm::dvec3(mesh.position(mesh.target(spoke)));
@@ -84,7 +84,7 @@ TEST(Degenerate, ButterflyAtAHubIsItsStencil) {
     }
     // The rim has four neighbours: extraordinary, too.
     const Halfedge back = mesh.twin(Halfedge(h));
-    glm::dvec3 other = kButterflyCentre * glm::dvec3(mesh.position(mesh.origin(back)));
+    glm::dvec3 other = kButterflyCenter * glm::dvec3(mesh.position(mesh.origin(back)));
     spoke = back;
     for (std::uint32_t i = 0; i < 4; ++i) {
       other += butterfly_ring_weight(4, i) * glm::dvec3(mesh.position(mesh.target(spoke)));
@@ -147,7 +147,7 @@ TEST(Degenerate, PeakCountsWhatIsSharp) {
   const SubdivideOptions options{.levels = 2};
   const std::uint64_t smooth = subdivision_size(double_cone(500, 0.0F), options).peak_bytes;
   const std::uint64_t creased = subdivision_size(double_cone(500, 2.0F), options).peak_bytes;
-  EXPECT_EQ(creased - smooth, kBytesASharpEdge * (500 * 4 + 500 * 2));
+  EXPECT_EQ(creased - smooth, kBytesPerSharpEdge * (500 * 4 + 500 * 2));
 }
 
 TEST(Degenerate, SizesNearTheEndOfFloatsScale) {

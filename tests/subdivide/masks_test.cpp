@@ -205,7 +205,7 @@ TEST(ButterflyMasks, SumToOne) {
     for (std::uint32_t i = 0; i < n; ++i)
       ring += butterfly_ring_weight(n, i);
     EXPECT_NEAR(ring, 0.25, kRounding) << n;
-    EXPECT_NEAR(kButterflyCentre + ring, 1.0, kRounding) << n;
+    EXPECT_NEAR(kButterflyCenter + ring, 1.0, kRounding) << n;
   }
 }
 
