@@ -19,7 +19,11 @@ VKAPI_ATTR VkBool32 VKAPI_CALL collect_message(VkDebugUtilsMessageSeverityFlagBi
                                                VkDebugUtilsMessageTypeFlagsEXT,
                                                const VkDebugUtilsMessengerCallbackDataEXT* data,
                                                void* messages) {
-  static_cast<ValidationMessages*>(messages)->add(data->pMessage);
+  // Newer layers no longer begin the text with the name of the rule.
+  std::string text = data->pMessage;
+  const std::string rule = data->pMessageIdName != nullptr ? data->pMessageIdName : "";
+  if (text.find(rule) == std::string::npos) text = rule + ": " + text;
+  static_cast<ValidationMessages*>(messages)->add(text);
   return VK_FALSE;
 }
 

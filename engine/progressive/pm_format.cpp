@@ -1,5 +1,7 @@
 #include "engine/progressive/pm_format.h"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,25 +10,6 @@
 
 namespace mesher {
 namespace {
-
-// Processes eight bytes at a time, with one table per byte position.
-constexpr auto make_crc_tables() {
-  std::array<std::array<std::uint32_t, 256>, 8> tables{};
-  for (std::uint32_t i = 0; i < 256; ++i) {
-    std::uint32_t c = i;
-    for (int k = 0; k < 8; ++k)
-      c = (c & 1U) != 0 ? 0xEDB88320U ^ (c >> 1U) : c >> 1U;
-    tables[0][i] = c;
-  }
-  for (std::size_t t = 1; t < 8; ++t) {
-    for (std::size_t i = 0; i < 256; ++i)
-      tables[t][i] = tables[0][tables[t - 1][i] & 0xFFU] ^ (tables[t - 1][i] >> 8U);
-  }
-  return tables;
-}
-
-constexpr auto kCrcTables = make_crc_tables();
-static_assert(std::endian::native == std::endian::little, "eight bytes are read as one word");
 
 /// Writes little-endian numbers one after another.
 class Put {
@@ -104,19 +87,8 @@ glm::ivec3 PmGrid::numbers(const glm::vec3& position, unsigned bits) const {
 }
 
 std::uint32_t pm_check(std::uint32_t before, std::span<const std::byte> bytes) {
-  std::uint32_t c = ~before;
-  std::size_t i = 0;
-  for (; bytes.size() - i >= 8; i += 8) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes.data() + i, 8);
-    word ^= c;
-    c = 0;
-    for (std::size_t k = 0; k < 8; ++k)
-      c ^= kCrcTables[7 - k][(word >> (8 * k)) & 0xFFU];
-  }
-  for (; i < bytes.size(); ++i)
-    c = kCrcTables[0][(c ^ std::to_integer<std::uint32_t>(bytes[i])) & 0xFFU] ^ (c >> 8U);
-  return ~c;
+  return static_cast<std::uint32_t>(
+      crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 std::array<std::byte, kPmHeaderBytes> pm_bytes(PmHeader& header, std::span<const std::byte> base) {

@@ -1,0 +1,124 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "app/document/progressive_view.h"
+#include "app/document/simplification.h"
+#include "app/input/commands.h"
+#include "engine/core/option.h"
+#include "engine/io/format.h"
+#include "engine/render/settings.h"
+#include "engine/subdivide/options.h"
+
+namespace mesher::app {
+namespace {
+
+/// The values that an option takes: "quadric, accumulated", "0 to 180 deg", "".
+template <class S>
+std::string values_of(const Option<S>& option) {
+  if (const auto* member = std::get_if<EnumMember<S>>(&option.member)) {
+    std::string words;
+    for (std::size_t i = 0; i < member->count; ++i)
+      words += (i > 0 ? ", `" : "`") + std::string(member->text(i).key) + "`";
+    return words;
+  }
+  if (std::holds_alternative<bool S::*>(option.member)) return "";
+  char range[64];
+  if (std::isinf(option.most)) {
+    std::snprintf(range, sizeof range, "%g or more", option.least);
+  } else {
+    std::snprintf(range, sizeof range, "%g to %g", option.least, option.most);
+  }
+  return range + (*option.unit != '\0' ? std::string(" ") + option.unit : "");
+}
+
+template <class S, std::size_t N>
+void write_table(std::ostream& page, const char* title, const char* intro,
+                 const std::array<Option<S>, N>& table) {
+  page << "\n## " << title << "\n\n"
+       << intro << "\n\n| option | JSON key | values | default | effect |\n|---|---|---|---|---|\n";
+  for (const Option<S>& option : table) {
+    page << "| `--" << option.key << "` | `" << json_key(option) << "` | " << values_of(option)
+         << " | " << default_text(option) << " | " << option.help << " |\n";
+  }
+  for (const Option<S>& option : table) {
+    const auto* member = std::get_if<EnumMember<S>>(&option.member);
+    if (member == nullptr) continue;
+    page << "\n`--" << option.key << "`:\n\n";
+    for (std::size_t i = 0; i < member->count; ++i) {
+      const ChoiceText& text = member->text(i);
+      page << "- `" << text.key << "`" << (*text.help != '\0' ? ": " : "") << text.help << "\n";
+    }
+  }
+}
+
+std::string keys_text(const Command& command) {
+  std::string text;
+  for (const KeyPress& key : parse_keys(command.keys))
+    text += (text.empty() ? "`" : ", `") + to_text(key) + "`";
+  return text;
+}
+
+const char* text_of(Holds holds) {
+  switch (holds) {
+    case Holds::nothing:
+      return "no";
+    case Holds::one_per_vertex:
+      return "one per vertex";
+    case Holds::all_or_none:
+      return "if no corner lacks it";
+    case Holds::each_corner:
+      return "yes";
+  }
+  return "";
+}
+
+std::string reference_page() {
+  std::ostringstream page;
+  page << "# Reference\n\nThe tables of this page are made from the tables in the sources. A test "
+          "compares them.\n";
+  write_table(
+      page, "Simplification",
+      "`simplify`, `progressive` and `lods` take these options; so does the Simplify panel.",
+      kSimplifyRules);
+  write_table(page, "Subdivision", "`subdivide` and the Subdivide panel.", kSubdivideRules);
+  write_table(page, "Looks", "`view`, `render` and the Shading panel.", render::kRenderOptions);
+  write_table(page, "Progressive mode",
+              "The Progressive mesh panel. `progressive` takes `--base-faces`.",
+              kProgressiveOptions);
+  page << "\n## Formats\n\n| format | extension | creases | groups | texture coordinates | normals "
+          "| "
+          "colors |\n|---|---|---|---|---|---|---|\n";
+  for (const FormatInfo& format : formats()) {
+    if (format.write == nullptr) continue;
+    page << "| " << format.name << " | `" << format.extension << "` | "
+         << (format.holds.creases ? "yes" : "no") << " | " << (format.holds.groups ? "yes" : "no")
+         << " | " << text_of(format.holds.texcoord) << " | " << text_of(format.holds.normal)
+         << " | " << text_of(format.holds.color) << " |\n";
+  }
+  page << "\n## Keys\n\nThe ids are for scripts.\n";
+  for (const Choice<CommandGroup>& group : kCommandGroups) {
+    page << "\n### " << group.text.label << "\n\n| key | command | id |\n|---|---|---|\n";
+    for (const Command& command : commands()) {
+      if (command.group != group.value) continue;
+      page << "| " << keys_text(command) << " | " << command.help << " | `" << command.id
+           << "` |\n";
+    }
+  }
+  return page.str();
+}
+
+// MESHER_UPDATE_REFERENCE=1 writes the page instead.
+TEST(ReferencePage, MatchesTheTablesInTheSources) {
+  const std::string file = MESHER_SOURCE_DIR "/docs/reference.md";
+  const std::string expected = reference_page();
+  if (std::getenv("MESHER_UPDATE_REFERENCE") != nullptr) std::ofstream(file) << expected;
+  std::ostringstream actual;
+  actual << std::ifstream(file).rdbuf();
+  EXPECT_EQ(actual.str(), expected) << "run the test with MESHER_UPDATE_REFERENCE=1 to update it";
+}
+
+}  // namespace
+}  // namespace mesher::app
