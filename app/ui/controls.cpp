@@ -38,6 +38,11 @@ std::string number_format(double value, const NumberRange& range) {
   if (unit == "%") return "%.3f %%";
   if (unit == "px") return "%.2f pixels";
   if (unit == "s") return "%.1f s";
+  if (range.most <= 1.0) {  // a share; ImGui shows a format without a number as it is
+    char percent[32];
+    std::snprintf(percent, sizeof percent, "%.1f %%%%", 100.0 * value);
+    return percent;
+  }
   return "%.3g";
 }
 
