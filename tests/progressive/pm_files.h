@@ -16,7 +16,7 @@ using Bytes = std::vector<std::byte>;
 /// Returns the bytes of the mesh as a file.
 Bytes written(ProgressiveMesh& mesh, unsigned coordinate_bits = 0);
 
-/// What became of a file: either `error`, or a mesh.
+/// Result of reading a file: either `error` or a mesh.
 struct ReadBack {
   std::string error;
   std::string damage;
