@@ -321,8 +321,8 @@ std::vector<Point> limit_normals(const PlainMesh& mesh, const OracleRules& rules
   std::vector<Point> result;
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
-      // In the child at the corner, the next corner is the neighbor in the direction of that
-      // corner's edge.
+      // The child at the corner holds it at index k, and the first neighbor of the face at the next
+      // index.
       const Triangle& child = fine.triangles[4 * f + k];
       const std::map<std::uint32_t, Point>& around = normals[child[k]];
       const auto place = around.find(child[(k + 1) % 3]);

@@ -46,7 +46,7 @@ TEST(SharpVertexPoint, IsFullySharpWhileSharpnessRemains) {
   expect_near(moved(1.5F, {}), kVertex);
 }
 
-TEST(SharpVertexPoint, BlendsAtTheEndOfACrease) {
+TEST(SharpVertexPoint, BlendsWhenACreaseDecaysToZero) {
   expect_near(moved(0.0F, {{kA, 0.25F, 0.0F}, {kB, 0.75F, 0.0F}}),
               0.5 * on_crease(kA, kB) + 0.5 * kSmooth);
   // One of the two edges becomes smooth, which leaves a dart.
@@ -63,7 +63,7 @@ TEST(SharpVertexPoint, BlendsACornerWithTheRemainingCrease) {
 }
 
 TEST(SharpVertexPoint, DoesNotBlendWhenTheRuleIsUnchanged) {
-  // With four or three sharp edges the vertex is a corner, whichever edge becomes smooth.
+  // The vertex is a corner with four sharp edges and with three, so the rule does not change.
   expect_near(
       moved(0.0F, {{kA, 2.0F, 1.0F}, {kB, 2.0F, 1.0F}, {kC, 2.0F, 1.0F}, {kSmooth, 0.25F, 0.0F}}),
       kVertex);
