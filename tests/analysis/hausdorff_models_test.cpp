@@ -49,7 +49,7 @@ TEST(HausdorffOfModels, HoldsForEveryAsset) {
 
 class HausdorffOfSharedModel : public testing::TestWithParam<const char*> {};
 
-TEST_P(HausdorffOfSharedModel, Holds) {
+TEST_P(HausdorffOfSharedModel, BoundsHold) {
   const auto file =
       std::filesystem::path(MESHER_SHARED_MODELS) / (std::string(GetParam()) + ".obj");
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "SKIPPED: no shared model " << file;

@@ -15,7 +15,7 @@ void count_wake() {
   ++wakes;
 }
 
-/// Runs until it is cancelled.
+/// Runs until it is canceled.
 int endless(Progress& progress) {
   for (;;)
     report(&progress, 0.5F);

@@ -53,19 +53,19 @@ void examine_all(void (*add)(std::vector<Specimen>&)) {
       << "memory must be proportional to the file size, not to the counts in the file";
 }
 
-TEST(Zoo, ObjSyntax) {
+TEST(Zoo, ObjSyntaxIsReadOrRejected) {
   examine_all(test::add_obj_text);
 }
-TEST(Zoo, ObjShapes) {
+TEST(Zoo, ObjShapesAreReadOrRejected) {
   examine_all(test::add_obj_shapes);
 }
-TEST(Zoo, Ply) {
+TEST(Zoo, PlyIsReadOrRejected) {
   examine_all(test::add_ply);
 }
-TEST(Zoo, StlAndOff) {
+TEST(Zoo, StlAndOffAreReadOrRejected) {
   examine_all(test::add_stl_and_off);
 }
-TEST(Zoo, Gltf) {
+TEST(Zoo, GltfIsReadOrRejected) {
   examine_all(test::add_gltf);
 }
 

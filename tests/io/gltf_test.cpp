@@ -92,7 +92,7 @@ TEST(GltfRead, JoinsVerticesSplitByAttributes) {
   EXPECT_TRUE(soup.attributes.group.empty());
 }
 
-TEST(GltfRead, BinaryContainer) {
+TEST(GltfRead, ReadsBinaryContainer) {
   const std::string json = kAsset + R"("buffers":[{"byteLength":)" + std::to_string(kData.size()) +
                            "}]," + kViews + kMesh + "}";
   EXPECT_EQ(parse(glb(json, kData), "m.glb").corners.size(), 6U);
@@ -211,7 +211,7 @@ const std::string kSeam =
     "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.5\nvn 0 0 1\nvn 0 1 0\n"
     "f 1/1/1 2/2/1 3/3/2\nf 1/5/1 3/3/1 4/4/2\n";
 
-TEST(GltfWrite, SplitsAtSeamsAndReadsBack) {
+TEST(GltfWrite, SplitsAtSeamsAndRoundTrips) {
   const TempFolder folder;
   const Model model = read_model(folder.write("in.obj", kSeam));
   for (const char* name : {"m.glb", "m.gltf"}) {

@@ -64,7 +64,7 @@ TEST(ObjRead, IgnoredStatementsMayContinueOverSeveralLines) {
   EXPECT_EQ(soup.face_count(), 1U);
 }
 
-TEST(ObjRead, PositionsAndTriangles) {
+TEST(ObjRead, ReadsPositionsAndTriangles) {
   const Soup soup = parse("# a comment\nv 1.5 -2e3 .25\nv 0 1 0\nv +3 4. 5E-1\nf 1 2 3\n");
   ASSERT_EQ(soup.positions.size(), 3U);
   EXPECT_EQ(soup.positions[0], glm::vec3(1.5F, -2000.0F, 0.25F));
@@ -88,7 +88,7 @@ TEST(ObjRead, AcceptsEveryLineEnding) {
   }
 }
 
-TEST(ObjRead, PolygonsAndShortFaces) {
+TEST(ObjRead, ReadsPolygonsAndShortFaces) {
   const Soup soup = parse(kSquare + "f 1 2 3\nf 1 2 3 4\nf 1 2\nf\nf 2 3 4\n");
   EXPECT_EQ(std::vector<std::uint32_t>(soup.face_start.begin(), soup.face_start.end()),
             (std::vector<std::uint32_t>{0, 3, 7, 9, 9, 12}));
@@ -131,11 +131,11 @@ TEST(ObjRead, RelativeIndicesCountFromTheirLine) {
   EXPECT_EQ(soup.attributes.texcoord[2], glm::vec2(1, 1));
 }
 
-TEST(ObjRead, ForwardReferences) {
+TEST(ObjRead, AcceptsForwardReferences) {
   EXPECT_EQ(corners_of(parse("f 1 2 3\n" + kTriangle)), (std::vector<std::uint32_t>{0, 1, 2}));
 }
 
-TEST(ObjRead, ColorsAndWeights) {
+TEST(ObjRead, ReadsColorsAndWeights) {
   const Soup soup =
       parse("v 0 0 0 1\nv 1 0 0 1 0.5 0\nv 0 1 0 0 0 0 0.5\nv 1 1 1\nf 1 2 3\nf 1 2 4\n");
   ASSERT_EQ(soup.attributes.color.size(), 6U);

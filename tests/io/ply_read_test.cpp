@@ -47,7 +47,7 @@ const std::string kTextTriangle =
     "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1.5 0\n3 "
     "0 1 2\n";
 
-TEST(PlyRead, Text) {
+TEST(PlyRead, ReadsText) {
   const Soup soup = parse(kTextTriangle);
   ASSERT_EQ(soup.positions.size(), 3U);
   EXPECT_EQ(soup.positions[2], glm::vec3(0, 1.5F, 0));

@@ -115,7 +115,7 @@ TEST(Scan, RejectsTextThatIsNotANumber) {
   }
 }
 
-TEST(Scan, Digits) {
+TEST(Scan, ReadsDigits) {
   const auto digits = [](const std::string& text) {
     std::uint32_t value = 0;
     const std::string source = padded(text + "/");
@@ -131,7 +131,7 @@ TEST(Scan, Digits) {
   EXPECT_EQ(digits(std::string(1000, '9')), 4294967295U);
 }
 
-TEST(Scan, Integers) {
+TEST(Scan, ReadsIntegers) {
   std::int64_t value = 0;
   EXPECT_NE(scan::read_integer(padded("-12").c_str(), value), nullptr);
   EXPECT_EQ(value, -12);

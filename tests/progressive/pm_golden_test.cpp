@@ -51,7 +51,7 @@ TEST(PmGolden, GridFileIsUnchanged) {
   examine("hypersheet_grid.pm", 10, 5.392127);
 }
 
-TEST(PmFormat, ChecksumsAreThoseOfPng) {
+TEST(PmFormat, ChecksumsMatchThoseOfPng) {
   const std::string digits = "123456789";
   const auto bytes = std::as_bytes(std::span(digits));
   EXPECT_EQ(pm_check(0, bytes), 0xCBF43926U);

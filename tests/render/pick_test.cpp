@@ -133,7 +133,7 @@ TEST_F(PickEdge, FindsAnEdgeThatExtendsBehindTheEye) {
 TEST_F(PickEdge, SameForAnyThreadCount) {
   mesh_ = build_mesh(test::torus(300, 200)).mesh;
   look(mesh_);
-  // On the edge, and beside it.
+  // On the edge and next to it.
   for (const glm::dvec2 at : {glm::dvec2(250, 230), glm::dvec2(320, 20)}) {
     const auto many = pick_edge(mesh_, camera_, {at, kWindow}, 1e9);
     const ThreadLimit one(1);

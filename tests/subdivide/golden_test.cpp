@@ -90,7 +90,7 @@ class SubdivideGolden : public GpuTest {
 };
 
 /// Levels 0 to 4 and the limit. Top row: Hoppe's rules. Bottom row: DeRose's rules.
-TEST_F(SubdivideGolden, CreasedCube) {
+TEST_F(SubdivideGolden, CreasedCubeMatches) {
   const Mesh mesh = asset("creased_cube");
   Sheet sheet(6, 2);
   for (const CreaseRules creases : {CreaseRules::hoppe94, CreaseRules::derose98}) {
@@ -102,7 +102,7 @@ TEST_F(SubdivideGolden, CreasedCube) {
 }
 
 /// The cube, then with edge sharpness 0, 0.5, 1, 1.5, 2, 3 and infinity.
-TEST_F(SubdivideGolden, Sharpness) {
+TEST_F(SubdivideGolden, SharpnessMatches) {
   Sheet sheet(4, 2);
   sheet.add(tile(cube_of_sharpness(0.0F), {.levels = 0}, kSurfaceAndEdges));
   for (const float sharpness : {0.0F, 0.5F, 1.0F, 1.5F, 2.0F, 3.0F, kInfinitelySharp}) {
@@ -113,7 +113,7 @@ TEST_F(SubdivideGolden, Sharpness) {
 }
 
 /// The model, then three levels each of Loop, butterfly and midpoint.
-TEST_F(SubdivideGolden, Schemes) {
+TEST_F(SubdivideGolden, SchemesMatch) {
   Sheet sheet(4, 2);
   const auto add_row = [&](const Mesh& mesh, const View& view) {
     sheet.add(tile(mesh, {.levels = 0}, kSurfaceAndEdges, view));
@@ -127,7 +127,7 @@ TEST_F(SubdivideGolden, Schemes) {
 
 /// The model, its boundary with edges only and with corners, and next to it a closed model. The box
 /// has no vertex with one face; the sheet has two.
-TEST_F(SubdivideGolden, Boundaries) {
+TEST_F(SubdivideGolden, BoundariesMatch) {
   constexpr View kFromAbove{.yaw_deg = 30.0, .pitch_deg = 40.0};
   Sheet sheet(4, 2);
   const auto add_three = [&](const Mesh& mesh, const View& view) {

@@ -32,7 +32,7 @@ struct PlainMesh {
   std::vector<Triangle> triangles;
   /// All edges with a sharpness above zero, including boundary edges.
   std::map<VertexPair, double> sharpness;
-  std::vector<double> vertex_sharpness;  ///< V
+  std::vector<double> vertex_sharpness;  ///< one per vertex
 };
 
 /// Converts a mesh and lists everything that is sharp by rule as infinitely sharp: boundary edges,
