@@ -17,13 +17,13 @@ Soup moved(Soup soup, const glm::vec3& by, float scale = 1.0F) {
   return soup;
 }
 
-TEST(SurfaceDistance, OfASurfaceToItselfIsZero) {
+TEST(SurfaceDistance, DistanceToItselfIsZero) {
   const Mesh mesh = built(torus(20, 12)).mesh;
   const SurfaceDistance d = surface_distance(mesh, mesh, {.samples = 20'000});
   EXPECT_LT(d.two_sided().max, 1e-7);
 }
 
-TEST(SurfaceDistance, OfParallelSheetsIsTheirGap) {
+TEST(SurfaceDistance, DistanceOfParallelSheetsIsTheirGap) {
   const Mesh a = built(grid(4)).mesh;
   const Mesh b = built(moved(grid(4), {0, 0, 0.25F})).mesh;
   const SurfaceDistance d = surface_distance(a, b, {.samples = 5'000});
@@ -35,20 +35,21 @@ TEST(SurfaceDistance, OfParallelSheetsIsTheirGap) {
   EXPECT_DOUBLE_EQ(d.percent(d.two_sided().rms), 100.0 * 0.25 / std::sqrt(32.0));
 }
 
-// A tilted sheet over a flat one: the gap grows from 0 to 1, so that mean and RMS are known.
-TEST(SurfaceDistance, MeanAndRmsAreByArea) {
+// A tilted sheet over a flat one. The gap grows from 0 to 1, so mean and RMS are known.
+TEST(SurfaceDistance, MeanAndRmsAreWeightedByArea) {
   Soup tilted = soup_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0, 1, 2, 0, 2, 3});
-  // Above a sheet so large that the nearest point is straight below.
+  // The sheet below is so large that the nearest point is straight below.
   const Mesh below = built(moved(grid(1), {-50, -50, 0}, 100.0F)).mesh;
   tilted.positions[1].z = tilted.positions[2].z = 1.0F;
   const Mesh above = built(std::move(tilted)).mesh;
   const SurfaceDistance d = surface_distance(above, below, {.samples = 100'000});
   EXPECT_NEAR(d.forward.mean, 0.5, 1e-3);
   EXPECT_NEAR(d.forward.rms, std::sqrt(1.0 / 3.0), 1e-3);
-  EXPECT_DOUBLE_EQ(d.forward.max, 1.0);  // at a vertex: no sample need hit it
+  EXPECT_DOUBLE_EQ(d.forward.max,
+                   1.0);  // The maximum is at a vertex. No random sample need hit it.
 }
 
-TEST(SurfaceDistance, TheTwoSidesDifferWhereOneSurfaceHasMore) {
+TEST(SurfaceDistance, DirectionsDifferWhereOneSurfaceHasMore) {
   const Mesh part = built(grid(2)).mesh;
   const Mesh whole = built(join(grid(2), moved(grid(2), {10, 0, 0}))).mesh;
   const SurfaceDistance d = surface_distance(part, whole, {.samples = 10'000});
@@ -59,7 +60,7 @@ TEST(SurfaceDistance, TheTwoSidesDifferWhereOneSurfaceHasMore) {
   EXPECT_EQ(turned.forward.rms, d.backward.rms);
 }
 
-TEST(SurfaceDistance, IsTheSameForAnyNumberOfThreads) {
+TEST(SurfaceDistance, SameForAnyThreadCount) {
   const Mesh a = built(torus(60, 40)).mesh;
   const Mesh b = built(moved(torus(50, 30), {0.01F, 0.02F, 0.0F})).mesh;
   std::vector<double> rms;
@@ -72,21 +73,21 @@ TEST(SurfaceDistance, IsTheSameForAnyNumberOfThreads) {
   EXPECT_GT(rms[0], 0.0);
 }
 
-TEST(SurfaceDistance, ScalesWithTheModelsAndSurvivesBeingFlat) {
+TEST(SurfaceDistance, ScalesWithTheModelsAndAcceptsZeroArea) {
   const Mesh a = built(torus(20, 12)).mesh;
   const Mesh b = built(torus(15, 9)).mesh;
   const double whole = surface_distance(a, b, {.samples = 20'000}).two_sided().rms;
-  constexpr float kSmall = 0x1p-20F;  // a power of two: the same digits
+  constexpr float kSmall = 0x1p-20F;  // a power of two, so the digits are equal
   const Mesh small_a = built(moved(torus(20, 12), glm::vec3(0.0F), kSmall)).mesh;
   const Mesh small_b = built(moved(torus(15, 9), glm::vec3(0.0F), kSmall)).mesh;
   EXPECT_EQ(surface_distance(small_a, small_b, {.samples = 20'000}).two_sided().rms,
             whole * kSmall);
   const Mesh line = built(soup_of({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}, {0, 1, 2})).mesh;
   const SurfaceDistance d = surface_distance(line, line, {.samples = 100});
-  EXPECT_EQ(d.two_sided().max, 0.0);  // no area: its vertices only
+  EXPECT_EQ(d.two_sided().max, 0.0);  // without area only the vertices are sampled
 }
 
-TEST(SurfaceDistance, StopsWhenCancelled) {
+TEST(SurfaceDistance, StopsWhenCanceled) {
   const Mesh mesh = built(cube()).mesh;
   Progress progress;
   progress.cancel();

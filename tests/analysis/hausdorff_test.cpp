@@ -20,7 +20,8 @@ Soup moved(Soup soup, const glm::vec3& by, float scale = 1.0F) {
   return soup;
 }
 
-/// Neither bound may contradict the samples, and the two must be as close as was asked for.
+/// Checks that neither bound contradicts the samples and that the bounds are within the given
+/// ratio.
 void expect_bounds(const Mesh& a, const Mesh& b, double ratio) {
   const HausdorffBounds bounds = hausdorff_bounds(a, b, {.ratio = ratio});
   const SurfaceDistance sampled = surface_distance(a, b, {.samples = 20'000});
@@ -29,12 +30,12 @@ void expect_bounds(const Mesh& a, const Mesh& b, double ratio) {
   const auto [lower, upper] = bounds.two_sided();
   EXPECT_LE(lower, upper);
   EXPECT_GE(lower, 0.5 * sampled.two_sided().max);
-  // Rounding is what bounds the distance of surfaces that coincide.
+  // For surfaces that coincide, only rounding limits the bound.
   const double diagonal = bounding_box(a).diagonal() + bounding_box(b).diagonal();
   EXPECT_LE(upper, ratio * lower * (1.0 + 1e-9) + 1e-12 * diagonal);
 }
 
-TEST(HausdorffBounds, ParallelSheetsAreTheirGapApart) {
+TEST(HausdorffBounds, BoundGapOfParallelSheets) {
   const Mesh a = built(grid(4)).mesh;
   const Mesh b = built(moved(grid(3), {0, 0, 0.25F}, 4.0F / 3.0F)).mesh;
   const DistanceInterval gap = hausdorff_bounds(a, b).two_sided();
@@ -45,15 +46,15 @@ TEST(HausdorffBounds, ParallelSheetsAreTheirGapApart) {
 
 TEST(HausdorffBounds, FindSpikeOnOneSurface) {
   Soup spiked = grid(8);
-  spiked.positions[40].z = 3.0F;  // the middle one
+  spiked.positions[40].z = 3.0F;  // the middle vertex
   const HausdorffBounds bounds =
       hausdorff_bounds(built(std::move(spiked)).mesh, built(grid(8)).mesh, {.ratio = 1.01});
   EXPECT_DOUBLE_EQ(bounds.forward.lower, 3.0);
   EXPECT_LE(bounds.forward.upper, 3.0 * 1.01);
-  EXPECT_LT(bounds.backward.lower, 1.5);  // the sheet's middle is near the spike's flanks
+  EXPECT_LT(bounds.backward.lower, 1.5);  // the middle of the sheet is near the flanks of the spike
 }
 
-TEST(HausdorffBounds, CountMissingPartInOneDirection) {
+TEST(HausdorffBounds, MissingPartCountsInOneDirection) {
   const Mesh part = built(grid(2)).mesh;
   const Mesh whole = built(join(grid(2), moved(grid(2), {10, 0, 0}))).mesh;
   const HausdorffBounds bounds = hausdorff_bounds(part, whole, {.ratio = 1.05});
@@ -62,8 +63,9 @@ TEST(HausdorffBounds, CountMissingPartInOneDirection) {
   EXPECT_LE(bounds.backward.upper, 10.5);
 }
 
-// The corners of the flat side all lie on the other surface: only points within its faces tell.
-TEST(HausdorffBounds, SeeBumpBetweenTheCorners) {
+// All corners of the flat side lie on the other surface. Only points inside its faces show the
+// distance.
+TEST(HausdorffBounds, FindBumpBetweenTheCorners) {
   Soup bump = grid(2);
   bump.positions[4].z = 1.0F;
   const Soup flat = soup_of({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, {0, 1, 2, 0, 2, 3});
@@ -73,7 +75,8 @@ TEST(HausdorffBounds, SeeBumpBetweenTheCorners) {
   EXPECT_DOUBLE_EQ(bounds.backward.lower, 1.0);
   const HausdorffBounds swapped = hausdorff_bounds(b, a, {.ratio = 1.01});
   EXPECT_EQ(swapped.forward.upper, bounds.backward.upper);
-  // The middle of the flat side is nearest to the bump's flank, 45 degrees steep.
+  // The middle of the flat side is nearest to the flank of the bump, which has a slope of 45
+  // degrees.
   EXPECT_GE(bounds.forward.upper, std::sqrt(0.5) * (1.0 - 1e-9));
 }
 
@@ -103,7 +106,7 @@ TEST(HausdorffBounds, HoldFarFromTheOrigin) {
   expect_bounds(built(far(torus(30, 20))).mesh, built(far(torus(20, 10))).mesh, 1.1);
 }
 
-TEST(HausdorffBounds, HoldForTrianglesWithoutArea) {
+TEST(HausdorffBounds, HoldForZeroAreaTriangles) {
   const Mesh line = built(soup_of({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}, {0, 1, 2})).mesh;
   const Mesh other = built(soup_of({{0, 2, 0}, {1, 2, 0}, {3, 2, 0}}, {0, 1, 2})).mesh;
   EXPECT_EQ(hausdorff_bounds(line, line).two_sided().upper, 0.0);
@@ -118,8 +121,8 @@ TEST(HausdorffBounds, AreZeroForTheSameMesh) {
   EXPECT_EQ(hausdorff_bounds(mesh, mesh).two_sided().upper, 0.0);
 }
 
-// No distance to be a multiple of: the limit of the work ends it.
-TEST(HausdorffBounds, EndWhereSurfacesCoincideButNotTheirTriangles) {
+// The distance is zero, so no ratio can be reached. The work limit ends the search.
+TEST(HausdorffBounds, TerminateForCoincidingSurfacesWithDifferentTriangles) {
   const Mesh a = built(moved(grid(7), {0.1F, 0.2F, 0.0F}, 1.0F / 7.0F)).mesh;
   const Mesh b = built(moved(grid(1), {0.1F, 0.2F, 0.0F})).mesh;
   const DistanceInterval both = hausdorff_bounds(a, b, {.most_queries = 200'000}).two_sided();
@@ -134,7 +137,7 @@ TEST(HausdorffBounds, IgnoreIsolatedVertices) {
   EXPECT_EQ(hausdorff_bounds(with, built(cube()).mesh).two_sided().upper, 0.0);
 }
 
-TEST(HausdorffBounds, AreTheSameForAnyNumberOfThreads) {
+TEST(HausdorffBounds, SameForAnyThreadCount) {
   const Mesh a = built(torus(120, 60)).mesh;
   const Mesh b = built(moved(torus(31, 20), {0.01F, 0.02F, 0.0F})).mesh;
   std::vector<HausdorffBounds> all;
@@ -150,7 +153,7 @@ TEST(HausdorffBounds, AreTheSameForAnyNumberOfThreads) {
   }
 }
 
-TEST(HausdorffBounds, DecideWhetherDistanceIsEnough) {
+TEST(HausdorffBounds, DecideWhetherTheDistanceIsWithinALimit) {
   const Mesh a = built(torus(60, 30)).mesh;
   const Mesh b = built(torus(20, 10)).mesh;
   const DistanceInterval distance = hausdorff_bounds(a, b, {.ratio = 1.001}).two_sided();
@@ -166,7 +169,7 @@ TEST(HausdorffBounds, DecideWhetherDistanceIsEnough) {
   }
 }
 
-TEST(HausdorffBounds, StayHonestWhereTheWorkIsLimited) {
+TEST(HausdorffBounds, StayValidWhenTheWorkIsLimited) {
   const Mesh a = built(torus(60, 30)).mesh;
   const Mesh b = built(torus(20, 10)).mesh;
   const DistanceInterval limited =
@@ -177,12 +180,12 @@ TEST(HausdorffBounds, StayHonestWhereTheWorkIsLimited) {
   EXPECT_GT(limited.upper, 1.0001 * limited.lower);
 }
 
-TEST(HausdorffBounds, UseHintsWithoutDependingOnThem) {
+TEST(HausdorffBounds, StayValidWithPoorHints) {
   const Mesh a = built(torus(60, 30)).mesh;
   const Mesh b = built(torus(20, 10)).mesh;
   LazyTree tree_a(a);
   LazyTree tree_b(b);
-  const std::vector<Face> hints_a(a.face_count(), Face(7));  // far from most
+  const std::vector<Face> hints_a(a.face_count(), Face(7));  // far from most triangles
   const std::vector<Face> hints_b(b.face_count(), Face(7));
   for (const double ratio : {1.05, 3.0}) {
     const HausdorffBounds with =
@@ -195,7 +198,7 @@ TEST(HausdorffBounds, UseHintsWithoutDependingOnThem) {
   }
 }
 
-TEST(HausdorffBounds, DecideWithHintsAsWithout) {
+TEST(HausdorffBounds, DecideTheSameWithAndWithoutHints) {
   const Mesh a = built(torus(60, 30)).mesh;
   const Mesh b = built(torus(20, 10)).mesh;
   const DistanceInterval distance = hausdorff_bounds(a, b, {.ratio = 1.001}).two_sided();
@@ -239,7 +242,7 @@ TEST(HausdorffBounds, HoldWithAnyHintsForRandomSoups) {
   }
 }
 
-TEST(HausdorffBounds, StopWhenCancelled) {
+TEST(HausdorffBounds, StopWhenCanceled) {
   const Mesh mesh = built(cube()).mesh;
   Progress progress;
   progress.cancel();

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// Over a grid of 4 by 4 squares.
+// A triangle over a grid of 4 by 4 squares.
 const Triangle kInside{glm::dvec3(0.3, 0.4, 0.0), glm::dvec3(3.6, 0.7, 0.0),
                        glm::dvec3(1.1, 3.5, 0.0)};
 
@@ -39,47 +39,47 @@ TEST(OverlayWalk, FindsHeightOfParallelSheetFromAnyHint) {
   }
 }
 
-TEST(OverlayWalk, SeesSpikeBetweenTheCorners) {
+TEST(OverlayWalk, FindsSpikeBetweenTheCorners) {
   Soup soup = grid(4);
-  soup.positions[12].z = 0.5F;  // in the middle
+  soup.positions[12].z = 0.5F;  // the middle vertex
   const Mesh sheet = built(std::move(soup)).mesh;
   OverlayWalk walk(sheet);
   EXPECT_NEAR(bound(walk, kInside, Face(0)), 0.5, 1e-9);
 }
 
-TEST(OverlayWalk, GivesUpAboveTheMostThatIsOfInterest) {
+TEST(OverlayWalk, GivesUpAboveTheUpperLimit) {
   const Mesh sheet = raised_grid(0.25F);
   OverlayWalk walk(sheet);
   ASSERT_LT(walk.locate(kInside, Face(0), 0.0), kInfinite);
   EXPECT_EQ(walk.bound(0.2), kInfinite);
 }
 
-TEST(OverlayWalk, FailsWhereTriangleSticksOut) {
+TEST(OverlayWalk, FailsWhenTheTriangleExtendsBeyondTheSurface) {
   const Mesh sheet = raised_grid(0.0F);
   OverlayWalk walk(sheet);
   Triangle t = kInside;
   t[1].x = 4.1;
   EXPECT_EQ(bound(walk, t, Face(0)), kInfinite);
-  // Unless what sticks out is cut off.
+  // The walk succeeds if the part outside is cut off.
   EXPECT_LT(bound(walk, t, Face(0), 0.1), 1e-9);
 }
 
-TEST(OverlayWalk, FailsWhereSurfaceIsFoldedOver) {
+TEST(OverlayWalk, FailsWhereTheSurfaceFoldsOver) {
   Soup soup = grid(4);
-  soup.positions[12] = {3.5F, 2.0F, 0.1F};  // the middle, beyond its neighbor
+  soup.positions[12] = {3.5F, 2.0F, 0.1F};  // the middle vertex, moved past its neighbor
   const Mesh sheet = built(std::move(soup)).mesh;
   OverlayWalk walk(sheet);
   EXPECT_EQ(bound(walk, kInside, Face(0)), kInfinite);
 }
 
-TEST(OverlayWalk, FailsForTriangleWithoutArea) {
+TEST(OverlayWalk, FailsForZeroAreaTriangle) {
   const Mesh sheet = raised_grid(0.0F);
   OverlayWalk walk(sheet);
   EXPECT_EQ(walk.locate({kInside[0], kInside[1], kInside[1]}, Face(0), 0.0), kInfinite);
 }
 
-// The triangle may touch a wall that is at right angles to it.
-TEST(OverlayWalk, LeavesOutWhatShrunkenTriangleDoesNotTouch) {
+// The triangle may touch a wall that is perpendicular to it.
+TEST(OverlayWalk, IgnoresFacesThatTheShrunkenTriangleDoesNotTouch) {
   const Mesh box = built(cube()).mesh;
   OverlayWalk walk(box);
   const TriangleTree tree(box);

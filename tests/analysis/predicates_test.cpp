@@ -45,7 +45,8 @@ glm::dvec3 real(const IntPoint<3>& p) {
   return {p[0], p[1], p[2]};
 }
 
-/// Integers that floats hold: 24 bits or fewer, shifted to anywhere below 2^`bits`.
+/// Random integers that floats represent exactly: at most 24 bits, shifted to any magnitude below
+/// 2^`bits`.
 class Numbers {
  public:
   explicit Numbers(std::uint32_t seed) : random_(seed) {}
@@ -78,7 +79,7 @@ TEST(Orientation3, AgreesWithIntegersOfAllMagnitudes) {
                                      {10U, 10U},
                                      {24U, 24U},
                                      {38U, 38U},
-                                     // Differences of x that no double holds.
+                                     // Differences of x that no double represents.
                                      {60U, 28U}}) {
     for (int i = 0; i < 20'000; ++i) {
       std::array<IntPoint<3>, 4> p;
@@ -107,7 +108,7 @@ TEST(Orientation3, AgreesWithIntegersNearThePlane) {
       c[k] += v[k];
       d[k] += s * u[k] + t * v[k];
     }
-    // At most one unit from the plane: in double, the terms are 2^60 times that.
+    // At most one unit from the plane. In double precision the terms are 2^60 times that.
     d[static_cast<std::size_t>(i % 3)] += i % 2;
     const int sign = exact_sign(a, b, c, d);
     ASSERT_EQ(orientation(real(a), real(b), real(c), real(d)), sign);
@@ -117,8 +118,8 @@ TEST(Orientation3, AgreesWithIntegersNearThePlane) {
     EXPECT_GT(count, 1'000);
 }
 
-TEST(Orientation3, SeesOneUnitInTheLastPlaceOnALargePlane) {
-  // x + y + z = 3 * 2^22, with corners that no rounding hits.
+TEST(Orientation3, DetectsOneUlpOnALargePlane) {
+  // The plane is x + y + z = 3 * 2^22. Its corners are exact.
   constexpr float kLarge = 3.0F * 0x1p22F;
   const glm::dvec3 a(kLarge, 0, 0);
   const glm::dvec3 b(0, kLarge, 0);

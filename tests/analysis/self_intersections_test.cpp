@@ -34,7 +34,7 @@ std::uint64_t count(Soup soup) {
   return count_self_intersections(built(std::move(soup)).mesh);
 }
 
-/// Triangles of a size, anywhere in the unit cube.
+/// Triangles of the given size, anywhere in the unit cube.
 Soup scattered(std::uint32_t faces, float size, std::uint32_t seed) {
   std::mt19937 random(seed);
   const auto number = [&] { return static_cast<float>(random() % 1'000'003U) / 1'000'003.0F; };
@@ -49,7 +49,7 @@ Soup scattered(std::uint32_t faces, float size, std::uint32_t seed) {
   return soup;
 }
 
-TEST(SelfIntersections, OfCleanMeshesAreNone) {
+TEST(SelfIntersections, CleanMeshesHaveNone) {
   EXPECT_EQ(count_self_intersections(Mesh()), 0U);
   EXPECT_EQ(count(tetrahedron()), 0U);
   EXPECT_EQ(count(cube()), 0U);
@@ -58,7 +58,7 @@ TEST(SelfIntersections, OfCleanMeshesAreNone) {
   EXPECT_EQ(count(moebius(20)), 0U);
 }
 
-TEST(SelfIntersections, OfTwoTetrahedraThatPierceEachOther) {
+TEST(SelfIntersections, FindsPairsOfTwoPiercingTetrahedra) {
   const Mesh mesh = built(join(tetrahedron(), tetrahedron(), {0.1F, 0.1F, 0.1F})).mesh;
   const auto pairs = self_intersections(mesh);
   EXPECT_EQ(pairs, by_brute_force(mesh));
@@ -69,8 +69,8 @@ TEST(SelfIntersections, OfTwoTetrahedraThatPierceEachOther) {
   }
 }
 
-TEST(SelfIntersections, CopiesOfACutVertexShareIt) {
-  // Two tetrahedra that meet at a corner: a vertex that is not manifold, cut into two.
+TEST(SelfIntersections, CopiesOfACutVertexDoNotIntersect) {
+  // Two tetrahedra meet at a corner. The non-manifold vertex is cut into two copies.
   Soup soup = join(tetrahedron(), tetrahedron());
   for (std::size_t i = 4; i < 8; ++i)
     soup.positions[i] = -soup.positions[i];
@@ -79,11 +79,11 @@ TEST(SelfIntersections, CopiesOfACutVertexShareIt) {
   EXPECT_EQ(count(soup), 0U);
 }
 
-TEST(SelfIntersections, TwoSheetsOnTheSameCornersOverlap) {
+TEST(SelfIntersections, SheetsWithTheSameCornersOverlap) {
   EXPECT_EQ(count(join(grid(1), grid(1))), 2U);
 }
 
-TEST(SelfIntersections, FacesWithoutAreaAreLeftOut) {
+TEST(SelfIntersections, ZeroAreaFacesAreIgnored) {
   Soup soup = soup_of({{0, 0, 0},
                        {2, 0, 0},
                        {1, 0, 0},
@@ -94,7 +94,7 @@ TEST(SelfIntersections, FacesWithoutAreaAreLeftOut) {
                        {9, 0.25F, 1}},
                       {0, 2, 1});
   EXPECT_EQ(count(soup), 0U);
-  // It lies in the plane y = 0 of this face: a touch, if it had area.
+  // It lies in the plane y = 0 of this face. With an area it would touch.
   for (const std::uint32_t v : {4U, 5U, 6U})
     soup.corners.push_back(v);
   EXPECT_EQ(count(soup), 0U);
@@ -117,7 +117,7 @@ TEST(SelfIntersections, AgreeWithBruteForceOnRandomSoups) {
   }
 }
 
-TEST(SelfIntersections, AreTheSameOnAnyNumberOfThreads) {
+TEST(SelfIntersections, SameForAnyThreadCount) {
   const Mesh mesh = built(scattered(20'000, 0.05F, 6)).mesh;
   const auto pairs = self_intersections(mesh);
   EXPECT_GT(pairs.size(), 1'000U);
@@ -128,12 +128,12 @@ TEST(SelfIntersections, AreTheSameOnAnyNumberOfThreads) {
   }
 }
 
-TEST(SelfIntersections, AtTheEndsOfTheRangeOfFloats) {
+TEST(SelfIntersections, WorkAtTheEndsOfTheFloatRange) {
   for (const float scale : {0x1p-140F, 0x1p126F}) {
     Soup soup = join(torus(12, 8), torus(12, 8), {1.0F, 0.5F, 0.25F});
     const std::uint64_t expected = count(soup);
     EXPECT_GT(expected, 0U);
-    // Multiples of 1/256, so that no bit is lost.
+    // Rounded to multiples of 1/128, so that scaling loses no bit.
     for (glm::vec3& p : soup.positions)
       p = glm::round(p * 128.0F) / 128.0F;
     const std::uint64_t rounded = count(soup);
@@ -143,7 +143,7 @@ TEST(SelfIntersections, AtTheEndsOfTheRangeOfFloats) {
   }
 }
 
-TEST(SelfIntersections, CanBeCancelled) {
+TEST(SelfIntersections, StopWhenCanceled) {
   Progress progress;
   progress.cancel();
   const Mesh mesh = built(grid(60)).mesh;

@@ -12,7 +12,7 @@
 namespace mesher::test {
 namespace {
 
-/// A small triangle in each cell of a cube of n cells a side.
+/// A small triangle in each cell of a cube of n x n x n cells.
 Soup triangle_in_each_cell(std::uint32_t n) {
   Soup soup;
   for (std::uint32_t i = 0; i < n * n * n; ++i) {
@@ -25,7 +25,7 @@ Soup triangle_in_each_cell(std::uint32_t n) {
   return soup;
 }
 
-TEST(SpaceCurve, GoesFromCellToNeighboringCell) {
+TEST(SpaceCurve, MovesBetweenNeighboringCells) {
   const Mesh mesh = built(triangle_in_each_cell(8)).mesh;
   const Array<std::uint32_t> order = faces_along_curve(mesh);
   for (std::size_t i = 1; i < order.size(); ++i) {
@@ -44,7 +44,7 @@ TEST(SpaceCurve, VisitsEveryFaceOnce) {
     EXPECT_EQ(order[f], f);
 }
 
-TEST(SpaceCurve, TakesExtremeCoordinates) {
+TEST(SpaceCurve, AcceptsExtremeCoordinates) {
   const Mesh mesh = built(soup_of({{-3e38F, 0, 0}, {3e38F, 0, 0}, {0, 3e38F, 0}, {0, 0, 1e-30F}},
                                   {0, 1, 2, 0, 2, 3}))
                         .mesh;

@@ -15,7 +15,7 @@ using Point = glm::dvec3;
 
 const ExactTriangle kFlat{Point(0, 0, 0), Point(4, 0, 0), Point(0, 4, 0)};
 
-/// The answer must not depend on the order of corners or triangles, or on the axes.
+/// Checks that the result does not depend on the order of corners, triangles or axes.
 bool agree(const ExactTriangle& first, const ExactTriangle& second) {
   const bool expected = do_intersect(first, second);
   const auto check = [&](ExactTriangle a, ExactTriangle b) {
@@ -45,30 +45,31 @@ bool meets_flat(const Point& a, const Point& b, const Point& c) {
   return agree(kFlat, {a, b, c});
 }
 
-TEST(TrianglePair, ThatCrosses) {
+TEST(TrianglePair, Crossing) {
   EXPECT_TRUE(meets_flat({1, 1, -1}, {1, 1, 1}, {9, 9, 1}));
   EXPECT_TRUE(meets_flat({-1, 1, -1}, {-1, 1, 1}, {9, 1, 0.5}));
 }
 
-TEST(TrianglePair, ThatIsApart) {
+TEST(TrianglePair, Disjoint) {
   EXPECT_FALSE(meets_flat({1, 1, 1}, {2, 1, 1}, {1, 2, 3}));
   EXPECT_FALSE(meets_flat({5, 5, -1}, {5, 5, 1}, {9, 9, 1}));
-  // Both reach the other's plane, one beside the other on the line in which the planes meet.
+  // Both triangles reach the plane of the other, but side by side on the line where the planes
+  // meet.
   EXPECT_FALSE(meets_flat({5, 1, -1}, {5, 1, 1}, {9, 1, 0.5}));
   EXPECT_FALSE(meets_flat({-1, 1, -1}, {-1, 1, 1}, {-9, 1, 0.5}));
 }
 
-TEST(TrianglePair, ThatTouches) {
-  EXPECT_TRUE(meets_flat({1, 1, 0}, {1, 2, 1}, {2, 1, 1})) << "corner on the inside";
+TEST(TrianglePair, Touching) {
+  EXPECT_TRUE(meets_flat({1, 1, 0}, {1, 2, 1}, {2, 1, 1})) << "corner inside";
   EXPECT_TRUE(meets_flat({2, 0, 0}, {2, -1, 1}, {3, -1, 1})) << "corner on a side";
   EXPECT_TRUE(meets_flat({-1, -1, 0}, {1, 1, 0}, {0, 0, 5})) << "side through a corner";
   EXPECT_TRUE(meets_flat({2, -1, -1}, {2, 1, 1}, {9, -9, 0})) << "sides cross";
   EXPECT_TRUE(meets_flat({1, 0, 0}, {2, 0, 0}, {1, 0, 1})) << "side within a side";
   EXPECT_TRUE(meets_flat({-1, 0, 0}, {9, 0, 0}, {1, 0, 1})) << "side within a longer side";
-  EXPECT_FALSE(meets_flat({2, -0x1p-20, 0}, {2, -1, 1}, {3, -1, 1})) << "not quite";
+  EXPECT_FALSE(meets_flat({2, -0x1p-20, 0}, {2, -1, 1}, {3, -1, 1})) << "just outside";
 }
 
-TEST(TrianglePair, ThatIsCoplanar) {
+TEST(TrianglePair, Coplanar) {
   EXPECT_TRUE(meets_flat({1, 1, 0}, {2, 1, 0}, {1, 2, 0})) << "inside";
   EXPECT_TRUE(meets_flat({-9, -9, 0}, {30, -9, 0}, {-9, 30, 0})) << "around";
   EXPECT_TRUE(meets_flat({-1, 1, 0}, {9, 1, 0}, {9, 2, 0})) << "across";
@@ -77,7 +78,7 @@ TEST(TrianglePair, ThatIsCoplanar) {
   EXPECT_FALSE(meets_flat({-1, 0, 0}, {-1, 5, 0}, {-5, 0, 0}));
 }
 
-TEST(TrianglePair, WithASharedCorner) {
+TEST(TrianglePair, SharedCorner) {
   EXPECT_FALSE(meets_flat({0, 0, 0}, {-1, 0, 0}, {0, -1, 0})) << "coplanar, across the corner";
   EXPECT_FALSE(meets_flat({0, 0, 0}, {1, 1, 1}, {2, 1, 1})) << "on one side of the plane";
   EXPECT_FALSE(meets_flat({0, 0, 0}, {-1, -1, 1}, {-1, -1, -1})) << "through the plane, outside";
@@ -89,7 +90,7 @@ TEST(TrianglePair, WithASharedCorner) {
   EXPECT_TRUE(meets_flat({0, 0, 0}, {2, 0, 0}, {0, -2, 0})) << "coplanar, along a side";
 }
 
-TEST(TrianglePair, WithASharedSide) {
+TEST(TrianglePair, SharedSide) {
   EXPECT_FALSE(meets_flat({0, 0, 0}, {4, 0, 0}, {1, -1, 0})) << "flat";
   EXPECT_FALSE(meets_flat({0, 0, 0}, {4, 0, 0}, {1, 1, 1})) << "bent";
   EXPECT_FALSE(meets_flat({0, 0, 0}, {4, 0, 0}, {1, 1, 0x1p-40})) << "almost folded";
@@ -97,11 +98,11 @@ TEST(TrianglePair, WithASharedSide) {
   EXPECT_TRUE(meets_flat({0, 0, 0}, {4, 0, 0}, {-9, 1, 0})) << "folded and sheared";
 }
 
-TEST(TrianglePair, WithAllCornersShared) {
+TEST(TrianglePair, AllCornersShared) {
   EXPECT_TRUE(agree(kFlat, kFlat));
 }
 
-TEST(TrianglePair, DegenerateTriangles) {
+TEST(TrianglePair, DegenerateTrianglesAreDetected) {
   EXPECT_FALSE(is_degenerate(kFlat));
   EXPECT_TRUE(is_degenerate({Point(1, 2, 3), Point(1, 2, 3), Point(4, 5, 6)}));
   EXPECT_TRUE(is_degenerate({Point(1, 2, 3), Point(2, 4, 6), Point(3, 6, 9)}));
@@ -114,15 +115,15 @@ TEST(TrianglePair, DegenerateTriangles) {
   }
 }
 
-/// Independent of the code under test but for the sign of four points: two triangles without a
-/// shared corner and not in one plane intersect exactly if a side of one meets the other.
+/// Independent of the code under test except for the orientation predicate. Two triangles that
+/// share no corner and are not coplanar intersect exactly if a side of one meets the other.
 bool side_meets(const Point& p, const Point& q, const ExactTriangle& t) {
   const int from = orientation(t[0], t[1], t[2], p);
   const int to = orientation(t[0], t[1], t[2], q);
   if (from * to > 0) return false;
   if (from == 0 && to == 0) {
-    // A point above the plane makes walls of the sides; the segment is outside if it is outside
-    // one, or if all corners are on one side of its own wall.
+    // A point above the plane and each side span a wall. The segment is outside if it is outside
+    // one wall, or if all corners are on one side of the segment's own wall.
     for (const Point& apex :
          {t[0] + Point(1, 0, 0), t[0] + Point(0, 1, 0), t[0] + Point(0, 0, 1)}) {
       if (orientation(t[0], t[1], t[2], apex) == 0) continue;
@@ -154,8 +155,8 @@ bool any_side_meets(const ExactTriangle& a, const ExactTriangle& b) {
   return false;
 }
 
-TEST(TrianglePair, AgreesWithItsSidesOnSmallGrids) {
-  // Few places for the corners: every kind of contact comes up often.
+TEST(TrianglePair, AgreesWithSideTestsOnSmallGrids) {
+  // With few possible corner positions, every kind of contact comes up often.
   std::mt19937 random(7);
   std::array<int, 2> met{};
   for (int i = 0; i < 300'000; ++i) {
@@ -172,7 +173,7 @@ TEST(TrianglePair, AgreesWithItsSidesOnSmallGrids) {
     for (const Point& p : a)
       is_shared |= std::find(b.begin(), b.end(), p) != b.end();
     if (is_shared) continue;
-    // Of coplanar triangles one may be inside the other, but then its sides are, too.
+    // One of two coplanar triangles may be inside the other, but then its sides are, too.
     const bool expected = any_side_meets(a, b);
     ASSERT_EQ(do_intersect(a, b), expected);
     ++met[expected ? 1 : 0];
@@ -181,10 +182,10 @@ TEST(TrianglePair, AgreesWithItsSidesOnSmallGrids) {
   EXPECT_GT(met[1], 20'000);
 }
 
-TEST(TrianglePair, WithASharedCornerAgreesWithCutCorners) {
-  // The triangles meet in more than the shared corner exactly if what is left of one, after a small
-  // piece at that corner is cut off, meets the other. On a grid of integers no meeting point is so
-  // near the corner.
+TEST(TrianglePair, SharedCornerAgreesWithCutCorners) {
+  // The triangles meet in more than the shared corner exactly if one of them, after a small piece
+  // at that corner is cut off, meets the other. On an integer grid no meeting point is that near
+  // the corner.
   std::mt19937 random(11);
   std::array<int, 2> met{};
   for (int i = 0; i < 100'000; ++i) {

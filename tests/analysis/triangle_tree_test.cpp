@@ -14,7 +14,7 @@ using Triangle = std::array<glm::dvec3, 3>;
 
 const Triangle kTriangle{glm::dvec3(0, 0, 0), glm::dvec3(4, 0, 0), glm::dvec3(0, 3, 0)};
 
-TEST(SquaredDistance, ToFaceSidesAndCorners) {
+TEST(SquaredDistance, MeasuresToFaceSidesAndCorners) {
   EXPECT_DOUBLE_EQ(squared_distance({1, 1, 5}, kTriangle), 25.0);
   EXPECT_DOUBLE_EQ(squared_distance({1, 1, -5}, kTriangle), 25.0);
   EXPECT_DOUBLE_EQ(squared_distance({1, 1, 0}, kTriangle), 0.0);
@@ -24,7 +24,7 @@ TEST(SquaredDistance, ToFaceSidesAndCorners) {
   EXPECT_DOUBLE_EQ(squared_distance({4, 3, 0}, kTriangle), 5.76);  // to the long side: 12/5
 }
 
-TEST(SquaredDistance, OfTrianglesWithoutArea) {
+TEST(SquaredDistance, HandlesZeroAreaTriangles) {
   const Triangle needle{glm::dvec3(0, 0, 0), glm::dvec3(2, 0, 0), glm::dvec3(5, 0, 0)};
   EXPECT_DOUBLE_EQ(squared_distance({4, 3, 0}, needle), 9.0);
   EXPECT_DOUBLE_EQ(squared_distance({8, 4, 0}, needle), 25.0);
@@ -32,7 +32,7 @@ TEST(SquaredDistance, OfTrianglesWithoutArea) {
   EXPECT_DOUBLE_EQ(squared_distance({1, 1, 3}, point), 4.0);
 }
 
-TEST(TriangleTree, FindsWhatTryingAllFinds) {
+TEST(TriangleTree, AgreesWithBruteForce) {
   std::mt19937 random(2);
   const auto coordinate = [&] { return static_cast<float>(random() % 2000) / 100.0F - 10.0F; };
   for (const Soup& soup : {cube(), torus(13, 9), grid(7), tetrahedron()}) {
@@ -55,7 +55,7 @@ TEST(TriangleTree, FindsWhatTryingAllFinds) {
   }
 }
 
-TEST(TriangleTree, ManyTrianglesInOnePlaceDoNotMakeItDeep) {
+TEST(TriangleTree, CoincidentTrianglesKeepTheTreeShallow) {
   Soup soup;
   for (std::uint32_t i = 0; i < 30'000; ++i) {
     const auto base = static_cast<std::uint32_t>(soup.positions.size());

@@ -17,8 +17,9 @@ namespace {
 using State = benchmark::State;
 using SharedSoup = std::shared_ptr<const Soup>;
 
-/// Runs `build`, which takes arrays and returns {faces, bytes that the mesh holds}, and notes time,
-/// size and peak memory. The peak counts the mesh and all scratch, not the input.
+/// Runs `build`, which takes arrays and returns {faces, bytes that the mesh holds}, and records
+/// time, size and peak memory. The peak includes the mesh and all temporary memory, but not the
+/// input.
 template <class Build>
 void measure(State& state, const Soup& soup, Build build) {
   const double faces = soup.face_count();
@@ -44,8 +45,8 @@ struct OurMesh {
 struct OpenMeshMesh {
   OpenMesh::TriMesh_ArrayKernelT<> mesh;
   std::size_t face_count() const { return mesh.n_faces(); }
-  /// What its kernel and its standard properties hold: per edge two half-edges of four handles,
-  /// per face and per vertex one handle, a point of three floats a vertex.
+  /// Bytes of its kernel and its standard properties: per edge two half-edges of four handles, per
+  /// face and per vertex one handle, and per vertex a point of three floats.
   std::size_t memory_bytes() const {
     return mesh.n_edges() * 2 * 16 + mesh.n_faces() * 4 + mesh.n_vertices() * (4 + 12);
   }

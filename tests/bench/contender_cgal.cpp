@@ -43,7 +43,7 @@ Soup make_arrays(const PeerMesh& mesh) {
   return soup;
 }
 
-/// CGAL 5.5 counts edges only.
+/// A stop condition by faces, because CGAL 5.5 counts only edges.
 struct FacesAtMost {
   std::size_t target = 0;
   template <class Cost, class Profile>
@@ -56,7 +56,8 @@ struct FacesAtMost {
 
 Soup simplify_cgal_lindstrom_turk(Soup&& soup, std::uint32_t target_faces) {
   PeerMesh mesh = make_mesh(soup);
-  // Its default cost and placement. Without the filter it is no faster and folds more faces.
+  // The default cost and placement of CGAL. Without the filter it is no faster and folds more
+  // faces.
   const Simplification::Bounded_normal_change_filter<> filter;
   Simplification::edge_collapse(mesh, FacesAtMost{target_faces}, CGAL::parameters::filter(filter));
   mesh.collect_garbage();

@@ -28,7 +28,7 @@ using State = benchmark::State;
 
 constexpr std::uint32_t kPixels = 500;
 
-/// A device, and a mesh on it with everything a frame needs. Kept until the program ends.
+/// A device and a mesh on it with everything that a frame needs. It lives until the program ends.
 struct Scene {
   explicit Scene(std::uint32_t torus_size) : mesh(build_mesh(torus(torus_size)).mesh) {
     camera.set_angles(0.6, 0.5);
@@ -56,7 +56,7 @@ void draw_frames(State& state, Scene& scene, const render::Settings& settings, D
       (scene.renderer.*draw)(commands, scene.target, scene.gpu_mesh, scene.camera, settings);
     });
   };
-  frame();  // makes the pipeline
+  frame();  // creates the pipeline
   for (auto _ : state)
     frame();
 }
@@ -70,7 +70,7 @@ void add(const std::string& name, const std::shared_ptr<Scene>& scene,
       ->Unit(benchmark::kMillisecond);
 }
 
-/// A progressive mesh under a slider.
+/// A progressive mesh that is controlled by a slider.
 struct DragScene {
   explicit DragScene(const Mesh& full)
       : mesh(make_progressive(full, {.target_faces = full.face_count() / 100}).mesh),
@@ -79,11 +79,11 @@ struct DragScene {
     camera.frame(bounding_box(full), 1.0);
   }
 
-  /// What the slider's handle asks for, 0 to 1, until the picture is there. Returns the bytes that
-  /// were copied to the GPU.
+  /// Draws the frame for a slider position from 0 to 1 and waits for it. Returns the number of
+  /// bytes copied to the GPU.
   std::uint64_t show(double position, render::Settings settings,
                      const render::SceneTarget& target) {
-    // As many grow as in the viewer: an eighth of the vertices that there are.
+    // As in the viewer, an eighth of the current vertices are in the geomorph range.
     const double count = mesh.split_count();
     const double base = mesh.base_vertex_count();
     const double time = position * (count - 1.0 + kGrowing * base) / (1.0 - kGrowing);
@@ -111,12 +111,12 @@ struct DragScene {
   render::Renderer renderer{device};
 };
 
-/// The slider from end to end and back, a hundred frames each way.
+/// Moves the slider from end to end and back, a hundred frames in each direction.
 void drag(State& state, DragScene& scene, const render::Settings& settings) {
   using Clock = std::chrono::steady_clock;
   constexpr int kFrames = 100;
   const render::SceneTarget target(scene.device, {kPixels, kPixels}, settings.samples);
-  scene.show(0.5, settings, target);  // makes the pipelines
+  scene.show(0.5, settings, target);  // creates the pipelines
   scene.show(1.0, settings, target);
   for (auto _ : state) {
     double bytes = 0.0;

@@ -1,5 +1,5 @@
-// bench_engine FOLDER OBJ_BYTES TORUS_SIZE FRAME_TORUS_SIZE GROWTH_FACES PREFIX
-// [Google Benchmark's flags]; see scripts/bench. Only tasks whose names start with PREFIX run.
+// bench_engine FOLDER OBJ_BYTES TORUS_SIZE FRAME_TORUS_SIZE GROWTH_FACES PREFIX [Google Benchmark
+// flags]; see scripts/bench. Runs only tasks whose names start with PREFIX.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -15,9 +15,9 @@ namespace {
 
 constexpr int kArguments = 6;
 
-/// Tasks that are registered together, which may mean making their models.
+/// Tasks that are registered together, because they share models.
 struct Group {
-  std::string_view tasks;  ///< how their names start
+  std::string_view tasks;  ///< prefix of their names
   void (*add)(const Settings&);
 };
 

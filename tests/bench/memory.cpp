@@ -11,7 +11,7 @@
 namespace mesher::bench {
 namespace {
 
-/// A field of /proc/self/status, in bytes; 0 where there is none.
+/// A field of /proc/self/status in bytes; 0 if there is none.
 std::uint64_t status_bytes(std::string_view field) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
@@ -27,7 +27,8 @@ std::uint64_t status_bytes(std::string_view field) {
 }  // namespace
 
 PeakMemory::PeakMemory() {
-  // Pages that earlier work freed must go back first, or they would be used again unseen.
+  // Return pages of earlier work to the system. Otherwise they would be reused without being
+  // counted.
   malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << "5";  // resets the high-water mark
   start_ = status_bytes("VmRSS");

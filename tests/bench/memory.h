@@ -4,8 +4,8 @@
 
 namespace mesher::bench {
 
-/// How far the process's resident memory rises above what it is at construction. Needs Linux's
-/// /proc; 0 where that cannot be reset.
+/// Measures how far the resident memory of the process rises above its value at construction. Needs
+/// the /proc file system of Linux; 0 where the high-water mark cannot be reset.
 class PeakMemory {
  public:
   PeakMemory();

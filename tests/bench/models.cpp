@@ -23,7 +23,7 @@ glm::vec3 torus_point(std::uint32_t i, std::uint32_t j, std::uint32_t n) {
   return {ring * std::cos(u), tube * std::sin(v), -ring * std::sin(u)};
 }
 
-/// A number in [-1, 1] for each point of the integer grid.
+/// A pseudorandom number in [-1, 1] for each point of the integer grid.
 double lattice_value(glm::ivec3 p) {
   std::uint32_t hash = static_cast<std::uint32_t>(p.x) * 0x8DA6B343U ^
                        static_cast<std::uint32_t>(p.y) * 0xD8163841U ^
@@ -33,7 +33,7 @@ double lattice_value(glm::ivec3 p) {
   return (hash ^ (hash >> 15)) / 2147483647.5 - 1.0;
 }
 
-/// Smooth noise of wavelength 1 or so: values of the grid, blended (K. Perlin, "An image
+/// Smooth noise with a wavelength of about 1: interpolated grid values (K. Perlin, "An image
 /// synthesizer", 1985).
 double value_noise(const glm::dvec3& p) {
   const glm::dvec3 floor = glm::floor(p);
@@ -66,7 +66,7 @@ glm::vec3 bumpy_torus_point(std::uint32_t i, std::uint32_t j, std::uint32_t n) {
   return glm::vec3(on_tube(tube));
 }
 
-/// A torus of quads cut in two, rows of n around rows of n.
+/// A torus of n x n quads, each split into two triangles.
 template <class Point>
 Soup torus_of(std::uint32_t n, Point point) {
   Soup soup;
@@ -89,7 +89,7 @@ Soup torus_of(std::uint32_t n, Point point) {
   return soup;
 }
 
-/// std::shuffle differs between standard libraries; this does not.
+/// A shuffle that is the same everywhere; std::shuffle differs between standard libraries.
 std::vector<std::uint32_t> permutation(std::uint32_t n) {
   std::vector<std::uint32_t> order(n);
   std::iota(order.begin(), order.end(), 0U);
@@ -137,7 +137,7 @@ Soup shuffled(const Soup& soup) {
 void write_obj(const std::filesystem::path& file, std::uint64_t bytes, ObjContent content) {
   if (std::filesystem::exists(file)) return;
   const bool is_full = content == ObjContent::positions_texcoords_normals;
-  // One vertex and two faces of the grid cost about so many bytes of text.
+  // Approximate bytes of text per vertex of the grid, including its two faces.
   const double bytes_per_vertex = is_full ? 200.0 : 79.0;
   const Soup soup =
       torus(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(bytes) / bytes_per_vertex)));

@@ -48,7 +48,7 @@ void register_normals(const Settings& settings) {
   Soup soup = torus(settings.torus_size);
   const auto peer = make_openmesh(soup);
   const auto ours = std::make_shared<const Mesh>(build_mesh(std::move(soup)).mesh);
-  // OpenMesh's vertex normals average face normals, each counted the same.
+  // OpenMesh averages face normals with equal weights to get vertex normals.
   add("normals_vertex/mesher",
       [=] { benchmark::DoNotOptimize(vertex_normals(*ours, NormalWeight::uniform).data()); });
   add("normals_vertex/mesher, by angle",

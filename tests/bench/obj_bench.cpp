@@ -47,7 +47,7 @@ void read_tinyobjloader(State& state, const std::string& file, std::size_t expec
 void read_assimp(State& state, const std::string& file, std::size_t expected) {
   Assimp::Importer importer;
   for (auto _ : state)
-    importer.ReadFile(file, 0);  // no post-processing
+    importer.ReadFile(file, 0);  // no postprocessing
   std::size_t faces = 0;
   const aiScene* scene = importer.GetScene();
   for (unsigned m = 0; scene != nullptr && m < scene->mNumMeshes; ++m) {

@@ -8,7 +8,7 @@ namespace mesher::bench {
 
 using PeerMesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
-/// OpenMesh's mesh of the same triangles. Pre: they are manifold.
+/// Returns an OpenMesh mesh of the same triangles. Pre: the triangles are manifold.
 inline PeerMesh make_mesh(const Soup& soup) {
   PeerMesh mesh;
   mesh.reserve(soup.positions.size(), soup.corners.size() / 2, soup.face_count());

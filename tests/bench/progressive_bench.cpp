@@ -23,7 +23,7 @@ using State = benchmark::State;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kRatio = 0.01;
-/// Bytes of a file that are read at a time.
+/// Bytes read from a file at a time.
 constexpr std::size_t kPiece = std::size_t{64} << 10U;
 
 double seconds_since(Clock::time_point start) {
@@ -42,7 +42,7 @@ SimplifyOptions options_for(const Mesh& mesh) {
   return {.target_faces = static_cast<std::uint32_t>(kRatio * mesh.face_count())};
 }
 
-/// From a mesh to a coarse one; `records`: and to the progressive mesh that leads back.
+/// Simplifies a mesh. With `records`, also builds the progressive mesh that leads back to it.
 void simplify_once(State& state, const Mesh& input, bool records, unsigned threads) {
   const ThreadLimit limit(threads);
   for (auto _ : state) {
@@ -59,11 +59,11 @@ void simplify_once(State& state, const Mesh& input, bool records, unsigned threa
   }
 }
 
-/// All splits, one way.
+/// Applies all splits in one direction.
 void play(State& state, const Mesh& input, bool up) {
   const ThreadLimit one(1);
   ProgressiveMesh mesh = std::move(make_progressive(input, options_for(input)).mesh);
-  mesh.go_to(mesh.split_count());  // has its memory now
+  mesh.go_to(mesh.split_count());  // allocates all memory before the measurement
   mesh.go_to(up ? 0 : mesh.split_count());
   for (auto _ : state) {
     const auto start = Clock::now();
@@ -74,7 +74,7 @@ void play(State& state, const Mesh& input, bool up) {
   }
 }
 
-/// A whole file, from memory to all levels.
+/// Reads a whole file from memory up to the finest level.
 void read(State& state, const Mesh& input, unsigned coordinate_bits) {
   const ThreadLimit one(1);
   ProgressiveMesh mesh = std::move(make_progressive(input, {.target_faces = 200}).mesh);

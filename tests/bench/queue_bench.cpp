@@ -1,5 +1,5 @@
-// What the choice of queue costs a greedy edge collapse (docs/efficiency.md): always the shortest
-// legal edge, to its midpoint, so that the queue is most of the work.
+// Measures the cost of the queue in greedy edge collapse (docs/efficiency.md). Each step collapses
+// the shortest legal edge to its midpoint, so most of the work is in the queue.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -26,13 +26,14 @@ namespace {
 
 using State = benchmark::State;
 
-/// The square of the edge's length.
+/// The squared length of the edge.
 float cost_of(const Mesh& mesh, Halfedge h) {
   const glm::vec3 along = mesh.position(mesh.target(h)) - mesh.position(mesh.origin(h));
   return glm::dot(along, along);
 }
 
-/// "This half-edge costs so much": true when it was queued, and checked when it is taken out.
+/// A half-edge with its cost at the time of insertion. The cost is checked again when the entry is
+/// removed.
 struct Entry {
   float cost = 0.0F;
   Halfedge halfedge;
@@ -44,7 +45,7 @@ bool is_current(const Mesh& mesh, const Entry& entry) {
          cost_of(mesh, entry.halfedge) == entry.cost;
 }
 
-/// No queue: looks at every edge for each collapse. O(F) a collapse.
+/// No queue: scans all edges for each collapse. O(F) per collapse.
 class NaiveScan {
  public:
   void push(const Entry&) {}
@@ -59,8 +60,8 @@ class NaiveScan {
   }
 };
 
-/// A binary heap; what has changed is queued again, and what is out of date is dropped when it
-/// comes to the top. O(log F) a push or pop.
+/// A binary heap. Changed edges are inserted again, and outdated entries are dropped when they
+/// reach the top. O(log F) per push or pop.
 class Heap {
  public:
   void push(const Entry& entry) { heap_.push(entry); }
@@ -78,8 +79,9 @@ class Heap {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap_;
 };
 
-/// One bucket for each value of the cost's exponent and first 7 bits of mantissa, first in, first
-/// out within: costs are in order up to 1 %. O(1) a push or pop, but for empty buckets passed.
+/// One bucket per value of the exponent and the first 7 bits of the mantissa of the cost, first in,
+/// first out within a bucket: costs are sorted to within 1 %. O(1) per push or pop, except for
+/// empty buckets that are skipped.
 class Buckets {
  public:
   void push(const Entry& entry) {
@@ -109,8 +111,8 @@ class Buckets {
   std::size_t lowest_ = kBuckets;
 };
 
-/// Queues what a collapse changed: the edges at the vertex that moved, and those of faces that got
-/// another id.
+/// Inserts the edges that a collapse changed: those at the moved vertex and those of faces with a
+/// new id.
 template <class Queue>
 void push_changed(const Mesh& mesh, const CollapseResult& result, Queue& queue) {
   const auto push = [&](Halfedge h) { queue.push({cost_of(mesh, h), h}); };

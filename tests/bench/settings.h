@@ -5,16 +5,16 @@
 
 namespace mesher::bench {
 
-/// What a run measures. Every benchmark is called TASK/WHO and runs once a repetition, so that
-/// Google Benchmark may interleave the repetitions of ours and its peers. Tasks called
+/// Parameters of a run. Every benchmark is called TASK/WHO and runs once per repetition, so that
+/// Google Benchmark can interleave the repetitions of mesher and its peers. Tasks called
 /// NAME_growth_N measure the same work at several sizes N.
 struct Settings {
-  std::filesystem::path folder;        ///< where generated models are kept
+  std::filesystem::path folder;        ///< folder of the generated models
   std::filesystem::path scans;         ///< real models, which may be missing
   std::uint64_t obj_bytes = 0;         ///< size of the generated OBJ files
   std::uint32_t torus_size = 0;        ///< meshes have 2 * n * n triangles
-  std::uint32_t frame_torus_size = 0;  ///< the same for the mesh that is drawn
-  std::uint32_t growth_faces = 0;      ///< the largest mesh of the tasks that show growth
+  std::uint32_t frame_torus_size = 0;  ///< the same for the mesh of the frame tasks
+  std::uint32_t growth_faces = 0;      ///< the largest mesh of the growth tasks
 };
 
 void register_obj(const Settings& settings);

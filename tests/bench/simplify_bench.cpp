@@ -22,7 +22,7 @@ namespace {
 
 using State = benchmark::State;
 
-/// Something large that is made when it is first asked for: a run of a few tasks makes few of them.
+/// A large value that is built on first use. A run of a few tasks builds only a few of them.
 template <class Value>
 class Lazy {
  public:
@@ -43,12 +43,12 @@ using SharedSoup = std::shared_ptr<Lazy<Soup>>;
 struct Task {
   std::string name;
   SharedReference model;
-  double ratio = 0.0;     ///< of the faces
-  bool is_large = false;  ///< slow contenders run it once
+  double ratio = 0.0;     ///< fraction of the faces to keep
+  bool is_large = false;  ///< slow contenders run it only once
 };
 
-/// Times one run and notes what it reached and its peak memory, the input not counted. Returns what
-/// came out of it.
+/// Times one run and records its result and its peak memory, without the input. Returns the
+/// simplified triangles.
 Soup measure(State& state, const Soup& soup, SimplifyArrays simplify, double ratio) {
   const auto target = static_cast<std::uint32_t>(ratio * soup.face_count());
   Soup result;
@@ -89,7 +89,7 @@ benchmark::internal::Benchmark* add(const std::string& name, Run run) {
 }
 
 void add(const Task& task, const Contender& contender) {
-  // Every repetition gives the same mesh: the first is enough to judge it.
+  // Every repetition gives the same mesh, so only the first one is evaluated.
   const auto run = [=, is_judged = false](State& state) mutable {
     const Reference& reference = task.model->get();
     const Soup result = measure(state, reference.soup, contender.simplify, task.ratio);
@@ -122,7 +122,8 @@ void add_scan(const Settings& settings, const std::string& name) {
       name, [file] { return triangles_of(read_model(file).mesh); }, false);
 }
 
-/// The order of vertices and faces matters to caches only: the slow ones are left out.
+/// Adds the tasks on shuffled models without the slow contenders: the order of vertices and faces
+/// affects only caches.
 void add_shuffled(std::uint32_t torus_size) {
   const SharedReference model = share([=] { return shuffled(bumpy_torus(torus_size)); });
   for (const Contender& contender : contenders()) {
@@ -130,7 +131,7 @@ void add_shuffled(std::uint32_t torus_size) {
   }
 }
 
-/// A grid of 2 n * n triangles, about `faces`.
+/// Size n of a grid of 2 n * n triangles with about `faces` triangles.
 std::uint32_t grid_size(std::uint32_t faces) {
   return static_cast<std::uint32_t>(std::lround(std::sqrt(faces / 2.0)));
 }

@@ -1,5 +1,5 @@
-// bench_simplify MODEL RATIO [WHO...]: simplifies a model to RATIO of its faces with ours and each
-// peer (or those whose names start with a WHO) and prints time, accuracy and defects.
+// bench_simplify MODEL RATIO [WHO...]: simplifies a model to RATIO of its faces with mesher and
+// each peer (or with those whose names start with a WHO) and prints time, accuracy and defects.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -16,8 +16,8 @@
 namespace mesher::bench {
 namespace {
 
-/// A file, or "bumpy:N" for the closed surface of 2 N * N triangles that scripts/bench uses, or
-/// "shuffled:N" for the same in random order.
+/// Loads a file, or generates "bumpy:N", the closed surface of 2 N * N triangles that scripts/bench
+/// uses, or "shuffled:N", the same in random order.
 Soup load(const std::string& name) {
   const auto generated = [&](std::string_view kind) {
     return bumpy_torus(static_cast<std::uint32_t>(std::stoul(name.substr(kind.size()))));

@@ -1,4 +1,4 @@
-// How the time of basic steps grows with the mesh (docs/efficiency.md).
+// Measures how the time of basic steps grows with the mesh size (docs/efficiency.md).
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ Mesh make_hubs(std::uint32_t n) {
   return build_mesh(std::move(soup)).mesh;
 }
 
-/// A grid of 2 n * n triangles, about `faces`.
+/// Size n of a grid of 2 n * n triangles with about `faces` triangles.
 std::uint32_t grid_size(std::uint32_t faces) {
   return static_cast<std::uint32_t>(std::lround(std::sqrt(faces / 2.0)));
 }
@@ -46,8 +46,8 @@ Mesh make_grid(std::uint32_t faces) {
   return build_mesh(torus(grid_size(faces))).mesh;
 }
 
-/// One benchmark of what `run(mesh)` does to `make(size)`, as often as makes it long enough to be
-/// timed, on one thread; the time is that of one run. `run` returns the number of items done.
+/// Adds a benchmark of `run(mesh)` on `make(size)`, on one thread. It repeats the run often enough
+/// to be measured, and reports the time of one run. `run` returns the number of items processed.
 template <class Make, class Run>
 void add(const std::string& task, const std::string& who, std::uint32_t size, Make make, Run run) {
   const auto measure = [=](State& state) {
@@ -86,7 +86,7 @@ std::size_t check_every_halfedge(const Mesh& mesh) {
   return mesh.halfedge_count();
 }
 
-/// All spokes would be O(n^2 log n).
+/// Checks only some spokes; all of them would take O(n^2 log n).
 std::size_t check_some_spokes(const Mesh& mesh) {
   constexpr std::uint32_t kSpokes = 16;
   const std::uint32_t step = mesh.face_count() / kSpokes;
@@ -97,8 +97,8 @@ std::size_t check_some_spokes(const Mesh& mesh) {
   return kSpokes;
 }
 
-/// What the viewer does so that a step can be undone: finds the difference that removing a part of
-/// the faces makes, and takes it back. The "peak" is the memory of the difference.
+/// Measures undo as in the viewer: finds the difference between a mesh and the mesh without some of
+/// its faces, and reverts it. The "peak" is the memory of the difference.
 void add_undo(std::uint32_t faces, const std::string& part, double kept) {
   const auto add_step = [=](const std::string& step, bool is_find) {
     const auto measure = [=](State& state) {

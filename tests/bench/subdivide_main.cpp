@@ -1,6 +1,5 @@
-// bench_subdivide TASK WHO: measures one subdivision by one contender in this, fresh, process, and
-// prints a line of JSON. bench_subdivide --list GROWTH_FACES: prints what there is, TASK/WHO a
-// line.
+// bench_subdivide TASK WHO: measures one subdivision by one contender in a fresh process and prints
+// a line of JSON. bench_subdivide --list GROWTH_FACES: lists all benchmarks, one TASK/WHO per line.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -62,7 +61,7 @@ std::filesystem::path file_of(const char* model) {
   return std::filesystem::path(MESHER_SHARED_MODELS) / model;
 }
 
-/// OpenMesh has no creases, and moves boundaries by rules of its own: it takes part where it does
+/// OpenMesh has no creases and uses different rules at boundaries. It takes part only where it does
 /// the same work.
 bool takes_part(std::string_view who, std::string_view task) {
   if (who == "OpenMesh") return task == "subdivide_armadillo";
@@ -71,7 +70,7 @@ bool takes_part(std::string_view who, std::string_view task) {
   return true;
 }
 
-/// Every twentieth edge is sharp for ever, at random, the same on every machine.
+/// Makes every twentieth edge infinitely sharp, at random, with the same result on every machine.
 void add_creases(const Mesh& mesh, Soup& soup) {
   std::mt19937 random(1);
   for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
@@ -100,8 +99,8 @@ SubdivisionWork work_of(std::string_view task) {
   return work;
 }
 
-/// Bytes of the output and of the level that it is made from, half-edges included: what ours holds
-/// at the same time.
+/// Bytes of the output and of the level from which it is made, including half-edges. Mesher holds
+/// both at the same time.
 double output_and_level_before(const SubdivisionWork& work, bool is_mesh) {
   constexpr double kPosition = sizeof(glm::vec3);
   constexpr double kCorners = 3.0 * sizeof(Vertex);
@@ -119,7 +118,7 @@ double output_and_level_before(const SubdivisionWork& work, bool is_mesh) {
          (kCorners + kTwins + sharpness) * static_cast<double>(before.faces);
 }
 
-/// Sum of the positions over the number of vertices: what the contenders must agree on.
+/// Sum of the positions divided by the number of vertices. All contenders must agree on it.
 void note_result(const SubdivisionOutcome& outcome, Json& json) {
   const auto positions = outcome.mesh.face_count() > 0
                              ? outcome.mesh.positions()
@@ -136,7 +135,7 @@ void note_result(const SubdivisionOutcome& outcome, Json& json) {
 
 struct Time {
   double wall_ms = 0.0;
-  double cpu_ms = 0.0;  ///< of all threads: what a busy machine disturbs least
+  double cpu_ms = 0.0;  ///< of all threads; least affected by other load on the machine
 };
 
 template <class Run>
@@ -156,7 +155,7 @@ void note_time(std::vector<Time> times, Json& json) {
   json["cpu_ms"] = middle->cpu_ms;
 }
 
-/// Peak memory is that of the first run, whose memory is fresh.
+/// Records the peak memory of the first run, which uses fresh memory.
 void note_memory(const SubdivisionWork& work, const NamedSubdivider& who, std::uint64_t bytes,
                  Json& json) {
   const auto rise = static_cast<double>(bytes);
@@ -168,7 +167,8 @@ void note_memory(const SubdivisionWork& work, const NamedSubdivider& who, std::u
   }
 }
 
-/// Small meshes of the tasks that show growth are subdivided as often as makes that long enough.
+/// Small meshes of the growth tasks are subdivided repeatedly, until the time is long enough to
+/// measure.
 Json measure(const SubdivisionWork& work, const NamedSubdivider& who) {
   constexpr std::uint32_t kEnough = 300'000;
   const std::uint32_t faces = work.soup.face_count();

@@ -1,4 +1,4 @@
-// Before OpenMesh, which needs it and does not say so.
+// OpenMesh needs this header but does not include it.
 #include <cstddef>
 
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>

@@ -16,7 +16,7 @@ namespace Far = OpenSubdiv::Far;
 namespace Sdc = OpenSubdiv::Sdc;
 using Refiner = std::unique_ptr<Far::TopologyRefiner>;
 
-/// A position as PrimvarRefiner wants it.
+/// A position with the interface that PrimvarRefiner requires.
 struct Value {
   glm::vec3 point;
   void Clear() { point = glm::vec3(0.0F); }

@@ -17,7 +17,7 @@ namespace {
 void fill(std::uint32_t* words, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i)
     words[i] = static_cast<std::uint32_t>(i);
-  asm volatile("" : : "r"(words) : "memory");  // or the stores could be left out
+  asm volatile("" : : "r"(words) : "memory");  // keeps the compiler from removing the stores
 }
 
 }  // namespace

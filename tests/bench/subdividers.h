@@ -10,49 +10,50 @@
 
 namespace mesher::bench {
 
-/// What is to be subdivided, and how large that gets.
+/// The input of a subdivision and the size of its output.
 struct SubdivisionWork {
-  Soup soup;  ///< triangles and creases; no vertex that no face uses
+  Soup soup;  ///< triangles and creases; every vertex is used by a face
   SubdivideOptions options;
   SubdivisionSize size;
 };
 
-/// What comes of it; one of them is filled.
+/// The result of a subdivision; one of the members is filled.
 struct SubdivisionOutcome {
   IndexedTriangles triangles;
   Mesh mesh;
   std::shared_ptr<void> memory;
 };
 
-/// Somebody's Loop subdivision: positions and corners of triangles in, those of the last level out.
-/// Conversion into its own structures, and their end, are part of the work.
+/// A Loop subdivision from arrays to arrays: positions and corners of triangles in, those of the
+/// last level out. The measured time includes conversion to its own structures and their
+/// destruction.
 using SubdivideArrays = SubdivisionOutcome (*)(SubdivisionWork&& work);
 
-/// Half-edge building and all threads included.
+/// Includes half-edge construction and all threads.
 SubdivisionOutcome subdivide_ours(SubdivisionWork&& work);
 SubdivisionOutcome subdivide_ours_one_thread(SubdivisionWork&& work);
-/// To a whole half-edge mesh, ready for the next edit.
+/// Returns a complete half-edge mesh, ready for the next edit.
 SubdivisionOutcome subdivide_ours_to_mesh(SubdivisionWork&& work);
 SubdivisionOutcome subdivide_ours_to_mesh_one_thread(SubdivisionWork&& work);
-/// Far: uniform refinement of the topology, then of the positions level by level. Needs DeRose's
-/// crease rules.
+/// Uses Far: uniform refinement of the topology, then of the positions level by level. Needs
+/// DeRose's crease rules.
 SubdivisionOutcome subdivide_opensubdiv(SubdivisionWork&& work);
 /// No creases. Pre: closed.
 SubdivisionOutcome subdivide_openmesh(SubdivisionWork&& work);
 
-/// The least that anybody must do: plain stores to all bytes of the output's arrays, in fresh
-/// memory of small pages. Giving it back is not counted.
+/// Lower bound for all contenders: plain stores to all bytes of the output arrays, in fresh memory
+/// of small pages. The time to free it is not included.
 SubdivisionOutcome fill_small_pages(SubdivisionWork&& work);
-/// The same in the arrays that ours are written to, on huge pages where the system grants them.
+/// The same in the arrays that mesher writes, on huge pages where the system provides them.
 SubdivisionOutcome fill_arrays(SubdivisionWork&& work);
 
-// One level of splitting alone, edges halved, nothing else moved, one thread: how the two faces of
-// an edge find their common vertex.
+// The next functions split each triangle once, at edge midpoints, without moving other vertices, on
+// one thread. They compare how the two faces of an edge find their common vertex.
 
-/// From half-edges that are at hand, by arithmetic. `mesh`: that of the soup.
+/// Computes the vertex from existing half-edges by arithmetic. `mesh`: the mesh of the soup.
 IndexedTriangles split_by_arithmetic(const Mesh& mesh);
-/// From triangles, as textbooks have it: a hash table from pairs of vertices to the new one.
-/// `is_reserved`: with its buckets reserved, the number of edges guessed well.
+/// Looks the vertex up in a hash table from vertex pairs, as in textbooks. `is_reserved`: with
+/// reserved buckets, from a good estimate of the number of edges.
 IndexedTriangles split_by_hashing(const Soup& soup, bool is_reserved);
 
 }  // namespace mesher::bench

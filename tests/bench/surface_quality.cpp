@@ -10,7 +10,7 @@
 namespace mesher::bench {
 namespace {
 
-/// One side of an edge, as a face has it: `low` < `high` whichever way it runs.
+/// One side of an edge as seen from a face: `low` < `high` in either direction.
 struct EdgeSide {
   std::uint32_t low = 0;
   std::uint32_t high = 0;
@@ -41,11 +41,11 @@ glm::dvec3 area_normal(const Soup& soup, std::uint32_t f) {
   return glm::cross(corner(1) - corner(0), corner(2) - corner(0));
 }
 
-/// Whether two faces that meet in an edge lie almost on each other.
+/// Whether two faces of an edge are almost folded onto each other.
 bool is_folded(const Soup& soup, const EdgeSide& a, const EdgeSide& b) {
   constexpr double kCosine = -0.8660254037844386;  // of 150 degrees
   const glm::dvec3 n = area_normal(soup, a.face);
-  // Faces of opposite orientation run along their edge the same way.
+  // Faces of opposite orientation traverse their common edge in the same direction.
   const glm::dvec3 m = area_normal(soup, b.face) * (a.runs_down == b.runs_down ? -1.0 : 1.0);
   return glm::dot(n, m) < kCosine * glm::length(n) * glm::length(m);
 }
@@ -80,7 +80,7 @@ Reference::Reference(Soup&& triangles)
       defects(surface_defects(soup)) {}
 
 SurfaceQuality surface_quality(const Reference& reference, const Soup& result) {
-  const Mesh mesh = build_mesh(Soup(result)).mesh;  // repairs move no point of the surface
+  const Mesh mesh = build_mesh(Soup(result)).mesh;  // repairs do not move any point of the surface
   const SurfaceDistance distance = surface_distance(reference.mesh, mesh);
   const OneSidedDistance both = distance.two_sided();
   return {distance.percent(both.rms), distance.percent(both.max), surface_defects(result)};

@@ -7,17 +7,17 @@
 
 namespace mesher::bench {
 
-/// What can be told of triangles without trusting that they are a manifold.
+/// Defects of a list of triangles that need not be manifold.
 struct SurfaceDefects {
-  std::uint32_t nonmanifold_edges = 0;    ///< of more than two faces
-  std::uint32_t folded_edges = 0;         ///< of two faces whose normals differ by over 150 degrees
-  std::int64_t euler_characteristic = 0;  ///< V - E + F, vertices without faces left out
+  std::uint32_t nonmanifold_edges = 0;  ///< with more than two faces
+  std::uint32_t folded_edges = 0;  ///< with two faces whose normals differ by more than 150 degrees
+  std::int64_t euler_characteristic = 0;  ///< V - E + F, without vertices that no face uses
 };
 
 /// Pre: triangles. O(F log F).
 SurfaceDefects surface_defects(const Soup& soup);
 
-/// A model to simplify, and what results are held against.
+/// A model to simplify, as a reference for the results.
 struct Reference {
   explicit Reference(Soup&& triangles);
   Soup soup;
@@ -25,7 +25,7 @@ struct Reference {
   SurfaceDefects defects;
 };
 
-/// Two-sided distances of a result, in percent of the reference's diagonal, and its defects.
+/// Two-sided distances of a result in percent of the diagonal of the reference, and its defects.
 struct SurfaceQuality {
   double rms_percent = 0.0;
   double max_percent = 0.0;

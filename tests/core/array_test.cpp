@@ -16,31 +16,31 @@
 namespace mesher {
 namespace {
 
-// Growing within the capacity must leave the bytes as they are: no second pass over memory that the
-// caller overwrites anyway.
-TEST(Array, ResizeDoesNotTouchTrivialElements) {
+// Growth within the capacity must not write the elements: the caller overwrites them anyway, and a
+// second pass over the memory costs time.
+TEST(Array, ResizeLeavesTrivialElementsUninitialized) {
   Array<std::uint32_t> a(64, 7U);
   a.resize(0);
   a.resize(64);
-  // The old values are still there (the allocator constructed nothing over them).
+  // The allocator constructed nothing, so the old values are still there.
   for (const std::uint32_t value : a)
     EXPECT_EQ(value, 7U);
 }
 
-TEST(Array, BeginsOnACacheLineWhateverItsSize) {
+TEST(Array, DataIsAlignedToACacheLine) {
   for (std::size_t size = 1; size < std::size_t{64} << 20U; size = 3 * size + 1) {
     const Array<char> a(size);
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(a.data()) % 64, 0U) << size;
   }
 }
 
-TEST(Array, NoArrayIsLargerThanHalfTheAddresses) {
+TEST(Array, OversizedAllocationThrowsBadAlloc) {
   EXPECT_THROW(static_cast<void>(allocate_array(static_cast<std::size_t>(-1))), std::bad_alloc);
   EXPECT_THROW(static_cast<void>(allocate_array(static_cast<std::size_t>(-1) / 2 + 2)),
                std::bad_alloc);
 }
 
-TEST(Array, FillingIsStillPossible) {
+TEST(Array, AssignAndResizeWithValueFillElements) {
   Array<float> a;
   a.assign(10, 2.5F);
   a.resize(20, 1.5F);
@@ -48,7 +48,7 @@ TEST(Array, FillingIsStillPossible) {
   EXPECT_EQ(a.back(), 1.5F);
 }
 
-TEST(Array, ElementsWithAConstructorAreConstructed) {
+TEST(Array, NonTrivialElementsAreConstructed) {
   Array<std::string> names(3);
   names.resize(5);
   for (const std::string& name : names)
@@ -59,7 +59,7 @@ TEST(Array, ElementsWithAConstructorAreConstructed) {
   EXPECT_EQ(*pointers[2], 4);
 }
 
-TEST(Array, CopiesAndMovesLikeAVector) {
+TEST(Array, CopyAndMoveBehaveLikeVector) {
   Array<int> a{1, 2, 3};
   const Array<int> copy = a;
   const int* data = a.data();
@@ -68,8 +68,8 @@ TEST(Array, CopiesAndMovesLikeAVector) {
   EXPECT_EQ(moved.data(), data);
 }
 
-// Past a huge page memory comes from the system itself, in pieces of odd sizes.
-TEST(Array, LargeOnesGrowAndShrink) {
+// Arrays larger than a huge page are mapped from the system directly. The sizes are odd on purpose.
+TEST(Array, LargeArraysKeepElementsWhenResized) {
   Array<std::uint32_t> a;
   for (const std::size_t n : {524'287U, 524'288U, 524'289U, 1'500'001U, 3'000'000U}) {
     const std::size_t before = a.size();
@@ -81,19 +81,18 @@ TEST(Array, LargeOnesGrowAndShrink) {
       ASSERT_EQ(copy[i], i);
     ASSERT_EQ(copy.back(), n - 1);
   }
-#if !defined(__SANITIZE_ADDRESS__)  // which ends the program instead
+#if !defined(__SANITIZE_ADDRESS__)  // AddressSanitizer aborts instead of throwing
   EXPECT_THROW(a.resize(a.max_size()), std::bad_alloc);
 #endif
 }
 
-/// Makes and drops arrays at random, a few at a time, and looks whether all are as they were
-/// filled.
+/// Creates and destroys random arrays, a few at a time, and checks that each keeps its contents.
 void churn(std::uint32_t seed) {
   std::mt19937 random(seed);
   std::vector<Array<std::uint32_t>> arrays;
   for (int step = 0; step < 400; ++step) {
     if (arrays.size() < 12 || random() % 2 == 0) {
-      // From what malloc gives to more than a huge page.
+      // Sizes range from those that malloc serves to more than a huge page.
       const std::size_t bytes = 60'000 + random() % 2'200'000;
       arrays.emplace_back(bytes / 4, static_cast<std::uint32_t>(step) ^ seed);
     } else {
@@ -109,9 +108,9 @@ void churn(std::uint32_t seed) {
   }
 }
 
-// Several share a huge page; each keeps what was written to it, on whatever thread it lives and
-// dies.
-TEST(Array, MiddleSizedOnesDoNotTouchEachOther) {
+// Several arrays share a huge page. Each keeps its contents, on whichever thread it is created or
+// destroyed.
+TEST(Array, MediumArraysDoNotOverlapAcrossThreads) {
   std::vector<std::thread> threads;
   for (std::uint32_t seed = 1; seed <= 4; ++seed)
     threads.emplace_back(churn, seed);
@@ -119,7 +118,7 @@ TEST(Array, MiddleSizedOnesDoNotTouchEachOther) {
     thread.join();
 }
 
-TEST(Array, MiddleSizedOnesGoBackWhenTheyAreFreed) {
+TEST(Array, MediumArraysReturnMemoryWhenFreed) {
   const auto resident_pages = [] {
     std::size_t size = 0;
     std::size_t resident = 0;
@@ -135,8 +134,8 @@ TEST(Array, MiddleSizedOnesGoBackWhenTheyAreFreed) {
   const std::size_t before = resident_pages();
   for (int i = 0; i < 5; ++i)
     fill();
-#if !defined(__SANITIZE_ADDRESS__)              // which keeps what is freed for a while
-  EXPECT_LT(resident_pages(), before + 5'000);  // 20 MB, of 500
+#if !defined(__SANITIZE_ADDRESS__)              // AddressSanitizer keeps freed memory for a while
+  EXPECT_LT(resident_pages(), before + 5'000);  // 20 MB of 500 MB
 #else
   EXPECT_GT(before, 0U);
 #endif

@@ -7,7 +7,7 @@
 namespace mesher {
 namespace {
 
-TEST(Error, InputErrorSaysFileLineAndReason) {
+TEST(Error, InputErrorMessageHasFileLineAndReason) {
   const InputError error("bunny.obj", 12, "vertex 99 does not exist");
   EXPECT_STREQ(error.what(), "bunny.obj:12: vertex 99 does not exist");
   EXPECT_EQ(error.file(), "bunny.obj");
@@ -15,25 +15,25 @@ TEST(Error, InputErrorSaysFileLineAndReason) {
   EXPECT_EQ(error.reason(), "vertex 99 does not exist");
 }
 
-TEST(Error, InputErrorLeavesOutWhatItDoesNotKnow) {
+TEST(Error, InputErrorMessageOmitsUnknownParts) {
   EXPECT_STREQ(InputError("a.stl", 0, "empty").what(), "a.stl: empty");
   EXPECT_STREQ(InputError("", 3, "empty").what(), "line 3: empty");
   EXPECT_STREQ(InputError("empty").what(), "empty");
 }
 
-TEST(Error, OutputErrorSaysFileAndReason) {
+TEST(Error, OutputErrorMessageHasFileAndReason) {
   EXPECT_STREQ(OutputError("out.ply", "disk full").what(), "out.ply: disk full");
 }
 
-TEST(Error, EachKindCarriesItsExitCode) {
+TEST(Error, EachErrorTypeHasItsExitCode) {
   EXPECT_EQ(UsageError("x").exit_code(), ExitCode::usage);
   EXPECT_EQ(InputError("x").exit_code(), ExitCode::bad_input);
   EXPECT_EQ(DeviceError("x").exit_code(), ExitCode::machine_lacks);
   EXPECT_EQ(OutputError("f", "x").exit_code(), ExitCode::output_failed);
 }
 
-// Scripts depend on the numbers.
-TEST(Error, ExitCodesAreTheDocumentedNumbers) {
+// Scripts depend on these numbers.
+TEST(Error, ExitCodesMatchTheDocumentation) {
   EXPECT_EQ(static_cast<int>(ExitCode::done), 0);
   EXPECT_EQ(static_cast<int>(ExitCode::usage), 1);
   EXPECT_EQ(static_cast<int>(ExitCode::bad_input), 2);
@@ -41,7 +41,7 @@ TEST(Error, ExitCodesAreTheDocumentedNumbers) {
   EXPECT_EQ(static_cast<int>(ExitCode::output_failed), 4);
 }
 
-TEST(Error, CancelledIsNotAFailure) {
+TEST(Error, CancelledIsNotAnError) {
   EXPECT_FALSE((std::is_base_of_v<Error, Cancelled>));
 }
 

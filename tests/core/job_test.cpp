@@ -15,13 +15,13 @@ void count_wake() {
   ++wakes;
 }
 
-/// Runs until it is cancelled.
+/// Runs until it is canceled.
 int endless(Progress& progress) {
   for (;;)
     report(&progress, 0.5F);
 }
 
-TEST(Job, GivesItsResultAndWakesOnce) {
+TEST(Job, ReturnsResultAndCallsWakeOnce) {
   wakes = 0;
   JobOf<std::string> job(
       "Thinking",
@@ -39,14 +39,14 @@ TEST(Job, GivesItsResultAndWakesOnce) {
   EXPECT_EQ(job.take(), "done");
 }
 
-TEST(Job, ThrowsWhatItsWorkThrew) {
+TEST(Job, TakeRethrowsException) {
   JobOf<int> job(
       "Failing", [](Progress&) -> int { throw InputError("no"); }, nullptr);
   job.wait();
   EXPECT_THROW(job.take(), InputError);
 }
 
-TEST(Job, NamesItselfWhereMemoryIsShort) {
+TEST(Job, OutOfMemoryErrorNamesTheJob) {
   JobOf<int> job(
       "Opening a.obj", [](Progress&) -> int { throw std::bad_alloc(); }, nullptr);
   job.wait();
@@ -59,7 +59,7 @@ TEST(Job, NamesItselfWhereMemoryIsShort) {
   }
 }
 
-TEST(Job, StopsWhenCancelledOrDestroyed) {
+TEST(Job, StopsWhenCanceledOrDestroyed) {
   JobOf<int> job("Running", endless, nullptr);
   job.cancel();
   job.wait();

@@ -12,19 +12,19 @@
 namespace mesher {
 namespace {
 
-TEST(AvailableMemory, IsSomeAndNotMoreThanTheMachineHas) {
+TEST(AvailableMemory, IsPositiveAndAtMostPhysicalMemory) {
   const auto physical = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
                         static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
   EXPECT_GT(available_memory_bytes(), 0U);
   EXPECT_LE(available_memory_bytes(), physical);
 }
 
-TEST(AvailableMemory, IsCountedInBytes) {
-  // A test that runs at all has a megabyte; in kilobytes that would read as a thousand.
+TEST(AvailableMemory, IsInBytes) {
+  // Any machine that runs this test has a megabyte free; in kilobytes that would be 1,000.
   EXPECT_GT(available_memory_bytes(), 1'000'000U);
 }
 
-TEST(AvailableMemory, IsNotMoreThanTheProcessMayMap) {
+TEST(AvailableMemory, RespectsAddressSpaceLimit) {
   rlimit before = {};
   ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
   std::uint64_t pages = 0;
@@ -39,7 +39,7 @@ TEST(AvailableMemory, IsNotMoreThanTheProcessMayMap) {
   EXPECT_GT(available, 1'000'000U);
 }
 
-TEST(MemoryLimit, IsWhatArraysMayTakeAndWhatIsAvailable) {
+TEST(MemoryLimit, BoundsArraysAndAvailableMemory) {
   {
     const MemoryLimit limit(1'000'000);
     EXPECT_EQ(available_memory_bytes(), 1'000'000U);
@@ -51,7 +51,7 @@ TEST(MemoryLimit, IsWhatArraysMayTakeAndWhatIsAvailable) {
   EXPECT_NO_THROW(Array<std::uint8_t>(2'000'000));
 }
 
-TEST(ControlGroups, AreReadInBothVersions) {
+TEST(ControlGroups, ParsesVersions1And2) {
   const GroupPaths v2 = parse_group_paths("0::/user.slice/a b.scope\n");
   EXPECT_EQ(v2.v2, "/user.slice/a b.scope");
   EXPECT_EQ(v2.v1, "");
@@ -64,7 +64,7 @@ TEST(ControlGroups, AreReadInBothVersions) {
   EXPECT_EQ(parse_group_paths("nonsense\n1:more\n").v2, "");
 }
 
-TEST(ControlGroups, AreWithinTheirParents) {
+TEST(ControlGroups, WithParentsListsAncestors) {
   EXPECT_EQ(with_parents("/a/b.c/d"), (std::vector<std::string>{"/a/b.c/d", "/a/b.c", "/a", ""}));
   EXPECT_EQ(with_parents("/"), std::vector<std::string>{""});
   EXPECT_EQ(with_parents(""), std::vector<std::string>{""});

@@ -20,7 +20,7 @@ class Parallel : public testing::TestWithParam<unsigned> {
 
 INSTANTIATE_TEST_SUITE_P(Threads, Parallel, testing::Values(1U, 2U, 5U));
 
-TEST_P(Parallel, ForCoversEveryIndexOnce) {
+TEST_P(Parallel, ForVisitsEveryIndexOnce) {
   for (const std::size_t n :
        {std::size_t{0}, std::size_t{1}, std::size_t{63}, std::size_t{10'000}}) {
     std::vector<std::atomic<int>> visits(n);
@@ -33,7 +33,7 @@ TEST_P(Parallel, ForCoversEveryIndexOnce) {
   }
 }
 
-TEST_P(Parallel, ForRunsSmallWorkInOnePiece) {
+TEST_P(Parallel, ForRunsSmallRangeInOneCall) {
   std::atomic<int> calls = 0;
   parallel_for(100, 100, [&](IndexRange range) {
     ++calls;
@@ -42,12 +42,12 @@ TEST_P(Parallel, ForRunsSmallWorkInOnePiece) {
   EXPECT_EQ(calls, 1);
 }
 
-TEST_P(Parallel, ForWithNothingToDoCallsNothing) {
+TEST_P(Parallel, EmptyRangeCallsNothing) {
   parallel_for(0, 1, [](IndexRange) { ADD_FAILURE() << "called for an empty range"; });
   parallel_chunks(0, 1, [](std::size_t, IndexRange) { ADD_FAILURE() << "called for no chunk"; });
 }
 
-TEST_P(Parallel, ChunksAreCutTheSameWayForAnyThreadCount) {
+TEST_P(Parallel, ChunksDoNotDependOnThreadCount) {
   std::vector<IndexRange> ranges(chunk_count(1000, 64));
   parallel_chunks(1000, 64, [&](std::size_t i, IndexRange range) { ranges[i] = range; });
   ASSERT_EQ(ranges.size(), 16U);
@@ -57,9 +57,9 @@ TEST_P(Parallel, ChunksAreCutTheSameWayForAnyThreadCount) {
   }
 }
 
-// Sums of terms of very different size depend on the order of addition: equal bits mean that the
-// order is fixed.
-TEST_P(Parallel, SumOfFloatsHasTheSameBitsForAnyThreadCount) {
+// The rounding of a sum of terms of very different size depends on the order of addition. Equal
+// bits mean a fixed order.
+TEST_P(Parallel, FloatSumIsBitwiseEqualForAnyThreadCount) {
   const auto sum = [] {
     return parallel_sum<float>(100'000, 128, [](IndexRange range) {
       float total = 0.0F;
@@ -74,11 +74,11 @@ TEST_P(Parallel, SumOfFloatsHasTheSameBitsForAnyThreadCount) {
   EXPECT_EQ(here, sum());
 }
 
-TEST_P(Parallel, SumOfNothingIsZero) {
+TEST_P(Parallel, SumOfEmptyRangeIsZero) {
   EXPECT_EQ(parallel_sum<int>(0, 8, [](IndexRange) { return 1; }), 0);
 }
 
-TEST_P(Parallel, AnExceptionReachesTheCaller) {
+TEST_P(Parallel, ExceptionsPropagateToCaller) {
   EXPECT_THROW(parallel_for(10'000, 1,
                             [](IndexRange range) {
                               if (range.begin <= 5000 && 5000 < range.end) {
@@ -100,19 +100,19 @@ TEST(ChunkCount, RoundsUp) {
   EXPECT_EQ(chunk_count(5, 4), 2U);
 }
 
-TEST(ThreadLimit, LastsAsLongAsTheObject) {
+TEST(ThreadLimit, AppliesDuringItsLifetime) {
   const unsigned before = thread_count();
   EXPECT_GE(before, 1U);
   {
     const ThreadLimit one(1);
     EXPECT_EQ(thread_count(), 1U);
-    const ThreadLimit none(0);  // no limit of its own: the outer one stands
+    const ThreadLimit none(0);  // no limit of its own, so the outer one applies
     EXPECT_EQ(thread_count(), 1U);
   }
   EXPECT_EQ(thread_count(), before);
 }
 
-TEST(ThreadLimit, OneThreadMeansTheCallersThread) {
+TEST(ThreadLimit, OneThreadRunsOnCallingThread) {
   const ThreadLimit one(1);
   const std::thread::id caller = std::this_thread::get_id();
   parallel_for(1000, 1, [&](IndexRange) { EXPECT_EQ(std::this_thread::get_id(), caller); });

@@ -9,7 +9,7 @@
 namespace mesher {
 namespace {
 
-TEST(Progress, NotesStageAndFraction) {
+TEST(Progress, StoresStageAndFraction) {
   Progress progress;
   begin_stage(&progress, "reading bunny.obj");
   report(&progress, 0.5F);
@@ -17,7 +17,7 @@ TEST(Progress, NotesStageAndFraction) {
   EXPECT_EQ(progress.fraction(), 0.5F);
 }
 
-TEST(Progress, ANewStageBeginsAtZero) {
+TEST(Progress, NewStageStartsAtZero) {
   Progress progress;
   begin_stage(&progress, "reading");
   report(&progress, 0.9F);
@@ -26,12 +26,12 @@ TEST(Progress, ANewStageBeginsAtZero) {
   EXPECT_EQ(progress.fraction(), 0.0F);
 }
 
-TEST(Progress, NobodyWatchingIsFine) {
+TEST(Progress, NullProgressIsIgnored) {
   EXPECT_NO_THROW(begin_stage(nullptr, "reading"));
   EXPECT_NO_THROW(report(nullptr, 0.5F));
 }
 
-TEST(Progress, CancelStopsTheWorkerAtItsNextReport) {
+TEST(Progress, CancelThrowsAtNextReport) {
   Progress progress;
   begin_stage(&progress, "reading");
   EXPECT_FALSE(progress.is_cancelled());

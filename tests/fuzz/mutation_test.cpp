@@ -20,7 +20,7 @@ using test::Watchdog;
 constexpr int kMutants = 1500;
 constexpr std::chrono::seconds kTimeLimit(120);  // for all mutants of a format
 
-/// Numbers and words that parsers have stumbled over.
+/// Numbers and words that are known to break parsers.
 const std::vector<std::string> kTokens = {"0",
                                           "-1",
                                           "4294967295",
@@ -103,8 +103,8 @@ std::string printable(const std::string& bytes) {
   return text;
 }
 
-TEST(Mutation, NoMutantDoesHarm) {
-  const ThreadLimit one(1);  // for files of a few hundred bytes, waking a thread takes longest
+TEST(Mutation, EveryMutantIsReadOrRejected) {
+  const ThreadLimit one(1);  // waking a second thread takes longer than reading a few hundred bytes
   for (const Specimen& sound : test::sound_files()) {
     const Watchdog watchdog(sound.name, kTimeLimit);
     const TempFolder folder;
@@ -114,9 +114,9 @@ TEST(Mutation, NoMutantDoesHarm) {
       const std::string bytes = mutator.mutate(sound.bytes);
       SCOPED_TRACE(sound.name + " mutant " + std::to_string(i) + ":\n" + printable(bytes));
       if (read_or_refuse(folder.write("mutant" + sound.extension, bytes))) ++read;
-      if (testing::Test::HasFailure()) return;  // the first one says it all
+      if (testing::Test::HasFailure()) return;  // the first failure is enough
     }
-    // Where all were read, or none, the mutations would test nothing.
+    // If all mutants were read, or none, the mutations would test nothing.
     EXPECT_GT(read, 0) << sound.name;
     EXPECT_LT(read, kMutants) << sound.name;
   }

@@ -12,8 +12,8 @@
 
 namespace mesher::test {
 
-/// Ends the program, saying what it was at, where a piece of work takes too long: a test that hangs
-/// would otherwise not say so.
+/// Ends the program with a message about the current work if it takes too long. Otherwise a test
+/// that hangs would not report why.
 class Watchdog {
  public:
   Watchdog(std::string what, std::chrono::seconds limit);
@@ -28,9 +28,9 @@ class Watchdog {
   std::thread thread_;
 };
 
-/// Reads a file as the program would and checks what must hold whatever its bytes are: a mesh with
-/// all invariants, or a refusal of one line that names the file. Returns the model, or nothing
-/// where it was refused. Fails the current test where neither happens.
+/// Reads a file as the program does and checks what must hold for any bytes: either a mesh with all
+/// invariants, or an error of one line that names the file. Returns the model, or nothing if the
+/// file was rejected. Fails the current test in any other case.
 std::optional<Model> read_or_refuse(const std::filesystem::path& file,
                                     std::string* refusal = nullptr);
 

@@ -20,7 +20,7 @@ using test::Specimen;
 using test::TempFolder;
 using test::Watchdog;
 
-/// Generous: the sanitizers slow everything down, and machines differ.
+/// A generous limit, because sanitizers slow the program down and machines differ.
 constexpr std::chrono::seconds kTimeLimit(120);
 constexpr long kMostKilobytes = 3L << 20;
 
@@ -32,7 +32,7 @@ void examine(const Specimen& specimen) {
   std::string refusal;
   const std::optional<Model> model = read_or_refuse(file, &refusal);
   EXPECT_EQ(model.has_value(), specimen.fate == Fate::read) << refusal;
-  EXPECT_EQ(folder.count_files(), 1U) << "reading leaves nothing behind";
+  EXPECT_EQ(folder.count_files(), 1U) << "reading must not create files";
   if (!model) return;
   if (specimen.faces) {
     EXPECT_EQ(model->mesh.face_count(), *specimen.faces);
@@ -49,26 +49,27 @@ void examine_all(void (*add)(std::vector<Specimen>&)) {
     examine(specimen);
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
-  EXPECT_LT(usage.ru_maxrss, kMostKilobytes) << "memory must follow the bytes, not their claims";
+  EXPECT_LT(usage.ru_maxrss, kMostKilobytes)
+      << "memory must be proportional to the file size, not to the counts in the file";
 }
 
-TEST(Zoo, ObjText) {
+TEST(Zoo, ObjSyntaxIsReadOrRejected) {
   examine_all(test::add_obj_text);
 }
-TEST(Zoo, ObjShapes) {
+TEST(Zoo, ObjShapesAreReadOrRejected) {
   examine_all(test::add_obj_shapes);
 }
-TEST(Zoo, Ply) {
+TEST(Zoo, PlyIsReadOrRejected) {
   examine_all(test::add_ply);
 }
-TEST(Zoo, StlAndOff) {
+TEST(Zoo, StlAndOffAreReadOrRejected) {
   examine_all(test::add_stl_and_off);
 }
-TEST(Zoo, Gltf) {
+TEST(Zoo, GltfIsReadOrRejected) {
   examine_all(test::add_gltf);
 }
 
-TEST(Zoo, HasSixtySpecimensOfDifferentNames) {
+TEST(Zoo, Has60SpecimensWithUniqueNames) {
   std::set<std::string> names;
   for (const Specimen& specimen : test::zoo()) {
     EXPECT_TRUE(names.insert(specimen.name).second) << specimen.name;
@@ -76,8 +77,8 @@ TEST(Zoo, HasSixtySpecimensOfDifferentNames) {
   EXPECT_GE(names.size(), 60U);
 }
 
-TEST(Zoo, EveryBeginningOfASoundFile) {
-  const ThreadLimit one(1);  // for files of a few hundred bytes, waking a thread takes longest
+TEST(Zoo, EveryTruncationOfAValidFileIsReadOrRejected) {
+  const ThreadLimit one(1);  // waking a second thread takes longer than reading a few hundred bytes
   for (const Specimen& sound : test::sound_files()) {
     SCOPED_TRACE(sound.name);
     const Watchdog watchdog(sound.name, kTimeLimit);

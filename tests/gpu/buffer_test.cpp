@@ -18,7 +18,7 @@ std::vector<std::byte> counting(std::size_t n, unsigned start = 0) {
   return bytes;
 }
 
-TEST_F(BufferTest, HoldsWhatWasUploaded) {
+TEST_F(BufferTest, DownloadReturnsTheUploadedBytes) {
   const std::vector<std::byte> bytes = counting(1000);
   Buffer buffer(device(), bytes.size(), 0, MemoryIntent::fixed);
   EXPECT_NE(buffer.address(), 0U);
@@ -26,7 +26,7 @@ TEST_F(BufferTest, HoldsWhatWasUploaded) {
   EXPECT_EQ(download(device(), buffer, bytes.size()), bytes);
 }
 
-TEST_F(BufferTest, UploadsRangesAndNothingBetweenDirectlyAndByStaging) {
+TEST_F(BufferTest, UploadsOnlyTheGivenRangesDirectlyAndByStaging) {
   using Upload = void (*)(Device&, Buffer&, std::span<const std::byte>, std::span<const ByteRange>);
   for (const Upload upload_ranges : {static_cast<Upload>(upload), upload_by_staging}) {
     std::vector<std::byte> expected = counting(1000);
@@ -44,23 +44,23 @@ TEST_F(BufferTest, UploadsRangesAndNothingBetweenDirectlyAndByStaging) {
   }
 }
 
-TEST_F(BufferTest, OfNoBytesIsNoBuffer) {
+TEST_F(BufferTest, ZeroBytesGiveANullBuffer) {
   Buffer buffer(device(), 0, 0, MemoryIntent::fixed);
   EXPECT_FALSE(buffer);
   upload(device(), buffer, {});
   EXPECT_TRUE(download(device(), buffer, 0).empty());
 }
 
-TEST_F(BufferTest, BeyondTheDeviceIsRefusedWithBothSizes) {
+TEST_F(BufferTest, OversizedRequestFailsAndNamesBothSizes) {
   try {
     const Buffer buffer(device(), device().max_buffer_bytes() + 1, 0, MemoryIntent::fixed);
-    FAIL() << "made";
+    FAIL() << "the buffer was created";
   } catch (const DeviceError& error) {
     EXPECT_NE(std::string(error.what()).find("MiB"), std::string::npos) << error.what();
   }
 }
 
-TEST_F(BufferTest, MovesLeaveNothingBehind) {
+TEST_F(BufferTest, MoveLeavesTheSourceEmpty) {
   Buffer a(device(), 16, 0, MemoryIntent::dynamic);
   const VkBuffer handle = a.handle();
   Buffer b = std::move(a);

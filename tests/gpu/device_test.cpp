@@ -28,7 +28,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-TEST(Result, IsNamedAsTheStandardSpellsIt) {
+TEST(Result, NamesMatchTheStandard) {
   EXPECT_EQ(result_name(VK_ERROR_OUT_OF_DEVICE_MEMORY), "VK_ERROR_OUT_OF_DEVICE_MEMORY");
   EXPECT_EQ(result_name(static_cast<VkResult>(-12345)), "VkResult -12345");
   EXPECT_NO_THROW(check(VK_SUCCESS, "vkNothing"));
@@ -36,7 +36,7 @@ TEST(Result, IsNamedAsTheStandardSpellsIt) {
             "vkQueueSubmit2: VK_ERROR_DEVICE_LOST");
 }
 
-TEST(Instance, WithoutADriverSaysSoInOneLine) {
+TEST(Instance, MissingDriverIsReportedInOneLine) {
   ASSERT_EQ(setenv("VK_DRIVER_FILES", "/nonexistent/driver.json", 1), 0);
   ASSERT_EQ(setenv("VK_ICD_FILENAMES", "/nonexistent/driver.json", 1), 0);
   const std::string message = message_of([] {
@@ -49,13 +49,13 @@ TEST(Instance, WithoutADriverSaysSoInOneLine) {
   EXPECT_FALSE(contains(message, "\n"));
 }
 
-TEST(Instance, NamesAnExtensionThatIsMissing) {
+TEST(Instance, MissingExtensionIsNamed) {
   const std::string message =
       message_of([] { const Instance instance({.extensions = {"VK_KHR_not_there"}}); });
   EXPECT_TRUE(contains(message, "VK_ERROR_EXTENSION_NOT_PRESENT")) << message;
 }
 
-TEST_F(DeviceTest, ListsDevicesAndTakesTheBestByDefault) {
+TEST_F(DeviceTest, ListsDevicesAndSelectsTheBestByDefault) {
   const std::vector<DeviceDescription> devices = instance().devices();
   ASSERT_FALSE(devices.empty());
   bool is_listed = false;
@@ -67,7 +67,7 @@ TEST_F(DeviceTest, ListsDevicesAndTakesTheBestByDefault) {
   EXPECT_TRUE(is_listed);
 }
 
-TEST_F(DeviceTest, SelectsByPositionAndByPartOfTheNameInAnyCase) {
+TEST_F(DeviceTest, SelectsByIndexAndByPartOfTheNameInAnyCase) {
   const std::string name = instance().devices().front().name;
   EXPECT_EQ(Device(instance(), {.select = "0"}).name(), name);
   std::string part = name.substr(0, 4);
@@ -76,7 +76,7 @@ TEST_F(DeviceTest, SelectsByPositionAndByPartOfTheNameInAnyCase) {
   EXPECT_EQ(Device(instance(), {.select = part}).name(), name);
 }
 
-TEST_F(DeviceTest, RefusesASelectionThatMatchesNothingAndListsWhatThereIs) {
+TEST_F(DeviceTest, RejectsUnknownSelectionAndListsDevices) {
   const std::string name = instance().devices().front().name;
   for (const std::string select : {"no such thing", "99"}) {
     const std::string message =
@@ -86,7 +86,7 @@ TEST_F(DeviceTest, RefusesASelectionThatMatchesNothingAndListsWhatThereIs) {
   }
 }
 
-TEST_F(DeviceTest, DestroysOnlyWhatNoSubmissionUsesAnyMore) {
+TEST_F(DeviceTest, DeferredDestructionWaitsForSubmissions) {
   bool is_destroyed = false;
   device().run_once([&](VkCommandBuffer) {
     device().retire([&](VkDevice) { is_destroyed = true; });
@@ -96,24 +96,24 @@ TEST_F(DeviceTest, DestroysOnlyWhatNoSubmissionUsesAnyMore) {
   EXPECT_EQ(device().submitted(), 1U);
 }
 
-TEST_F(DeviceTest, RecordingThatThrowsLeavesTheDeviceUsable) {
+TEST_F(DeviceTest, ExceptionDuringRecordingLeavesTheDeviceUsable) {
   EXPECT_THROW(device().run_once([](VkCommandBuffer) { throw DeviceError("no"); }), DeviceError);
   EXPECT_NO_THROW(device().run_once([](VkCommandBuffer) {}));
 }
 
-TEST_F(DeviceTest, HasFourSamplesOrOne) {
+TEST_F(DeviceTest, SupportsFourSamplesOrFallsBackToOne) {
   EXPECT_EQ(device().supported_samples(4), VK_SAMPLE_COUNT_4_BIT);
   EXPECT_EQ(device().supported_samples(1), VK_SAMPLE_COUNT_1_BIT);
   EXPECT_EQ(device().supported_samples(3), VK_SAMPLE_COUNT_1_BIT);
 }
 
-// The two tests that make sure that the others would notice.
+// The next two tests verify that the validation layers detect errors.
 
-TEST_F(DeviceTest, ValidationCatchesAMisuse) {
+TEST_F(DeviceTest, ValidationDetectsMisuse) {
   const VkBufferCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
                                 .pNext = nullptr,
                                 .flags = 0,
-                                .size = 0,  // not allowed
+                                .size = 0,  // invalid
                                 .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
                                 .sharingMode = VK_SHARING_MODE_EXCLUSIVE,
                                 .queueFamilyIndexCount = 0,
@@ -127,7 +127,7 @@ TEST_F(DeviceTest, ValidationCatchesAMisuse) {
   instance().messages().clear();
 }
 
-TEST_F(DeviceTest, ValidationCatchesAMissingBarrier) {
+TEST_F(DeviceTest, ValidationDetectsMissingBarrier) {
   const Buffer a(device(), 64, 0, MemoryIntent::fixed);
   const Buffer b(device(), 64, 0, MemoryIntent::fixed);
   device().run_once([&](VkCommandBuffer commands) {

@@ -24,7 +24,7 @@ DeviceImage cleared(Device& device, VkFormat format) {
   return image;
 }
 
-TEST_F(ImageTest, IsReadAsRgbaWhateverTheOrderOfItsBytes) {
+TEST_F(ImageTest, ReadsAsRgbaForAnyByteOrder) {
   for (const VkFormat format : {VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_B8G8R8A8_UNORM}) {
     const DeviceImage image = cleared(device(), format);
     const Image read = read_image(device(), image, kColorAttachment);
@@ -40,15 +40,15 @@ TEST_F(ImageTest, IsReadAsRgbaWhateverTheOrderOfItsBytes) {
         EXPECT_EQ(p[3], 153);
       }
     }
-    // It stays where it was: reading again finds the same.
+    // Reading does not change the image: a second read returns the same.
     EXPECT_EQ(read_image(device(), image, kColorAttachment).rgba, read.rgba);
   }
 }
 
-TEST_F(ImageTest, OfImpossibleSizeIsRefused) {
+TEST_F(ImageTest, RejectsImpossibleSizes) {
   EXPECT_THROW(DeviceImage(device(), {.extent = {0, 5}}), DeviceError);
   EXPECT_THROW(DeviceImage(device(), {.extent = {1U << 30, 5}}), DeviceError);
-  // Within the limit on width and height, but beyond that on memory.
+  // Within the limits on width and height, but larger than the memory.
   const std::uint32_t widest = device().properties().limits.maxImageDimension2D;
   EXPECT_THROW(
       DeviceImage(device(), {.extent = {widest, widest}, .samples = VK_SAMPLE_COUNT_4_BIT}),

@@ -87,7 +87,7 @@ TEST_F(PresenterTest, PresentsManyFramesFromOneSwapchain) {
               presenter_->format() == VK_FORMAT_R8G8B8A8_UNORM);
 }
 
-TEST_F(PresenterTest, FollowsTheWindowsSize) {
+TEST_F(PresenterTest, FollowsTheWindowSize) {
   ASSERT_TRUE(present());
   for (const int width : {400, 200, 333, 50}) {
     glfwSetWindowSize(window_, width, 100 + width / 3);
@@ -101,11 +101,12 @@ TEST_F(PresenterTest, FollowsTheWindowsSize) {
     const std::uint64_t generation = presenter_->generation();
     for (int i = 0; i < 5; ++i)
       EXPECT_TRUE(present());
-    EXPECT_LE(presenter_->generation(), generation + 1) << "settles";
+    EXPECT_LE(presenter_->generation(), generation + 1)
+        << "the swapchain stays unchanged until the next resize";
   }
 }
 
-TEST_F(PresenterTest, HasNothingToDrawIntoWhileMinimised) {
+TEST_F(PresenterTest, BeginReturnsNothingWhileMinimized) {
   ASSERT_TRUE(present());
   const std::uint64_t generation = presenter_->generation();
   EXPECT_FALSE(presenter_->begin({0, 0}));

@@ -18,7 +18,7 @@ namespace {
 using test::read_bytes;
 using test::TempFolder;
 
-TEST(MappedFile, HoldsTheBytesAndZerosBehindThem) {
+TEST(MappedFile, HoldsTheBytesFollowedByZeros) {
   const TempFolder folder;
   for (const std::size_t size : {1U, 4095U, 4096U, 4097U, 100000U}) {
     std::string text(size, 'x');
@@ -32,7 +32,7 @@ TEST(MappedFile, HoldsTheBytesAndZerosBehindThem) {
   }
 }
 
-TEST(MappedFile, AnEmptyFileIsEmpty) {
+TEST(MappedFile, EmptyFileHasSizeZero) {
   const TempFolder folder;
   EXPECT_EQ(MappedFile(folder.write("f", "")).size(), 0U);
 }
@@ -57,7 +57,7 @@ TEST(MappedFile, ReadsPipes) {
   EXPECT_EQ(file.end()[0], '\0');
 }
 
-TEST(MappedFile, WaitsForAPipeOnlyAsLongAsSomebodyWants) {
+TEST(MappedFile, WaitingForAPipeCanBeCanceled) {
   const TempFolder folder;
   const std::string pipe = (folder / "pipe").string();
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -70,11 +70,11 @@ TEST(MappedFile, WaitsForAPipeOnlyAsLongAsSomebodyWants) {
   canceller.join();
 }
 
-TEST(MappedFile, ReadsFilesThatHideTheirSize) {
+TEST(MappedFile, ReadsFilesThatReportNoSize) {
   EXPECT_GT(MappedFile("/proc/self/status").size(), 0U);
 }
 
-TEST(MappedFile, RefusesWhatIsNoFile) {
+TEST(MappedFile, RejectsPathsThatAreNotFiles) {
   const TempFolder folder;
   EXPECT_THROW(MappedFile(folder / "missing"), InputError);
   EXPECT_THROW(MappedFile{folder.path()}, InputError);
@@ -92,7 +92,7 @@ TEST(AtomicFile, AppearsOnCommit) {
   EXPECT_EQ(folder.count_files(), 1U);
 }
 
-TEST(AtomicFile, LeavesNothingWithoutCommit) {
+TEST(AtomicFile, WithoutCommitLeavesNoFile) {
   const TempFolder folder;
   folder.write("out", "old");
   {
@@ -118,7 +118,7 @@ TEST(AtomicFile, KeepsPermissionsAndFollowsLinks) {
   EXPECT_EQ(status.st_mode & 0777U, 0640U);
 }
 
-TEST(AtomicFile, TakesTheLongestNames) {
+TEST(AtomicFile, AcceptsTheLongestNames) {
   const TempFolder folder;
   const std::string name(255, 'n');
   AtomicFile file(folder / name);
@@ -126,14 +126,14 @@ TEST(AtomicFile, TakesTheLongestNames) {
   EXPECT_TRUE(std::filesystem::exists(folder / name));
 }
 
-TEST(AtomicFile, RefusesFoldersAndMissingOnes) {
+TEST(AtomicFile, RejectsFoldersAndMissingFolders) {
   const TempFolder folder;
   EXPECT_THROW(AtomicFile{folder.path()}, OutputError);
   EXPECT_THROW(AtomicFile(folder / "missing/out"), OutputError);
   EXPECT_EQ(folder.count_files(), 0U);
 }
 
-TEST(AtomicFile, ChecksWithoutLeavingATrace) {
+TEST(AtomicFile, CheckLeavesNoFile) {
   const TempFolder folder;
   EXPECT_NO_THROW(AtomicFile::check(folder / "new.txt"));
   EXPECT_NO_THROW(AtomicFile::check("new.txt"));
@@ -146,7 +146,7 @@ TEST(AtomicFile, ChecksWithoutLeavingATrace) {
   EXPECT_EQ(read_bytes(folder / "old.txt"), "old");
 }
 
-TEST(AtomicFile, ReportsAFullDevice) {
+TEST(AtomicFile, ReportsFullDevice) {
   AtomicFile file("/dev/full");
   EXPECT_THROW(file.write("x"), OutputError);
   EXPECT_TRUE(std::filesystem::exists("/dev/full"));

@@ -19,7 +19,8 @@ using test::bytes_of;
 using test::read_bytes;
 using test::TempFolder;
 
-/// Four corners of a square, two triangles, the second with its own copies of two of them.
+/// Four corners of a square and two triangles. The second triangle has its own copies of two
+/// corners.
 const std::string kPositions =
     bytes_of<float>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0});
 const std::string kIndices = bytes_of<std::uint16_t>({0, 1, 2, 3, 4, 5});
@@ -63,13 +64,13 @@ void expect_refusal(const std::string& bytes, const std::string& reason,
                     std::string_view name = "m.gltf") {
   try {
     parse(bytes, name);
-    ADD_FAILURE() << "was read: " << bytes.substr(0, 300);
+    ADD_FAILURE() << "was not rejected: " << bytes.substr(0, 300);
   } catch (const InputError& error) {
     EXPECT_NE(error.reason().find(reason), std::string::npos) << error.what();
   }
 }
 
-TEST(Base64, ThereAndBack) {
+TEST(Base64, RoundTrips) {
   std::string bytes;
   for (int i = 0; i < 300; ++i) {
     EXPECT_EQ(decode_base64(base64(bytes)), bytes);
@@ -82,16 +83,16 @@ TEST(Base64, ThereAndBack) {
   EXPECT_EQ(decode_base64("TW#u"), std::nullopt);
 }
 
-TEST(GltfRead, JoinsWhatAttributesSplit) {
+TEST(GltfRead, JoinsVerticesSplitByAttributes) {
   const Soup soup = parse(document());
   EXPECT_EQ(soup.positions.size(), 4U);
   EXPECT_EQ(std::vector<std::uint32_t>(soup.corners.begin(), soup.corners.end()),
             (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
-  EXPECT_EQ(soup.attributes.texcoord[3], glm::vec2(0.5F, 1.0F)) << "counted from the bottom";
+  EXPECT_EQ(soup.attributes.texcoord[3], glm::vec2(0.5F, 1.0F)) << "measured from the bottom";
   EXPECT_TRUE(soup.attributes.group.empty());
 }
 
-TEST(GltfRead, BinaryContainer) {
+TEST(GltfRead, ReadsBinaryContainer) {
   const std::string json = kAsset + R"("buffers":[{"byteLength":)" + std::to_string(kData.size()) +
                            "}]," + kViews + kMesh + "}";
   EXPECT_EQ(parse(glb(json, kData), "m.glb").corners.size(), 6U);
@@ -101,7 +102,7 @@ TEST(GltfRead, BinaryContainer) {
   }
 }
 
-TEST(GltfRead, BuffersBesideIt) {
+TEST(GltfRead, ReadsExternalBuffers) {
   const TempFolder folder;
   folder.write("my data.bin", kData);
   const std::string before = kAsset + R"("buffers":[{"byteLength":132,"uri":")";
@@ -113,7 +114,7 @@ TEST(GltfRead, BuffersBesideIt) {
   }
 }
 
-TEST(GltfRead, NodesPlaceMeshes) {
+TEST(GltfRead, NodesTransformTheirMeshes) {
   const Soup soup = parse(document(
       R"("nodes":[{"children":[1],"translation":[10,0,0]},{"mesh":0,"scale":[2,1,1],"name":"a"},
       {"mesh":0,"rotation":[0,0,0.7071067811865476,0.7071067811865476],"name":"b"},{"mesh":0}],
@@ -126,13 +127,13 @@ TEST(GltfRead, NodesPlaceMeshes) {
   EXPECT_EQ(soup.attributes.group[3], 1U);
 }
 
-TEST(GltfRead, MirroredMeshesAreTurned) {
+TEST(GltfRead, MirroredMeshesAreReoriented) {
   const Soup soup = parse(document(
       R"("nodes":[{"mesh":0,"matrix":[-1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}],"scenes":[{"nodes":[0]}],)"));
   EXPECT_EQ(soup.positions[soup.corners[1]], glm::vec3(-1, 1, 0));
 }
 
-TEST(GltfRead, StripsFansAndLists) {
+TEST(GltfRead, ReadsStripsFansAndLists) {
   const auto corners = [](int mode) {
     const Soup soup = parse(document(
         "", R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":)" +
@@ -144,7 +145,7 @@ TEST(GltfRead, StripsFansAndLists) {
   EXPECT_EQ(corners(6), 12U);
 }
 
-TEST(GltfRead, Refusals) {
+TEST(GltfRead, RejectsInvalidFiles) {
   expect_refusal("{", "malformed JSON");
   expect_refusal("[]", "no glTF document");
   expect_refusal(R"({"asset":{"version":"1.0"}})", "no glTF 2");
@@ -183,13 +184,13 @@ TEST(GltfRead, Refusals) {
       "compressed");
 }
 
-TEST(GltfRead, AnIndexPastTheVerticesIsRefused) {
+TEST(GltfRead, RejectsIndexOutOfRange) {
   const std::string data = kPositions + bytes_of<std::uint16_t>({0, 1, 2, 3, 4, 6}) + kTexcoords;
   expect_refusal(kAsset + buffer(data) + kViews + kMesh + "}", "vertex index out of range");
 }
 
-TEST(GltfRead, MeshesRepeatedBeyondSense) {
-  // A square of 10,000 triangles placed 10,000 times: 100 million triangles from 600 KB.
+TEST(GltfRead, RejectsExcessiveInstances) {
+  // A square of 10,000 triangles with 10,000 instances: 100 million triangles from 600 KB.
   std::string indices;
   for (int i = 0; i < 10000; ++i)
     indices += bytes_of<std::uint16_t>({0, 1, 2});
@@ -210,7 +211,7 @@ const std::string kSeam =
     "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.5\nvn 0 0 1\nvn 0 1 0\n"
     "f 1/1/1 2/2/1 3/3/2\nf 1/5/1 3/3/1 4/4/2\n";
 
-TEST(GltfWrite, SplitsAtSeamsAndReadsBack) {
+TEST(GltfWrite, SplitsAtSeamsAndRoundTrips) {
   const TempFolder folder;
   const Model model = read_model(folder.write("in.obj", kSeam));
   for (const char* name : {"m.glb", "m.gltf"}) {
@@ -222,11 +223,11 @@ TEST(GltfWrite, SplitsAtSeamsAndReadsBack) {
     EXPECT_EQ(back.attributes.normal, model.attributes.normal) << name;
     EXPECT_EQ(back.attributes.color, model.attributes.color) << name;
   }
-  // Vertices 1 and 3 have two sets of attributes, 2 and 4 one.
+  // Vertices 1 and 3 have two sets of attributes; 2 and 4 have one.
   EXPECT_NE(read_bytes(folder / "m.glb").find(R"("count":6,"type":"VEC3")"), std::string::npos);
 }
 
-TEST(GltfWrite, AVertexWhoseCornersAgreeIsWrittenOnce) {
+TEST(GltfWrite, WritesAVertexOnceIfItsCornersAgree) {
   const TempFolder folder;
   std::string text = "vt 0 0\nv 0 0 0\n";
   for (int i = 0; i < 6; ++i) {
@@ -240,7 +241,7 @@ TEST(GltfWrite, AVertexWhoseCornersAgreeIsWrittenOnce) {
   EXPECT_NE(read_bytes(folder / "m.glb").find(R"("count":7,"type":"VEC3")"), std::string::npos);
 }
 
-TEST(GltfWrite, RefusesAnEmptyMesh) {
+TEST(GltfWrite, RejectsEmptyMesh) {
   const TempFolder folder;
   EXPECT_THROW(write_model(folder / "m.glb", Mesh(), Attributes()), OutputError);
   EXPECT_EQ(folder.count_files(), 0U);

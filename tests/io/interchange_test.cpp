@@ -11,7 +11,7 @@
 #include "engine/io/write.h"
 #include "tests/support/temp_folder.h"
 
-// What we write is opened by a reader that is not ours.
+// An independent reader opens the files that mesher writes.
 
 namespace mesher {
 namespace {
@@ -31,7 +31,7 @@ struct Way {
 
 class Interchange : public testing::TestWithParam<Way> {};
 
-TEST_P(Interchange, OthersReadOurFiles) {
+TEST_P(Interchange, AssimpReadsOurFiles) {
   const TempFolder folder;
   const Model model = read_model(folder.write("in.obj", kBox));
   const Way way = GetParam();
@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, Interchange,
                            return name + (parameter.param.ascii ? "_ascii" : "");
                          });
 
-/// A strip of so many triangles.
+/// A strip of the given number of triangles.
 Mesh strip(std::uint32_t triangles) {
   Soup soup;
   for (std::uint32_t i = 0; i < triangles + 2; ++i)
@@ -76,7 +76,7 @@ Mesh strip(std::uint32_t triangles) {
   return build_mesh(std::move(soup)).mesh;
 }
 
-TEST(Levels, OthersReadThemAndShowTheFinest) {
+TEST(Levels, AssimpReadsAndShowsTheFinestLevel) {
   const TempFolder folder;
   const std::vector<Mesh> meshes{strip(8), strip(5), strip(2)};
   std::vector<Attributes> attributes(3);
@@ -96,7 +96,7 @@ TEST(Levels, OthersReadThemAndShowTheFinest) {
     ASSERT_EQ(scene->mNumMeshes, 1U);
     EXPECT_EQ(scene->mMeshes[0]->mNumFaces, 8U);
   }
-  // With all of them in the scene, they see all of them.
+  // If the scene lists all levels, the reader loads all levels.
   auto json = nlohmann::json::parse(test::read_bytes(folder / "l.gltf"));
   json["scenes"][0]["nodes"] = {0, 1, 2};
   Assimp::Importer importer;
@@ -112,7 +112,7 @@ TEST(Levels, OthersReadThemAndShowTheFinest) {
   }
 }
 
-TEST(Levels, AreNamedByTheFirstNode) {
+TEST(Levels, FirstNodeListsTheOtherLevels) {
   const TempFolder folder;
   const Mesh mesh = strip(3);
   const Attributes none;
@@ -128,7 +128,7 @@ TEST(Levels, AreNamedByTheFirstNode) {
   EXPECT_EQ(json["nodes"][0]["extras"]["MSFT_screencoverage"], nlohmann::json({0.5, 0.125}));
   EXPECT_EQ(json["nodes"][1]["mesh"], 1);
   EXPECT_FALSE(json["nodes"][1].contains("extensions"));
-  // A model of one level is what it always was.
+  // A model with one level is written as before.
   AtomicFile single(folder / "s.gltf");
   write_gltf(single, std::span(levels).first(1), false);
   single.commit();

@@ -29,7 +29,7 @@ std::vector<std::uint32_t> corners_of(const Soup& soup) {
   return {soup.corners.begin(), soup.corners.end()};
 }
 
-/// The one-line reason and the line that reading `text` is refused with.
+/// Line number and reason of an error.
 struct Refusal {
   std::uint64_t line = 0;
   std::string reason;
@@ -42,12 +42,12 @@ Refusal refusal(const std::string& text) {
     EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
     return {error.line(), error.reason()};
   }
-  ADD_FAILURE() << "was read: " << text.substr(0, 200);
+  ADD_FAILURE() << "was not rejected: " << text.substr(0, 200);
   return {};
 }
 
-// A path in a comment may end in a backslash; the next line is a line of its own all the same.
-TEST(ObjRead, CommentsAreNotContinuedWhateverTheyStandBehind) {
+// A path in a comment may end in a backslash. The next line is still a separate line.
+TEST(ObjRead, CommentsDoNotContinueAfterABackslash) {
   for (const char* line : {"vn 0 0 1", "vt 0 0", "mtllib a.mtl", "t other 0/0/0", "v 5 5 5",
                            "g name", "f 1 2 4", "", "s 1", "t crease 2/1/0 0 1 2.0"}) {
     for (const char* end : {"\n", "\r\n"}) {
@@ -59,12 +59,12 @@ TEST(ObjRead, CommentsAreNotContinuedWhateverTheyStandBehind) {
   }
 }
 
-TEST(ObjRead, StatementsOfNoInterestAreContinuedTooOverSeveralLines) {
+TEST(ObjRead, IgnoredStatementsMayContinueOverSeveralLines) {
   const Soup soup = parse(kSquare + "curv 1 2 \\\nf 1 2 3 \\\r\nf 9 9 9\nf 1 3 4\n");
   EXPECT_EQ(soup.face_count(), 1U);
 }
 
-TEST(ObjRead, PositionsAndTriangles) {
+TEST(ObjRead, ReadsPositionsAndTriangles) {
   const Soup soup = parse("# a comment\nv 1.5 -2e3 .25\nv 0 1 0\nv +3 4. 5E-1\nf 1 2 3\n");
   ASSERT_EQ(soup.positions.size(), 3U);
   EXPECT_EQ(soup.positions[0], glm::vec3(1.5F, -2000.0F, 0.25F));
@@ -74,7 +74,7 @@ TEST(ObjRead, PositionsAndTriangles) {
   EXPECT_TRUE(soup.attributes.is_empty());
 }
 
-TEST(ObjRead, EveryLineEnd) {
+TEST(ObjRead, AcceptsEveryLineEnding) {
   for (const std::string text :
        {"v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3",
         "\xEF\xBB\xBFv 0 0 0\n\n\n\tv\t1\t0\t0\t\n  v 0 1 0  \nf 1 2 3 # why\n",
@@ -88,14 +88,14 @@ TEST(ObjRead, EveryLineEnd) {
   }
 }
 
-TEST(ObjRead, PolygonsAndShortFaces) {
+TEST(ObjRead, ReadsPolygonsAndShortFaces) {
   const Soup soup = parse(kSquare + "f 1 2 3\nf 1 2 3 4\nf 1 2\nf\nf 2 3 4\n");
   EXPECT_EQ(std::vector<std::uint32_t>(soup.face_start.begin(), soup.face_start.end()),
             (std::vector<std::uint32_t>{0, 3, 7, 9, 9, 12}));
   EXPECT_EQ(soup.face_count(), 5U);
 }
 
-TEST(ObjRead, EveryIndexForm) {
+TEST(ObjRead, ReadsEveryIndexForm) {
   const std::string values = kTriangle + "vt 0.5 0.25\nvt 1\nvn 0 0 1\n";
   const Soup plain = parse(values + "f 1 2 3\n");
   EXPECT_TRUE(plain.attributes.texcoord.empty());
@@ -112,7 +112,7 @@ TEST(ObjRead, EveryIndexForm) {
   EXPECT_TRUE(texcoords.attributes.normal.empty());
 }
 
-TEST(ObjRead, AbsentAttributesAreNaN) {
+TEST(ObjRead, MissingAttributesAreNaN) {
   const Soup soup = parse(kTriangle + "vt 1 1\nf 1 2 3\nf 1/1 2 3/1\nf 3 2 1\n");
   ASSERT_EQ(soup.attributes.texcoord.size(), 9U);
   for (const int corner : {0, 1, 2, 4, 6, 7, 8}) {
@@ -122,7 +122,7 @@ TEST(ObjRead, AbsentAttributesAreNaN) {
   EXPECT_EQ(soup.attributes.texcoord[5], glm::vec2(1, 1));
 }
 
-TEST(ObjRead, RelativeIndicesCountFromTheLine) {
+TEST(ObjRead, RelativeIndicesCountFromTheirLine) {
   const Soup soup = parse(
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 1\nvn 0 0 1\nf -3/-2/-1 -2/-1/-1 -1/-1/-1\n"
       "v 5 5 5\nf -1 -2 -3\nf 4 1 2\n");
@@ -131,11 +131,11 @@ TEST(ObjRead, RelativeIndicesCountFromTheLine) {
   EXPECT_EQ(soup.attributes.texcoord[2], glm::vec2(1, 1));
 }
 
-TEST(ObjRead, ForwardReferences) {
+TEST(ObjRead, AcceptsForwardReferences) {
   EXPECT_EQ(corners_of(parse("f 1 2 3\n" + kTriangle)), (std::vector<std::uint32_t>{0, 1, 2}));
 }
 
-TEST(ObjRead, ColorsAndWeights) {
+TEST(ObjRead, ReadsColorsAndWeights) {
   const Soup soup =
       parse("v 0 0 0 1\nv 1 0 0 1 0.5 0\nv 0 1 0 0 0 0 0.5\nv 1 1 1\nf 1 2 3\nf 1 2 4\n");
   ASSERT_EQ(soup.attributes.color.size(), 6U);
@@ -145,7 +145,7 @@ TEST(ObjRead, ColorsAndWeights) {
   EXPECT_EQ(soup.attributes.color[5], glm::u8vec4(255));
 }
 
-TEST(ObjRead, GroupsWhereThereIsMoreThanOne) {
+TEST(ObjRead, GroupsAreKeptIfThereIsMoreThanOne) {
   EXPECT_TRUE(parse("g all\n" + kTriangle + "f 1 2 3\n").attributes.group.empty());
   const Soup soup = parse(kTriangle +
                           "f 1 2 3\no box\ng side\nf 1 2 3\nf 2 3 1\nusemtl red\nf 1 2 3\n"
@@ -156,7 +156,7 @@ TEST(ObjRead, GroupsWhereThereIsMoreThanOne) {
             (std::vector<std::uint32_t>{0, 1, 1, 2, 2, 3}));
 }
 
-TEST(ObjRead, StatementsOfOthersAreIgnored) {
+TEST(ObjRead, UnsupportedStatementsAreIgnored) {
   const Soup soup =
       parse(kTriangle +
             "mtllib C:\\models\\\ns off\np 1\nl 1\nl 7 8 9\nvp 0.1\ncurv 0 1 \\\n 2\nend\n"
@@ -164,14 +164,14 @@ TEST(ObjRead, StatementsOfOthersAreIgnored) {
   EXPECT_EQ(soup.face_count(), 1U);
 }
 
-TEST(ObjRead, NumbersThatAreNotFinitePassThrough) {
+TEST(ObjRead, NonFiniteNumbersAreKept) {
   const Soup soup = parse("v nan inf -inf\nv 1e999 -1e999 1e-999\nv 0 0 0\nf 1 2 3\n");
   EXPECT_TRUE(std::isnan(soup.positions[0].x));
   EXPECT_EQ(soup.positions[0].z, -kInf);
   EXPECT_EQ(soup.positions[1], glm::vec3(kInf, -kInf, 0.0F));
 }
 
-TEST(ObjRead, CreasesInThreeSpellings) {
+TEST(ObjRead, ReadsCreasesInThreeForms) {
   const Soup soup = parse(
       kSquare +
       "f 1 2 3\nf 1 3 4\ne 0 2 1.5\ne 0 1 inf\ne 1 2\nt crease 2/1/0 0 3 2\n"
@@ -193,16 +193,16 @@ TEST(ObjRead, CreasesInThreeSpellings) {
   EXPECT_EQ(soup.corner_tags[2].sharpness, kInf);
 }
 
-TEST(ObjRead, CreaseBaseIsTheOneThatNamesEdges) {
-  // 1-3 (counted from 0: vertices 1 and 3) is no edge; counted from 1 it is the diagonal 0-2.
+TEST(ObjRead, DetectsTheIndexBaseOfCreases) {
+  // With base 0, 1-3 (vertices 1 and 3) is not an edge. With base 1 it is the diagonal 0-2.
   const std::string faces = kSquare + "f 1 2 3\nf 1 3 4\n";
   EXPECT_EQ(parse(faces + "e 1 3\ne 1 2\n").creases[0].b, 2U);
-  EXPECT_EQ(parse(faces + "e 1 2\n").creases[0].b, 2U) << "both fit: 0 is preferred";
+  EXPECT_EQ(parse(faces + "e 1 2\n").creases[0].b, 2U) << "both bases fit, and 0 is preferred";
   EXPECT_EQ(parse(faces + "e 1 2\n", {.crease_index_base = 1}).creases[0].b, 1U);
-  EXPECT_EQ(parse(faces + "e 3 4\n").creases[0].b, 3U) << "4 exists only counted from 1";
+  EXPECT_EQ(parse(faces + "e 3 4\n").creases[0].b, 3U) << "vertex 4 exists only with base 1";
 }
 
-TEST(ObjRead, RefusalsNameTheLine) {
+TEST(ObjRead, ErrorsHaveTheirLineNumber) {
   const auto expect = [](const std::string& text, std::uint64_t line, const std::string& reason) {
     const Refusal found = refusal(text);
     EXPECT_EQ(found.line, line) << text;
@@ -253,8 +253,8 @@ std::string grid(int n) {
   return text;
 }
 
-TEST(ObjRead, ManyChunksMakeOneModelOnAnyNumberOfThreads) {
-  const std::string text = grid(700);  // about 20 MB, several waves of chunks
+TEST(ObjRead, ManyChunksGiveTheSameModelForAnyThreadCount) {
+  const std::string text = grid(700);  // about 20 MB, several batches of chunks
   const Soup parallel = parse(text);
   ASSERT_EQ(parallel.positions.size(), 701U * 701U);
   ASSERT_EQ(parallel.face_count(), 700U * 700U);
@@ -267,7 +267,7 @@ TEST(ObjRead, ManyChunksMakeOneModelOnAnyNumberOfThreads) {
   EXPECT_EQ(serial.face_start, parallel.face_start);
 }
 
-TEST(ObjRead, LineNumbersFarIntoTheFile) {
+TEST(ObjRead, LineNumbersAreCorrectFarIntoTheFile) {
   const std::string text = grid(300);
   const auto lines = static_cast<std::uint64_t>(std::count(text.begin(), text.end(), '\n'));
   EXPECT_EQ(refusal(text + "v 1 2 three\n").line, lines + 1);
@@ -276,7 +276,7 @@ TEST(ObjRead, LineNumbersFarIntoTheFile) {
   EXPECT_EQ(refusal("f 1 2 90602\n" + text).line, 1U);
 }
 
-TEST(ObjRead, RelativeIndicesReachBackOverChunks) {
+TEST(ObjRead, RelativeIndicesCrossChunks) {
   std::string text;
   for (int i = 0; i < 60000; ++i)
     text += "v " + std::to_string(i) + " 0.5 0.25\n";
@@ -284,9 +284,9 @@ TEST(ObjRead, RelativeIndicesReachBackOverChunks) {
   EXPECT_EQ(corners_of(soup), (std::vector<std::uint32_t>{0, 59999, 30000}));
 }
 
-TEST(ObjRead, PolygonsAfterManyTrianglesAndAttributesAfterNone) {
+TEST(ObjRead, PolygonsAndAttributesMayStartLate) {
   std::string text = kSquare + "vt 0.5 0.5\n";
-  constexpr std::uint32_t kMany = 700000;  // more than one wave
+  constexpr std::uint32_t kMany = 700000;  // more than one batch
   for (std::uint32_t i = 0; i < kMany; ++i)
     text += "f 1 2 3\n";
   const Soup soup = parse(text + "f 1/1 2/1 3/1 4/1\n");

@@ -22,14 +22,14 @@ Soup parse(const std::string& bytes) {
   return read_soup(folder.write("model.ply", bytes));
 }
 
-/// Line and reason of a refusal.
+/// Line number and reason of an error.
 std::pair<std::uint64_t, std::string> refusal(const std::string& bytes) {
   try {
     parse(bytes);
   } catch (const InputError& error) {
     return {error.line(), error.reason()};
   }
-  ADD_FAILURE() << "was read";
+  ADD_FAILURE() << "was not rejected";
   return {};
 }
 
@@ -47,7 +47,7 @@ const std::string kTextTriangle =
     "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1.5 0\n3 "
     "0 1 2\n";
 
-TEST(PlyRead, Text) {
+TEST(PlyRead, ReadsText) {
   const Soup soup = parse(kTextTriangle);
   ASSERT_EQ(soup.positions.size(), 3U);
   EXPECT_EQ(soup.positions[2], glm::vec3(0, 1.5F, 0));
@@ -55,7 +55,7 @@ TEST(PlyRead, Text) {
   EXPECT_EQ(soup.corners[2], 2U);
 }
 
-TEST(PlyRead, EveryLineEndInTheHeader) {
+TEST(PlyRead, AcceptsEveryLineEndingInTheHeader) {
   for (const char* end : {"\r\n", "\r"}) {
     std::string text;
     for (const char c : kTextTriangle)
@@ -64,7 +64,7 @@ TEST(PlyRead, EveryLineEndInTheHeader) {
   }
 }
 
-/// A square of every type there is, with wide counts, values nobody knows and an element between.
+/// A square with every data type, with wide counts, unknown properties and an unknown element.
 std::string binary_square(bool big) {
   std::string bytes =
       big ? "ply\nformat binary_big_endian 1.0\n" : "ply\nformat binary_little_endian 1.0\n";
@@ -93,7 +93,7 @@ std::string binary_square(bool big) {
   return bytes;
 }
 
-TEST(PlyRead, BothByteOrdersAndEveryType) {
+TEST(PlyRead, ReadsBothByteOrdersAndEveryType) {
   for (const bool big : {false, true}) {
     const Soup soup = parse(binary_square(big));
     ASSERT_EQ(soup.positions.size(), 4U);
@@ -104,14 +104,14 @@ TEST(PlyRead, BothByteOrdersAndEveryType) {
   }
 }
 
-TEST(PlyRead, EveryCutOfABinaryFileIsRefused) {
+TEST(PlyRead, RejectsBinaryFileTruncatedAnywhere) {
   const std::string bytes = binary_square(false);
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     EXPECT_THROW(parse(bytes.substr(0, size)), InputError) << size;
   }
 }
 
-TEST(PlyRead, VertexAndCornerAttributes) {
+TEST(PlyRead, ReadsVertexAndCornerAttributes) {
   const Soup soup = parse(
       "ply\nformat ascii 1.0\nelement vertex 3\n" + kXyz +
       "property float nx\nproperty float ny\nproperty float nz\nproperty float s\nproperty float "
@@ -125,7 +125,7 @@ TEST(PlyRead, VertexAndCornerAttributes) {
   EXPECT_EQ(soup.attributes.texcoord[5], glm::vec2(5, 6));
 }
 
-TEST(PlyRead, TriangleStrips) {
+TEST(PlyRead, ReadsTriangleStrips) {
   const Soup soup = parse("ply\nformat ascii 1.0\nelement vertex 4\n" + kXyz +
                           "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
                           "0 0 0\n1 0 0\n0 1 0\n1 1 0\n8 0 1 2 3 -1 1 3 2\n");
@@ -133,7 +133,7 @@ TEST(PlyRead, TriangleStrips) {
             (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3, 1, 3, 2}));
 }
 
-TEST(PlyRead, Refusals) {
+TEST(PlyRead, RejectsInvalidFiles) {
   const auto expect = [](const std::string& bytes, std::uint64_t line, const std::string& reason) {
     const auto [at, why] = refusal(bytes);
     EXPECT_EQ(at, line) << bytes;
@@ -167,7 +167,7 @@ TEST(PlyRead, Refusals) {
   expect(three, 13, "");
 }
 
-TEST(PlyRead, ElementsWithoutPropertiesTakeNoTime) {
+TEST(PlyRead, ManyElementsWithoutPropertiesAreFast) {
   const Soup soup = parse(
       "ply\nformat ascii 1.0\nelement nothing 9999999999999\nelement face 9999999999\n"
       "element vertex 1\n" +

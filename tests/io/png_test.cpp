@@ -25,7 +25,7 @@ Image gradient(std::uint32_t width, std::uint32_t height) {
   return image;
 }
 
-TEST(Png, ComesBackPixelForPixel) {
+TEST(Png, RoundTripsEveryPixel) {
   const TempFolder folder;
   for (const auto& [width, height] : {std::pair{1U, 1U}, {3U, 5U}, {500U, 500U}}) {
     const Image image = gradient(width, height);
@@ -38,7 +38,7 @@ TEST(Png, ComesBackPixelForPixel) {
   EXPECT_EQ(folder.count_files(), 1U);
 }
 
-TEST(Png, ACutIsRefusedUnlessEveryPixelIsThere) {
+TEST(Png, RejectsTruncatedImageWithMissingPixels) {
   const TempFolder folder;
   const Image image = gradient(4, 4);
   write_png(folder / "a.png", image);
@@ -51,11 +51,11 @@ TEST(Png, ACutIsRefusedUnlessEveryPixelIsThere) {
       ++refused;
     }
   }
-  // Only checksums and the end mark may be missing.
+  // Only checksums and the end marker may be missing.
   EXPECT_GE(refused + 20, bytes.size());
 }
 
-TEST(Png, DamageIsRefused) {
+TEST(Png, RejectsDamagedFiles) {
   const TempFolder folder;
   write_png(folder / "a.png", gradient(4, 4));
   std::string bytes = read_bytes(folder / "a.png");
@@ -65,7 +65,7 @@ TEST(Png, DamageIsRefused) {
   EXPECT_THROW(read_png(folder / "missing.png"), InputError);
 }
 
-TEST(Png, LeavesNothingWhereItCannotWrite) {
+TEST(Png, FailedWriteLeavesNoFile) {
   const TempFolder folder;
   EXPECT_THROW(write_png(folder / "missing/a.png", gradient(2, 2)), OutputError);
   EXPECT_THROW(write_png("/dev/full", gradient(2, 2)), OutputError);

@@ -21,7 +21,7 @@ namespace {
 using test::read_bytes;
 using test::TempFolder;
 
-/// A sheet of n x n quads with coordinates of every size.
+/// A sheet of n x n quads with coordinates of every magnitude.
 std::string sheet(int n) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> exponent(-30.0F, 30.0F);
@@ -61,7 +61,7 @@ struct Way {
   bool ascii;
 };
 
-TEST(RoundTrip, EveryFormatKeepsPositionsBitForBitAndFaces) {
+TEST(RoundTrip, EveryFormatKeepsExactPositionsAndFaces) {
   const Model model = read_text(sheet(40));
   ASSERT_TRUE(validate(model.mesh).empty());
   const TempFolder folder;
@@ -79,7 +79,7 @@ TEST(RoundTrip, EveryFormatKeepsPositionsBitForBitAndFaces) {
     EXPECT_TRUE(validate(back.mesh).empty()) << way.file;
     EXPECT_TRUE(back.report.is_clean()) << way.file;
     ASSERT_EQ(back.mesh.face_count(), model.mesh.face_count()) << way.file;
-    // STL numbers vertices as faces meet them; corners are what every format keeps.
+    // STL numbers vertices in the order of the faces. Every format keeps the corners.
     for (std::uint32_t h = 0; h < model.mesh.halfedge_count(); ++h) {
       const glm::vec3& a = model.mesh.position(model.mesh.origin(Halfedge(h)));
       const glm::vec3& b = back.mesh.position(back.mesh.origin(Halfedge(h)));
@@ -93,7 +93,7 @@ TEST(RoundTrip, EveryFormatKeepsPositionsBitForBitAndFaces) {
   }
 }
 
-TEST(RoundTrip, CopiesOfBowTiesAreWrittenAsPlainVertices) {
+TEST(RoundTrip, BowTieCopiesAreWrittenAsPlainVertices) {
   const Model model = read_text(
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv -1 0 0\nv 0 -1 0\nv 0 0 -1\n"
       "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\nf 1 5 6\nf 1 7 5\nf 5 7 6\nf 6 7 1\n");
@@ -114,7 +114,7 @@ TEST(RoundTrip, CopiesOfBowTiesAreWrittenAsPlainVertices) {
   EXPECT_EQ(obj.find("\ne "), std::string::npos);
 }
 
-TEST(RoundTrip, SameBytesOnAnyNumberOfThreads) {
+TEST(RoundTrip, SameBytesForAnyThreadCount) {
   const Model model = read_text(sheet(150));
   const TempFolder folder;
   for (const char* name : {"m.obj", "m.ply", "m.off", "m.stl", "m.glb"}) {
@@ -126,7 +126,7 @@ TEST(RoundTrip, SameBytesOnAnyNumberOfThreads) {
   }
 }
 
-/// Two triangles with a seam along their edge, a colour each vertex, two groups, three creases.
+/// Two triangles with a seam along their edge, one color per vertex, two groups and three creases.
 const std::string kRich =
     "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 0.2 0.4 0.6 0.8\n"
     "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.5\nvn 0 0 1\nvn 0 1 0\n"
@@ -187,7 +187,7 @@ TEST(RoundTrip, OffKeepsVertexColors) {
   EXPECT_TRUE(same_bits(read_model(folder / "m.off").attributes.color, model.attributes.color));
 }
 
-TEST(Write, RefusalsLeaveNothing) {
+TEST(Write, FailedWriteLeavesNoFile) {
   const Model model = read_text(kRich);
   const TempFolder folder;
   EXPECT_THROW(write_model(folder / "m.xyz", model.mesh, model.attributes), UsageError);
@@ -196,7 +196,7 @@ TEST(Write, RefusalsLeaveNothing) {
   EXPECT_EQ(folder.count_files(), 0U);
 }
 
-/// Limits how large files may grow, as a full disk would, while it lives.
+/// Limits the size of files during its lifetime, like a full disk.
 class SmallDisk {
  public:
   explicit SmallDisk(rlim_t bytes) {
@@ -211,7 +211,7 @@ class SmallDisk {
   rlimit before_ = {};
 };
 
-TEST(Write, AFullDiskLeavesNoPartialFile) {
+TEST(Write, FullDiskLeavesNoPartialFile) {
   const Model model = read_text(sheet(40));
   const TempFolder folder;
   folder.write("m.ply", "what was there before");
@@ -223,7 +223,7 @@ TEST(Write, AFullDiskLeavesNoPartialFile) {
   EXPECT_EQ(read_bytes(folder / "m.ply"), "what was there before");
 }
 
-TEST(Read, RefusesUnknownAndMissingAndEmptyFiles) {
+TEST(Read, RejectsUnknownMissingAndEmptyFiles) {
   const TempFolder folder;
   EXPECT_THROW(read_soup(folder.write("m.xyz", "x")), InputError);
   EXPECT_THROW(read_soup(folder / "missing.obj"), InputError);
@@ -232,7 +232,7 @@ TEST(Read, RefusesUnknownAndMissingAndEmptyFiles) {
   }
 }
 
-TEST(Read, ErrorsOfBuildingNameTheFile) {
+TEST(Read, BuildErrorsNameTheFile) {
   const TempFolder folder;
   const Model model = read_model(folder.write("name.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
   EXPECT_EQ(model.name, "name.obj");

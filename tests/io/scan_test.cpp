@@ -16,7 +16,7 @@ std::string padded(const std::string& text) {
   return text + std::string(64, '\0');
 }
 
-/// Compares with strtof, bit for bit.
+/// Compares with strtof, bit by bit.
 void expect_as_strtof(const std::string& text) {
   const std::string source = padded(text);
   float value = -1.0F;
@@ -32,7 +32,7 @@ void expect_as_strtof(const std::string& text) {
       << text;
 }
 
-TEST(Scan, FloatsThatAreHard) {
+TEST(Scan, ReadsDifficultFloats) {
   for (const char* text : {"0",
                            "-0",
                            "0.0",
@@ -87,7 +87,7 @@ TEST(Scan, FloatsThatAreHard) {
   expect_as_strtof("1" + std::string(100000, '0'));
 }
 
-TEST(Scan, FloatsLikeStrtofWhateverTheyAre) {
+TEST(Scan, ReadsRandomFloatsLikeStrtof) {
   std::mt19937_64 random(7);
   char text[64];
   for (int i = 0; i < 200000; ++i) {
@@ -98,7 +98,7 @@ TEST(Scan, FloatsLikeStrtofWhateverTheyAre) {
     std::snprintf(text, sizeof text, formats[i % 6],
                   static_cast<double>(std::abs(value) > 1e30F ? 1 / value : value));
     expect_as_strtof(text);
-    // Halfway between two floats, give or take a digit far behind.
+    // Halfway between two floats, plus or minus a digit far behind.
     const double halfway =
         (static_cast<double>(value) + static_cast<double>(std::nextafter(value, INFINITY))) / 2;
     std::snprintf(text, sizeof text, "%.17g", halfway);
@@ -106,7 +106,7 @@ TEST(Scan, FloatsLikeStrtofWhateverTheyAre) {
   }
 }
 
-TEST(Scan, WhatIsNoNumber) {
+TEST(Scan, RejectsTextThatIsNotANumber) {
   for (const char* text : {"", " ", "-", "+", ".", "e5", "1e", "1e+", "1.2.3", "1-2", "0x10", "1,5",
                            "--1", "+-1", "nanx", "1f", "1/2"}) {
     const std::string source = padded(text);
@@ -115,7 +115,7 @@ TEST(Scan, WhatIsNoNumber) {
   }
 }
 
-TEST(Scan, Digits) {
+TEST(Scan, ReadsDigits) {
   const auto digits = [](const std::string& text) {
     std::uint32_t value = 0;
     const std::string source = padded(text + "/");
@@ -131,7 +131,7 @@ TEST(Scan, Digits) {
   EXPECT_EQ(digits(std::string(1000, '9')), 4294967295U);
 }
 
-TEST(Scan, Integers) {
+TEST(Scan, ReadsIntegers) {
   std::int64_t value = 0;
   EXPECT_NE(scan::read_integer(padded("-12").c_str(), value), nullptr);
   EXPECT_EQ(value, -12);

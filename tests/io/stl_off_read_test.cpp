@@ -23,7 +23,7 @@ void expect_refusal(std::string_view name, const std::string& bytes, std::uint64
                     const std::string& reason) {
   try {
     parse(name, bytes);
-    ADD_FAILURE() << "was read: " << bytes;
+    ADD_FAILURE() << "was not rejected: " << bytes;
   } catch (const InputError& error) {
     EXPECT_EQ(error.line(), line) << bytes;
     EXPECT_NE(error.reason().find(reason), std::string::npos)
@@ -46,24 +46,24 @@ const std::vector<glm::vec3> kTwoFacets = {{0, 0, 0},     {1, 0, 0}, {0, 1, 0},
                                            {-0.0F, 1, 0}, {1, 0, 0}, {1, 1, -0.0F}};
 const std::vector<std::uint32_t> kTwoFacetsCorners = {0, 1, 2, 2, 1, 3};
 
-TEST(StlRead, BinaryConnectsEqualPositions) {
+TEST(StlRead, BinaryJoinsEqualPositions) {
   const Soup soup = parse("m.stl", binary_stl(kTwoFacets, 2));
   EXPECT_EQ(soup.positions.size(), 4U);
   EXPECT_EQ(std::vector<std::uint32_t>(soup.corners.begin(), soup.corners.end()),
             kTwoFacetsCorners);
 }
 
-TEST(StlRead, BinaryThatBeginsLikeText) {
+TEST(StlRead, ReadsBinaryThatStartsLikeText) {
   std::string bytes = binary_stl(kTwoFacets, 2);
   bytes.replace(0, 5, "solid");
   EXPECT_EQ(parse("m.stl", bytes).corners.size(), 6U);
 }
 
-TEST(StlRead, BinaryWithSomethingBehind) {
+TEST(StlRead, ReadsBinaryWithTrailingBytes) {
   EXPECT_EQ(parse("m.stl", binary_stl(kTwoFacets, 2) + "extra").corners.size(), 6U);
 }
 
-TEST(StlRead, BinaryCountsAreNotTrusted) {
+TEST(StlRead, RejectsBinaryWithWrongCount) {
   expect_refusal("m.stl", binary_stl(kTwoFacets, 3), 0, "too early");
   expect_refusal("m.stl", binary_stl(kTwoFacets, 0xFFFFFFFFU), 0, "too early");
   expect_refusal("m.stl", binary_stl({}, 0), 0, "neither");
@@ -74,7 +74,7 @@ std::string text_facet(const std::string& corners) {
   return "facet normal 0 0 1\nouter loop\n" + corners + "endloop\nendfacet\n";
 }
 
-TEST(StlRead, Text) {
+TEST(StlRead, ReadsText) {
   const Soup soup = parse(
       "m.stl", "solid a b c\n" + text_facet("vertex 0 0 0\nvertex 1 0 0\n  vertex 0 1e0 0\n") +
                    "endsolid a\nsolid\n" +
@@ -84,14 +84,14 @@ TEST(StlRead, Text) {
             kTwoFacetsCorners);
 }
 
-TEST(StlRead, TextInCapitalsAndBehindAByteOrderMark) {
+TEST(StlRead, ReadsUppercaseTextAfterAByteOrderMark) {
   const Soup soup = parse("m.stl",
                           "\xEF\xBB\xBFSOLID A\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\n"
                           "VERTEX 1 0 0\nVERTEX 0 1 0\nENDLOOP\nENDFACET\nENDSOLID A\n");
   EXPECT_EQ(soup.corners.size(), 3U);
 }
 
-TEST(StlRead, TextRefusals) {
+TEST(StlRead, RejectsInvalidText) {
   expect_refusal("m.stl", "solid\nendsolid\n", 0, "no facets");
   expect_refusal("m.stl", "solid\nfacet normal 0 0\nouter", 3, "not a number");
   expect_refusal("m.stl", "solid\n" + text_facet("vertex 0 0 0\nvertex 1 0 0\n"), 6, "\"vertex\"");
@@ -99,7 +99,7 @@ TEST(StlRead, TextRefusals) {
                  "ends too early");
 }
 
-TEST(OffRead, PolygonsCommentsAndCountsOnTheFirstLine) {
+TEST(OffRead, ReadsPolygonsCommentsAndCountsOnTheFirstLine) {
   for (const std::string start :
        {"OFF\n4 2 0\n", "OFF 4 2 5\n", "# c\nOFF # d\n\n4 2\n", "\xEF\xBB\xBFOFF\n4 2 0\n"}) {
     const Soup soup = parse(
@@ -110,7 +110,7 @@ TEST(OffRead, PolygonsCommentsAndCountsOnTheFirstLine) {
   }
 }
 
-TEST(OffRead, Attributes) {
+TEST(OffRead, ReadsAttributes) {
   const Soup soup =
       parse("m.off",
             "STCNOFF\n3 1 0\n0 0 0 0 0 1 255 0 10 1 0.5\n1 0 0 0 0 1 0.5 0 1 1 0 1\n0 1 0 0 0 1 "
@@ -123,7 +123,7 @@ TEST(OffRead, Attributes) {
   EXPECT_EQ(soup.attributes.texcoord[2], glm::vec2(0, 1));
 }
 
-TEST(OffRead, Refusals) {
+TEST(OffRead, RejectsInvalidFiles) {
   expect_refusal("m.off", "OF\n", 1, "begin with OFF");
   expect_refusal("m.off", "4OFF\n", 1, "three-dimensional");
   expect_refusal("m.off", "OFF BINARY\n", 1, "binary");

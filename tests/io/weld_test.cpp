@@ -9,7 +9,7 @@
 namespace mesher {
 namespace {
 
-TEST(Weld, NumbersInOrderOfFirstAppearance) {
+TEST(Weld, NumbersPointsInOrderOfFirstAppearance) {
   const std::vector<std::uint32_t> items = {5, 1, 7, 2, 5, 1, 0, 0, 7, 2, 5, 2};
   const Weld welded = weld(items.data(), 2, 6);
   EXPECT_EQ(std::vector<std::uint32_t>(welded.index.begin(), welded.index.end()),
@@ -18,11 +18,11 @@ TEST(Weld, NumbersInOrderOfFirstAppearance) {
             (std::vector<std::uint32_t>{0, 1, 3, 5}));
 }
 
-TEST(Weld, NothingGivesNothing) {
+TEST(Weld, EmptyInputGivesEmptyResult) {
   EXPECT_TRUE(weld(nullptr, 3, 0).first.empty());
 }
 
-TEST(Weld, LikeAMap) {
+TEST(Weld, AgreesWithAMap) {
   std::mt19937 random(1);
   for (const std::uint32_t range : {1U, 20U, 100000U}) {
     std::vector<std::uint32_t> items(30000);

@@ -9,7 +9,7 @@ namespace {
 
 using Copies = Array<BowTieCopy>;
 
-/// Three cubes that touch: vertex 0 has the copies 22 and 23.
+/// Three cubes that touch at one vertex: vertex 0 has the copies 22 and 23.
 Mesh three_cubes() {
   return built(bow_tie({cube(), cube(), cube()})).mesh;
 }
@@ -20,7 +20,7 @@ BowTieCopy copy(std::uint32_t v, std::uint32_t first) {
   return {Vertex(v), Vertex(first)};
 }
 
-TEST(BowTieFollower, BeginsWithTheCopiesOfTheMesh) {
+TEST(BowTieFollower, StartsWithTheCopiesOfTheMesh) {
   const BowTieFollower follower(three_cubes());
   EXPECT_FALSE(follower.is_empty());
   EXPECT_EQ(follower.after(), (Copies{copy(0, 0), copy(22, 0), copy(23, 0)}));
@@ -28,7 +28,7 @@ TEST(BowTieFollower, BeginsWithTheCopiesOfTheMesh) {
   EXPECT_TRUE(BowTieFollower(built(cube()).mesh).is_empty());
 }
 
-TEST(BowTieFollower, CopiesLiveOnInTheVertexThatTheyAreMergedInto) {
+TEST(BowTieFollower, MergedCopyKeepsItsEntryInTheRemainingVertex) {
   BowTieFollower follower(three_cubes());
   follower.merge(Vertex(0), Vertex(6), kMeetingPoint);
   follower.merge(Vertex(6), Vertex(5), kMeetingPoint);
@@ -38,12 +38,12 @@ TEST(BowTieFollower, CopiesLiveOnInTheVertexThatTheyAreMergedInto) {
   EXPECT_EQ(follower.before(), (Copies{copy(0, 0), copy(22, 0), copy(23, 0)}));
 }
 
-TEST(BowTieFollower, CopiesThatMoveAreLost) {
+TEST(BowTieFollower, MovedCopyIsRemoved) {
   BowTieFollower follower(three_cubes());
   follower.merge(Vertex(9), Vertex(22), {0, 0, 1});
   EXPECT_EQ(follower.after(), (Copies{copy(0, 0), copy(23, 0)}));
   EXPECT_EQ(follower.before(), (Copies{copy(0, 0), copy(23, 0)}));
-  // Back at the meeting point it is another vertex.
+  // Moving the vertex back to the meeting point does not restore its entry.
   follower.merge(Vertex(10), Vertex(22), kMeetingPoint);
   EXPECT_EQ(follower.after(), (Copies{copy(0, 0), copy(23, 0)}));
   follower.merge(Vertex(0), Vertex(6), {0, 0, 1});

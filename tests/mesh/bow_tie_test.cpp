@@ -11,13 +11,13 @@ BowTieCopy copy(std::uint32_t v, std::uint32_t first) {
   return {Vertex(v), Vertex(first)};
 }
 
-TEST(BowTieCopies, NormalizingSortsThemAndNamesTheLowestFirst) {
+TEST(BowTieCopies, NormalizeSortsAndNamesLowestVertexFirst) {
   Copies copies{copy(9, 4), copy(2, 7), copy(5, 4), copy(8, 7), copy(3, 4)};
   normalize(copies);
   EXPECT_EQ(copies, (Copies{copy(2, 2), copy(3, 3), copy(5, 3), copy(8, 2), copy(9, 3)}));
 }
 
-TEST(BowTieCopies, NormalizingDropsACopyThatIsTheOnlyOne) {
+TEST(BowTieCopies, NormalizeDropsSingleCopies) {
   Copies copies{copy(9, 4), copy(2, 7), copy(5, 4)};
   normalize(copies);
   EXPECT_EQ(copies, (Copies{copy(5, 5), copy(9, 5)}));
@@ -28,7 +28,7 @@ TEST(BowTieCopies, NormalizingDropsACopyThatIsTheOnlyOne) {
   EXPECT_TRUE(copies.empty());
 }
 
-TEST(BowTieCopies, RenamingFollowsIdsAndDropsVerticesWithoutOne) {
+TEST(BowTieCopies, RenameMapsIdsAndDropsUnmappedVertices) {
   const Copies copies{copy(0, 0), copy(1, 1), copy(5, 0), copy(6, 1), copy(7, 0)};
   const auto reversed = [](Vertex v) { return Vertex(10 - v.index()); };
   EXPECT_EQ(renamed(copies, reversed),

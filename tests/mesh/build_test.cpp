@@ -32,7 +32,7 @@ TEST(Build, CleanSoupKeepsItsOrder) {
   EXPECT_EQ(s.boundary_edges, 0U);
 }
 
-TEST(Build, EmptySoupIsAnEmptyMesh) {
+TEST(Build, EmptySoupGivesEmptyMesh) {
   const BuildResult r = built({});
   EXPECT_EQ(r.mesh.face_count(), 0U);
   EXPECT_EQ(r.mesh.vertex_count(), 0U);
@@ -47,7 +47,7 @@ TEST(Build, DropsDegenerateFaces) {
   EXPECT_EQ(r.mesh.face_count(), 4U);
 }
 
-TEST(Build, DropsDuplicateFacesWhicheverWayTheyRun) {
+TEST(Build, DropsDuplicateFacesOfEitherOrientation) {
   Soup soup = tetrahedron();
   for (const std::uint32_t v : {2U, 1U, 0U, 0U, 1U, 2U, 1U, 3U, 0U})
     soup.corners.push_back(v);
@@ -56,7 +56,7 @@ TEST(Build, DropsDuplicateFacesWhicheverWayTheyRun) {
   EXPECT_EQ(statistics(r.mesh).euler_characteristic, 2);
 }
 
-TEST(Build, ADuplicateOfALoneTriangleGoesToo) {
+TEST(Build, DropsDuplicateOfSingleTriangle) {
   const BuildResult r = built(soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2, 0, 2, 1}));
   expect_report(r.report, {{Repair::duplicate_faces_dropped, 1}});
   EXPECT_EQ(r.mesh.face_count(), 1U);
@@ -72,7 +72,7 @@ TEST(Build, DropsNonFiniteVerticesAndTheirFaces) {
   EXPECT_EQ(r.mesh.face_count(), 7U);
 }
 
-TEST(Build, IsolatedVerticesAreDroppedOrKeptOnRequest) {
+TEST(Build, DropsOrKeepsIsolatedVerticesOnRequest) {
   Soup soup = tetrahedron();
   soup.positions.insert(soup.positions.begin(), glm::vec3(9.0F));
   for (std::uint32_t& v : soup.corners)
@@ -87,7 +87,7 @@ TEST(Build, IsolatedVerticesAreDroppedOrKeptOnRequest) {
   EXPECT_TRUE(kept.mesh.is_isolated(Vertex(0)));
 }
 
-TEST(Build, TurnsTheMinorityOfFacesAround) {
+TEST(Build, FlipsTheMinorityOfFaces) {
   Soup soup = torus(12, 8);
   for (const std::uint32_t f : {3U, 17U, 18U, 100U}) {
     std::swap(soup.corners[3 * f + 1], soup.corners[3 * f + 2]);
@@ -100,7 +100,7 @@ TEST(Build, TurnsTheMinorityOfFacesAround) {
   EXPECT_GT(s.volume, 0.0);
 }
 
-TEST(Build, FlippingAFaceCarriesItsAttributes) {
+TEST(Build, FlippedFaceKeepsItsCornerAttributes) {
   Soup soup = tetrahedron();
   for (std::uint32_t i = 0; i < 12; ++i)
     soup.attributes.texcoord.push_back({float(i), 0.0F});
@@ -112,9 +112,9 @@ TEST(Build, FlippingAFaceCarriesItsAttributes) {
   EXPECT_EQ(r.attributes.texcoord[5].x, 4.0F);
 }
 
-TEST(Build, FlippingAFaceTurnsItsNormalsOnlyWhereTheyPointInward) {
+TEST(Build, FlippedFaceNegatesOnlyInwardNormals) {
   Soup wrong_winding = grid(2);
-  wrong_winding.attributes.normal.assign(24, glm::vec3(0, 0, 1));  // right already
+  wrong_winding.attributes.normal.assign(24, glm::vec3(0, 0, 1));  // already correct
   std::swap(wrong_winding.corners[4], wrong_winding.corners[5]);
   Soup turned_over = wrong_winding;
   for (std::size_t c = 3; c < 6; ++c)
@@ -135,7 +135,7 @@ Soup quads(Soup soup, std::initializer_list<std::uint32_t> corners) {
   return soup;
 }
 
-TEST(Build, ATwoSidedQuadIsADuplicateHoweverItIsWritten) {
+TEST(Build, TwoSidedQuadIsADuplicateInEveryCornerOrder) {
   for (const auto& second :
        {std::array<std::uint32_t, 4>{3, 2, 1, 0}, {1, 2, 3, 0}, {0, 3, 2, 1}}) {
     Soup soup = quads(grid(1), {0, 1, 3, 2, 0, 0, 0, 0});
@@ -149,7 +149,7 @@ TEST(Build, ATwoSidedQuadIsADuplicateHoweverItIsWritten) {
   }
 }
 
-TEST(Build, ACubeOfQuadsWithOneFaceTwiceStaysClosed) {
+TEST(Build, ClosedCubeWithDuplicateQuadStaysClosed) {
   const BuildResult r = built(quads(cube(), {0, 3, 2, 1, 4, 5, 6, 7, 0, 1, 5, 4, 1, 2,
                                              6, 5, 2, 3, 7, 6, 3, 0, 4, 7, 7, 6, 5, 4}));
   EXPECT_EQ(r.report[Repair::duplicate_faces_dropped], 1U);
@@ -159,9 +159,9 @@ TEST(Build, ACubeOfQuadsWithOneFaceTwiceStaysClosed) {
   EXPECT_NEAR(s.volume, 1.0, 1e-12);
 }
 
-// Two quads that share three vertices, the middle one of them in no other face: cut along the same
-// diagonal they would leave a triangle twice.
-TEST(Build, ACleanMeshOfQuadsStaysCleanWhateverItsDiagonals) {
+// Two quads share three vertices, and no other face uses the middle one. If both were split along
+// the same diagonal, they would leave a duplicate triangle.
+TEST(Build, CleanQuadMeshStaysCleanForAnyDiagonals) {
   Soup soup = quads(soup_of({{0, 0, 0}, {1, -.1F, 0}, {2, 0, 0}, {1, 3, 0}, {1, -3, 0}}, {}),
                     {0, 1, 2, 3, 2, 1, 0, 4});
   soup.attributes.texcoord.clear();
@@ -176,22 +176,22 @@ TEST(Build, ACleanMeshOfQuadsStaysCleanWhateverItsDiagonals) {
   }
 }
 
-TEST(Build, PolygonsOnTheSameCornersInAnotherOrderAreNotDuplicates) {
+TEST(Build, PolygonsWithSameCornersInDifferentOrderAreKept) {
   const BuildResult r = built(quads(cube(), {0, 1, 2, 3, 0, 2, 1, 3}));
   EXPECT_EQ(r.report[Repair::polygons_triangulated], 2U);
 }
 
-TEST(Build, AMoebiusStripIsCutAcross) {
+TEST(Build, CutsMoebiusStripOpen) {
   const BuildResult r = built(moebius(16));
   EXPECT_EQ(r.report[Repair::unorientable_edges_cut], 1U);
   EXPECT_EQ(r.mesh.face_count(), 32U);
   const Statistics s = statistics(r.mesh);
   EXPECT_EQ(s.boundary_loops, 1U);
   EXPECT_EQ(s.components, 1U);
-  EXPECT_EQ(s.euler_characteristic, 1);  // a plain band, cut open: a disc
+  EXPECT_EQ(s.euler_characteristic, 1);  // The strip is cut into a flat band, which is a disc.
 }
 
-TEST(Build, ThreePagesOnASpineComeApart) {
+TEST(Build, SplitsThreeFacesOnOneEdge) {
   const BuildResult r = built(soup_of({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}},
                                       {0, 1, 2, 1, 0, 3, 0, 1, 4}));
   EXPECT_EQ(r.report[Repair::non_manifold_edges_cut], 1U);
@@ -199,9 +199,9 @@ TEST(Build, ThreePagesOnASpineComeApart) {
   EXPECT_EQ(statistics(r.mesh).components, 2U);
 }
 
-TEST(Build, TwoCubesThatShareAnEdgeStayClosed) {
+TEST(Build, CubesSharingAnEdgeStayClosed) {
   Soup soup = join(cube(), cube(), {1.0F, 1.0F, 0.0F});
-  // The edge x = y = 1/2: vertices 2 and 6 of the first are 0 and 4 of the second.
+  // The shared edge is x = y = 1/2: vertices 2 and 6 of the first cube are 0 and 4 of the second.
   for (std::uint32_t& v : soup.corners)
     v = v == 8 ? 2 : v == 12 ? 6 : v;
   const BuildResult r = built(std::move(soup));
@@ -215,8 +215,8 @@ TEST(Build, TwoCubesThatShareAnEdgeStayClosed) {
   EXPECT_NEAR(s.volume, 2.0, 1e-9);
 }
 
-TEST(Build, SolidsThatShareAChainOfEdgesStayClosed) {
-  // Two boxes of 1 x 1 x 2 (each a prism of two layers) that touch along x = y = 1, z = 0..2.
+TEST(Build, SolidsSharingAChainOfEdgesStayClosed) {
+  // Two boxes of 1 x 1 x 2, each a prism of two layers, touch along x = y = 1, z = 0..2.
   const auto prism = [](glm::vec3 at) {
     Soup s;
     for (int z = 0; z < 3; ++z) {
@@ -250,7 +250,7 @@ TEST(Build, SolidsThatShareAChainOfEdgesStayClosed) {
   EXPECT_NEAR(s.volume, 4.0, 1e-9);
 }
 
-TEST(Build, AVertexBetweenTwoFansIsSplit) {
+TEST(Build, SplitsVertexBetweenTwoFans) {
   Soup soup = join(tetrahedron(), tetrahedron(), {1.0F, 0.0F, 0.0F});
   for (std::uint32_t& v : soup.corners)
     v = v == 4 ? 1 : v;
@@ -261,7 +261,7 @@ TEST(Build, AVertexBetweenTwoFansIsSplit) {
   EXPECT_EQ(r.vertex_source.back(), 1U);
 }
 
-TEST(Build, CreasesFollowTheirVerticesThroughEveryRepair) {
+TEST(Build, CreasesFollowTheirVerticesThroughRepairs) {
   Soup soup = join(cube(), cube(), {1.0F, 1.0F, 0.0F});
   for (std::uint32_t& v : soup.corners)
     v = v == 8 ? 2 : v == 12 ? 6 : v;
@@ -277,7 +277,7 @@ TEST(Build, CreasesFollowTheirVerticesThroughEveryRepair) {
     threes += s == 3.0F ? 1 : 0;
     twos += s == 2.0F ? 1 : 0;
   }
-  EXPECT_EQ(threes, 4U);  // the shared edge is now two edges
+  EXPECT_EQ(threes, 4U);  // the cut duplicates the shared edge
   EXPECT_EQ(twos, 2U);
 }
 
@@ -290,7 +290,7 @@ TEST(Build, CornerTagsBecomeVertexSharpness) {
   EXPECT_EQ(r.report[Repair::invalid_sharpness_ignored], 1U);
 }
 
-TEST(Build, RefusesWhatIsNotASoup) {
+TEST(Build, RejectsMalformedSoup) {
   EXPECT_THROW((void)build_mesh(soup_of({{0, 0, 0}}, {0, 0, 1})), InputError);
   EXPECT_THROW((void)build_mesh(soup_of({{0, 0, 0}}, {0, 0})), InputError);
   Soup gap = tetrahedron();
@@ -301,13 +301,13 @@ TEST(Build, RefusesWhatIsNotASoup) {
   EXPECT_THROW((void)build_mesh(std::move(attributes)), InputError);
 }
 
-TEST(Build, StopsWhenCancelled) {
+TEST(Build, StopsWhenCanceled) {
   Progress progress;
   progress.cancel();
   EXPECT_THROW((void)build_mesh(tetrahedron(), {.progress = &progress}), Cancelled);
 }
 
-TEST(Build, ALargeFanOfFacesOnOneEdgeTakesNoQuadraticTime) {
+TEST(Build, ManyFacesOnOneEdgeTakeLinearTime) {
   Soup soup;
   soup.positions = {{0, 0, 0}, {0, 0, 1}};
   for (std::uint32_t i = 0; i < 200'000; ++i) {
@@ -335,9 +335,9 @@ Soup random_soup(std::uint32_t seed, std::uint32_t vertices, std::uint32_t faces
   return soup;
 }
 
-// Few vertices and many random faces: crowded edges, pinched vertices, one-sided pieces and
-// duplicates all at once.
-TEST(Build, AnyRandomSoupBecomesAManifold) {
+// Few vertices and many random faces give non-manifold edges, pinched vertices, unorientable parts
+// and duplicates all at once.
+TEST(Build, RandomSoupBecomesManifold) {
   for (std::uint32_t seed = 0; seed < 3000; ++seed) {
     const std::uint32_t vertices = 4 + seed % 13;
     const BuildResult r = built(random_soup(seed, vertices, 1 + seed % 60));
@@ -348,7 +348,7 @@ TEST(Build, AnyRandomSoupBecomesAManifold) {
   }
 }
 
-TEST(Build, AnyRandomSoupOfPolygonsBecomesAManifold) {
+TEST(Build, RandomPolygonSoupBecomesManifold) {
   for (std::uint32_t seed = 0; seed < 2000; ++seed) {
     Soup soup = random_soup(seed, 4 + seed % 17, 1 + seed % 50);
     for (std::uint32_t at = 0, k = seed; at <= soup.corners.size(); at += 2 + k++ % 6) {
@@ -361,7 +361,7 @@ TEST(Build, AnyRandomSoupOfPolygonsBecomesAManifold) {
   }
 }
 
-TEST(Build, TheSameBytesForAnyNumberOfThreads) {
+TEST(Build, SameBytesForAnyThreadCount) {
   const auto bytes_of = [](const BuildResult& r) {
     std::vector<std::uint32_t> bytes;
     for (const Vertex v : r.mesh.origins())

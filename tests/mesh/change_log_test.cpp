@@ -7,7 +7,7 @@ namespace {
 
 using Ranges = std::vector<ChangedRange>;
 
-TEST(ChangeLog, JoinsRangesThatFollowOrRepeat) {
+TEST(ChangeLog, JoinsAdjacentAndRepeatedRanges) {
   ChangeLog log;
   EXPECT_TRUE(log.is_empty());
   for (const std::uint32_t i : {5U, 6U, 6U, 7U})
@@ -17,7 +17,7 @@ TEST(ChangeLog, JoinsRangesThatFollowOrRepeat) {
   EXPECT_FALSE(log.is_empty());
 }
 
-TEST(ChangeLog, MergedIsSortedAndDisjoint) {
+TEST(ChangeLog, MergedRangesAreSortedAndDisjoint) {
   ChangeLog log;
   log.note(GpuArray::position, 20, 5);
   log.note(GpuArray::position, 3);
@@ -27,7 +27,7 @@ TEST(ChangeLog, MergedIsSortedAndDisjoint) {
   EXPECT_EQ(log.merged(GpuArray::position, 1), (Ranges{{3, 6}, {20, 32}}));
 }
 
-TEST(ChangeLog, RangesEndWhereTheArrayEnds) {
+TEST(ChangeLog, ClipsRangesToArraySize) {
   ChangeLog log;
   log.note(GpuArray::origin, 3, 9);
   log.note(GpuArray::origin, 20, 2);
@@ -37,13 +37,13 @@ TEST(ChangeLog, RangesEndWhereTheArrayEnds) {
   EXPECT_TRUE(log.merged(GpuArray::origin, 0, 3).empty());
 }
 
-TEST(ChangeLog, NotingNothingChangesNothing) {
+TEST(ChangeLog, EmptyRangeIsIgnored) {
   ChangeLog log;
   log.note(GpuArray::origin, 7, 0);
   EXPECT_TRUE(log.is_empty());
 }
 
-TEST(ChangeLog, PastTheLimitTheArrayCountsAsWhole) {
+TEST(ChangeLog, TooManyRangesMarkTheWholeArray) {
   ChangeLog log;
   for (std::uint32_t i = 0; i < ChangeLog::kMaxRanges; ++i)
     log.note(GpuArray::origin, 3 * i);

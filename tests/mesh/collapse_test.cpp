@@ -11,8 +11,8 @@
 namespace mesher::test {
 namespace {
 
-/// The oracle: collapses in the plain list of triangles, knowing nothing of half-edges, and asks
-/// whether a clean manifold of the same topology comes out.
+/// The oracle collapses in a plain list of triangles, without half-edges, and returns whether the
+/// result is a clean manifold of the same topology.
 bool may_collapse(const Mesh& mesh, Halfedge h) {
   Soup soup;
   soup.positions.assign(mesh.positions().begin(), mesh.positions().end());
@@ -43,7 +43,7 @@ void expect_agrees_with_oracle(const Mesh& mesh) {
   }
 }
 
-TEST(CheckCollapse, AgreesWithTheOracleOnEveryEdgeOfManyMeshes) {
+TEST(CheckCollapse, AgreesWithOracleOnEveryEdgeOfManyMeshes) {
   for (const Soup& soup : {tetrahedron(), cube(), grid(1), grid(2), grid(4), torus(3, 3),
                            torus(5, 4), moebius(5), join(cube(), grid(2), {3, 0, 0})}) {
     expect_agrees_with_oracle(built(Soup(soup)).mesh);
@@ -53,7 +53,7 @@ TEST(CheckCollapse, AgreesWithTheOracleOnEveryEdgeOfManyMeshes) {
   }
 }
 
-TEST(CheckCollapse, NamesItsReasons) {
+TEST(CheckCollapse, ReportsTheReasonForEachRejection) {
   const Mesh tetra = built(tetrahedron()).mesh;
   EXPECT_EQ(check_collapse(tetra, Halfedge(0)).verdict, CollapseVerdict::tetrahedron);
   const Mesh triangle = built(soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2})).mesh;
@@ -62,14 +62,14 @@ TEST(CheckCollapse, NamesItsReasons) {
   const CollapseCheck across = check_collapse(square, square.find_halfedge(Vertex(0), Vertex(3)));
   EXPECT_EQ(across.verdict, CollapseVerdict::pinches_boundary);
   EXPECT_TRUE(across.blamed.is_valid());
-  const Mesh ring = built(torus(3, 8)).mesh;  // three around: each triple of vertices is a loop
+  const Mesh ring = built(torus(3, 8)).mesh;  // three around: each ring of three vertices is a loop
   const CollapseCheck around = check_collapse(ring, ring.find_halfedge(Vertex(0), Vertex(8)));
   EXPECT_EQ(around.verdict, CollapseVerdict::link_condition);
   EXPECT_EQ(around.blamed, Vertex(16));
   EXPECT_EQ(describe(CollapseVerdict::link_condition), "link condition");
 }
 
-/// Collapses random edges to the last legal one, checking all there is to check after each.
+/// Collapses random edges until none is legal and checks all invariants after each collapse.
 void collapse_to_the_end(Mesh mesh, std::uint32_t seed) {
   std::mt19937 random(seed);
   const Topology before = topology(mesh);
@@ -95,7 +95,7 @@ void collapse_to_the_end(Mesh mesh, std::uint32_t seed) {
   }
 }
 
-TEST(Collapse, KeepsEveryInvariantAndTheTopologyToTheLastEdge) {
+TEST(Collapse, KeepsInvariantsAndTopologyUntilTheLastEdge) {
   std::uint32_t seed = 0;
   for (const Soup& soup :
        {cube(), grid(5), torus(9, 7), moebius(12), join(torus(6, 5), grid(3), {9, 0, 0}),
@@ -108,7 +108,7 @@ TEST(Collapse, KeepsEveryInvariantAndTheTopologyToTheLastEdge) {
   }
 }
 
-TEST(Collapse, BowTieCopiesStayWhileTheyDoNotMove) {
+TEST(Collapse, KeepsBowTieCopiesThatDoNotMove) {
   using Copies = Array<BowTieCopy>;
   const auto copies = [](const Mesh& m) {
     return Copies(m.bow_tie_copies().begin(), m.bow_tie_copies().end());
@@ -121,10 +121,10 @@ TEST(Collapse, BowTieCopiesStayWhileTheyDoNotMove) {
   };
   const Mesh two = built(bow_tie({cube(), cube()})).mesh;
   ASSERT_EQ(copies(two), (Copies{{Vertex(0), Vertex(0)}, {Vertex(15), Vertex(0)}}));
-  Mesh mesh = two;  // a neighbor is removed; the last vertex, a copy, moves into its slot
+  Mesh mesh = two;  // a neighbor is removed, and the last vertex, a copy, moves into its slot
   collapse_at(mesh, 4, 0, {0, 0, 0});
   EXPECT_EQ(copies(mesh), (Copies{{Vertex(0), Vertex(0)}, {Vertex(4), Vertex(0)}}));
-  mesh = two;  // the copy itself is removed, and its neighbor goes where it was
+  mesh = two;  // the copy is removed, and its neighbor takes its position
   collapse_at(mesh, 0, 4, {0, 0, 0});
   EXPECT_EQ(copies(mesh), (Copies{{Vertex(0), Vertex(0)}, {Vertex(4), Vertex(0)}}));
   mesh = two;
@@ -135,7 +135,7 @@ TEST(Collapse, BowTieCopiesStayWhileTheyDoNotMove) {
   EXPECT_TRUE(copies(mesh).empty());
 }
 
-TEST(Collapse, AClosedSurfaceEndsAsATetrahedron) {
+TEST(Collapse, ClosedSurfaceEndsAsTetrahedron) {
   Mesh mesh = built(cube()).mesh;
   for (bool goes_on = true; goes_on;) {
     goes_on = false;
@@ -148,7 +148,7 @@ TEST(Collapse, AClosedSurfaceEndsAsATetrahedron) {
   EXPECT_EQ(mesh.face_count(), 4U);
 }
 
-TEST(Collapse, NotesEveryArrayElementThatDiffers) {
+TEST(Collapse, LogsEveryChangedArrayElement) {
   Mesh mesh = built(torus(8, 6)).mesh;
   std::mt19937 random(4);
   for (int step = 0; step < 30; ++step) {
@@ -178,9 +178,9 @@ TEST(Collapse, NotesEveryArrayElementThatDiffers) {
   }
 }
 
-TEST(Collapse, CreasesGoOnAndTheSharperOneWins) {
+TEST(Collapse, CreaseContinuesAndLargerSharpnessWins) {
   Mesh mesh = built(grid(4)).mesh;
-  // A crease along the row y = 2; one of its edges is collapsed into the next.
+  // A crease runs along the row y = 2. One of its edges is collapsed into the next.
   for (std::uint32_t x = 0; x < 4; ++x) {
     mesh.set_sharpness(mesh.find_edge(Vertex(10 + x), Vertex(11 + x)), 2.0F);
   }
@@ -190,10 +190,10 @@ TEST(Collapse, CreasesGoOnAndTheSharperOneWins) {
   std::size_t creases = 0;
   for (const float s : mesh.sharpnesses())
     creases += s == 2.0F ? 1 : 0;
-  EXPECT_EQ(creases, 6U);  // three edges of the row are left
+  EXPECT_EQ(creases, 6U);  // three edges of the row remain
 }
 
-TEST(Collapse, ReportsWhereIdsWent) {
+TEST(Collapse, ReportsMovedIds) {
   Mesh mesh = built(torus(8, 6)).mesh;
   const std::uint32_t last_vertex = mesh.vertex_count() - 1;
   const glm::vec3 last_position = mesh.position(Vertex(last_vertex));
@@ -205,8 +205,8 @@ TEST(Collapse, ReportsWhereIdsWent) {
   EXPECT_EQ(result.removed_faces, 2U);
 }
 
-TEST(Collapse, AHubOfManySpokesIsNotWalkedForEach) {
-  // A fan of 100,000 faces: checking every rim edge must not walk the hub's ring each time.
+TEST(Collapse, HubIsNotWalkedForEachSpoke) {
+  // A fan of 100,000 faces: checking a rim edge must not walk the ring of the hub each time.
   Soup soup;
   soup.positions.push_back({0, 0, 0});
   constexpr std::uint32_t kSpokes = 100'000;

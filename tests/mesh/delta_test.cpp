@@ -40,7 +40,7 @@ bool is_noted(const Mesh& mesh, GpuArray array, std::uint32_t i) {
   return false;
 }
 
-/// Every element of `now` that is not as in `before` is in the log of `now`.
+/// Expects that the log of `now` has every element that differs from `before`.
 void expect_noted(const Mesh& now, const Mesh& before) {
   for (std::uint32_t v = 0; v < now.vertex_count(); ++v) {
     if (v < before.vertex_count() && now.position(Vertex(v)) == before.position(Vertex(v)))
@@ -77,7 +77,7 @@ Mesh creased_mesh() {
   return mesh;
 }
 
-/// There and back, each time with the validator and a look at the log.
+/// Applies the delta back and forth, and checks validity and the log each time.
 void expect_round_trip(const Mesh& before, const Mesh& after) {
   const MeshDelta delta = difference(before, after);
   Mesh mesh = before;
@@ -93,7 +93,7 @@ void expect_round_trip(const Mesh& before, const Mesh& after) {
   test::expect_valid(mesh);
 }
 
-TEST(MeshDelta, OfTheSameMeshIsEmpty) {
+TEST(MeshDelta, DifferenceOfEqualMeshesIsEmpty) {
   const Mesh mesh = creased_mesh();
   const MeshDelta nothing = difference(mesh, mesh);
   EXPECT_TRUE(nothing.is_empty());
@@ -104,7 +104,7 @@ TEST(MeshDelta, OfTheSameMeshIsEmpty) {
   EXPECT_TRUE(MeshDelta().is_empty());
 }
 
-TEST(MeshDelta, GoesBackAndForthOverRandomCollapses) {
+TEST(MeshDelta, RoundTripsOverRandomCollapses) {
   std::mt19937 random(11);
   Mesh mesh = creased_mesh();
   for (const int count : {1, 1, 2, 5, 20, 60}) {
@@ -114,7 +114,7 @@ TEST(MeshDelta, GoesBackAndForthOverRandomCollapses) {
   }
 }
 
-TEST(MeshDelta, BowTieCopiesComeBack) {
+TEST(MeshDelta, RestoresBowTieCopies) {
   Mesh mesh = build_mesh(test::bow_tie({test::torus(12, 9), test::grid(6), test::cube()})).mesh;
   ASSERT_EQ(mesh.bow_tie_copies().size(), 3U);
   std::mt19937 random(13);
@@ -133,7 +133,7 @@ TEST(MeshDelta, BowTieCopiesComeBack) {
   EXPECT_GT(delta.memory_bytes(), 0U);
 }
 
-TEST(MeshDelta, AStackOfThemRestoresEveryState) {
+TEST(MeshDelta, StackOfDeltasRestoresEveryState) {
   std::mt19937 random(12);
   Mesh mesh = creased_mesh();
   std::vector<Mesh> states{mesh};
@@ -153,7 +153,7 @@ TEST(MeshDelta, AStackOfThemRestoresEveryState) {
   }
 }
 
-TEST(MeshDelta, ReplacesAWholeMeshByAnother) {
+TEST(MeshDelta, ReplacesAWholeMesh) {
   const Mesh small = build_mesh(test::cube()).mesh;
   const Mesh large = creased_mesh();
   expect_round_trip(small, large);
@@ -161,7 +161,7 @@ TEST(MeshDelta, ReplacesAWholeMeshByAnother) {
   expect_round_trip(Mesh(), large);
 }
 
-TEST(MeshDelta, ComparesPositionsBitByBit) {
+TEST(MeshDelta, ComparesPositionsBitwise) {
   Mesh mesh = build_mesh(test::cube()).mesh;
   mesh.set_position(Vertex(0), {0.0F, -0.5F, -0.5F});
   const Mesh before = mesh;
@@ -170,7 +170,7 @@ TEST(MeshDelta, ComparesPositionsBitByBit) {
   expect_round_trip(before, mesh);
 }
 
-TEST(MeshDelta, IsSmallWhereLittleDiffers) {
+TEST(MeshDelta, IsSmallForSmallChanges) {
   std::mt19937 random(13);
   Mesh mesh = build_mesh(test::torus(100, 100)).mesh;
   const Mesh before = mesh;
@@ -179,7 +179,7 @@ TEST(MeshDelta, IsSmallWhereLittleDiffers) {
   EXPECT_GT(mesh.memory_bytes(), 800'000U);
 }
 
-TEST(MeshDelta, IsTheSameOnAnyNumberOfThreads) {
+TEST(MeshDelta, SameForAnyThreadCount) {
   std::mt19937 random(14);
   Mesh mesh = build_mesh(test::torus(400, 300)).mesh;
   const Mesh before = mesh;
@@ -190,7 +190,7 @@ TEST(MeshDelta, IsTheSameOnAnyNumberOfThreads) {
   expect_round_trip(before, mesh);
 }
 
-TEST(MeshDelta, NotesAVertexThatLosesItsFaces) {
+TEST(MeshDelta, LogsAVertexThatLosesItsFaces) {
   const Mesh with_face = build_mesh(test::soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2}),
                                     {.keep_isolated_vertices = true})
                              .mesh;
@@ -204,7 +204,7 @@ TEST(MeshDelta, NotesAVertexThatLosesItsFaces) {
   expect_same_arrays(mesh, without);
 }
 
-TEST(MeshDelta, WantOfMemoryChangesNothing) {
+TEST(MeshDelta, OutOfMemoryLeavesMeshUnchanged) {
   const Mesh small = creased_mesh();
   const Mesh large = build_mesh(test::torus(500, 400)).mesh;  // arrays of 2.4 and 4.8 MB
   const MeshDelta delta = difference(small, large);
@@ -227,7 +227,7 @@ TEST(MeshDelta, WantOfMemoryChangesNothing) {
   EXPECT_GT(failures, 5);
 }
 
-TEST(AttributesDelta, WantOfMemoryChangesNothing) {
+TEST(AttributesDelta, OutOfMemoryLeavesAttributesUnchanged) {
   Attributes small;
   small.texcoord.assign(30, {0.5F, 0.5F});
   small.color.assign(30, {1, 2, 3, 4});
@@ -252,7 +252,7 @@ TEST(AttributesDelta, WantOfMemoryChangesNothing) {
   EXPECT_GT(failures, 3);
 }
 
-TEST(AttributesDelta, GoesBackAndForth) {
+TEST(AttributesDelta, RoundTrips) {
   Attributes before;
   before.texcoord.assign(30, {0.5F, 0.5F});
   before.color.assign(30, {1, 2, 3, 4});

@@ -24,7 +24,7 @@ Array<Vertex> origins(const Corners& corners) {
   return result;
 }
 
-/// What match_edges promises, from a map of edges.
+/// The expected result of match_edges, computed with a map of edges.
 EdgeMatching by_map(const Corners& corners) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> edges;
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> faces;
@@ -62,7 +62,7 @@ void expect_as_by_map(const Corners& corners, std::uint32_t vertices) {
   EXPECT_EQ(matching.duplicate_faces, expected.duplicate_faces);
 }
 
-/// `n` faces around vertex 0, which is the lower end of 2 n half-edges' edges; its rim is closed.
+/// `n` faces around vertex 0, the lower end of the edges of 2 n half-edges. The rim is closed.
 Corners wheel(std::uint32_t n) {
   Corners corners;
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -72,17 +72,17 @@ Corners wheel(std::uint32_t n) {
   return corners;
 }
 
-TEST(EdgeMatching, WheelsOfAnySizeCloseAroundTheHub) {
+TEST(EdgeMatching, WheelOfAnySizeClosesAroundItsHub) {
   for (std::uint32_t n = 3; n <= 40; ++n) {
     const Corners corners = wheel(n);
     expect_as_by_map(corners, n + 1);
     const EdgeMatching matching = match_edges(origins(corners), n + 1);
     EXPECT_TRUE(matching.twin[0].is_valid()) << n;
-    EXPECT_FALSE(matching.twin[1].is_valid()) << n;  // the rim
+    EXPECT_FALSE(matching.twin[1].is_valid()) << n;  // a rim edge
   }
 }
 
-TEST(EdgeMatching, OpenFansHaveTwoHalfEdgesAlone) {
+TEST(EdgeMatching, OpenFanHasTwoUnmatchedHalfEdges) {
   for (std::uint32_t n = 2; n <= 40; ++n) {
     Corners corners = wheel(n + 1);
     corners.resize(corners.size() - 3);
@@ -90,7 +90,7 @@ TEST(EdgeMatching, OpenFansHaveTwoHalfEdgesAlone) {
   }
 }
 
-TEST(EdgeMatching, AFaceTheWrongWayRoundDisagreesAtEachOfItsEdges) {
+TEST(EdgeMatching, FlippedFaceDisagreesAtEachOfItsEdges) {
   for (std::uint32_t n = 3; n <= 20; ++n) {
     Corners corners = wheel(n);
     std::swap(corners[3], corners[4]);
@@ -99,11 +99,11 @@ TEST(EdgeMatching, AFaceTheWrongWayRoundDisagreesAtEachOfItsEdges) {
   }
 }
 
-TEST(EdgeMatching, TheSameFaceTwiceIsFoundBesideAnyNumberOfOthers) {
+TEST(EdgeMatching, FindsDuplicateFaceAmongAnyNumberOfOthers) {
   for (std::uint32_t n = 1; n <= 20; ++n) {
     Corners corners = wheel(n + 2);
     corners.resize(3 * n);
-    // Once more, turned around and rotated: two faces of the same edges are no pair.
+    // The duplicate is reversed and rotated. Two faces on the same edges are not a pair.
     for (const std::uint32_t v : {corners[2], corners[1], corners[0]})
       corners.push_back(v);
     expect_as_by_map(corners, n + 3);
@@ -111,7 +111,7 @@ TEST(EdgeMatching, TheSameFaceTwiceIsFoundBesideAnyNumberOfOthers) {
   }
 }
 
-TEST(EdgeMatching, AThirdFaceMakesACrowd) {
+TEST(EdgeMatching, ThirdFaceMakesTheEdgeNonManifold) {
   for (std::uint32_t n = 3; n <= 20; ++n) {
     Corners corners = wheel(n);
     for (const std::uint32_t v : {1U, 0U, n + 1})
@@ -121,7 +121,7 @@ TEST(EdgeMatching, AThirdFaceMakesACrowd) {
   }
 }
 
-TEST(EdgeMatching, AgreesWithAMapOverRandomFaces) {
+TEST(EdgeMatching, AgreesWithMapOnRandomFaces) {
   std::mt19937 random(5);
   for (int round = 0; round < 2000; ++round) {
     const auto vertices = static_cast<std::uint32_t>(3 + random() % 20);
@@ -138,7 +138,7 @@ TEST(EdgeMatching, AgreesWithAMapOverRandomFaces) {
   }
 }
 
-TEST(EdgeMatching, TheSameForAnyNumberOfThreads) {
+TEST(EdgeMatching, SameForAnyThreadCount) {
   constexpr std::uint32_t kWheels = 10'000;  // several chunks of vertices
   Corners corners;
   for (std::uint32_t i = 0; i < kWheels; ++i) {

@@ -16,8 +16,8 @@ const glm::vec3 kX(1, 0, 0);
 const glm::vec3 kY(0, 1, 0);
 const glm::vec3 kZ(0, 0, 1);
 
-/// A vertex at 0 that splits three times: split 0 moves it to (1, 0, 0); 1 is of another vertex; 2
-/// makes a child of it at (1, 1, 0) and leaves the parent where it is.
+/// A vertex at 0 that splits three times. Split 0 moves it to (1, 0, 0). Split 1 belongs to another
+/// vertex. Split 2 creates its child at (1, 1, 0) and does not move the parent.
 std::array<SplitMorph, 3> three_splits() {
   const std::uint32_t x = encode_normal(kX);
   const std::uint32_t y = encode_normal(kY);
@@ -29,7 +29,7 @@ std::array<SplitMorph, 3> three_splits() {
 constexpr std::uint32_t kParentHead = 2 * 2;
 constexpr std::uint32_t kChildHead = 2 * 2 + 1;
 
-TEST(Geomorph, DoneIsTheMeshAsItIs) {
+TEST(Geomorph, DoneTimeReturnsTheMeshUnchanged) {
   const auto splits = three_splits();
   const glm::vec3 p(1, 1, 0);
   EXPECT_EQ(morphed_position(p, kChildHead, splits, GeomorphTime::done()), p);
@@ -37,7 +37,7 @@ TEST(Geomorph, DoneIsTheMeshAsItIs) {
   EXPECT_EQ(growth(GeomorphTime::done(), 5), 1.0F);
 }
 
-TEST(Geomorph, BetweenLevelsEverythingGrowsAlike) {
+TEST(Geomorph, AllSplitsBetweenTwoLevelsGrowEqually) {
   const auto splits = three_splits();
   for (const float alpha : {0.0F, 0.25F, 0.5F, 1.0F}) {
     const GeomorphTime time = GeomorphTime::between(0, alpha);
@@ -48,22 +48,22 @@ TEST(Geomorph, BetweenLevelsEverythingGrowsAlike) {
   }
 }
 
-TEST(Geomorph, SplitsBeforeTheFirstAreDone) {
+TEST(Geomorph, SplitsBeforeTheFirstGrowingOneAreDone) {
   const auto splits = three_splits();
   const GeomorphTime time = GeomorphTime::between(1, 0.0F);
   EXPECT_EQ(growth(time, 0), 1.0F);
   EXPECT_EQ(morphed_position({1, 1, 0}, kChildHead, splits, time), kX)
-      << "a child starts where its parent is";
+      << "a child starts at its parent";
 }
 
-TEST(Geomorph, AVertexWithoutSplitsStays) {
+TEST(Geomorph, VertexWithoutSplitsDoesNotMove) {
   EXPECT_EQ(morphed_position(kY, kNoHead, three_splits(), GeomorphTime::between(0, 0.0F)), kY);
   EXPECT_EQ(
       morphed_normal(encode_normal(kY), kNoHead, three_splits(), GeomorphTime::between(0, 0.0F)),
       kY);
 }
 
-TEST(Geomorph, NormalsGrowAndStayUnit) {
+TEST(Geomorph, NormalsInterpolateAndStayUnitLength) {
   const auto splits = three_splits();
   const std::uint32_t y = encode_normal(kY);
   EXPECT_EQ(morphed_normal(y, kChildHead, splits, GeomorphTime::between(0, 0.0F)), kZ);
@@ -72,13 +72,13 @@ TEST(Geomorph, NormalsGrowAndStayUnit) {
   EXPECT_NEAR(glm::length(half - glm::normalize(kX + kY)), 0.0F, 1e-6F);
 }
 
-TEST(Geomorph, OppositeNormalsHalfwayKeepTheFineOne) {
+TEST(Geomorph, OppositeNormalsKeepTheFineNormalHalfway) {
   const std::array<SplitMorph, 1> splits{
       {{kX, kNoHead, kX, encode_normal(-kZ), encode_normal(kZ), encode_normal(kZ)}}};
   EXPECT_EQ(morphed_normal(encode_normal(kZ), 0, splits, GeomorphTime::between(0, 0.5F)), kZ);
 }
 
-TEST(Geomorph, ContinuousTimeGrowsEachSplitOverTheWindow) {
+TEST(Geomorph, ContinuousTimeGrowsEachSplitOverTheGeomorphRange) {
   constexpr std::uint32_t kSplits = 1000;
   for (const double range : {1.0, 0.3, 7.0, 100.0, 333.3}) {
     for (double time = 0.0; time < kSplits + range + 5; time += 0.37) {
@@ -94,7 +94,7 @@ TEST(Geomorph, ContinuousTimeGrowsEachSplitOverTheWindow) {
   }
 }
 
-TEST(Geomorph, ContinuousTimeBeginsWithNothingAndEndsWithAll) {
+TEST(Geomorph, ContinuousTimeStartsWithNoSplitsAndEndsWithAll) {
   const GeomorphTime begin = GeomorphTime::continuous(0.0, 50.0);
   EXPECT_EQ(begin.first_growing, 0U);
   EXPECT_EQ(growth(begin, 0), 0.0F);
@@ -105,8 +105,8 @@ TEST(Geomorph, ContinuousTimeBeginsWithNothingAndEndsWithAll) {
   EXPECT_EQ(growth(late, 1'000'000'000U), 1.0F);
 }
 
-TEST(Geomorph, TimeStaysFineAmongAGreatManySplits) {
-  // A float of 100 million has steps of 8; that of the difference is what counts.
+TEST(Geomorph, ContinuousTimeIsPreciseForMillionsOfSplits) {
+  // Near 100 million the spacing of floats is 8. The difference has to be exact, not the time.
   const double base = 100'000'000.0;
   float before = 0.0F;
   for (int step = 1; step <= 100; ++step) {

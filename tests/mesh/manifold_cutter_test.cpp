@@ -1,4 +1,4 @@
-// Which vertices are bow ties. What else the cutter does is tested with building.
+// Tests which vertices are bow ties. The build tests cover the rest of the cutter.
 #include "engine/mesh/manifold_cutter.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ Copies copies_of(const Mesh& mesh) {
   return {mesh.bow_tie_copies().begin(), mesh.bow_tie_copies().end()};
 }
 
-/// The list for one bow-tie vertex.
+/// The list of copies of one bow-tie vertex.
 Copies copies(std::initializer_list<std::uint32_t> vertices) {
   Copies all;
   for (const std::uint32_t v : vertices)
@@ -27,7 +27,7 @@ Copies copies(std::initializer_list<std::uint32_t> vertices) {
   return all;
 }
 
-TEST(BuildBowTies, CopiesOfAVertexBetweenClosedOrOpenFansAreListed) {
+TEST(BuildBowTies, ListsCopiesBetweenClosedOrOpenFans) {
   EXPECT_EQ(copies_of(built(bow_tie({tetrahedron(), tetrahedron()})).mesh), copies({0, 7}));
   EXPECT_EQ(copies_of(built(bow_tie({cube(), grid(2), cube()})).mesh), copies({0, 23, 24}));
   EXPECT_EQ(copies_of(built(bow_tie({grid(1), grid(1), grid(1), grid(1)})).mesh),
@@ -53,8 +53,8 @@ TEST(BuildBowTies, VerticesOfCutEdgesAreNotListed) {
   }
 }
 
-TEST(BuildBowTies, AFanThatTouchesACutEdgePinsAllCopiesOfTheVertex) {
-  // Two cubes share an edge from vertex 2 to 6; a tetrahedron touches it at vertex 2.
+TEST(BuildBowTies, FanAtACutEdgePinsAllCopiesOfItsVertex) {
+  // Two cubes share an edge from vertex 2 to 6. A tetrahedron touches it at vertex 2.
   Soup soup = join(join(cube(), cube(), {1.0F, 1.0F, 0.0F}), tetrahedron(), {0.5F, 0.5F, -3.0F});
   for (std::uint32_t& v : soup.corners)
     v = v == 8 || v == 16 ? 2 : v == 12 ? 6 : v;
@@ -67,8 +67,8 @@ TEST(BuildBowTies, AFanThatTouchesACutEdgePinsAllCopiesOfTheVertex) {
   }
 }
 
-/// Whether fans at one vertex of the input are joined by edges of the input, found by comparing all
-/// faces with each other: the vertices whose fans are not.
+/// Returns the vertices whose fans are not joined by edges of the input, by comparing all faces
+/// with each other.
 std::set<std::uint32_t> bow_ties_by_brute_force(const BuildResult& r) {
   const Mesh& mesh = r.mesh;
   const auto source = [&](std::uint32_t h) {
@@ -100,7 +100,7 @@ std::set<std::uint32_t> bow_ties_by_brute_force(const BuildResult& r) {
   return found;
 }
 
-TEST(BuildBowTies, ListsAgreeWithBruteForceOnRandomSoups) {
+TEST(BuildBowTies, AgreesWithBruteForceOnRandomSoups) {
   std::size_t with_bow_ties = 0;
   std::size_t with_other_copies = 0;
   for (std::uint32_t seed = 0; seed < 2000; ++seed) {

@@ -36,7 +36,7 @@ TEST(Mesh, NextPreviousAndFaceAreArithmetic) {
   }
 }
 
-TEST(Mesh, TheOriginArrayIsAnIndexBuffer) {
+TEST(Mesh, OriginArrayIsAnIndexBuffer) {
   const Soup soup = cube();
   const Mesh mesh = built(cube()).mesh;
   ASSERT_EQ(mesh.origins().size_bytes(), soup.corners.size() * sizeof(std::uint32_t));
@@ -45,7 +45,7 @@ TEST(Mesh, TheOriginArrayIsAnIndexBuffer) {
   EXPECT_EQ(mesh.positions().size_bytes(), soup.positions.size() * 12);
 }
 
-TEST(Mesh, ASweepAroundAClosedVertexMeetsEachNeighbourOnce) {
+TEST(Mesh, RingOfInteriorVertexHasEachNeighborOnce) {
   const Mesh mesh = built(torus(9, 7)).mesh;
   for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i) {
     const auto ring = listed(vertices_around(mesh, Vertex(i)));
@@ -57,14 +57,14 @@ TEST(Mesh, ASweepAroundAClosedVertexMeetsEachNeighbourOnce) {
   }
 }
 
-TEST(Mesh, ASweepAroundABoundaryVertexHasOneNeighbourMoreThanFaces) {
+TEST(Mesh, RingOfBoundaryVertexHasOneNeighborMoreThanFaces) {
   const Mesh mesh = built(grid(3)).mesh;
   const Vertex corner(0);  // two faces
   EXPECT_TRUE(mesh.is_boundary(corner));
   EXPECT_EQ(listed(faces_around(mesh, corner)).size(), 2U);
   EXPECT_EQ(listed(halfedges_around(mesh, corner)).size(), 2U);
   const auto ring = listed(vertices_around(mesh, corner));
-  EXPECT_EQ(ring, (std::vector<Vertex>{Vertex(1), Vertex(5), Vertex(4)}));  // counter-clockwise
+  EXPECT_EQ(ring, (std::vector<Vertex>{Vertex(1), Vertex(5), Vertex(4)}));  // counterclockwise
   EXPECT_EQ(mesh.valence(corner), 3U);
   const auto edges = listed(edges_around(mesh, corner));
   EXPECT_TRUE(mesh.is_boundary(edges.front()));
@@ -72,7 +72,7 @@ TEST(Mesh, ASweepAroundABoundaryVertexHasOneNeighbourMoreThanFaces) {
   EXPECT_FALSE(mesh.is_boundary(edges[1]));
 }
 
-TEST(Mesh, TheRingOfAnIsolatedVertexIsEmpty) {
+TEST(Mesh, RingOfIsolatedVertexIsEmpty) {
   Soup soup = tetrahedron();
   soup.positions.push_back(glm::vec3(5.0F));
   const Mesh mesh = built(std::move(soup), {.keep_isolated_vertices = true}).mesh;
@@ -81,7 +81,7 @@ TEST(Mesh, TheRingOfAnIsolatedVertexIsEmpty) {
   EXPECT_EQ(mesh.valence(Vertex(4)), 0U);
 }
 
-TEST(Mesh, FindsHalfedgesAndEdgesEitherWay) {
+TEST(Mesh, FindsHalfedgesAndEdgesInBothDirections) {
   const Mesh mesh = built(grid(1)).mesh;  // faces 0 1 3, 0 3 2
   EXPECT_TRUE(mesh.find_halfedge(Vertex(0), Vertex(1)).is_valid());
   EXPECT_FALSE(mesh.find_halfedge(Vertex(1), Vertex(0)).is_valid());
@@ -90,7 +90,7 @@ TEST(Mesh, FindsHalfedgesAndEdgesEitherWay) {
   EXPECT_EQ(mesh.count_edges(), 5U);
 }
 
-TEST(Mesh, BothHalfedgesNameTheSameEdge) {
+TEST(Mesh, BothHalfedgesMapToTheSameEdge) {
   const Mesh mesh = built(torus(5, 4)).mesh;
   std::set<Edge> edges;
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
@@ -101,7 +101,7 @@ TEST(Mesh, BothHalfedgesNameTheSameEdge) {
   EXPECT_EQ(edges.size(), mesh.count_edges());
 }
 
-TEST(Mesh, EditsNoteWhatTheyTouchAndNothingElse) {
+TEST(Mesh, EditsLogExactlyTheElementsTheyChange) {
   Mesh mesh = built(cube()).mesh;
   EXPECT_TRUE(mesh.changes().is_whole(GpuArray::origin));
   mesh.changes().clear();
@@ -120,12 +120,12 @@ TEST(Mesh, EditsNoteWhatTheyTouchAndNothingElse) {
   EXPECT_EQ(mesh.edge_class(mesh.twin(Mesh::halfedge(e))), EdgeClass::crease);
 }
 
-TEST(Mesh, FortyFourBytesAFace) {
+TEST(Mesh, Takes44BytesPerFace) {
   const Mesh mesh = built(torus(300, 200)).mesh;
   EXPECT_LE(static_cast<double>(mesh.memory_bytes()) / mesh.face_count(), 44.6);
 }
 
-TEST(Mesh, TakenApartAndPutTogetherItIsTheSame) {
+TEST(Mesh, RoundTripsThroughItsArrays) {
   Mesh mesh = built(cube()).mesh;
   MeshArrays arrays = MeshArrays::take(std::move(mesh));
   const Mesh again = std::move(arrays).finish();

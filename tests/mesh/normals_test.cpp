@@ -17,12 +17,12 @@ void expect_near(const glm::vec3& a, const glm::vec3& b, float tolerance = 1e-6F
       << a.x << " " << a.y << " " << a.z << " against " << b.x << " " << b.y << " " << b.z;
 }
 
-TEST(Normals, OfAFaceFollowTheRightHandRule) {
+TEST(Normals, FaceNormalFollowsTheRightHandRule) {
   const Mesh mesh = built(soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2})).mesh;
   expect_near(face_normal(mesh, Face(0)), {0, 0, 1});
 }
 
-TEST(Normals, OfATinyOrHugeMeshAreUnitLength) {
+TEST(Normals, TinyAndHugeMeshesHaveUnitNormals) {
   for (const float scale : {1e-12F, 1e-6F, 1.0F, 1e6F, 1e18F}) {
     Soup soup = torus(9, 7);
     for (glm::vec3& p : soup.positions)
@@ -35,9 +35,9 @@ TEST(Normals, OfATinyOrHugeMeshAreUnitLength) {
   }
 }
 
-// Around a cube's corner the diagonals give some faces two triangles: only the angle weight sees
-// the three faces as equals.
-TEST(Normals, AngleWeightIgnoresHowFacesAreCut) {
+// At a corner of the cube, the diagonals give some sides two triangles. Only angle weights treat
+// the three sides equally.
+TEST(Normals, AngleWeightIgnoresTriangulation) {
   const Mesh mesh = built(cube()).mesh;
   for (std::uint32_t v = 0; v < 8; ++v) {
     expect_near(vertex_normal(mesh, Vertex(v), NormalWeight::angle),
@@ -47,15 +47,15 @@ TEST(Normals, AngleWeightIgnoresHowFacesAreCut) {
   EXPECT_GT(glm::length(uniform - glm::normalize(mesh.position(Vertex(0)))), 0.1F);
 }
 
-TEST(Normals, AreaWeightFavoursTheLargerFace) {
-  // Two faces on one edge: one lies flat and is four times the other, which stands up.
+TEST(Normals, AreaWeightFavorsTheLargerFace) {
+  // Two faces share an edge. The flat one has four times the area of the upright one.
   const Mesh mesh =
       built(soup_of({{0, 0, 0}, {0, 1, 0}, {-4, 0, 0}, {0, 0, -1}}, {0, 1, 2, 1, 0, 3})).mesh;
   const glm::vec3 n = vertex_normal(mesh, Vertex(0), NormalWeight::area);
   expect_near(n, glm::normalize(glm::vec3(1, 0, 4)));
 }
 
-TEST(Normals, OfADegenerateNeighbourhoodAreZeroAndNotNan) {
+TEST(Normals, DegenerateNeighborhoodGivesZeroAndNotNan) {
   const Mesh mesh = built(soup_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {0, 1, 2})).mesh;
   EXPECT_EQ(vertex_normal(mesh, Vertex(0)), glm::vec3(0.0F));
   EXPECT_EQ(face_normal(mesh, Face(0)), glm::vec3(0.0F));
@@ -73,9 +73,9 @@ TEST(Normals, CornersOfACubeSplitByAngle) {
   }
 }
 
-TEST(Normals, CornersSplitAtCreasesWhateverTheAngle) {
+TEST(Normals, CornersSplitAtCreasesOfAnyAngle) {
   Mesh mesh = built(cube()).mesh;
-  for (std::uint32_t v = 0; v < 4; ++v) {  // around the face z = -1/2
+  for (std::uint32_t v = 0; v < 4; ++v) {  // around the side z = -1/2
     mesh.set_sharpness(mesh.find_edge(Vertex(v), Vertex((v + 1) % 4)), 1.0F);
   }
   const auto normals = corner_normals(mesh, {});
@@ -91,8 +91,8 @@ TEST(Normals, CornersSplitAtCreasesWhateverTheAngle) {
   expect_near(unsplit[mesh.outgoing(Vertex(0)).index()], glm::normalize(mesh.position(Vertex(0))));
 }
 
-// One sharp edge that ends inside a surface (a dart) separates nothing.
-TEST(Normals, ADartDoesNotSplit) {
+// A dart, one sharp edge that ends inside a surface, separates no corners.
+TEST(Normals, DartDoesNotSplitCorners) {
   Mesh mesh = built(torus(9, 7)).mesh;
   const Vertex v(10);
   const Halfedge h = mesh.outgoing(v);
@@ -103,7 +103,7 @@ TEST(Normals, ADartDoesNotSplit) {
   }
 }
 
-TEST(Normals, UpdatingOneRingGivesWhatComputingAllGives) {
+TEST(Normals, UpdatingOneRingEqualsRecomputingAll) {
   Mesh mesh = built(torus(9, 7)).mesh;
   const CornerNormalOptions options{.crease_angle_rad = 30 * kDegree};
   auto normals = corner_normals(mesh, options);
@@ -117,7 +117,7 @@ TEST(Normals, UpdatingOneRingGivesWhatComputingAllGives) {
     expect_near(normals[h], fresh[h], 0.0F);
 }
 
-TEST(Normals, ABoundaryFanIsOneRun) {
+TEST(Normals, BoundaryFanIsOneRun) {
   const Mesh mesh = built(grid(3)).mesh;
   for (const glm::vec3& n : corner_normals(mesh, {}))
     expect_near(n, {0, 0, 1});

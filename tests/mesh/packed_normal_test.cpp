@@ -10,7 +10,7 @@
 namespace mesher {
 namespace {
 
-TEST(PackedNormal, ComesBackWithinFourThousandthsOfADegree) {
+TEST(PackedNormal, RoundTripErrorIsBelow0004Degrees) {
   std::mt19937 random(3);
   std::normal_distribution<float> gauss;
   double worst = 0.0;
@@ -23,7 +23,7 @@ TEST(PackedNormal, ComesBackWithinFourThousandthsOfADegree) {
   EXPECT_LT(worst, 0.004 * 3.14159265 / 180.0);
 }
 
-TEST(PackedNormal, AxesComeBackExactly) {
+TEST(PackedNormal, AxesRoundTripExactly) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const float sign : {-1.0F, 1.0F}) {
       glm::vec3 n(0.0F);
@@ -33,13 +33,13 @@ TEST(PackedNormal, AxesComeBackExactly) {
   }
 }
 
-TEST(PackedNormal, NothingBecomesUp) {
+TEST(PackedNormal, ZeroAndNanDecodeToUp) {
   EXPECT_EQ(encode_normal(glm::vec3(0.0F)), 0U);
   EXPECT_EQ(encode_normal(glm::vec3(std::nanf(""))), 0U);
   EXPECT_EQ(decode_normal(0U), glm::vec3(0, 0, 1));
 }
 
-TEST(PackedNormal, AnyBitsAreAUnitVector) {
+TEST(PackedNormal, AnyBitsDecodeToAUnitVector) {
   std::mt19937 random(4);
   for (int i = 0; i < 20000; ++i) {
     EXPECT_NEAR(glm::length(decode_normal(static_cast<std::uint32_t>(random()))), 1.0F, 1e-6F);

@@ -7,7 +7,7 @@
 namespace mesher::test {
 namespace {
 
-TEST(Statistics, OfACube) {
+TEST(Statistics, Cube) {
   const Statistics s = statistics(built(cube()).mesh);
   EXPECT_EQ(s.vertices, 8U);
   EXPECT_EQ(s.edges, 18U);
@@ -20,7 +20,7 @@ TEST(Statistics, OfACube) {
   EXPECT_NEAR(s.box.diagonal(), std::sqrt(3.0), 1e-12);
 }
 
-TEST(Statistics, OfAFlatSheet) {
+TEST(Statistics, FlatSheet) {
   const Statistics s = statistics(built(grid(5)).mesh);
   EXPECT_EQ(s.boundary_edges, 20U);
   EXPECT_EQ(s.boundary_loops, 1U);
@@ -28,14 +28,14 @@ TEST(Statistics, OfAFlatSheet) {
   EXPECT_NEAR(s.area, 25.0, 1e-9);
 }
 
-TEST(Statistics, VolumeSurvivesBeingFarFromTheOrigin) {
+TEST(Statistics, VolumeIsAccurateFarFromTheOrigin) {
   Soup soup = cube();
   for (glm::vec3& p : soup.positions)
     p += glm::vec3(262144.0F, -262144.0F, 0.0F);
   EXPECT_NEAR(statistics(built(std::move(soup)).mesh).volume, 1.0, 1e-9);
 }
 
-TEST(Statistics, ComponentsAndLoopsOfSeveralPieces) {
+TEST(Statistics, CountsComponentsAndLoopsOfSeveralParts) {
   const Mesh mesh = built(join(join(cube(), grid(2), {5, 0, 0}), torus(8, 6), {0, 20, 0})).mesh;
   const Statistics s = statistics(mesh);
   EXPECT_EQ(s.components, 3U);
@@ -43,7 +43,7 @@ TEST(Statistics, ComponentsAndLoopsOfSeveralPieces) {
   EXPECT_EQ(s.euler_characteristic, 2 + 1 + 0);
 }
 
-TEST(Statistics, BoundaryLoopsRunAlongTheBoundary) {
+TEST(Statistics, BoundaryLoopsFollowTheBoundary) {
   const Mesh mesh = built(grid(4)).mesh;
   const auto loops = boundary_loops(mesh);
   ASSERT_EQ(loops.size(), 1U);
@@ -54,7 +54,7 @@ TEST(Statistics, BoundaryLoopsRunAlongTheBoundary) {
   }
 }
 
-TEST(Statistics, IsolatedVerticesAndFlatFacesAreCountedApart) {
+TEST(Statistics, CountsIsolatedVerticesAndZeroAreaFaces) {
   Soup soup = soup_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {9, 9, 9}}, {0, 1, 2});
   const Statistics s = statistics(built(std::move(soup), {.keep_isolated_vertices = true}).mesh);
   EXPECT_EQ(s.isolated_vertices, 1U);
@@ -62,7 +62,7 @@ TEST(Statistics, IsolatedVerticesAndFlatFacesAreCountedApart) {
   EXPECT_EQ(s.euler_characteristic, 1);
 }
 
-TEST(Statistics, OfNothing) {
+TEST(Statistics, EmptyMesh) {
   const Statistics s = statistics(built({}).mesh);
   EXPECT_EQ(s.components, 0U);
   EXPECT_TRUE(s.box.is_empty());

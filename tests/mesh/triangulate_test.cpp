@@ -33,8 +33,8 @@ std::vector<Triangle> triangles_of(const std::vector<glm::vec3>& polygon) {
   return triangles;
 }
 
-/// Triangles of a simple polygon in the plane z = 0: n-2, none turned over, areas adding up (so
-/// that none overlap and none lie outside).
+/// Checks the triangles of a simple polygon in the plane z = 0: there are n-2, none is flipped, and
+/// their areas add up. So none overlap and none lie outside.
 void expect_exact_cover(const std::vector<glm::vec3>& polygon) {
   const auto triangles = triangles_of(polygon);
   ASSERT_EQ(triangles.size(), polygon.size() - 2);
@@ -58,12 +58,12 @@ std::vector<glm::vec3> star(std::uint32_t n, double inner) {
   return p;
 }
 
-TEST(Triangulate, AConvexQuadTakesTheShorterDiagonal) {
+TEST(Triangulate, ConvexQuadUsesTheShorterDiagonal) {
   const auto t = triangles_of({{0, 0, 0}, {3, -1, 0}, {6, 0, 0}, {3, 1, 0}});
   EXPECT_EQ(t, (std::vector<Triangle>{{0, 1, 3}, {1, 2, 3}}));
 }
 
-TEST(Triangulate, AConcaveQuadTakesTheDiagonalInside) {
+TEST(Triangulate, ConcaveQuadUsesTheInnerDiagonal) {
   for (int turn = 0; turn < 4; ++turn) {
     const std::vector<glm::vec3> arrow{{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {1.5F, 1, 0}};
     std::vector<glm::vec3> p;
@@ -75,19 +75,19 @@ TEST(Triangulate, AConcaveQuadTakesTheDiagonalInside) {
   }
 }
 
-TEST(Triangulate, ConcaveOutlinesAreCoveredExactly) {
+TEST(Triangulate, ConcavePolygonsAreCoveredExactly) {
   expect_exact_cover(
       {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {3, 4, 0}, {3, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}});
   for (const std::uint32_t n : {6U, 10U, 64U, 1000U, 20'000U})
     expect_exact_cover(star(n, 0.3));
 }
 
-TEST(Triangulate, CollinearCornersDoNotHurt) {
+TEST(Triangulate, CollinearCornersAreAccepted) {
   expect_exact_cover(
       {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {3, 3, 0}, {2, 3, 0}, {0, 3, 0}, {0, 1, 0}});
 }
 
-TEST(Triangulate, AHoleOnABridgeIsLeftOpen) {
+TEST(Triangulate, HoleConnectedByABridgeStaysOpen) {
   expect_exact_cover({{0, 0, 0},
                       {6, 0, 0},
                       {6, 6, 0},
@@ -103,7 +103,7 @@ TEST(Triangulate, AHoleOnABridgeIsLeftOpen) {
 TEST(Triangulate, RandomSpiralsAreCoveredExactly) {
   std::mt19937 random(3);
   for (int trial = 0; trial < 200; ++trial) {
-    std::vector<glm::vec3> p;  // star-shaped around 0: simple whatever the radii
+    std::vector<glm::vec3> p;  // star-shaped around 0, so simple for any radii
     const auto n = 5 + random() % 60;
     for (std::uint32_t i = 0; i < n; ++i) {
       const double a = 2.0 * std::acos(-1.0) * i / double(n);
@@ -130,7 +130,7 @@ TEST(Triangulate, WorksInAnyPlaneAndKeepsTheOrientation) {
   }
 }
 
-TEST(Triangulate, OutlinesThatCrossThemselvesEnd) {
+TEST(Triangulate, SelfIntersectingPolygonTerminates) {
   std::mt19937 random(11);
   for (int trial = 0; trial < 300; ++trial) {
     std::vector<glm::vec3> p(3 + random() % 40);
@@ -145,7 +145,7 @@ TEST(Triangulate, OutlinesThatCrossThemselvesEnd) {
   }
 }
 
-TEST(Triangulate, AMillionCornersEndInReasonableTime) {
+TEST(Triangulate, MillionCornersTakeReasonableTime) {
   expect_exact_cover(star(1'000'000, 0.9));
   std::mt19937 random(5);
   std::vector<glm::vec3> scribble(200'000);
@@ -154,8 +154,9 @@ TEST(Triangulate, AMillionCornersEndInReasonableTime) {
   EXPECT_EQ(triangles_of(scribble).size(), scribble.size() - 2);
 }
 
-// What a hostile file can do per byte: many outlines that cross themselves everywhere.
-TEST(Triangulate, ManyScribblesCostNoMoreThanTheirCorners) {
+// The worst that a hostile file can do per byte: many polygons that intersect themselves
+// everywhere.
+TEST(Triangulate, ManySelfIntersectingPolygonsTakeLinearTime) {
   std::mt19937 random(6);
   for (int i = 0; i < 200; ++i) {
     std::vector<glm::vec3> scribble(1000);
@@ -170,7 +171,7 @@ TEST(Triangulate, NonFiniteCornersGiveAFan) {
   EXPECT_EQ(triangles_of({{0, 0, 0}, {nan, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 2, 0}}).size(), 3U);
 }
 
-TEST(Triangulate, ASoupCarriesAttributesAndCounts) {
+TEST(Triangulate, SoupKeepsAttributesAndCountsRepairs) {
   Soup soup =
       soup_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}}, {0, 1, 2, 3, 1, 4, 2, 0, 1});
   soup.face_start.assign({0, 4, 7, 9});

@@ -7,7 +7,7 @@
 namespace mesher::test {
 namespace {
 
-/// Arrays of a sound mesh, for a test to break.
+/// Arrays of a valid mesh, for a test to break.
 MeshArrays sound(Soup soup = cube()) {
   return MeshArrays::take(std::move(build_mesh(std::move(soup)).mesh));
 }
@@ -21,12 +21,12 @@ void expect_broken(MeshArrays arrays, int invariant) {
   EXPECT_TRUE(is_named) << "found " << violations[0].invariant << ": " << violations[0].what;
 }
 
-TEST(Validate, FindsNothingInSoundMeshes) {
+TEST(Validate, AcceptsValidMeshes) {
   for (const Soup& soup : {cube(), grid(4), torus(6, 5), tetrahedron()})
     expect_valid(built(soup).mesh);
 }
 
-TEST(Validate, SeesEachInvariantBroken) {
+TEST(Validate, DetectsEachBrokenInvariant) {
   MeshArrays a = sound();
   a.twin.pop_back();
   expect_broken(std::move(a), 1);
@@ -50,7 +50,7 @@ TEST(Validate, SeesEachInvariantBroken) {
   a.origin[1] = a.origin[0];
   expect_broken(std::move(a), 5);
 
-  // A triangle and its mirror, glued along all edges.
+  // A triangle and its mirror image, joined along all edges.
   a = {};
   a.position.assign({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   a.origin.assign({Vertex(0), Vertex(1), Vertex(2), Vertex(0), Vertex(2), Vertex(1)});
@@ -73,12 +73,12 @@ TEST(Validate, SeesEachInvariantBroken) {
   a.outgoing[4] = Halfedge{};
   expect_broken(std::move(a), 8);
 
-  // A sweep of a boundary vertex that starts in the middle.
+  // A boundary vertex whose ring starts in the middle.
   a = sound(grid(2));
   a.outgoing[1] = a.twin[Mesh::prev(a.outgoing[1]).index()];
   expect_broken(std::move(a), 9);
 
-  // An edge cut open although nothing else is.
+  // An edge cut open although all else is connected.
   a = sound();
   const Halfedge t = a.twin[0];
   a.twin[0] = a.twin[t.index()] = Halfedge{};
@@ -96,7 +96,7 @@ TEST(Validate, SeesEachInvariantBroken) {
   expect_broken(std::move(a), 12);
 }
 
-TEST(Validate, SeesBrokenListsOfBowTieCopies) {
+TEST(Validate, DetectsBrokenListsOfBowTieCopies) {
   const auto sound_copies = [] { return sound(bow_tie({cube(), cube(), cube()})); };
   expect_valid(sound_copies().finish());
 

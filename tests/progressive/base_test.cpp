@@ -21,7 +21,7 @@ Progressive with_chosen_base(const Mesh& mesh) {
   return make_progressive(mesh, options);
 }
 
-TEST(ChooseBase, IsTwoHundredOrAnEighth) {
+TEST(ChooseBase, IsTwoHundredFacesOrAnEighth) {
   const auto chosen = [](std::uint32_t faces) {
     SimplifyOptions options;
     choose_base(options, faces, 10.0);
@@ -37,7 +37,7 @@ TEST(ChooseBase, IsTwoHundredOrAnEighth) {
   EXPECT_EQ(chosen(0).target_faces, 1U);
 }
 
-TEST(ChooseBase, LeavesSomethingToRefineInSmallModels) {
+TEST(ChooseBase, LeavesSplitsInSmallModels) {
   for (const char* name : {"cube.obj", "cactus.obj", "bunny_200.obj", "bunny_1k.obj",
                            "open_box.obj", "hypersheet.obj"}) {
     const Mesh mesh = read_model(std::filesystem::path(MESHER_SOURCE_DIR "/assets") / name).mesh;
@@ -48,8 +48,9 @@ TEST(ChooseBase, LeavesSomethingToRefineInSmallModels) {
   }
 }
 
-/// A room of boxes: no collapse is worth its error long before an eighth is reached.
-TEST(ChooseBase, StopsBeforeTheModelIsFarFromItsInput) {
+/// Many separate boxes: the error of a collapse exceeds the limit long before an eighth of the
+/// faces is reached.
+TEST(ChooseBase, StopsBeforeTheErrorIsTooLarge) {
   Soup soup = cube();
   for (glm::vec3& p : soup.positions)
     p.z *= 3.0F;
@@ -70,7 +71,7 @@ TEST(ChooseBase, StopsBeforeTheModelIsFarFromItsInput) {
 
 class SharedBases : public testing::TestWithParam<const char*> {};
 
-TEST_P(SharedBases, AreNearTheModelAndWellBelowIt) {
+TEST_P(SharedBases, AreAccurateAndMuchSmallerThanTheModel) {
   const auto file =
       std::filesystem::path(MESHER_SHARED_MODELS) / (std::string(GetParam()) + ".obj");
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "SKIPPED: no shared model " << file;

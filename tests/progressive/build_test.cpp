@@ -17,7 +17,7 @@
 namespace mesher::test {
 namespace {
 
-/// Fails where the full detail is not the input under the names that the sources give.
+/// Fails unless the full detail equals the input, with ids mapped by the sources.
 void expect_is_input(Progressive& progressive, const Mesh& input) {
   ProgressiveMesh& mesh = progressive.mesh;
   mesh.go_to(mesh.split_count());
@@ -75,7 +75,7 @@ TEST(BuildProgressive, FullDetailIsTheInputAndEveryLevelIsValid) {
   }
 }
 
-TEST(BuildProgressive, RandomSoupsMakeProgressiveMeshes) {
+TEST(BuildProgressive, RandomSoupsBecomeProgressiveMeshes) {
   for (std::uint32_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     examine(build_mesh(random_soup(seed)).mesh, {.target_faces = 1});
@@ -83,7 +83,7 @@ TEST(BuildProgressive, RandomSoupsMakeProgressiveMeshes) {
   }
 }
 
-TEST(BuildProgressive, EveryLevelListsTheCopiesOfBowTies) {
+TEST(BuildProgressive, EveryLevelListsBowTieCopies) {
   const Mesh input = built(bow_tie({torus(20, 12), grid(12), cube(), grid(5)})).mesh;
   examine(input, {.target_faces = 1});
   Progressive progressive = make_progressive(input, {.target_faces = 1});
@@ -98,12 +98,12 @@ TEST(BuildProgressive, EveryLevelListsTheCopiesOfBowTies) {
       names.insert(copy.v);
     }
   }
-  EXPECT_GT(names.size(), 4U) << "no copy was ever merged into another vertex";
+  EXPECT_GT(names.size(), 4U) << "no copy was merged into another vertex";
   for (const BowTieCopy& copy : mesh.mesh().bow_tie_copies())
     EXPECT_TRUE(input.is_bow_tie_copy(progressive.vertex_source[copy.v.index()]));
 }
 
-TEST(BuildProgressive, CopiesThatACollapseMovesAreNotListed) {
+TEST(BuildProgressive, CopiesMovedByACollapseAreNotListed) {
   const Mesh input = built(bow_tie({cube(), cube(), cube()})).mesh;
   ASSERT_EQ(input.bow_tie_copies().size(), 3U);
   const Halfedge h = input.find_halfedge(Vertex(4), Vertex(0));
@@ -120,7 +120,7 @@ TEST(BuildProgressive, CopiesThatACollapseMovesAreNotListed) {
   }
 }
 
-TEST(BuildProgressive, CreasesAndSharpVerticesSurvive) {
+TEST(BuildProgressive, KeepsCreasesAndSharpVertices) {
   Mesh mesh = built(join(torus(14, 9), grid(8), {9, 0, 0})).mesh;
   mesh.set_sharpness(Vertex(5), 2.0F);
   mesh.set_sharpness(Vertex(50), kInfinitelySharp);
@@ -128,7 +128,7 @@ TEST(BuildProgressive, CreasesAndSharpVerticesSurvive) {
   examine(tagged(mesh, 180.0F, kInfinitelySharp), {.target_faces = 40});
 }
 
-TEST(BuildProgressive, SameMeshForAnyNumberOfThreads) {
+TEST(BuildProgressive, SameForAnyThreadCount) {
   const Mesh mesh = built(torus(120, 90)).mesh;
   std::optional<Progressive> first;
   for (const unsigned threads : {1U, 2U, 5U}) {
@@ -144,14 +144,14 @@ TEST(BuildProgressive, SameMeshForAnyNumberOfThreads) {
   }
 }
 
-TEST(BuildProgressive, RanksKeepWhatDependsOnOtherThingsBehindThem) {
+TEST(BuildProgressive, RanksKeepDependentCollapsesInOrder) {
   const Mesh mesh = built(torus(120, 90)).mesh;
   CollapseRecorder recorder;
   EXPECT_EQ(simplify(Mesh(mesh), {.target_faces = 100, .observer = &recorder}).report.faces_reached,
             100U);
   for (const CollapseRecord& c : recorder.records())
     ASSERT_LT(c.rank, CollapseRecord::kRanks);
-  // Of two with the same kept vertex the later has at least the earlier's rank.
+  // Of two collapses with the same kept vertex, the later has at least the rank of the earlier.
   std::vector<std::uint32_t> rank(mesh.vertex_count(), 0);
   for (const CollapseRecord& c : recorder.records()) {
     ASSERT_GE(c.rank, rank[c.kept.index()]);
@@ -160,7 +160,7 @@ TEST(BuildProgressive, RanksKeepWhatDependsOnOtherThingsBehindThem) {
   }
 }
 
-TEST(BuildProgressive, WithoutCollapsesThereIsOnlyTheBase) {
+TEST(BuildProgressive, WithoutCollapsesHasOnlyTheBase) {
   const Mesh mesh = built(cube()).mesh;
   Progressive progressive = build_progressive(mesh, {});
   EXPECT_EQ(progressive.mesh.split_count(), 0U);
@@ -170,7 +170,7 @@ TEST(BuildProgressive, WithoutCollapsesThereIsOnlyTheBase) {
   EXPECT_EQ(empty.mesh.mesh().vertex_count(), 0U);
 }
 
-TEST(BuildProgressive, CanBeCancelled) {
+TEST(BuildProgressive, StopsWhenCanceled) {
   const Mesh mesh = built(torus(30, 20)).mesh;
   CollapseRecorder recorder;
   EXPECT_GT(simplify(Mesh(mesh), {.observer = &recorder}).report.collapses, 0U);

@@ -19,7 +19,8 @@ void expect_lowest_outgoing(const Mesh& mesh) {
   }
 }
 
-/// P4 by its words: which corners of this level are at the parent now and at the child after.
+/// Checks P4 as documented: which corners of this level are at the parent now and at the child
+/// afterwards.
 void expect_moved(const ProgressiveMesh& mesh) {
   const std::uint32_t split = mesh.level();
   for (const Halfedge h : mesh.moved(split)) {
@@ -105,7 +106,7 @@ void examine_levels(ProgressiveMesh& mesh, std::uint32_t count) {
     expect_valid_level(mesh);
     if (testing::Test::HasFailure()) return;
   }
-  // There and back by the longest ways.
+  // Jump back and forth over the longest distances.
   for (std::size_t i = 0; i < at.size(); ++i) {
     const std::size_t k = i % 2 == 0 ? i : at.size() - i;
     mesh.go_to(at[k]);

@@ -5,7 +5,7 @@
 namespace mesher {
 namespace {
 
-TEST(DetailRange, ItsMeasuresGrowWithOneAnotherAndLeadBack) {
+TEST(DetailRange, TimeAndPositionAreMonotonicAndInvertible) {
   for (const double geomorph_range : {0.0, 0.01, 0.125, 0.5}) {
     const DetailRange range{
         .base_vertices = 102.0, .splits = 40'000, .geomorph_range = geomorph_range};
@@ -30,7 +30,7 @@ TEST(DetailRange, ItsMeasuresGrowWithOneAnotherAndLeadBack) {
   }
 }
 
-TEST(DetailRange, AllSplitsOfALevelHaveGrownAtItsTime) {
+TEST(DetailRange, AllSplitsOfALevelAreGrownAtItsTime) {
   const DetailRange range{.base_vertices = 50.0, .splits = 1000, .geomorph_range = 0.25};
   EXPECT_EQ(range.time_of_level(0), 0.0);
   for (const std::uint32_t level : {1U, 2U, 17U, 500U, 999U}) {
@@ -47,7 +47,7 @@ TEST(DetailRange, EverySplitGrowsContinuouslyAndNeverShrinks) {
   for (const std::uint32_t split : {0U, 5U, 100U, 299U}) {
     float last = 0.0F;
     for (double time = 0.0; time <= range.end(); time += 0.01) {
-      if (range.level(time) <= split) continue;  // not there yet
+      if (range.level(time) <= split) continue;  // the split is not in the mesh yet
       const float now = mesher::growth(range.growth(time), split);
       EXPECT_GE(now, last - 1e-5F);
       EXPECT_LE(now, last + 0.02F) << split << " at " << time;
@@ -57,7 +57,7 @@ TEST(DetailRange, EverySplitGrowsContinuouslyAndNeverShrinks) {
   }
 }
 
-TEST(DetailRange, WithoutAWindowSplitsPop) {
+TEST(DetailRange, WithoutGeomorphRangeSplitsPop) {
   const DetailRange range{.base_vertices = 10.0, .splits = 20, .geomorph_range = 0.0};
   EXPECT_EQ(range.end(), 20.0);
   EXPECT_EQ(range.time_of_level(7), 7.0);
@@ -66,7 +66,7 @@ TEST(DetailRange, WithoutAWindowSplitsPop) {
   EXPECT_EQ(range.growth(7.5), GeomorphTime::done());
 }
 
-TEST(DetailRange, WithoutSplitsItIsAllAtTheEnd) {
+TEST(DetailRange, WithoutSplitsIsAlwaysAtTheEnd) {
   const DetailRange range{.base_vertices = 10.0, .splits = 0, .geomorph_range = 0.3};
   EXPECT_EQ(range.end(), 0.0);
   EXPECT_EQ(range.position_of(0.0), 1.0);

@@ -30,14 +30,14 @@ ProgressiveMesh progressive(const Mesh& mesh, std::uint32_t base_faces = 60) {
   return std::move(make_progressive(mesh, {.target_faces = base_faces}).mesh);
 }
 
-/// The vertex of level `level` from which `v` comes.
+/// The vertex of level `level` from which `v` was split.
 Vertex ancestor(const ProgressiveMesh& mesh, Vertex v, std::uint32_t level) {
   while (v.index() >= mesh.base_vertex_count() + level)
     v = mesh.splits()[v.index() - mesh.base_vertex_count()].parent;
   return v;
 }
 
-/// Where each vertex of a progressive mesh is drawn, with its normal, at one time.
+/// Drawn position and normal of each vertex of a progressive mesh at one time.
 struct Drawn {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
@@ -60,7 +60,7 @@ Drawn drawn(ProgressiveMesh& mesh, Geomorph& morph, double time, double range) {
   return result;
 }
 
-/// How far the splits that grow at some time from `first` on move a vertex in all.
+/// Upper bound of the total distance that the splits growing from time `first` on move a vertex.
 float way_to_go(const Geomorph& morph, std::uint32_t head, double first) {
   float sum = 0.0F;
   while (head != kNoHead && static_cast<double>(head / 2) >= first) {
@@ -71,7 +71,7 @@ float way_to_go(const Geomorph& morph, std::uint32_t head, double first) {
   return sum;
 }
 
-TEST(Geomorph, NoPointMovesFurtherThanTheSliderLets) {
+TEST(Geomorph, VertexSpeedIsBoundedByTheSlider) {
   const Mesh input = bumpy();
   ProgressiveMesh mesh = progressive(input);
   Geomorph morph(mesh);
@@ -84,7 +84,7 @@ TEST(Geomorph, NoPointMovesFurtherThanTheSliderLets) {
       for (double time = step; time < splits + range; time += step) {
         Drawn now = drawn(mesh, morph, time, range);
         for (std::uint32_t v = 0; v < now.positions.size(); ++v) {
-          // A vertex that was not there yet was part of the one from which it comes.
+          // A new vertex starts at the vertex from which it was split.
           const Vertex was = ancestor(mesh, Vertex(v), before.level);
           const double moved = glm::length(now.positions[v] - before.positions[was.index()]);
           const double way = way_to_go(morph, morph.heads()[v], time - step - range);
@@ -96,12 +96,12 @@ TEST(Geomorph, NoPointMovesFurtherThanTheSliderLets) {
   }
 }
 
-TEST(Geomorph, NormalsChangeNoFasterThanTheSlider) {
+TEST(Geomorph, NormalChangeIsBoundedByTheSlider) {
   ProgressiveMesh mesh = progressive(bumpy());
   Geomorph morph(mesh);
   const double range = 0.1 * mesh.split_count();
   const double end = mesh.split_count() + range;
-  // Halving the step halves the largest change: nothing jumps.
+  // Halving the step halves the largest change, so no normal jumps.
   std::vector<double> largest;
   for (const double step : {4.0, 2.0, 1.0, 0.5}) {
     largest.push_back(0.0);
@@ -120,7 +120,7 @@ TEST(Geomorph, NormalsChangeNoFasterThanTheSlider) {
     EXPECT_LE(largest[i], 0.75 * largest[i - 1] + 1e-4);
 }
 
-TEST(Geomorph, BetweenTwoLevelsItLeadsFromOneToTheOther) {
+TEST(Geomorph, InterpolatesBetweenTwoLevels) {
   ProgressiveMesh mesh = progressive(bumpy());
   Geomorph morph(mesh);
   const auto coarse_level = mesh.split_count() / 5;
@@ -149,11 +149,11 @@ TEST(Geomorph, BetweenTwoLevelsItLeadsFromOneToTheOther) {
   }
 }
 
-TEST(Geomorph, FullDetailIsShadedAsTheInput) {
+TEST(Geomorph, FullDetailHasTheNormalsOfTheInput) {
   const Mesh input = bumpy();
   Progressive made = make_progressive(input, {.target_faces = 60});
   Geomorph morph(made.mesh);
-  EXPECT_EQ(made.mesh.level(), 0U) << "leaves the level";
+  EXPECT_EQ(made.mesh.level(), 0U) << "leaves the level unchanged";
   made.mesh.go_to(made.mesh.split_count());
   morph.follow(made.mesh);
   const Array<glm::vec3> normals = vertex_normals(input);
@@ -169,7 +169,7 @@ void expect_equal(const Geomorph& a, const Geomorph& b) {
   EXPECT_TRUE(is_equal(a.splits(), b.splits()));
 }
 
-TEST(Geomorph, DependsOnTheLevelAloneNotOnTheWay) {
+TEST(Geomorph, DependsOnlyOnTheLevel) {
   ProgressiveMesh mesh = progressive(bumpy());
   Geomorph morph(mesh);
   std::mt19937 random(8);
@@ -180,7 +180,7 @@ TEST(Geomorph, DependsOnTheLevelAloneNotOnTheWay) {
   }
 }
 
-TEST(Geomorph, GrowsWithTheSplitsThatArrive) {
+TEST(Geomorph, ExtendsWithAppendedSplits) {
   ProgressiveMesh whole = progressive(bumpy());
   whole.go_to(0);
   ProgressiveMesh arriving{Mesh(whole.mesh())};
@@ -200,7 +200,7 @@ TEST(Geomorph, GrowsWithTheSplitsThatArrive) {
   expect_equal(morph, Geomorph(arriving));
 }
 
-TEST(Geomorph, ABaseAloneHasNothingToMorph) {
+TEST(Geomorph, BaseWithoutSplitsHasNothingToMorph) {
   ProgressiveMesh mesh{built(cube()).mesh};
   const Geomorph morph(mesh);
   EXPECT_TRUE(morph.splits().empty());
@@ -209,7 +209,7 @@ TEST(Geomorph, ABaseAloneHasNothingToMorph) {
     EXPECT_EQ(head, kNoHead);
 }
 
-TEST(Geomorph, CanBeCancelled) {
+TEST(Geomorph, StopsWhenCanceled) {
   ProgressiveMesh mesh = progressive(bumpy());
   Progress progress;
   progress.cancel();

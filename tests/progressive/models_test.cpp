@@ -1,4 +1,4 @@
-// Real models: every level of their progressive meshes.
+// Every level of the progressive meshes of real models.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -16,13 +16,14 @@
 namespace mesher::test {
 namespace {
 
-/// Root mean square of the distances both ways.
+/// Root mean square of the distances in both directions.
 double rms(const Mesh& a, const Mesh& b) {
   return surface_distance(a, b, {.samples = 50'000}).two_sided().rms;
 }
 
-/// A level is about as near to the input as what simplification to its size gives. Not quite: with
-/// a far target simplification looks less closely at each edge (measured: 1.12 at most).
+/// Checks that a level is about as accurate as simplification to the same size. The levels are
+/// slightly worse, because simplification with a distant target looks less closely at each edge
+/// (measured: at most 1.12).
 void expect_accurate(ProgressiveMesh& mesh, const Mesh& input) {
   for (const double ratio : {0.3, 0.05}) {
     const auto faces = static_cast<std::uint32_t>(ratio * input.face_count());
@@ -55,14 +56,14 @@ void examine(const std::filesystem::path& file, std::uint32_t base_faces) {
   if (input.face_count() > 10'000) expect_accurate(mesh, input);
 }
 
-TEST(Models, AssetsInEveryDetail) {
+TEST(Models, AssetsAreExactAtFullDetail) {
   for (const std::filesystem::path& file : files_in(MESHER_SOURCE_DIR "/assets"))
     examine(file, 1);
 }
 
 class Scan : public testing::TestWithParam<const char*> {};
 
-TEST_P(Scan, IsExactInEveryDetail) {
+TEST_P(Scan, IsExactAtFullDetail) {
   const std::filesystem::path file =
       std::filesystem::path(MESHER_SHARED_MODELS) / (std::string(GetParam()) + ".obj");
   if (!std::filesystem::exists(file)) {

@@ -13,10 +13,10 @@ namespace mesher::test {
 
 using Bytes = std::vector<std::byte>;
 
-/// The bytes of its file.
+/// Returns the bytes of the mesh as a file.
 Bytes written(ProgressiveMesh& mesh, unsigned coordinate_bits = 0);
 
-/// What became of a file: either `error`, or a mesh.
+/// Result of reading a file: either `error` or a mesh.
 struct ReadBack {
   std::string error;
   std::string damage;
@@ -24,17 +24,17 @@ struct ReadBack {
   ProgressiveMesh mesh;
 };
 
-/// Reads it, fed in pieces of so many bytes; 0: whole.
+/// Reads a file, fed in pieces of `piece` bytes (0: all at once).
 ReadBack read_back(std::span<const std::byte> bytes, std::size_t piece = 0);
 
-/// Puts right every checksum of a file whose sizes still make sense.
+/// Corrects every checksum of a file whose sizes are still plausible.
 void mend_checksums(Bytes& bytes);
 
-/// Fails where a file was neither refused nor read into a valid mesh that is either complete or
-/// said to be damaged.
+/// Fails unless the file was rejected, or read into a valid mesh that is either complete or
+/// reported as damaged.
 void expect_sound(ReadBack& read);
 
-/// Meshes of every kind, with and without sharpness, with boundaries, isolated vertices, many
+/// Meshes of every kind: with and without sharpness, with boundaries, isolated vertices and many
 /// parts.
 struct NamedMesh {
   std::string name;

@@ -1,4 +1,4 @@
-// Files that version 1 of the format wrote: what is in them stays, and so do their bytes.
+// Files that version 1 of the format wrote. Their content and their bytes must not change.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -43,15 +43,15 @@ void examine(const std::string& name, unsigned coordinate_bits, double sum) {
   }
 }
 
-TEST(PmGolden, ExactFile) {
+TEST(PmGolden, ExactFileIsUnchanged) {
   examine("hypersheet_exact.pm", 0, 5.401304);
 }
 
-TEST(PmGolden, FileOnAGrid) {
+TEST(PmGolden, GridFileIsUnchanged) {
   examine("hypersheet_grid.pm", 10, 5.392127);
 }
 
-TEST(PmFormat, ChecksumsAreThoseOfPng) {
+TEST(PmFormat, ChecksumsMatchThoseOfPng) {
   const std::string digits = "123456789";
   const auto bytes = std::as_bytes(std::span(digits));
   EXPECT_EQ(pm_check(0, bytes), 0xCBF43926U);
@@ -59,7 +59,7 @@ TEST(PmFormat, ChecksumsAreThoseOfPng) {
     EXPECT_EQ(pm_check(pm_check(0, bytes.first(i)), bytes.subspan(i)), 0xCBF43926U);
 }
 
-TEST(PmFormat, FloatsInOrder) {
+TEST(PmFormat, OrderedFloatsRoundTripAndSort) {
   const float values[] = {-3e38F, -1.0F, -1e-45F, -0.0F, 0.0F, 1e-45F, 2.5F, 3e38F};
   for (std::size_t i = 0; i < std::size(values); ++i) {
     EXPECT_EQ(std::bit_cast<std::uint32_t>(pm_float(pm_ordered(values[i]))),

@@ -1,4 +1,4 @@
-// Files of progressive meshes that are cut off, damaged or made to do harm.
+// Truncated, damaged and malicious files of progressive meshes.
 #include <gtest/gtest.h>
 
 #include <new>
@@ -19,7 +19,7 @@
 namespace mesher::test {
 namespace {
 
-/// A small one with sharpness of every kind, and at least three blocks.
+/// A small progressive mesh with every kind of sharpness and at least three blocks.
 ProgressiveMesh sample() {
   Mesh mesh = built(join(torus(20, 12), grid(5), {6, 0, 0})).mesh;
   for (std::uint32_t i = 0; i < mesh.halfedge_count(); i += 11)
@@ -28,19 +28,19 @@ ProgressiveMesh sample() {
   return make_progressive(mesh, {.target_faces = 30}).mesh;
 }
 
-/// Of header and base.
+/// Size of header and base in bytes.
 std::size_t written_base_bytes(ProgressiveMesh& mesh) {
   return write_pm(mesh, {}, [](auto) {}).base;
 }
 
-/// Fails where the mesh that was read is not the sample at some level.
+/// Fails unless the mesh that was read equals the sample at some level.
 void expect_prefix(ProgressiveMesh& whole, ProgressiveMesh& part) {
   part.go_to(part.split_count());
   whole.go_to(part.split_count());
   EXPECT_TRUE(is_identical(whole.mesh(), part.mesh()));
 }
 
-TEST(PmHostile, CutAtEveryLength) {
+TEST(PmHostile, TruncationAtAnyLengthIsDetected) {
   ProgressiveMesh mesh = sample();
   for (const unsigned bits : {0U, 14U}) {
     const Bytes bytes = written(mesh, bits);
@@ -56,7 +56,7 @@ TEST(PmHostile, CutAtEveryLength) {
   }
 }
 
-TEST(PmHostile, EveryByteFlipped) {
+TEST(PmHostile, EveryFlippedByteIsDetected) {
   ProgressiveMesh mesh = sample();
   const Bytes bytes = written(mesh, 10);
   ProgressiveMesh whole = read_back(bytes).mesh;
@@ -76,7 +76,7 @@ TEST(PmHostile, EveryByteFlipped) {
   }
 }
 
-/// So that what is decoded is what a file says, whatever it says.
+/// Flips bytes and corrects the checksums, so that the decoder sees the changed content.
 void flip_every_byte_under_right_checksums(unsigned coordinate_bits) {
   ProgressiveMesh mesh = sample();
   const Bytes bytes = written(mesh, coordinate_bits);
@@ -93,21 +93,21 @@ void flip_every_byte_under_right_checksums(unsigned coordinate_bits) {
   }
 }
 
-TEST(PmHostile, EveryByteOfAnExactFileFlippedUnderRightChecksums) {
+TEST(PmHostile, FlippedBytesOfExactFileWithValidChecksumsAreSafe) {
   flip_every_byte_under_right_checksums(0);
 }
 
-TEST(PmHostile, EveryByteOfAGridFileFlippedUnderRightChecksums) {
+TEST(PmHostile, FlippedBytesOfGridFileWithValidChecksumsAreSafe) {
   flip_every_byte_under_right_checksums(10);
 }
 
-TEST(PmHostile, NoiseUnderRightChecksums) {
+TEST(PmHostile, NoiseWithValidChecksumsIsSafe) {
   ProgressiveMesh mesh = sample();
   for (std::uint32_t seed = 0; seed < 2000; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     Bytes bytes = written(mesh, seed % 2 == 0 ? 0 : 12);
-    // From somewhere on, payloads are noise; in some files long runs of one byte.
+    // From some position on, payloads are noise. Some files have long runs of one byte.
     const std::size_t from = kPmHeaderBytes + random() % (bytes.size() - kPmHeaderBytes);
     const auto run = static_cast<std::byte>(random());
     for (std::size_t i = from; i < bytes.size(); ++i) {
@@ -120,7 +120,7 @@ TEST(PmHostile, NoiseUnderRightChecksums) {
   }
 }
 
-/// Writes a number into a file, and the checksums that fit.
+/// Writes a number into a file and corrects the checksums.
 Bytes with_u32(Bytes bytes, std::size_t at, std::uint32_t value) {
   for (std::size_t i = 0; i < 4; ++i)
     bytes[at + i] = static_cast<std::byte>(value >> (8 * i));
@@ -128,7 +128,7 @@ Bytes with_u32(Bytes bytes, std::size_t at, std::uint32_t value) {
   return bytes;
 }
 
-TEST(PmHostile, WhatIsAnnouncedTakesNoMemory) {
+TEST(PmHostile, HugeCountsAllocateNoMemory) {
   ProgressiveMesh mesh = sample();
   const Bytes bytes = written(mesh);
   const std::size_t first_block = written_base_bytes(mesh);
@@ -151,7 +151,7 @@ TEST(PmHostile, WhatIsAnnouncedTakesNoMemory) {
   EXPECT_NE(many.damage.find("of 4,294,967,040 splits"), std::string::npos) << many.damage;
 }
 
-TEST(PmHostile, WantOfMemoryLeavesWhatWasRead) {
+TEST(PmHostile, OutOfMemoryKeepsTheMeshReadSoFar) {
   ProgressiveMesh mesh = make_progressive(built(torus(80, 60)).mesh, {.target_faces = 60}).mesh;
   const Bytes bytes = written(mesh);
   PmReader reader("x.pm");
@@ -170,7 +170,7 @@ TEST(PmHostile, WantOfMemoryLeavesWhatWasRead) {
   EXPECT_TRUE(is_identical(mesh.mesh(), reader.mesh().mesh()));
 }
 
-TEST(PmHostile, OtherVersionsAndFlagsAreRefused) {
+TEST(PmHostile, RejectsOtherVersionsAndFlags) {
   ProgressiveMesh mesh = sample();
   const Bytes bytes = written(mesh);
   for (const auto& [at, value] : {std::pair{8U, 2U},
@@ -185,7 +185,7 @@ TEST(PmHostile, OtherVersionsAndFlagsAreRefused) {
   }
 }
 
-TEST(PmHostile, ABlockIsUsedOnce) {
+TEST(PmHostile, RejectsARepeatedBlock) {
   ProgressiveMesh mesh = sample();
   const Bytes bytes = written(mesh);
   const std::size_t base = written_base_bytes(mesh);
@@ -199,7 +199,7 @@ TEST(PmHostile, ABlockIsUsedOnce) {
   EXPECT_NE(read.damage.find("checksum"), std::string::npos) << read.damage;
 }
 
-TEST(PmHostile, WhatFollowsTheEndIsSaid) {
+TEST(PmHostile, ReportsBytesAfterTheEnd) {
   ProgressiveMesh mesh = sample();
   Bytes bytes = written(mesh);
   bytes.push_back(std::byte{7});
@@ -211,7 +211,7 @@ TEST(PmHostile, WhatFollowsTheEndIsSaid) {
   expect_same(read.mesh, slowly.mesh);
 }
 
-TEST(PmHostile, DamageSaysWhereAndHowMuch) {
+TEST(PmHostile, DamageMessageHasPositionAndAmount) {
   ProgressiveMesh mesh = sample();
   Bytes bytes = written(mesh);
   bytes[bytes.size() - 1] ^= std::byte{1};
@@ -230,7 +230,7 @@ TEST(PmHostile, DamageSaysWhereAndHowMuch) {
   EXPECT_EQ(reader.damage(), damage);
 }
 
-TEST(PmHostile, OtherFilesAreRefusedAtTheirFirstBytes) {
+TEST(PmHostile, RejectsOtherFilesAtTheirFirstBytes) {
   for (const std::string text : {"PM\n", "solid x", "\x89PNG\r\n\x1a\n", "\x89MPM\n\x1a\n      "}) {
     PmReader reader("x.pm");
     EXPECT_THROW(reader.feed(std::as_bytes(std::span(text))), InputError) << text;

@@ -1,4 +1,4 @@
-// Files of progressive meshes: what was written is what is read.
+// Writes and reads progressive meshes and compares them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -40,7 +40,7 @@ void expect_lossless(ProgressiveMesh& mesh) {
   EXPECT_EQ(written(read.mesh), bytes);
 }
 
-/// The step of the grid that a box over all levels leads to.
+/// Step of the quantization grid, computed from a box over all levels.
 float step_of(ProgressiveMesh& mesh, unsigned bits) {
   mesh.go_to(0);
   glm::dvec3 low(INFINITY);
@@ -99,7 +99,7 @@ TEST(PmRoundTrip, IsExactForEveryKindOfMesh) {
   }
 }
 
-TEST(PmRoundTrip, FilesDoNotHoldTheCopiesOfBowTies) {
+TEST(PmRoundTrip, FilesDoNotStoreBowTieCopies) {
   Progressive p =
       make_progressive(built(bow_tie({torus(12, 9), grid(6), cube()})).mesh, {.target_faces = 1});
   ASSERT_EQ(p.mesh.mesh().bow_tie_copies().size(), 3U);
@@ -116,7 +116,7 @@ TEST(PmRoundTrip, IsExactWithoutSplits) {
   }
 }
 
-TEST(PmRoundTrip, QuantizedIsOnTheNearestNumbers) {
+TEST(PmRoundTrip, QuantizedPositionsAreTheNearestGridPoints) {
   for (const auto& [name, mesh] : meshes_of_all_kinds()) {
     for (const unsigned bits : {4U, 14U, 24U}) {
       SCOPED_TRACE(name + ", " + std::to_string(bits) + " bits");
@@ -126,7 +126,7 @@ TEST(PmRoundTrip, QuantizedIsOnTheNearestNumbers) {
   }
 }
 
-TEST(PmRoundTrip, PiecesOfAnySizeGiveTheSame) {
+TEST(PmRoundTrip, PieceSizeDoesNotMatter) {
   Progressive p = make_progressive(built(torus(40, 30)).mesh, {.target_faces = 20});
   for (const unsigned bits : {0U, 12U}) {
     const Bytes bytes = written(p.mesh, bits);
@@ -139,7 +139,7 @@ TEST(PmRoundTrip, PiecesOfAnySizeGiveTheSame) {
   }
 }
 
-TEST(PmRoundTrip, TheFirstBytesAreAMesh) {
+TEST(PmRoundTrip, FirstBytesGiveTheBase) {
   Progressive p = make_progressive(built(torus(100, 60)).mesh, {.target_faces = 60});
   const Bytes bytes = written(p.mesh, 14);
   PmReader reader("x.pm");
@@ -157,7 +157,7 @@ TEST(PmRoundTrip, TheFirstBytesAreAMesh) {
   EXPECT_EQ(reader.damage(), "");
 }
 
-TEST(PmRoundTrip, TheHighestFloatsKeepTheirPlaces) {
+TEST(PmRoundTrip, LargestFloatsKeepTheirPositions) {
   Soup soup = cube();
   for (glm::vec3& p : soup.positions)
     p *= 2.0F * std::numeric_limits<float>::max();
@@ -170,7 +170,7 @@ TEST(PmRoundTrip, TheHighestFloatsKeepTheirPlaces) {
   }
 }
 
-TEST(PmRoundTrip, CancellingLeavesTheLevel) {
+TEST(PmRoundTrip, CancelKeepsTheLevel) {
   Progressive p = make_progressive(built(torus(20, 12)).mesh, {.target_faces = 20});
   p.mesh.go_to(5);
   Progress progress;
@@ -182,7 +182,7 @@ TEST(PmRoundTrip, CancellingLeavesTheLevel) {
   EXPECT_EQ(p.mesh.level(), 5U);
 }
 
-/// Size and exactness of a large model's file.
+/// Checks size and exactness of the file of a large model.
 void examine_scan(const Mesh& input) {
   Progressive p = make_progressive(input, {.target_faces = 200});
   const Bytes exact = written(p.mesh);
@@ -197,7 +197,7 @@ void examine_scan(const Mesh& input) {
   expect_quantized(p.mesh, 14);
 }
 
-TEST(PmRoundTrip, Assets) {
+TEST(PmRoundTrip, AssetsRoundTrip) {
   for (const char* name : {"bunny", "knot", "cactus", "hypersheet", "creased_cube"}) {
     SCOPED_TRACE(name);
     const auto file =

@@ -12,7 +12,7 @@
 namespace mesher::test {
 namespace {
 
-/// A base refined by splits of random parents with random cuts.
+/// Refines a base by splits of random parents with random cuts.
 class RandomSplits {
  public:
   explicit RandomSplits(std::uint32_t seed) : random_(seed) {}
@@ -40,7 +40,7 @@ class RandomSplits {
     return {coordinate(), coordinate(), coordinate()};
   }
 
-  /// Of the sides of each new face the one keeps the sharpness that the edge had.
+  /// One of the two sides of each new face keeps the sharpness of the split edge.
   void sharpen(const Mesh& mesh, Vertex parent, NewSplit& split) {
     std::vector<Halfedge> spokes;
     for (const Halfedge h : halfedges_around(mesh, parent))
@@ -69,7 +69,7 @@ std::vector<Mesh> bases() {
   return all;
 }
 
-TEST(ProgressiveMesh, AnySplitThatCanBeAppendedKeepsTheMeshValid) {
+TEST(ProgressiveMesh, EveryAppendableSplitKeepsTheMeshValid) {
   std::uint32_t seed = 0;
   for (Mesh& base : bases()) {
     SCOPED_TRACE(base.face_count());
@@ -86,7 +86,7 @@ TEST(ProgressiveMesh, AnySplitThatCanBeAppendedKeepsTheMeshValid) {
   }
 }
 
-TEST(ProgressiveMesh, SharpnessComesAndGoesWithTheSplits) {
+TEST(ProgressiveMesh, SharpnessFollowsTheSplits) {
   std::uint32_t seed = 100;
   for (Mesh& base : bases()) {
     base.set_sharpness(base.edge(Halfedge(0)), 2.5F);
@@ -104,7 +104,7 @@ TEST(ProgressiveMesh, SharpnessComesAndGoesWithTheSplits) {
   }
 }
 
-TEST(ProgressiveMesh, NextSplitIsWhatWasAppended) {
+TEST(ProgressiveMesh, NextSplitReturnsTheAppendedSplit) {
   ProgressiveMesh mesh(built(grid(3)).mesh);
   RandomSplits splits(7);
   for (int i = 0; i < 100; ++i)
@@ -113,7 +113,7 @@ TEST(ProgressiveMesh, NextSplitIsWhatWasAppended) {
   expect_same(mesh, again);
 }
 
-/// What a mirror would hold that copies only what is noted.
+/// A mirror that copies only the logged changes.
 class Mirror {
  public:
   explicit Mirror(Mesh& mesh) {
@@ -152,7 +152,7 @@ class Mirror {
   Array<EdgeClass> class_;
 };
 
-TEST(ProgressiveMesh, NotesWhatItTouches) {
+TEST(ProgressiveMesh, LogsEveryChange) {
   for (Mesh& base : bases()) {
     ProgressiveMesh mesh(std::move(base));
     RandomSplits splits(3);
@@ -168,7 +168,7 @@ TEST(ProgressiveMesh, NotesWhatItTouches) {
   }
 }
 
-TEST(ProgressiveMesh, AStepNotesNoMoreThanWhatIsAroundIt) {
+TEST(ProgressiveMesh, StepLogsOnlyItsNeighborhood) {
   ProgressiveMesh mesh(built(torus(40, 30)).mesh);
   RandomSplits splits(9);
   for (int i = 0; i < 50; ++i)
@@ -182,7 +182,7 @@ TEST(ProgressiveMesh, AStepNotesNoMoreThanWhatIsAroundIt) {
   EXPECT_LE(corners, 6 + mesh.moved(mesh.split_count() - 1).size());
 }
 
-TEST(ProgressiveMesh, LevelForFacesIsTheFinestThatFits) {
+TEST(ProgressiveMesh, LevelForFacesIsTheFinestWithinTheCount) {
   ProgressiveMesh mesh(built(grid(3)).mesh);
   RandomSplits splits(11);
   for (int i = 0; i < 60; ++i)
@@ -198,7 +198,7 @@ TEST(ProgressiveMesh, LevelForFacesIsTheFinestThatFits) {
   }
 }
 
-TEST(ProgressiveMesh, RefusesCutsThatDoNotExist) {
+TEST(ProgressiveMesh, RejectsInvalidCuts) {
   Soup soup = grid(1);
   soup.positions.emplace_back(9.0F, 9.0F, 9.0F);
   const ProgressiveMesh open(built(std::move(soup), {.keep_isolated_vertices = true}).mesh);
@@ -218,10 +218,11 @@ TEST(ProgressiveMesh, RefusesCutsThatDoNotExist) {
   const ProgressiveMesh closed(built(tetrahedron()).mesh);
   EXPECT_TRUE(closed.can_append(Vertex(0), {2, 0}));
   EXPECT_FALSE(closed.can_append(Vertex(0), {3, 0}));
-  EXPECT_FALSE(closed.can_append(Vertex(0), {0, kNone})) << "nothing opens inside the surface";
+  EXPECT_FALSE(closed.can_append(Vertex(0), {0, kNone}))
+      << "a cut inside the surface must not open";
 }
 
-TEST(ProgressiveMesh, AnEmptyOneHasOneLevel) {
+TEST(ProgressiveMesh, EmptyMeshHasOneLevel) {
   ProgressiveMesh mesh{Mesh()};
   mesh.go_to(0);
   EXPECT_EQ(mesh.split_count(), 0U);

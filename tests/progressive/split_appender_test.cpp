@@ -16,7 +16,7 @@
 namespace mesher::test {
 namespace {
 
-/// A progressive mesh and its splits as a file tells them.
+/// A progressive mesh and its splits as a file stores them.
 struct Told {
   ProgressiveMesh mesh;
   std::vector<NewSplit> splits;
@@ -41,7 +41,7 @@ void append(ProgressiveMesh& mesh, std::span<const NewSplit> splits, std::uint32
     appender.append(split, gather_fan(mesh.mesh(), split.parent, memory));
 }
 
-TEST(SplitAppender, ManyAtOnceAreWhatTheyAreOneByOne) {
+TEST(SplitAppender, BatchEqualsOneByOne) {
   Told told(built(torus(14, 9)).mesh);
   const auto count = static_cast<std::uint32_t>(told.splits.size());
   ASSERT_GT(count, 50U);
@@ -51,7 +51,8 @@ TEST(SplitAppender, ManyAtOnceAreWhatTheyAreOneByOne) {
     append(mesh, std::span(told.splits).subspan(count / 2), count - count / 2 + more);
     told.mesh.go_to(count);
     expect_same(told.mesh, mesh);
-    EXPECT_EQ(mesh.mesh().vertex_count(), told.mesh.mesh().vertex_count()) << "no room is left";
+    EXPECT_EQ(mesh.mesh().vertex_count(), told.mesh.mesh().vertex_count())
+        << "no capacity is left over";
     examine_levels(mesh, 20);
   }
 }
@@ -64,7 +65,7 @@ TEST(SplitAppender, WithoutSplitsNothingChanges) {
   expect_same(same, mesh);
 }
 
-TEST(SplitAppender, NotesWhatChangesUnlessEverythingDoes) {
+TEST(SplitAppender, LogsChangesOrMarksWholeArrays) {
   Told told(built(torus(14, 9)).mesh);
   ProgressiveMesh mesh = told.base();
   mesh.mesh().changes().clear();
@@ -76,7 +77,7 @@ TEST(SplitAppender, NotesWhatChangesUnlessEverythingDoes) {
   EXPECT_TRUE(mesh.mesh().changes().is_whole(GpuArray::origin));
 }
 
-TEST(SplitAppender, WantOfMemoryChangesNothing) {
+TEST(SplitAppender, OutOfMemoryLeavesMeshUnchanged) {
   Told told(built(torus(14, 9)).mesh);
   int refusals = 0;
   for (std::uint64_t bytes = 1000; bytes < 100'000; bytes += 1000) {

@@ -21,7 +21,7 @@ Box box_of(const glm::vec3& min, const glm::vec3& max) {
   return box;
 }
 
-/// Where a point appears, in the window's units.
+/// Projected position of a point, in window units.
 glm::dvec2 window_position(const Camera& camera, const glm::dvec3& p) {
   const glm::dvec3 local = p - camera.eye();
   const double depth =
@@ -70,10 +70,11 @@ TEST(Camera, OrbitNeverRollsAndStopsAtThePoles) {
   camera.orbit({0.0, 1e6}, kWindow);
   EXPECT_EQ(camera.pitch_rad(), 0.5 * kPi);
   camera.orbit({0.0, -60.0}, kWindow);
-  EXPECT_NEAR(camera.pitch_rad(), 0.4 * kPi, 1e-12) << "must come back at once, not when undone";
+  EXPECT_NEAR(camera.pitch_rad(), 0.4 * kPi, 1e-12)
+      << "the opposite motion must leave the pole at once";
 }
 
-TEST(Camera, TheModelFollowsTheHand) {
+TEST(Camera, OrbitMovesTheModelWithTheCursor) {
   Camera camera;
   const glm::dvec3 nearest = camera.eye() + 0.5 * camera.distance() * camera.forward();
   const glm::dvec2 before = window_position(camera, nearest);
@@ -83,7 +84,7 @@ TEST(Camera, TheModelFollowsTheHand) {
   EXPECT_GT(after.y, before.y);
 }
 
-TEST(Camera, AFullTurnComesBack) {
+TEST(Camera, FullTurnReturnsToTheStart) {
   Camera camera;
   const glm::dvec3 before = camera.eye();
   for (int i = 0; i < 4; ++i)
@@ -122,7 +123,7 @@ TEST(Camera, ZoomKeepsThePointUnderTheCursor) {
   }
 }
 
-TEST(Camera, ZoomHasNoEndAndNoZero) {
+TEST(Camera, ZoomIsUnlimitedAndNeverReachesZero) {
   Camera camera;
   const Cursor middle{0.5 * kWindow, kWindow};
   for (int i = 0; i < 100; ++i)
@@ -156,7 +157,7 @@ TEST(Camera, FrameShowsTheWholeBoxFromEverySide) {
   }
 }
 
-TEST(Camera, FrameTakesAnEmptyBoxAndAPoint) {
+TEST(Camera, FrameAcceptsAnEmptyBoxAndAPoint) {
   Camera camera;
   camera.frame(Box{}, 1.0);
   EXPECT_GT(camera.distance(), 0.0);
@@ -165,7 +166,7 @@ TEST(Camera, FrameTakesAnEmptyBoxAndAPoint) {
   expect_near(camera.pivot(), {5, 5, 5});
 }
 
-TEST(Camera, RecentreKeepsAnglesAndDistance) {
+TEST(Camera, RecenterKeepsAnglesAndDistance) {
   Camera camera;
   camera.set_angles(0.5, 0.5);
   const double distance = camera.distance();
@@ -175,7 +176,7 @@ TEST(Camera, RecentreKeepsAnglesAndDistance) {
   expect_near(window_position(camera, {1, 2, 3}), 0.5 * kWindow, 1e-9);
 }
 
-TEST(Camera, SwitchingProjectionKeepsThePivotsPlane) {
+TEST(Camera, SwitchingProjectionKeepsThePivotPlane) {
   Camera camera;
   camera.set_angles(0.3, 0.2);
   const glm::dvec3 point = camera.pivot() + 0.4 * camera.right() + 0.3 * camera.up();
@@ -184,7 +185,7 @@ TEST(Camera, SwitchingProjectionKeepsThePivotsPlane) {
   expect_near(window_position(camera, point), before, 1e-9);
 }
 
-TEST(Camera, PickRayHitsWhatIsUnderTheCursor) {
+TEST(Camera, PickRayHitsThePointUnderTheCursor) {
   for (const bool orthographic : {false, true}) {
     Camera camera;
     camera.set_orthographic(orthographic);
@@ -199,8 +200,9 @@ TEST(Camera, PickRayHitsWhatIsUnderTheCursor) {
   }
 }
 
-/// A unit cube of any size anywhere looks the same, but for what its positions have lost.
-TEST(Camera, TransformKeepsPrecisionAtAnyScaleAndFarFromZero) {
+/// A unit cube of any size at any position looks the same, except for the rounding of its
+/// positions.
+TEST(Camera, TransformIsPreciseAtAnyScaleAndPosition) {
   struct Case {
     double size;
     double offset;
@@ -239,7 +241,7 @@ TEST(Camera, DepthIsReversedAndTheBoxIsBetweenThePlanes) {
   }
 }
 
-TEST(Camera, StandingInsideTheModelKeepsANearPlaneInFrontOfTheEye) {
+TEST(Camera, InsideTheModelTheNearPlaneIsInFrontOfTheEye) {
   const Box box = box_of({-1, -1, -1}, {1, 1, 1});
   Camera camera;
   camera.frame(box, 1.0);

@@ -1,4 +1,4 @@
-// Pictures while splits grow, beside pictures of meshes that stand still.
+// Compares images during a geomorph with images of static meshes.
 #include "engine/mesh/geomorph.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ Settings at(Settings settings, const GeomorphTime& time) {
   return settings;
 }
 
-/// A progressive mesh with all that drawing it takes.
+/// A progressive mesh with everything that is needed to draw it.
 struct Growing {
   ProgressiveMesh mesh;
   Geomorph geomorph;
@@ -63,7 +63,7 @@ Mesh bunny() {
 Mesh torus() {
   return build_mesh(test::torus(40, 24)).mesh;
 }
-/// With boundaries and creases, for lines.
+/// A sheet with boundaries and creases, to test lines.
 Mesh sheet() {
   Mesh mesh = build_mesh(test::grid(16)).mesh;
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -78,7 +78,7 @@ Mesh sheet() {
   return mesh;
 }
 
-/// Draws one mesh again and again.
+/// Draws one mesh repeatedly.
 class Drawer {
  public:
   explicit Drawer(gpu::Device& device) : mirror_(device), renderer_(device) {}
@@ -99,7 +99,7 @@ class Drawer {
   UploadStats stats_;
 };
 
-/// Pixels of which a component differs by more than `allowed`.
+/// Number of pixels with a component that differs by more than `allowed`.
 std::size_t count_different(const Image& a, const Image& b, int allowed = 0) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
@@ -111,7 +111,7 @@ std::size_t count_different(const Image& a, const Image& b, int allowed = 0) {
   return count;
 }
 
-/// The mesh with its vertices where the formula in C++ has them.
+/// The mesh with its vertices at the positions that the C++ formula gives.
 Mesh standing_still(const Growing& growing, const GeomorphTime& time,
                     std::vector<std::uint32_t>& normals) {
   Mesh still = growing.mesh.mesh();
@@ -126,7 +126,7 @@ Mesh standing_still(const Growing& growing, const GeomorphTime& time,
   return still;
 }
 
-TEST_F(GeomorphTest, BeforeAnythingHasGrownItIsTheCoarseLevel) {
+TEST_F(GeomorphTest, StartOfTheRangeMatchesTheCoarseLevel) {
   for (const Mesh& full : {bunny(), torus(), sheet()}) {
     Growing growing(full);
     Drawer drawer(device());
@@ -138,15 +138,16 @@ TEST_F(GeomorphTest, BeforeAnythingHasGrownItIsTheCoarseLevel) {
         plain.mirror().invalidate();
         growing.go_to(growing.count());
         const Image image = drawer.draw(growing, at(settings, GeomorphTime::between(coarse, 0.0F)));
-        // Faces that have not opened are slivers as wide as a sum of floats is off.
+        // Faces that have not opened yet are slivers as wide as the rounding error of floats.
         EXPECT_LE(count_different(image, expected, 2), 12U) << coarse;
       }
     }
   }
 }
 
-TEST_F(GeomorphTest, WhenEverythingHasGrownItIsTheFineLevelToTheBit) {
-  // Grown by the formula, so that shaders that move vertices draw it; and by being done.
+TEST_F(GeomorphTest, EndOfTheRangeMatchesTheFineLevelExactly) {
+  // Test both a time at which the formula gives full growth, drawn by the shaders that move
+  // vertices, and the time `done`.
   const GeomorphTime grown{.first_growing = 0, .whole = 1'000'000, .rate = 1.0F, .fixed = 0.0F};
   for (const Mesh& full : {bunny(), sheet()}) {
     Growing growing(full);
@@ -156,13 +157,13 @@ TEST_F(GeomorphTest, WhenEverythingHasGrownItIsTheFineLevelToTheBit) {
       ASSERT_TRUE(needs_geomorph(drawer.mirror(), at(settings, grown)));
       EXPECT_EQ(count_different(drawer.draw(growing, at(settings, grown)), expected), 0U);
       const Settings one = at(settings, GeomorphTime::between(3, 1.0F));
-      EXPECT_FALSE(needs_geomorph(drawer.mirror(), one)) << "an ordinary frame";
+      EXPECT_FALSE(needs_geomorph(drawer.mirror(), one)) << "drawn without geomorph shaders";
       EXPECT_EQ(count_different(drawer.draw(growing, one), expected), 0U);
     }
   }
 }
 
-TEST_F(GeomorphTest, ShadersAgreeWithTheFormulaInCpp) {
+TEST_F(GeomorphTest, ShadersAgreeWithTheCppFormula) {
   for (const Mesh& full : {bunny(), torus(), sheet()}) {
     Growing growing(full);
     Drawer drawer(device());
@@ -178,7 +179,7 @@ TEST_F(GeomorphTest, ShadersAgreeWithTheFormulaInCpp) {
         Drawer plain(device());
         const Image expected =
             plain.draw(still, growing.camera, settings, {.vertex_normals = normals});
-        // Normals were rounded to 32 bits; and planes of depth are elsewhere.
+        // Normals were rounded to 32 bits, and the depth planes differ.
         EXPECT_LE(count_different(image, expected, 2), 8U)
             << static_cast<int>(settings.shading) << " " << settings.wireframe;
       }
@@ -186,8 +187,8 @@ TEST_F(GeomorphTest, ShadersAgreeWithTheFormulaInCpp) {
   }
 }
 
-TEST_F(GeomorphTest, ManyFacesAloneAsEdgesMoveToo) {
-  // Beyond 50,000 faces edges are drawn by their faces.
+TEST_F(GeomorphTest, EdgesOfLargeMeshesMoveToo) {
+  // Above 50,000 faces, edges are drawn with their faces.
   Growing growing(build_mesh(test::torus(260, 120)).mesh, 20'000);
   Drawer drawer(device());
   ASSERT_GT(growing.mesh.mesh().face_count(), 50'000U);
@@ -200,7 +201,7 @@ TEST_F(GeomorphTest, ManyFacesAloneAsEdgesMoveToo) {
   EXPECT_LE(count_different(image, expected, 2), 8U);
 }
 
-TEST_F(GeomorphTest, NormalsOfCornersStayWhereVerticesMove) {
+TEST_F(GeomorphTest, CornerNormalsStayFixedWhileVerticesMove) {
   Growing growing(bunny());
   Settings split = kGouraud;
   split.crease_angle_deg = 30.0F;
@@ -214,7 +215,8 @@ TEST_F(GeomorphTest, NormalsOfCornersStayWhereVerticesMove) {
     const Image moved = drawer.draw(growing.mesh.mesh(), growing.camera, at(split, time), moving);
     EXPECT_GT(count_different(moved, still, 2), 500U);
     drawer.draw(growing, split);
-    EXPECT_EQ(drawer.mirror().normals().mode(), GpuNormals::Mode::vertex) << "given ones win";
+    EXPECT_EQ(drawer.mirror().normals().mode(), GpuNormals::Mode::vertex)
+        << "given normals take precedence";
   }
 }
 
@@ -234,24 +236,25 @@ TEST_F(GeomorphTest, TimeIsContinuousAcrossLevels) {
     most = std::max(most, count_different(now, before, 4));
     before = std::move(now);
   }
-  EXPECT_LE(most, 60U) << "a step of a twentieth of a split";
+  EXPECT_LE(most, 60U) << "one step is a twentieth of a split";
   growing.go_to(growing.count() / 2 + 40);
   const Image popped = drawer.draw(growing, kGouraud);
-  EXPECT_GT(count_different(popped, before, 4), 10 * most) << "what it would be without";
+  EXPECT_GT(count_different(popped, before, 4), 10 * most) << "the difference without a geomorph";
 }
 
-TEST_F(GeomorphTest, WithoutASourceTimeIsIgnored) {
+TEST_F(GeomorphTest, TimeIsIgnoredWithoutASource) {
   Growing growing(bunny());
   Drawer drawer(device());
   const Image plain = drawer.draw(growing.mesh.mesh(), growing.camera, kFlat, {});
   const Settings early = at(kFlat, GeomorphTime::between(0, 0.0F));
   EXPECT_EQ(drawer.draw(growing.mesh.mesh(), growing.camera, early, {}).rgba, plain.rgba);
-  EXPECT_GT(count_different(drawer.draw(growing, early), plain), 1000U) << "one that came later";
+  EXPECT_GT(count_different(drawer.draw(growing, early), plain), 1000U)
+      << "a source that was added later";
   EXPECT_EQ(drawer.draw(growing.mesh.mesh(), growing.camera, early, {}).rgba, plain.rgba);
 }
 
-TEST_F(GeomorphTest, NothingIsCutOffWhereTheCoarseLevelIsLarger) {
-  // The fine level lies within the coarse one's box: a spike that the last split takes back.
+TEST_F(GeomorphTest, CoarseLevelOutsideTheFineBoxIsNotClipped) {
+  // The fine level lies within the box of the coarse one: the last split removes a spike.
   Mesh mesh = build_mesh(test::cube()).mesh;
   std::vector<std::uint32_t> heads(mesh.vertex_count(), kNoHead);
   heads[6] = 0;
@@ -264,7 +267,7 @@ TEST_F(GeomorphTest, NothingIsCutOffWhereTheCoarseLevelIsLarger) {
   EXPECT_EQ(drawer.mirror().box().min, glm::vec3(-0.5F));
 }
 
-TEST_F(GeomorphTest, TimeAloneUploadsNothing) {
+TEST_F(GeomorphTest, ChangingTheTimeUploadsNothing) {
   Growing growing(torus());
   GpuMesh mirror(device());
   mirror.apply(growing.mesh.mesh(), kGouraud, growing.sources());
@@ -274,7 +277,7 @@ TEST_F(GeomorphTest, TimeAloneUploadsNothing) {
   }
 }
 
-TEST_F(GeomorphTest, LevelsUploadInProportionToTheirDistance) {
+TEST_F(GeomorphTest, LevelChangesUploadInProportionToTheirDistance) {
   Growing growing(build_mesh(test::torus(150, 100)).mesh);
   GpuMesh mirror(device());
   const std::uint32_t middle = growing.count() / 2;
@@ -291,7 +294,7 @@ TEST_F(GeomorphTest, LevelsUploadInProportionToTheirDistance) {
   }
 }
 
-TEST_F(GeomorphTest, AfterAnyWayEqualsAFreshMirror) {
+TEST_F(GeomorphTest, AnySequenceOfLevelsEqualsAFreshMirror) {
   for (const Settings& settings : {kFlat, kGouraud}) {
     Growing growing(sheet());
     GpuMesh mirror(device());
@@ -302,7 +305,7 @@ TEST_F(GeomorphTest, AfterAnyWayEqualsAFreshMirror) {
       const int step = far ? 100'000 : 5;
       const int to = level - step + static_cast<int>(random() % (2 * step + 1));
       growing.go_to(std::clamp(to, 0, static_cast<int>(growing.count())));
-      if (random() % 4 == 0) continue;  // several ways at once
+      if (random() % 4 == 0) continue;  // apply several level changes at once
       mirror.apply(growing.mesh.mesh(), settings, growing.sources());
       GpuMesh fresh(device());
       Mesh copy = growing.mesh.mesh();
@@ -312,7 +315,7 @@ TEST_F(GeomorphTest, AfterAnyWayEqualsAFreshMirror) {
   }
 }
 
-TEST_F(GeomorphTest, SplitsThatArriveLaterAreAppended) {
+TEST_F(GeomorphTest, LaterSplitsAreAppended) {
   Growing growing(torus());
   GpuMesh mirror(device());
   const std::span all = growing.geomorph.splits();
@@ -330,22 +333,23 @@ TEST_F(GeomorphTest, SplitsThatArriveLaterAreAppended) {
     fresh.apply(copy, kGouraud, sources);
     ASSERT_TRUE(mirror.read_back() == fresh.read_back()) << count;
   }
-  EXPECT_LT(split_bytes, 5 * all.size_bytes()) << "each is copied a few times";
-  EXPECT_LE(mirror.morph().splits().size(), 3 * all.size_bytes() / 2) << "room is not wasted";
-  // Normals that are known from now on come with all splits.
+  EXPECT_LT(split_bytes, 5 * all.size_bytes()) << "each split is copied only a few times";
+  EXPECT_LE(mirror.morph().splits().size(), 3 * all.size_bytes() / 2)
+      << "the capacity is not wasted";
+  // When normals become available, all splits are uploaded again.
   const Sources unknown{.morph = {growing.geomorph.heads(), all}};
   mirror.apply(growing.mesh.mesh(), kGouraud, unknown);
   EXPECT_GE(mirror.apply(growing.mesh.mesh(), kGouraud, growing.sources()).uploaded_bytes,
             all.size_bytes());
   EXPECT_LT(mirror.apply(growing.mesh.mesh(), kGouraud, growing.sources()).uploaded_bytes, 1U);
-  // Fewer are those of another mesh: all again.
+  // Fewer splits belong to another mesh, so all are uploaded again.
   growing.go_to(3);
   const Sources fewer{.morph = {growing.geomorph.heads(), all.first(3)}};
   mirror.apply(growing.mesh.mesh(), kFlat, fewer);
   EXPECT_EQ(mirror.morph().split_count(), 3U);
 }
 
-TEST_F(GeomorphTest, BirthsAreColoredInOrder) {
+TEST_F(GeomorphTest, SplitOrderColorsFollowTheOrder) {
   Growing growing(bunny());
   Drawer drawer(device());
   for (Settings settings : {kFlat, kGouraud, kFlatWire, kGouraudWire}) {
@@ -356,9 +360,9 @@ TEST_F(GeomorphTest, BirthsAreColoredInOrder) {
     EXPECT_GT(count_different(image, plain, 8), 5000U);
     settings.first_split_vertex = growing.mesh.mesh().vertex_count();
     EXPECT_EQ(count_different(drawer.draw(growing, settings), plain, 1), 0U)
-        << "the base looks as ever";
+        << "the base looks unchanged";
   }
-  // Without a source it is the mesh's own order.
+  // Without a source, colors follow the order of the mesh itself.
   Mesh mesh = bunny();
   Settings settings = kFlat;
   settings.colors_by_split_order = true;
@@ -368,7 +372,8 @@ TEST_F(GeomorphTest, BirthsAreColoredInOrder) {
 }
 
 TEST_F(GeomorphTest, FramesInFlightKeepTheirTime) {
-  // Two frames in one submission, into targets of their own: each has what it was recorded with.
+  // Two frames in one submission, with separate targets: each uses the time with which it was
+  // recorded.
   Growing growing(bunny());
   GpuMesh mirror(device());
   Renderer renderer(device());

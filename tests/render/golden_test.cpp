@@ -1,5 +1,4 @@
-// Pictures of small models in every mode against pictures that were looked at and approved
-// (tests/golden).
+// Compares images of small models in every mode with approved images (tests/golden).
 
 #include <array>
 #include <glm/trigonometric.hpp>
@@ -24,7 +23,7 @@ struct Scene {
   double yaw_deg = 30.0;
   double pitch_deg = 25.0;
   bool orthographic = false;
-  /// Edges by their ends: a selection, whose last one is under the cursor instead.
+  /// Edges of a selection, given by their ends. The last one is drawn as the edge under the cursor.
   std::vector<std::array<std::uint32_t, 2>> marked;
 };
 
@@ -46,7 +45,7 @@ Settings dark(Settings settings) {
   return settings;
 }
 
-/// Without the wireframe: what editing creases shows.
+/// Settings of the crease editor without the wireframe.
 Settings line_edges(Settings settings) {
   settings.wireframe = false;
   settings.line_edges = true;
@@ -129,7 +128,7 @@ std::vector<Scene> scenes() {
   };
 }
 
-/// A cube with an edge of each kind in sight.
+/// A cube with an edge of each kind in view.
 Mesh semi_sharp_cube() {
   Mesh mesh = build_mesh(test::cube()).mesh;
   const auto tag = [&](std::uint32_t a, std::uint32_t b, float sharpness) {
@@ -144,7 +143,8 @@ Mesh semi_sharp_cube() {
   return mesh;
 }
 
-/// A model of assets/, or one made here; of those one is too dense to be drawn edge by edge.
+/// Returns a model of assets/, or one that is built here. One of the latter has too many edges to
+/// be drawn one by one.
 Mesh load(const std::string& model) {
   if (model == "semi_sharp_cube") return semi_sharp_cube();
   if (model == "dense_torus") return build_mesh(test::torus(400, 150)).mesh;
@@ -176,7 +176,7 @@ Image draw(gpu::Device& device, const Scene& scene) {
 
 class Golden : public test::GpuTest, public ::testing::WithParamInterface<Scene> {};
 
-TEST_P(Golden, LooksAsApproved) {
+TEST_P(Golden, MatchesTheApprovedImage) {
   const Scene& scene = GetParam();
   test::expect_golden(device(), scene.name, draw(device(), scene));
 }
@@ -184,7 +184,7 @@ TEST_P(Golden, LooksAsApproved) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Golden, ::testing::ValuesIn(scenes()),
                          [](const auto& scene) { return scene.param.name; });
 
-TEST(GoldenComparison, SeesOneBitAndCountsPixels) {
+TEST(GoldenComparison, DetectsOneBitAndCountsPixels) {
   Image a;
   a.width = 2;
   a.height = 1;

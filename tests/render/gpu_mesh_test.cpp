@@ -17,7 +17,7 @@ const Settings kFlat{.shading = Shading::flat};
 const Settings kGouraud{.shading = Shading::gouraud};
 const Settings kSplit{.shading = Shading::gouraud, .crease_angle_deg = 30.0F};
 
-/// The same arrays in a mesh without history, mirrored for the first time.
+/// The content of a fresh mirror of the same arrays.
 std::vector<std::byte> fresh_content(gpu::Device& device, const Mesh& mesh,
                                      const Settings& settings) {
   Mesh copy = mesh;
@@ -26,7 +26,7 @@ std::vector<std::byte> fresh_content(gpu::Device& device, const Mesh& mesh,
   return mirror.read_back();
 }
 
-/// Any legal collapse, where a few tries find one.
+/// Collapses a random legal edge if a few tries find one.
 void collapse_any(Mesh& mesh, std::mt19937& random) {
   for (int tries = 0; tries < 50; ++tries) {
     const Halfedge h(static_cast<std::uint32_t>(random() % mesh.halfedge_count()));
@@ -71,7 +71,7 @@ TEST_F(GpuMeshTest, MirrorsTheArraysByteForByte) {
   EXPECT_EQ(mirror.crease_count(), 0U);
 }
 
-TEST_F(GpuMeshTest, PacksClassesTwoBitsAHalfedge) {
+TEST_F(GpuMeshTest, PacksEdgeClassesInTwoBitsPerHalfedge) {
   Mesh mesh = build_mesh(test::grid(5)).mesh;
   for (std::uint32_t i = 0; i < mesh.halfedge_count(); i += 7) {
     mesh.set_sharpness(mesh.edge(Halfedge(i)), kInfinitelySharp);
@@ -86,7 +86,7 @@ TEST_F(GpuMeshTest, PacksClassesTwoBitsAHalfedge) {
   }
 }
 
-TEST_F(GpuMeshTest, AfterAnyEditsEqualsAFreshMirror) {
+TEST_F(GpuMeshTest, AnyEditsEqualAFreshMirror) {
   for (const Settings& settings : {kFlat, kGouraud, kSplit}) {
     Mesh mesh = build_mesh(test::join(test::grid(12), test::torus(10, 8), {0, 0, 9})).mesh;
     GpuMesh mirror(device());
@@ -102,7 +102,7 @@ TEST_F(GpuMeshTest, AfterAnyEditsEqualsAFreshMirror) {
   }
 }
 
-TEST_F(GpuMeshTest, ShrinkingAndGrowingAgainEqualsAFreshMirror) {
+TEST_F(GpuMeshTest, ShrinkingAndGrowingEqualAFreshMirror) {
   for (const Settings& settings : {kFlat, kGouraud, kSplit}) {
     Mesh mesh = build_mesh(test::join(test::grid(12), test::torus(10, 8), {0, 0, 9})).mesh;
     for (std::uint32_t i = 0; i < mesh.halfedge_count(); i += 97)
@@ -131,13 +131,13 @@ TEST_F(GpuMeshTest, ShrinkingAndGrowingAgainEqualsAFreshMirror) {
     }
     for (const MeshDelta& delta : deltas) {
       apply(mesh, delta);
-      if (random() % 2 == 0) expect_mirrored();  // several at once are as good
+      if (random() % 2 == 0) expect_mirrored();  // apply several changes at once
     }
     expect_mirrored();
   }
 }
 
-TEST_F(GpuMeshTest, OneCollapseCostsAFewBytesThereAndBack) {
+TEST_F(GpuMeshTest, OneCollapseAndItsUndoUploadFewBytes) {
   std::mt19937 random(9);
   for (const Settings& settings : {kFlat, kGouraud, kSplit}) {
     Mesh mesh = build_mesh(test::join(test::torus(100, 100), test::grid(30))).mesh;
@@ -156,7 +156,7 @@ TEST_F(GpuMeshTest, OneCollapseCostsAFewBytesThereAndBack) {
   }
 }
 
-TEST_F(GpuMeshTest, UploadsInProportionToWhatAnEditChanged) {
+TEST_F(GpuMeshTest, UploadIsProportionalToTheEdit) {
   Mesh mesh = build_mesh(test::torus(100, 100)).mesh;
   GpuMesh mirror(device());
   mirror.apply(mesh, kFlat);
@@ -173,7 +173,7 @@ TEST_F(GpuMeshTest, UploadsInProportionToWhatAnEditChanged) {
   }
 }
 
-TEST_F(GpuMeshTest, ASharpnessCostsAFewBytesThereAndBack) {
+TEST_F(GpuMeshTest, OneSharpnessAndItsUndoUploadFewBytes) {
   for (const Settings& settings : {kFlat, kGouraud, kSplit}) {
     Mesh mesh = build_mesh(test::torus(100, 100)).mesh;
     std::vector<EdgeSharpness> some;
@@ -183,7 +183,7 @@ TEST_F(GpuMeshTest, ASharpnessCostsAFewBytesThereAndBack) {
     GpuMesh mirror(device());
     mirror.apply(mesh, settings);
     for (EdgeSharpness& one : some)
-      one.sharpness = 3.5F;  // the class stays, the weight does not
+      one.sharpness = 3.5F;  // the class stays the same, the weight changes
     some.resize(5);
     const MeshDelta delta = sharpness_difference(mesh, some);
     apply(mesh, delta);
@@ -197,7 +197,7 @@ TEST_F(GpuMeshTest, ASharpnessCostsAFewBytesThereAndBack) {
   }
 }
 
-TEST_F(GpuMeshTest, HoldsTheMarkedEdgesUntilAnotherMeshComes) {
+TEST_F(GpuMeshTest, KeepsMarkedEdgesUntilTheMeshChanges) {
   Mesh mesh = build_mesh(test::cube()).mesh;
   GpuMesh mirror(device());
   mirror.apply(mesh, kFlat);
@@ -208,14 +208,14 @@ TEST_F(GpuMeshTest, HoldsTheMarkedEdgesUntilAnotherMeshComes) {
   EXPECT_FALSE(mirror.mark(marked));
   EXPECT_EQ(mirror.selected_count(), 2U);
   EXPECT_TRUE(mirror.has_hovered());
-  EXPECT_EQ(mirror.read_back(), unmarked) << "marks are no part of the mesh";
+  EXPECT_EQ(mirror.read_back(), unmarked) << "marks are not part of the mesh";
   mirror.invalidate();
   mirror.apply(mesh, kFlat);
   EXPECT_EQ(mirror.selected_count(), 0U);
   EXPECT_FALSE(mirror.has_hovered());
 }
 
-TEST_F(GpuMeshTest, GrowingBeyondItsBuffersMakesLargerOnes) {
+TEST_F(GpuMeshTest, GrowthBeyondTheBuffersReallocates) {
   for (const Settings& settings : {kFlat, kGouraud, kSplit}) {
     Mesh mesh = build_mesh(test::cube()).mesh;
     GpuMesh mirror(device());
@@ -227,21 +227,21 @@ TEST_F(GpuMeshTest, GrowingBeyondItsBuffersMakesLargerOnes) {
   }
 }
 
-TEST_F(GpuMeshTest, OneMovedVertexCostsAFewBytes) {
+TEST_F(GpuMeshTest, OneMovedVertexUploadsFewBytes) {
   Mesh mesh = build_mesh(test::torus(100, 100)).mesh;
   GpuMesh mirror(device());
   mirror.apply(mesh, kGouraud);
   mesh.set_position(Vertex(1234), {0, 0, 0});
   const UploadStats stats = mirror.apply(mesh, kGouraud);
   EXPECT_GT(stats.uploaded_bytes, sizeof(glm::vec3));
-  EXPECT_LT(stats.uploaded_bytes, 400U);  // and the normals of its ring
+  EXPECT_LT(stats.uploaded_bytes, 400U);  // including the normals of its ring
   EXPECT_GT(stats.total_bytes, 400'000U);
   const UploadStats nothing = mirror.apply(mesh, kGouraud);
   EXPECT_EQ(nothing.uploaded_bytes, 0U);
   EXPECT_EQ(nothing.ranges, 0U);
 }
 
-TEST_F(GpuMeshTest, VeryManyRangesBecomeOneCopy) {
+TEST_F(GpuMeshTest, ManyRangesBecomeOneCopy) {
   Mesh mesh = build_mesh(test::grid(450)).mesh;
   GpuMesh mirror(device());
   mirror.apply(mesh, kFlat);
@@ -253,7 +253,7 @@ TEST_F(GpuMeshTest, VeryManyRangesBecomeOneCopy) {
   EXPECT_EQ(mirror.read_back(), fresh_content(device(), mesh, kFlat));
 }
 
-TEST_F(GpuMeshTest, MakesNormalsOnlyForGouraud) {
+TEST_F(GpuMeshTest, CreatesNormalsOnlyForGouraud) {
   Mesh mesh = build_mesh(test::cube()).mesh;
   GpuMesh mirror(device());
   mirror.apply(mesh, kFlat);
@@ -267,13 +267,13 @@ TEST_F(GpuMeshTest, MakesNormalsOnlyForGouraud) {
   mirror.apply(mesh, kGouraud);
   mesh.set_sharpness(mesh.edge(Halfedge(0)), 1.0F);
   mirror.apply(mesh, kGouraud);
-  EXPECT_EQ(mirror.normals().mode(), GpuNormals::Mode::corner) << "a crease splits";
+  EXPECT_EQ(mirror.normals().mode(), GpuNormals::Mode::corner) << "a crease splits normals";
   EXPECT_EQ(mirror.crease_count(), 1U);
   mirror.apply(mesh, kFlat);
   EXPECT_EQ(mirror.normals().buffer().size(), 0U);
 }
 
-TEST_F(GpuMeshTest, TakesAnEmptyMeshAndAnotherOne) {
+TEST_F(GpuMeshTest, AcceptsAnEmptyMeshAndAReplacement) {
   GpuMesh mirror(device());
   Mesh empty;
   mirror.apply(empty, kGouraud);

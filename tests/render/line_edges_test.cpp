@@ -11,7 +11,7 @@
 namespace mesher::render {
 namespace {
 
-TEST(LineEdges, FindsEachBoundaryAndCreaseOnce) {
+TEST(LineEdges, FindEachBoundaryAndCreaseOnce) {
   Mesh mesh = build_mesh(test::grid(4)).mesh;
   EXPECT_EQ(find_line_edges(mesh).boundaries.size(), 16U);
   EXPECT_TRUE(find_line_edges(mesh).creases.empty());
@@ -24,10 +24,10 @@ TEST(LineEdges, FindsEachBoundaryAndCreaseOnce) {
   }
   const LineEdges edges = find_line_edges(mesh);
   EXPECT_EQ(edges.creases.size(), inner);
-  EXPECT_EQ(edges.boundaries.size(), 16U) << "a sharp boundary is a boundary";
+  EXPECT_EQ(edges.boundaries.size(), 16U) << "a sharp boundary edge counts only as boundary";
 }
 
-TEST(LineEdges, UpdatingIsFindingAgain) {
+TEST(LineEdges, UpdateEqualsAFullSearch) {
   Mesh mesh = build_mesh(test::grid(30)).mesh;
   LineEdges edges = find_line_edges(mesh);
   std::mt19937 random(5);
@@ -42,17 +42,17 @@ TEST(LineEdges, UpdatingIsFindingAgain) {
   }
 }
 
-TEST(LineEdges, WeighCreasesByTheirSharpness) {
+TEST(LineEdges, WeightGrowsWithSharpness) {
   EXPECT_EQ(line_weight(0.0F), 0.0F);
   EXPECT_EQ(line_weight(kInfinitelySharp), 1.0F);
   float before = 0.0F;
-  for (int i = 1; i <= 1000; ++i) {  // ever more, and without a jump
+  for (int i = 1; i <= 1000; ++i) {  // strictly increasing and without jumps
     const float weight = line_weight(0.01F * static_cast<float>(i));
     EXPECT_GT(weight, before);
     EXPECT_LT(weight, before + 0.006F);
     before = weight;
   }
-  EXPECT_LT(before, 0.9F) << "10 is seen not to be infinite";
+  EXPECT_LT(before, 0.9F) << "a sharpness of 10 looks different from infinity";
   Mesh mesh = build_mesh(test::grid(4)).mesh;
   const Edge inner = mesh.find_edge(Vertex(6), Vertex(7));
   mesh.set_sharpness(inner, 2.0F);
@@ -78,7 +78,7 @@ TEST(LineEdges, FollowCollapses) {
   }
 }
 
-TEST(LineEdges, AreTheSameForAnyNumberOfThreads) {
+TEST(LineEdges, SameForAnyThreadCount) {
   const Mesh mesh = build_mesh(test::grid(400)).mesh;
   const LineEdges many = find_line_edges(mesh);
   const ThreadLimit one(1);

@@ -28,13 +28,13 @@ TEST(Pick, HitsBackFacesFromInside) {
   EXPECT_NEAR(hit->point.x, 0.5, 1e-12);
 }
 
-TEST(Pick, MissesBesideAndBehind) {
+TEST(Pick, MissesBesideAndBehindTheRay) {
   EXPECT_FALSE(pick(cube(), {{0.6, 0.2, 5.0}, {0.0, 0.0, -1.0}}));
   EXPECT_FALSE(pick(cube(), {{0.1, 0.2, 5.0}, {0.0, 0.0, 1.0}}));
   EXPECT_FALSE(pick(Mesh(), {{0.0, 0.0, 5.0}, {0.0, 0.0, -1.0}}));
 }
 
-TEST(Pick, IsTheSameForAnyNumberOfThreads) {
+TEST(Pick, SameForAnyThreadCount) {
   const Mesh mesh = build_mesh(test::torus(300, 200)).mesh;
   const Ray ray{{0.0, 0.3, 0.2}, glm::normalize(glm::dvec3(1.0, 0.1, 0.05))};
   const std::optional<Hit> many = pick(mesh, ray);
@@ -54,7 +54,7 @@ class PickEdge : public testing::Test {
     camera_.frame(bounding_box(mesh), kWindow.x / kWindow.y);
   }
   glm::dvec2 on_screen(const glm::dvec3& p) const { return camera_.places(kWindow).of(p); }
-  /// Where `share` of the edge from `a` to `b` is done.
+  /// Window position of the point at `share` of the edge from `a` to `b`.
   glm::dvec2 along(Vertex a, Vertex b, double share = 0.5) const {
     return on_screen(glm::mix(glm::dvec3(mesh_.position(a)), glm::dvec3(mesh_.position(b)), share));
   }
@@ -64,7 +64,7 @@ class PickEdge : public testing::Test {
   Camera camera_;
 };
 
-TEST_F(PickEdge, PlacesAreWhereThePickRayComesFrom) {
+TEST_F(PickEdge, WindowPositionsMatchThePickRay) {
   for (const bool orthographic : {false, true}) {
     camera_.set_orthographic(orthographic);
     const glm::dvec3 point(0.1, -0.3, 0.25);
@@ -75,7 +75,7 @@ TEST_F(PickEdge, PlacesAreWhereThePickRayComesFrom) {
   }
 }
 
-TEST_F(PickEdge, FindsTheEdgeNearestInTheWindow) {
+TEST_F(PickEdge, FindsTheNearestEdgeInTheWindow) {
   for (const bool orthographic : {false, true}) {
     camera_.set_orthographic(orthographic);
     const Edge front_top = mesh_.find_edge(Vertex(6), Vertex(7));
@@ -92,7 +92,7 @@ TEST_F(PickEdge, FindsTheEdgeNearestInTheWindow) {
   }
 }
 
-TEST_F(PickEdge, NothingIsNearInTheMiddleOfAFace) {
+TEST_F(PickEdge, FindsNoEdgeInTheMiddleOfAFace) {
   const glm::dvec2 middle = on_screen({0.25, -0.2, 0.5});
   EXPECT_FALSE(pick_edge(mesh_, camera_, {middle, kWindow}));
   EXPECT_TRUE(pick_edge(mesh_, camera_, {middle, kWindow}, 200.0));
@@ -100,7 +100,7 @@ TEST_F(PickEdge, NothingIsNearInTheMiddleOfAFace) {
   EXPECT_FALSE(pick_edge(Mesh(), camera_, {middle, kWindow}));
 }
 
-TEST_F(PickEdge, FindsTheOutlineFromALittleBeside) {
+TEST_F(PickEdge, FindsTheOutlineFromSlightlyOutside) {
   const Edge top_back = mesh_.find_edge(Vertex(2), Vertex(3));
   const glm::dvec2 beside = along(Vertex(2), Vertex(3)) - glm::dvec2(0, 5);
   ASSERT_FALSE(pick(mesh_, camera_.pick_ray({beside, kWindow})));
@@ -119,9 +119,10 @@ TEST_F(PickEdge, FindsABoundaryEdge) {
   EXPECT_EQ(hit->edge, mesh_.find_edge(Vertex(1), Vertex(2)));
 }
 
-TEST_F(PickEdge, FindsAnEdgeThatRunsBehindTheEye) {
+TEST_F(PickEdge, FindsAnEdgeThatExtendsBehindTheEye) {
   mesh_ = build_mesh(test::soup_of({{-10, -1, 10}, {10, -1, 10}, {0, -1, -100}}, {0, 1, 2})).mesh;
-  camera_ = {};  // at (0, 0, 3), looking along -z: most of the triangle's sides is behind
+  camera_ =
+      {};  // at (0, 0, 3), looking along -z, so most of the triangle's sides is behind the eye
   const glm::dvec3 p = glm::mix(glm::dvec3(10, -1, 10), glm::dvec3(0, -1, -100), 0.5);
   const auto hit = pick_edge(mesh_, camera_, {on_screen(p), kWindow});
   ASSERT_TRUE(hit);
@@ -129,10 +130,10 @@ TEST_F(PickEdge, FindsAnEdgeThatRunsBehindTheEye) {
   EXPECT_NEAR(hit->distance_px, 0.0, 1e-3);
 }
 
-TEST_F(PickEdge, IsTheSameForAnyNumberOfThreads) {
+TEST_F(PickEdge, SameForAnyThreadCount) {
   mesh_ = build_mesh(test::torus(300, 200)).mesh;
   look(mesh_);
-  // On it, and beside it.
+  // On the edge and next to it.
   for (const glm::dvec2 at : {glm::dvec2(250, 230), glm::dvec2(320, 20)}) {
     const auto many = pick_edge(mesh_, camera_, {at, kWindow}, 1e9);
     const ThreadLimit one(1);

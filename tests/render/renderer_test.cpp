@@ -71,7 +71,7 @@ double mean(const Image& image) {
   return sum / static_cast<double>(image.rgba.size());
 }
 
-TEST_F(RendererTest, BackgroundIsTheColorAsked) {
+TEST_F(RendererTest, BackgroundHasTheRequestedColor) {
   Mesh empty;
   for (const Background background : {Background::light, Background::dark}) {
     const Image image = draw(device(), empty, Camera(), {.background = background});
@@ -89,14 +89,14 @@ TEST_F(RendererTest, BackgroundIsTheColorAsked) {
   }
 }
 
-TEST_F(RendererTest, TheSamePictureEveryTimeAndForAnyKindOfImage) {
+TEST_F(RendererTest, ImageIsReproducibleAndIndependentOfTheTarget) {
   Mesh mesh = build_mesh(test::torus(40, 30)).mesh;
   const Settings settings{.shading = Shading::gouraud, .wireframe = true};
   const Camera camera = framed(mesh);
   const Image first = draw(device(), mesh, camera, settings);
   EXPECT_EQ(draw(device(), mesh, camera, settings).rgba, first.rgba);
 
-  // As a window gets it: copied to an image of the swapchain's format, ready for an overlay.
+  // Copy to an image in the format of the swapchain, ready for an overlay, as the window does.
   GpuMesh mirror(device());
   mirror.apply(mesh, settings);
   Renderer renderer(device());
@@ -113,24 +113,24 @@ TEST_F(RendererTest, TheSamePictureEveryTimeAndForAnyKindOfImage) {
     });
     EXPECT_EQ(gpu::read_image(device(), window, gpu::kColorAttachment).rgba, first.rgba);
   }
-  // The scene is still there: an overlay can change without it.
+  // The scene is unchanged, so an overlay can change without drawing it again.
   device().run_once([&](VkCommandBuffer commands) { target.copy_to(commands, window.handle()); });
   EXPECT_EQ(gpu::read_image(device(), window, gpu::kColorAttachment).rgba, first.rgba);
 }
 
-TEST_F(RendererTest, BoundariesAreThickAndRedAndOnlyInWireframes) {
+TEST_F(RendererTest, BoundariesAreThickRedAndOnlyInWireframe) {
   Mesh mesh = open_box();
   const Camera camera = framed(mesh, -0.8);  // looks into the opening
   const Settings plain{.shading = Shading::flat};
   EXPECT_EQ(count_pixels(draw(device(), mesh, camera, plain), is_red), 0U);
   for (const Shading shading : {Shading::none, Shading::flat, Shading::gouraud}) {
     const Image image = draw(device(), mesh, camera, {.shading = shading, .wireframe = true});
-    // Four edges of some 70 pixels, two pixels wide at the least.
+    // Four edges of about 70 pixels, at least two pixels wide.
     EXPECT_GT(count_pixels(image, is_red), 4U * 2 * 60) << static_cast<int>(shading);
   }
 }
 
-TEST_F(RendererTest, ASurfaceHidesTheBoundaryBehindIt) {
+TEST_F(RendererTest, SurfaceHidesTheBoundaryBehindIt) {
   Mesh mesh = open_box();
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const auto& [yaw, pitch] :
@@ -140,7 +140,7 @@ TEST_F(RendererTest, ASurfaceHidesTheBoundaryBehindIt) {
                              {.shading = Shading::flat, .wireframe = true});
     least = std::min(least, count_pixels(image, is_red));
   }
-  EXPECT_EQ(least, 0U) << "seen from behind its bottom, the opening shows";
+  EXPECT_EQ(least, 0U) << "seen from below, the boundary of the opening is visible";
 }
 
 TEST_F(RendererTest, CreasesAreYellow) {
@@ -150,16 +150,16 @@ TEST_F(RendererTest, CreasesAreYellow) {
   for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
     mesh.set_sharpness(mesh.edge(Halfedge(i)), 2.0F);
   }
-  // Nine of its edges are seen, some 60 pixels each. How many of those come out wholly yellow is
-  // the driver's: 303 by llvmpipe, 300 by an NVIDIA GPU.
+  // Nine of its edges are visible, about 60 pixels each. The number of fully yellow pixels depends
+  // on the driver: 303 with llvmpipe, 300 with an NVIDIA GPU.
   EXPECT_GT(count_pixels(draw(device(), mesh, framed(mesh), settings), is_yellow), 9U * 30);
 }
 
-TEST_F(RendererTest, BackFacesAreBlueAndAClosedSurfaceShowsNone) {
+TEST_F(RendererTest, BackFacesAreBlueAndHiddenOnClosedSurfaces) {
   Mesh outside = build_mesh(test::torus(30, 20)).mesh;
   for (const Shading shading : {Shading::flat, Shading::gouraud}) {
     const Image image = draw(device(), outside, framed(outside), {.shading = shading});
-    // Faces seen edge-on have no certain depth: one pixel of an outline may come out wrong.
+    // Faces seen edge-on have no reliable depth, so one pixel of an outline may be wrong.
     EXPECT_LE(count_pixels(image, is_blue), 2U);
   }
   Soup soup = test::torus(30, 20);
@@ -173,7 +173,7 @@ TEST_F(RendererTest, BackFacesAreBlueAndAClosedSurfaceShowsNone) {
   }
 }
 
-TEST_F(RendererTest, LooksTheSameAtAnyScaleAndFarFromZero) {
+TEST_F(RendererTest, LooksTheSameAtAnyScaleAndPosition) {
   const Settings settings{.shading = Shading::flat, .wireframe = true};
   Mesh unit = build_mesh(test::torus(20, 12)).mesh;
   const Image expected = draw(device(), unit, framed(unit), settings);
@@ -192,7 +192,7 @@ TEST_F(RendererTest, LooksTheSameAtAnyScaleAndFarFromZero) {
   }
 }
 
-TEST_F(RendererTest, WireframeAloneShowsTheBackgroundBetweenLines) {
+TEST_F(RendererTest, WireframeOnlyShowsTheBackgroundBetweenLines) {
   Mesh mesh = build_mesh(test::cube()).mesh;
   for (const Background background : {Background::light, Background::dark}) {
     const Image image =
@@ -207,8 +207,8 @@ TEST_F(RendererTest, WireframeAloneShowsTheBackgroundBetweenLines) {
   }
 }
 
-TEST_F(RendererTest, EdgesByFacesAndByQuadsAreAboutTheSame) {
-  // The same torus below and above the number of faces from which edges are drawn by their faces.
+TEST_F(RendererTest, EdgesDrawnWithFacesAndAsQuadsLookAlike) {
+  // The same torus below and above the face count from which edges are drawn with their faces.
   const Settings settings{.shading = Shading::none, .wireframe = true};
   Mesh few = build_mesh(test::torus(200, 120)).mesh;
   Mesh many = build_mesh(test::torus(260, 120)).mesh;
@@ -217,22 +217,23 @@ TEST_F(RendererTest, EdgesByFacesAndByQuadsAreAboutTheSame) {
   const Image a = draw(device(), few, framed(few), settings);
   const Image b = draw(device(), many, framed(many), settings);
   EXPECT_NEAR(mean(a), mean(b), 6.0);
-  EXPECT_LT(mean(a), 246.0) << "there are lines";
-  EXPECT_LT(mean(b), 246.0) << "there are lines";
+  EXPECT_LT(mean(a), 246.0) << "lines are drawn";
+  EXPECT_LT(mean(b), 246.0) << "lines are drawn";
 }
 
-TEST_F(RendererTest, EdgesBehindTheEyeDoNoHarm) {
+TEST_F(RendererTest, EdgesBehindTheEyeDrawNoArtifacts) {
   Mesh mesh = open_box();
   for (const double zoom : {5.0, 50.0, 5000.0}) {
     Camera camera = framed(mesh);
     camera.zoom(zoom);
     const Image image = draw(device(), mesh, camera, {.shading = Shading::flat, .wireframe = true});
-    // Nothing but the walls of the box, and no red smeared over them from edges behind.
+    // Only the walls of the box are visible, and edges behind the eye are not smeared over them in
+    // red.
     EXPECT_LT(count_pixels(image, is_red), std::size_t{kSize} * kSize / 4) << zoom;
   }
 }
 
-TEST_F(RendererTest, EverySettingOnEveryMesh) {
+TEST_F(RendererTest, EverySettingDrawsEveryMesh) {
   Mesh closed = build_mesh(test::cube()).mesh;
   Mesh open = open_box();
   open.set_sharpness(open.edge(Halfedge(0)), 1.0F);
@@ -259,7 +260,7 @@ TEST_F(RendererTest, EverySettingOnEveryMesh) {
   }
 }
 
-TEST_F(RendererTest, RefusesImpossibleSizes) {
+TEST_F(RendererTest, RejectsImpossibleSizes) {
   Mesh mesh = build_mesh(test::cube()).mesh;
   EXPECT_THROW(render_image(device(), mesh, Camera(), {}, 0, 10), DeviceError);
   EXPECT_THROW(render_image(device(), mesh, Camera(), {}, 10, 1U << 20), DeviceError);

@@ -14,7 +14,7 @@ glm::vec2 texcoord_of(Vertex v) {
   return {0.25F * static_cast<float>(v.index()), 1.0F};
 }
 
-/// One value a vertex, and the face's number as its group.
+/// One value per vertex, and the face index modulo 3 as its group.
 Attributes plain_attributes(const Mesh& mesh) {
   Attributes a;
   for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
@@ -41,7 +41,7 @@ struct Case {
   Simplified result;
 };
 
-TEST(CarryAttributes, ValuesOfVerticesStayWithTheirVertices) {
+TEST(CarryAttributes, VertexValuesStayWithTheirVertices) {
   const Case c;
   const CarriedAttributes carried = c.carried();
   EXPECT_TRUE(carried.dropped.empty());
@@ -66,7 +66,7 @@ TEST(CarryAttributes, GroupsStayWithTheirFaces) {
   EXPECT_EQ(a.group_names, c.attributes.group_names);
 }
 
-TEST(CarryAttributes, ASeamAtASurvivorDropsThatAttributeAndSaysSo) {
+TEST(CarryAttributes, SeamAtARemainingVertexDropsAndReportsTheAttribute) {
   Case c;
   const Vertex survivor = c.result.vertex_source[0];
   c.attributes.texcoord[c.mesh.outgoing(survivor).index()] = {7.0F, 7.0F};
@@ -77,7 +77,7 @@ TEST(CarryAttributes, ASeamAtASurvivorDropsThatAttributeAndSaysSo) {
   EXPECT_EQ(carried.dropped[0].find("texture coordinates (seams at 1 of the "), 0U);
 }
 
-TEST(CarryAttributes, ASeamAtAVertexThatIsGoneDoesNotMatter) {
+TEST(CarryAttributes, SeamAtARemovedVertexIsIgnored) {
   Case c;
   std::vector<bool> survives(c.mesh.vertex_count());
   for (const Vertex v : c.result.vertex_source)
@@ -89,7 +89,7 @@ TEST(CarryAttributes, ASeamAtAVertexThatIsGoneDoesNotMatter) {
   EXPECT_TRUE(c.carried().dropped.empty());
 }
 
-TEST(CarryAttributes, CornersWithoutAValueAgreeWithEachOther) {
+TEST(CarryAttributes, MissingCornerValuesAreEqual) {
   Case c;
   constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
   const Vertex survivor = c.result.vertex_source[0];
@@ -101,22 +101,22 @@ TEST(CarryAttributes, CornersWithoutAValueAgreeWithEachOther) {
   EXPECT_TRUE(std::isnan(carried.attributes.texcoord[c.result.mesh.outgoing(Vertex(0)).index()].x));
 }
 
-TEST(CarryAttributes, OfNothingIsNothing) {
+TEST(CarryAttributes, EmptyAttributesStayEmpty) {
   Case c;
   c.attributes = {};
   EXPECT_TRUE(c.carried().attributes.is_empty());
   EXPECT_TRUE(c.carried().dropped.empty());
 }
 
-TEST(CarryAttributes, WithoutACollapseAllStays) {
+TEST(CarryAttributes, NoCollapseKeepsAllAttributes) {
   Case c(1000);
-  c.attributes.texcoord[0] = {7.0F, 7.0F};  // a seam, too
+  c.attributes.texcoord[0] = {7.0F, 7.0F};  // also a seam
   const Attributes a = c.carried().attributes;
   EXPECT_TRUE(a.texcoord == c.attributes.texcoord);
   EXPECT_TRUE(a.group == c.attributes.group);
 }
 
-TEST(CarryAttributes, SurvivorsNeedNotComeFromSimplify) {
+TEST(CarryAttributes, AcceptsAnyListOfRemainingElements) {
   const Case c;
   const CarriedAttributes carried =
       carry_attributes(c.attributes, c.mesh.origins(),

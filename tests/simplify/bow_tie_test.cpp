@@ -1,4 +1,4 @@
-// Copies of bow-tie vertices under simplification: pinned, and still known as copies.
+// Copies of bow-tie vertices in simplification: they are pinned and stay listed as copies.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace mesher::test {
 namespace {
 
-/// The same soup with vertex `v` as its vertex 0, and vertex 0 in its place.
+/// Swaps vertex `v` of the soup with its vertex 0.
 Soup with_first(Soup soup, std::uint32_t v) {
   std::swap(soup.positions[0], soup.positions[v]);
   for (std::uint32_t& corner : soup.corners)
@@ -21,7 +21,7 @@ Soup with_first(Soup soup, std::uint32_t v) {
   return soup;
 }
 
-/// Closed surfaces alone; a sheet's corner; a vertex in the middle of a sheet's side.
+/// Closed surfaces only; the corner of a sheet; a vertex in the middle of a side of a sheet.
 std::vector<Mesh> meshes_with_bow_ties() {
   std::vector<Mesh> meshes;
   meshes.push_back(built(bow_tie({torus(24, 14), torus(9, 20)})).mesh);
@@ -38,7 +38,7 @@ void expect_copies_stay(const Mesh& result, const Mesh& input) {
     EXPECT_EQ(result.position(copy.v), input.position(input.bow_tie_copies()[0].v));
 }
 
-TEST(BowTies, CopiesStayAtOnePositionToTheLastCollapse) {
+TEST(BowTies, CopiesKeepTheirPositionUntilTheLastCollapse) {
   std::size_t renamed = 0;
   for (const Mesh& mesh : meshes_with_bow_ties()) {
     for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
@@ -62,11 +62,11 @@ TEST(BowTies, CopiesStayAtOnePositionToTheLastCollapse) {
       }
     }
   }
-  // A collapse may remove the copy itself: its position and its entry go to the other end.
+  // A collapse may remove the copy itself. The other end then takes its position and its entry.
   EXPECT_GT(renamed, 0U);
 }
 
-TEST(BowTies, CopiesStayUnderEveryTargetOrderAndRule) {
+TEST(BowTies, CopiesAreKeptForEveryTargetOrderAndRule) {
   for (const Mesh& mesh : meshes_with_bow_ties()) {
     for (const std::uint32_t faces : {mesh.face_count(), mesh.face_count() - 1, 200U, 60U}) {
       expect_copies_stay(simplify(Mesh(mesh), {.target_faces = faces}).mesh, mesh);
@@ -81,7 +81,7 @@ TEST(BowTies, CopiesStayUnderEveryTargetOrderAndRule) {
   expect_copies_stay(simplify(Mesh(small), {.max_error = 0.05}).mesh, small);
 }
 
-TEST(BowTies, CopiesStayOfMeshesOfEverySize) {
+TEST(BowTies, CopiesAreKeptForMeshesOfEverySize) {
   for (const float scale : {1e-30F, 1e-12F, 1e15F, 1e30F}) {
     for (const Mesh& unit : meshes_with_bow_ties()) {
       MeshArrays arrays = MeshArrays::take(Mesh(unit));
@@ -93,8 +93,8 @@ TEST(BowTies, CopiesStayOfMeshesOfEverySize) {
   }
 }
 
-TEST(BowTies, TheSameBytesForAnyNumberOfThreads) {
-  // Large enough for several regions per round.
+TEST(BowTies, SameBytesForAnyThreadCount) {
+  // The mesh is large enough for several regions per round.
   const Mesh mesh = built(bow_tie({torus(150, 90), torus(90, 60), grid(60)})).mesh;
   std::optional<Simplified> first;
   for (const unsigned threads : {1U, 2U, 5U}) {

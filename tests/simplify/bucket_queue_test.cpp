@@ -10,7 +10,7 @@
 namespace mesher::test {
 namespace {
 
-TEST(BucketQueue, BucketsGrowWithCostAndAreNarrow) {
+TEST(BucketQueue, BucketsIncreaseWithCostAndAreNarrow) {
   EXPECT_EQ(BucketQueue::bucket_of(0.0F), BucketQueue::bucket_of(-0.0F));
   EXPECT_LT(BucketQueue::bucket_of(std::numeric_limits<float>::infinity()), BucketQueue::kBuckets);
   std::uint32_t last = 0;
@@ -25,7 +25,7 @@ TEST(BucketQueue, BucketsGrowWithCostAndAreNarrow) {
   EXPECT_LT(BucketQueue::highest_below(0), 0.0F);
 }
 
-TEST(BucketQueue, EqualCostsAreServedInTheOrderInWhichTheyCame) {
+TEST(BucketQueue, EqualCostsLeaveInInsertionOrder) {
   std::vector<QueueEntry> entries(10);
   BucketQueue queue(entries);
   for (const std::uint32_t v : {7U, 2U, 9U, 4U})
@@ -36,11 +36,11 @@ TEST(BucketQueue, EqualCostsAreServedInTheOrderInWhichTheyCame) {
     queue.remove(Vertex(v));
   }
   EXPECT_FALSE(queue.front().is_valid());
-  queue.remove(Vertex(3));  // not in it: nothing happens
+  queue.remove(Vertex(3));  // not in the queue, so nothing happens
   EXPECT_FALSE(queue.contains(Vertex(3)));
 }
 
-TEST(BucketQueue, WhoStandsBehindWhomFollowsTheOrderInABucket) {
+TEST(BucketQueue, BehindReturnsTheNextVertexOfTheBucket) {
   std::vector<QueueEntry> entries(10);
   BucketQueue queue(entries);
   for (const std::uint32_t v : {7U, 2U, 9U})
@@ -49,12 +49,12 @@ TEST(BucketQueue, WhoStandsBehindWhomFollowsTheOrderInABucket) {
   EXPECT_EQ(queue.behind(Vertex(7)), Vertex(2));
   queue.remove(Vertex(2));
   EXPECT_EQ(queue.behind(Vertex(7)), Vertex(9));
-  EXPECT_FALSE(queue.behind(Vertex(9)).is_valid());  // the next is in another bucket
+  EXPECT_FALSE(queue.behind(Vertex(9)).is_valid());  // the next vertex is in another bucket
   EXPECT_EQ(queue.bucket(Vertex(4)), BucketQueue::bucket_of(8.0F));
   EXPECT_EQ(queue.bucket(Vertex(2)), kNone);
 }
 
-TEST(BucketQueue, AgreesWithASortedSetOverRandomWork) {
+TEST(BucketQueue, AgreesWithSortedSetOnRandomOperations) {
   std::mt19937 random(11);
   constexpr std::uint32_t kVertices = 500;
   std::vector<QueueEntry> entries(kVertices);

@@ -10,7 +10,7 @@
 namespace mesher::test {
 namespace {
 
-TEST(Cheapest, IsNoneWhereNothingHasACost) {
+TEST(Cheapest, IsInvalidWithoutACandidate) {
   Cheapest cheapest;
   EXPECT_FALSE(cheapest.halfedge().is_valid());
   EXPECT_EQ(cheapest.cost(), kNever);
@@ -18,7 +18,7 @@ TEST(Cheapest, IsNoneWhereNothingHasACost) {
   EXPECT_EQ(cheapest.cost(), kNever);
 }
 
-TEST(Cheapest, OfEqualsIsTheLowest) {
+TEST(Cheapest, EqualCostsGiveTheLowestHalfedge) {
   Cheapest cheapest;
   for (const std::uint32_t h : {9U, 4U, 7U})
     cheapest.offer(Halfedge(h), 0.0F);
@@ -26,7 +26,7 @@ TEST(Cheapest, OfEqualsIsTheLowest) {
   EXPECT_EQ(cheapest.cost(), 0.0F);
 }
 
-TEST(Cheapest, AgreesWithComparingCosts) {
+TEST(Cheapest, AgreesWithComparingAllCosts) {
   std::mt19937 random(3);
   for (int round = 0; round < 1000; ++round) {
     Cheapest cheapest;
@@ -40,13 +40,14 @@ TEST(Cheapest, AgreesWithComparingCosts) {
   }
 }
 
-TEST(Cheapest, WhatIsNotANumberIsNeverChosen) {
+TEST(Cheapest, NanIsNeverChosen) {
   Cheapest cheapest;
   cheapest.offer(Halfedge(1), std::numeric_limits<float>::quiet_NaN());
   EXPECT_EQ(cheapest.cost(), kNever);
 }
 
-// What lies together is read together: a vertex is one cache line, and no face crosses one.
+// Data that is read together is stored together: a vertex fills one cache line, and no face crosses
+// a cache line.
 static_assert(sizeof(VertexState) == 64 && alignof(VertexState) == 64);
 static_assert(sizeof(FaceState) == 32 && alignof(FaceState) == 32);
 

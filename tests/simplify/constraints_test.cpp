@@ -1,4 +1,4 @@
-// Boundaries and creases: what is kept, and what becomes of it.
+// Simplification with boundary rules and creases.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::set<Point> boundary_points(const Mesh& mesh) {
   return points;
 }
 
-/// The faces of a cube of side 1, each cut into n x n squares.
+/// A cube of side 1, with n x n squares per side.
 Mesh fine_cube(std::uint32_t n) {
   Soup soup;
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> ids;
@@ -61,7 +61,7 @@ Mesh fine_cube(std::uint32_t n) {
   return built(std::move(soup)).mesh;
 }
 
-TEST(Boundary, APreservedOneKeepsItsLoopsAndItsCorners) {
+TEST(Boundary, PreserveKeepsLoopsAndCorners) {
   const Mesh sheet = built(grid(16)).mesh;
   for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
     const Simplified result =
@@ -80,7 +80,7 @@ TEST(Boundary, APreservedOneKeepsItsLoopsAndItsCorners) {
   }
 }
 
-TEST(Boundary, ALockedOneStaysToThePoint) {
+TEST(Boundary, LockKeepsEveryBoundaryPoint) {
   const Mesh sheet = built(grid(16)).mesh;
   for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
     const Simplified result = simplify(
@@ -92,7 +92,7 @@ TEST(Boundary, ALockedOneStaysToThePoint) {
   }
 }
 
-TEST(Creases, ACubeKeepsItsEdgesAndCornersByAngle) {
+TEST(Creases, CreaseAngleKeepsEdgesAndCornersOfACube) {
   const Mesh cube = fine_cube(12);
   const Simplified result = simplify(Mesh(cube), {.target_faces = 12, .crease_angle_deg = 40.0F});
   EXPECT_EQ(result.mesh.face_count(), 12U);
@@ -103,7 +103,7 @@ TEST(Creases, ACubeKeepsItsEdgesAndCornersByAngle) {
   EXPECT_NEAR(statistics(result.mesh).volume, 1.0, 1e-6);
 }
 
-TEST(Creases, TaggedEdgesCollapseAlongThemselvesAlone) {
+TEST(Creases, TaggedEdgesCollapseOnlyAlongTheCrease) {
   Mesh sheet = built(grid(16)).mesh;
   // A crease along the middle row, from boundary to boundary, and a dart that ends inside.
   const auto at = [](std::uint32_t x, std::uint32_t y) { return Vertex(17 * y + x); };
@@ -118,7 +118,8 @@ TEST(Creases, TaggedEdgesCollapseAlongThemselvesAlone) {
         simplify(Mesh(sheet),
                  {.target_faces = 0, .cost = static_cast<CostPolicy>(p), .observer = &recorder});
     expect_valid(result.mesh);
-    // The row is still there: from one side to the other, all of it creased, straight.
+    // The row is still there: it runs straight from one side to the other, and every edge is a
+    // crease.
     double length = 0.0;
     double dart = 0.0;
     for (std::uint32_t i = 0; i < result.mesh.halfedge_count(); ++i) {
@@ -136,7 +137,7 @@ TEST(Creases, TaggedEdgesCollapseAlongThemselvesAlone) {
   }
 }
 
-TEST(Creases, ACornerTagHoldsItsVertexOnAClosedSurfaceToo) {
+TEST(Creases, CornerTagPinsAVertexOfAClosedSurface) {
   Mesh mesh = built(torus(40, 20)).mesh;
   const glm::vec3 p = mesh.position(Vertex(333));
   mesh.set_sharpness(Vertex(333), 2.0F);
@@ -147,7 +148,7 @@ TEST(Creases, ACornerTagHoldsItsVertexOnAClosedSurfaceToo) {
   }
 }
 
-TEST(Constraints, ThatStopTheWorkAreNamed) {
+TEST(Constraints, ReportNamesTheConstraintThatStopsTheRun) {
   const Simplified cube = simplify(fine_cube(1), {.target_faces = 4, .crease_angle_deg = 30.0F});
   EXPECT_EQ(cube.report.reason, StopReason::no_legal_collapse);
   EXPECT_EQ(cube.report[Rejection::crease], 18U) << "every edge joins two corners";
@@ -156,7 +157,7 @@ TEST(Constraints, ThatStopTheWorkAreNamed) {
   EXPECT_GE(sheet.report[Rejection::boundary], 64U);
 }
 
-TEST(Creases, ACornerTagHoldsItsVertex) {
+TEST(Creases, CornerTagPinsItsVertex) {
   Mesh sheet = built(grid(8)).mesh;
   sheet.set_sharpness(Vertex(40), 1.0F);
   const glm::vec3 p = sheet.position(Vertex(40));

@@ -1,5 +1,5 @@
-// Flat planes, perfect grids, needles, equal costs, coincident vertices, hubs: no stall, no far
-// vertex, no quadratic time.
+// Flat planes, perfect grids, needles, equal costs, coincident vertices and hubs: the run must not
+// stall, place a vertex far away or take quadratic time.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -20,7 +20,7 @@ void expect_sound(const Mesh& mesh, const Simplified& result) {
   expect_valid(result.mesh);
   EXPECT_EQ(topology(result.mesh), topology(mesh));
   EXPECT_LE(count_folds(result.mesh), count_folds(mesh));
-  // No vertex outside of where the input was, but for a little.
+  // No vertex may lie outside the bounds of the input, except for a small margin.
   const Box before = bounding_box(mesh);
   const Box after = bounding_box(result.mesh);
   const auto slack = static_cast<float>(0.05 * before.diagonal());
@@ -30,7 +30,7 @@ void expect_sound(const Mesh& mesh, const Simplified& result) {
   }
 }
 
-TEST(Degenerate, AFlatSheetGoesDownToTwoFaces) {
+TEST(Degenerate, FlatSheetIsReducedToTwoFaces) {
   for (const std::uint32_t n : {7U, 40U, 130U}) {
     const Mesh sheet = built(grid(n)).mesh;
     const Simplified result = simplify(Mesh(sheet), {.target_faces = 2});
@@ -41,18 +41,18 @@ TEST(Degenerate, AFlatSheetGoesDownToTwoFaces) {
   }
 }
 
-TEST(Degenerate, AFlatSheetIsCoarsenedEvenly) {
+TEST(Degenerate, FlatSheetIsReducedEvenly) {
   const Mesh sheet = built(grid(100)).mesh;
   const Simplified result = simplify(Mesh(sheet), {.target_faces = 2'000});
-  // No hub and no desert: the largest face is not many times the mean.
+  // No vertex becomes a hub.
   std::uint32_t most = 0;
   for (std::uint32_t v = 0; v < result.mesh.vertex_count(); ++v)
     most = std::max(most, result.mesh.valence(Vertex(v)));
   EXPECT_LE(most, 24U);
 }
 
-TEST(Degenerate, NeedlesAreNoObstacle) {
-  // A sheet a thousand times longer than wide in every face, and one of random slivers.
+TEST(Degenerate, NeedlesAreSimplified) {
+  // A sheet whose faces are a thousand times longer than wide, and a sheet of random slivers.
   Soup soup = grid(60);
   for (glm::vec3& p : soup.positions)
     p.x *= 1000.0F;
@@ -72,8 +72,8 @@ TEST(Degenerate, NeedlesAreNoObstacle) {
   }
 }
 
-TEST(Degenerate, CoincidentVerticesAndFacesWithoutArea) {
-  // Every second row lies on the one before: half the faces have no area.
+TEST(Degenerate, CoincidentVerticesAndZeroAreaFacesAreSimplified) {
+  // Every second row coincides with the previous one, so half the faces have no area.
   Soup soup = grid(40);
   for (glm::vec3& p : soup.positions)
     p.y = 2.0F * std::floor(p.y / 2.0F);
@@ -81,7 +81,7 @@ TEST(Degenerate, CoincidentVerticesAndFacesWithoutArea) {
   const Simplified result = simplify(Mesh(mesh), {.target_faces = 100});
   expect_sound(mesh, result);
   EXPECT_LE(result.mesh.face_count(), 100U);
-  // All in one point.
+  // All vertices at one point.
   Soup point = torus(20, 10);
   for (glm::vec3& p : point.positions)
     p = glm::vec3(1.0F, 2.0F, 3.0F);
@@ -91,7 +91,7 @@ TEST(Degenerate, CoincidentVerticesAndFacesWithoutArea) {
   EXPECT_EQ(collapsed.mesh.face_count(), 50U);
 }
 
-TEST(Degenerate, HugeAndTinyCoordinates) {
+TEST(Degenerate, HugeAndTinyCoordinatesAreSimplified) {
   for (const float size : {1e-38F, 1e-30F, 1e30F, 1e37F, 2.2e38F}) {
     Soup soup = torus(40, 20);
     for (glm::vec3& p : soup.positions)
@@ -103,7 +103,7 @@ TEST(Degenerate, HugeAndTinyCoordinates) {
   }
 }
 
-/// A disc of so many spokes; `height` lifts the hub.
+/// A disc with the given number of spokes; `height` lifts the hub.
 Mesh disc(std::uint32_t spokes, float height) {
   Soup soup;
   soup.positions.push_back({0, 0, height});
@@ -123,9 +123,9 @@ double seconds(const Mesh& mesh, const SimplifyOptions& options) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Quadratic work on 80,000 spokes would take minutes; it is the growth that is tested, and with a
-// margin that no busy machine uses up.
-TEST(Degenerate, AHubIsNotQuadratic) {
+// Quadratic work on 80,000 spokes would take minutes. The test checks the growth, with a margin
+// that is large enough for a busy machine.
+TEST(Degenerate, HubTakesNoQuadraticTime) {
   for (const float height : {0.0F, 1.0F}) {
     for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
       SCOPED_TRACE(key(static_cast<CostPolicy>(p)));
@@ -138,8 +138,8 @@ TEST(Degenerate, AHubIsNotQuadratic) {
   }
 }
 
-TEST(Degenerate, EqualCostsEverywhere) {
-  // An octahedron whose every edge costs the same.
+TEST(Degenerate, EqualCostsAreSimplified) {
+  // All edges of an octahedron cost the same.
   const Mesh octahedron =
       built(soup_of({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
                     {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5}))
@@ -149,8 +149,9 @@ TEST(Degenerate, EqualCostsEverywhere) {
   EXPECT_LE(result.mesh.face_count(), 6U);
 }
 
-// Where a face is a million times larger than its neighbours, their quadrics lose their own digits.
-TEST(Degenerate, SpikesFarBeyondTheRest) {
+// Where a face is a million times larger than its neighbors, their quadrics lose their significant
+// digits.
+TEST(Degenerate, LongSpikesKeepTopology) {
   for (std::uint32_t seed = 0; seed < 10; ++seed) {
     std::mt19937 random(seed);
     Soup soup = torus(60, 30);
@@ -162,8 +163,8 @@ TEST(Degenerate, SpikesFarBeyondTheRest) {
           simplify(Mesh(mesh), {.target_faces = 100, .cost = static_cast<CostPolicy>(p)});
       expect_valid(result.mesh);
       EXPECT_EQ(topology(result.mesh), topology(mesh));
-      // Of a spike both sides lie on each other, and all of the area is spikes': for costs that are
-      // errors nothing that is folded there is harm.
+      // Both sides of a spike coincide, and the spikes have nearly all of the area. For costs that
+      // are errors, folds there do no harm.
       if (static_cast<CostPolicy>(p) > CostPolicy::accumulated_quadric) {
         EXPECT_LE(count_folds(result.mesh), count_folds(mesh));
       }
@@ -171,9 +172,9 @@ TEST(Degenerate, SpikesFarBeyondTheRest) {
   }
 }
 
-// More of each than fit one region, so that rounds are worked: a round without a legal collapse
-// must not be followed by another.
-TEST(Degenerate, WhereNothingIsLegalItEnds) {
+// Each mesh has more parts than fit one region, so the run uses rounds. A round without a legal
+// collapse must be the last one.
+TEST(Degenerate, EndsWhenNoCollapseIsLegal) {
   Soup tetrahedra;
   for (int i = 0; i < 3'000; ++i)
     tetrahedra = join(std::move(tetrahedra), tetrahedron(), glm::vec3(2.0F * float(i), 0, 0));

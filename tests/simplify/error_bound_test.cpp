@@ -23,7 +23,7 @@ Mesh wavy_sheet(std::uint32_t n) {
   return built(std::move(soup)).mesh;
 }
 
-TEST(MaxError, IsHonouredBothWaysAndMeasured) {
+TEST(MaxError, HoldsInBothDirectionsAndIsMeasured) {
   for (const Mesh& mesh : {wavy_sheet(40), built(torus(60, 30)).mesh}) {
     const double diagonal = bounding_box(mesh).diagonal();
     std::uint32_t last = 0;
@@ -34,17 +34,18 @@ TEST(MaxError, IsHonouredBothWaysAndMeasured) {
       EXPECT_EQ(topology(result.mesh), topology(mesh));
       EXPECT_LE(result.report.measured_error, bound);
       EXPECT_LE(result.report.certified_bound, bound);
-      // Measured again, with other samples.
+      // Measure again with other samples.
       const SurfaceDistance d = surface_distance(mesh, result.mesh, {.samples = 77'777});
       EXPECT_LE(d.two_sided().max, bound * 1.02);
-      EXPECT_TRUE(last == 0 || result.mesh.face_count() < last) << "a wider bound leaves less";
-      EXPECT_GT(result.report.measured_error, 0.3 * bound) << "and is made use of";
+      EXPECT_TRUE(last == 0 || result.mesh.face_count() < last)
+          << "a larger bound leaves fewer faces";
+      EXPECT_GT(result.report.measured_error, 0.3 * bound) << "the run makes use of the bound";
       last = result.mesh.face_count();
     }
   }
 }
 
-/// A sheet with slits of one square's width.
+/// A sheet with slits as wide as one square.
 Mesh slit_sheet(std::uint32_t n) {
   Soup soup = grid(n);
   std::vector<std::uint32_t> kept;
@@ -59,8 +60,8 @@ Mesh slit_sheet(std::uint32_t n) {
   return built(std::move(soup)).mesh;
 }
 
-// Far cheaper collapses than one across a slit are left: it must not spoil all of them.
-TEST(MaxError, NoFaceCutsAcrossAHole) {
+// Many collapses are far cheaper than one across a slit, which must not affect all of them.
+TEST(MaxError, NoFaceCrossesAHole) {
   const Mesh mesh = slit_sheet(60);
   for (std::size_t p = 0; p < kPlacements.size(); ++p) {
     const std::uint32_t target = mesh.face_count() / 5;
@@ -73,7 +74,7 @@ TEST(MaxError, NoFaceCutsAcrossAHole) {
   }
 }
 
-TEST(MaxError, EndsWhereTheTargetIsReachedFirst) {
+TEST(MaxError, StopsAtTheTargetBeforeTheBound) {
   const Mesh mesh = wavy_sheet(40);
   const Simplified result = simplify(Mesh(mesh), {.target_faces = 2'000, .max_error = 10.0});
   EXPECT_EQ(result.report.reason, StopReason::target_reached);
@@ -84,20 +85,20 @@ TEST(MaxError, EndsWhereTheTargetIsReachedFirst) {
   EXPECT_GT(bounded.mesh.face_count(), 10U);
 }
 
-TEST(MaxError, OfZeroRemovesWhatIsFlat) {
-  // Exactly flat, on integers: everything inside is free, and the boundary along itself.
+TEST(MaxError, ZeroBoundRemovesOnlyFlatFaces) {
+  // Flat on integer coordinates: collapses inside and along the boundary have no error.
   const Mesh sheet = built(grid(16)).mesh;
   const Simplified result = simplify(Mesh(sheet), {.target_faces = 0, .max_error = 1e-6});
   EXPECT_LT(result.mesh.face_count(), 20U);
   EXPECT_LE(result.report.measured_error, 1e-6);
-  // Nothing is free on a wave.
+  // On a wave every collapse has an error.
   const Simplified none = simplify(wavy_sheet(20), {.target_faces = 0, .max_error = 0.0});
   EXPECT_EQ(none.mesh.face_count(), 800U);
   EXPECT_EQ(none.report.reason, StopReason::error_bound);
   EXPECT_EQ(none.report.measured_error, 0.0);
 }
 
-TEST(MaxError, IsCertifiedByBoundsFoundAnew) {
+TEST(MaxError, AgreesWithIndependentBounds) {
   const Mesh mesh = wavy_sheet(40);
   for (const double bound : {0.01, 0.05, 0.2}) {
     const Simplified result = simplify(Mesh(mesh), {.max_error = bound});
@@ -107,7 +108,7 @@ TEST(MaxError, IsCertifiedByBoundsFoundAnew) {
   }
 }
 
-TEST(MaxError, IsTheSameForAnyNumberOfThreads) {
+TEST(MaxError, SameForAnyThreadCount) {
   const Mesh mesh = built(torus(120, 60)).mesh;
   std::vector<Simplified> results;
   for (const unsigned threads : {1U, 2U}) {
@@ -118,7 +119,7 @@ TEST(MaxError, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(results[0].report.certified_bound, results[1].report.certified_bound);
 }
 
-TEST(CertifiedBound, LiesBetweenSamplesAndItsRatioTimesTheDistance) {
+TEST(CertifiedBound, LiesBetweenSamplesAndRatioTimesTheDistance) {
   for (const Mesh& mesh : {wavy_sheet(60), built(torus(90, 45)).mesh}) {
     for (const double part : {0.5, 0.1, 0.02}) {
       const auto target = static_cast<std::uint32_t>(part * mesh.face_count());
@@ -134,7 +135,7 @@ TEST(CertifiedBound, LiesBetweenSamplesAndItsRatioTimesTheDistance) {
   }
 }
 
-// The run works in other units.
+// The run scales the model to other units.
 TEST(CertifiedBound, HoldsForTinyAndHugeModels) {
   for (const float scale : {1e-30F, 1e-6F, 1e20F}) {
     Soup soup = grid(40);
@@ -148,7 +149,7 @@ TEST(CertifiedBound, HoldsForTinyAndHugeModels) {
   }
 }
 
-TEST(CertifiedBound, IsTheSameForAnyNumberOfThreads) {
+TEST(CertifiedBound, SameForAnyThreadCount) {
   const Mesh mesh = built(torus(120, 60)).mesh;
   std::vector<double> bounds;
   for (const unsigned threads : {1U, 2U, 4U}) {
@@ -160,12 +161,12 @@ TEST(CertifiedBound, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(bounds[0], bounds[2]);
 }
 
-TEST(CertifiedBound, IsNotFoundUnlessAskedFor) {
+TEST(CertifiedBound, IsComputedOnlyOnRequest) {
   const Mesh mesh = wavy_sheet(10);
   EXPECT_LT(simplify(Mesh(mesh), {.target_faces = 50}).report.certified_bound, 0.0);
 }
 
-TEST(MaxError, TheObserverIsToldOfTheRunThatCounts) {
+TEST(MaxError, ObserverSeesOnlyTheFinalRun) {
   const Mesh mesh = wavy_sheet(30);
   CollapseRecorder recorder;
   const Simplified result =

@@ -1,4 +1,4 @@
-// Simplification that stops before its estimated error passes a limit.
+// Simplification that stops before its estimated error exceeds a limit.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ double rms(const Mesh& a, const Mesh& b) {
   return std::sqrt(0.5 * (d.forward.rms * d.forward.rms + d.backward.rms * d.backward.rms));
 }
 
-TEST(ErrorStop, KeepsTheLimitAndSaysSo) {
+TEST(ErrorStop, KeepsTheLimitAndReportsIt) {
   const Mesh mesh = asset("bunny.obj");
   for (const double percent : {0.2, 1.0, 3.0}) {
     const double limit = percent_of_diagonal(mesh, percent);
@@ -36,14 +36,14 @@ TEST(ErrorStop, KeepsTheLimitAndSaysSo) {
     EXPECT_LE(report.estimated_error, limit) << percent;
     EXPECT_LE(rms(mesh, result.mesh), 1.25 * limit) << percent;
     EXPECT_EQ(report.faces_reached, result.mesh.face_count());
-    // A fifth fewer faces pass it.
+    // A result with a fifth fewer faces exceeds the limit.
     const std::uint32_t fewer = result.mesh.face_count() * 4 / 5;
     EXPECT_GT(simplify(Mesh(mesh), {.target_faces = fewer}).report.estimated_error, 0.9 * limit)
         << percent;
   }
 }
 
-TEST(ErrorStop, TakenBackCollapsesLeaveASoundMeshThatTheRecordLeadsTo) {
+TEST(ErrorStop, UndoneCollapsesLeaveAValidMeshThatMatchesTheRecord) {
   std::vector<Mesh> meshes;
   for (const char* name : {"bunny_1k.obj", "cactus.obj", "hypersheet.obj", "knot.obj",
                            "open_box.obj", "creased_cube.obj", "cube.obj"})
@@ -73,7 +73,7 @@ TEST(ErrorStop, TakenBackCollapsesLeaveASoundMeshThatTheRecordLeadsTo) {
   }
 }
 
-TEST(ErrorStop, SharpnessOfVerticesStays) {
+TEST(ErrorStop, KeepsVertexSharpness) {
   Mesh mesh = asset("bunny_1k.obj");
   for (std::uint32_t v = 0; v < mesh.vertex_count(); v += 20)
     mesh.set_sharpness(Vertex(v), 1.0F + float(v));
@@ -86,18 +86,18 @@ TEST(ErrorStop, SharpnessOfVerticesStays) {
   EXPECT_EQ(sharp, (mesh.vertex_count() + 19) / 20);
 }
 
-TEST(ErrorStop, TheTargetComesFirstWhereTheErrorIsSmall) {
+TEST(ErrorStop, TargetIsReachedFirstWhenTheErrorIsSmall) {
   const Mesh mesh = asset("bunny.obj");
   const double limit = percent_of_diagonal(mesh, 5.0);
   const Simplified result = simplify(Mesh(mesh), {.target_faces = 500, .stop_before_error = limit});
   EXPECT_EQ(result.report.reason, StopReason::target_reached);
   EXPECT_EQ(result.mesh.face_count(), 500U);
-  // Steps cost little accuracy.
+  // Running in steps costs little accuracy.
   const Simplified plain = simplify(Mesh(mesh), {.target_faces = 500});
   EXPECT_LE(rms(mesh, result.mesh), 1.1 * rms(mesh, plain.mesh));
 }
 
-TEST(ErrorStop, CountsOnlyBelowTheGivenFaces) {
+TEST(ErrorStop, AppliesOnlyBelowTheGivenFaceCount) {
   const Mesh mesh = asset("bunny_1k.obj");
   const double limit = percent_of_diagonal(mesh, 0.1);
   const Simplified result = simplify(
@@ -109,17 +109,17 @@ TEST(ErrorStop, CountsOnlyBelowTheGivenFaces) {
   EXPECT_EQ(free.mesh.face_count(), 20U);
 }
 
-TEST(ErrorStop, ZeroAllowsNothingOnACurvedSurface) {
+TEST(ErrorStop, ZeroAllowsNoCollapseOnACurvedSurface) {
   const Mesh mesh = built(torus(30, 20)).mesh;
   const Simplified result = simplify(Mesh(mesh), {.target_faces = 4, .stop_before_error = 0.0});
   EXPECT_EQ(result.report.reason, StopReason::far_from_input);
   EXPECT_EQ(result.mesh.face_count(), mesh.face_count());
   EXPECT_EQ(result.report.collapses, 0U);
-  // Single precision: the torus measures 8.
+  // The error of single precision; the torus has a size of 8.
   EXPECT_LT(result.report.estimated_error, 1e-7);
 }
 
-TEST(ErrorStop, WorksBesideABoundAndWithoutIntersections) {
+TEST(ErrorStop, CombinesWithBoundAndNoIntersections) {
   const Mesh mesh = asset("knot.obj");
   const double limit = percent_of_diagonal(mesh, 0.5);
   const Simplified result = simplify(Mesh(mesh), {.target_faces = 4,
@@ -132,7 +132,7 @@ TEST(ErrorStop, WorksBesideABoundAndWithoutIntersections) {
   EXPECT_LT(result.mesh.face_count(), mesh.face_count());
 }
 
-TEST(ErrorStop, GivesTheSameBytesOnAnyNumberOfThreads) {
+TEST(ErrorStop, SameBytesForAnyThreadCount) {
   const Mesh mesh = asset("bunny.obj");
   std::vector<Simplified> results;
   for (const unsigned threads : {1U, 3U}) {

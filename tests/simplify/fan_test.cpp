@@ -22,7 +22,7 @@ void expect_agreement(const Mesh& mesh) {
     ASSERT_EQ(is_legal, check_collapse(mesh, h).is_legal())
         << "half-edge " << i << " of " << mesh.face_count() << " faces";
     if (!is_legal) continue;
-    // What the fan says of the merged vertex is what is there after the collapse.
+    // The fan's prediction for the merged vertex must match the mesh after the collapse.
     Mesh collapsed(mesh);
     const Vertex kept = collapse(collapsed, h, mesh.position(mesh.target(h))).kept;
     ASSERT_EQ(fan.is_closed(), !collapsed.is_boundary(kept));
@@ -39,7 +39,7 @@ TEST(Fan, AgreesWithCheckCollapseOnEveryEdgeOfManyMeshes) {
     expect_agreement(built(random_soup(seed)).mesh);
 }
 
-TEST(Fan, GivesUpAtItsLimit) {
+TEST(Fan, StopsAtItsFaceLimit) {
   const Surface surface(built(grid(4)).mesh, {});
   Fan fan;
   const Halfedge inner = surface.mesh().find_halfedge(Vertex(12), Vertex(13));
@@ -49,8 +49,8 @@ TEST(Fan, GivesUpAtItsLimit) {
   EXPECT_LE(fan.size(), 7U);
 }
 
-TEST(Fan, HoldsMoreFacesThanAtFirst) {
-  // A closed fan of 3,000 faces around a hub, and one rim edge pulled into it.
+TEST(Fan, GrowsBeyondItsInitialCapacity) {
+  // A closed fan of 3,000 faces around a hub. One rim edge is collapsed into the hub.
   Soup soup;
   soup.positions.push_back({0, 0, 1});
   constexpr std::uint32_t kSpokes = 3'000;
@@ -68,7 +68,7 @@ TEST(Fan, HoldsMoreFacesThanAtFirst) {
   EXPECT_EQ(fan.check_shape(surface, {1, 0, 0}), Fan::kLegal);
 }
 
-TEST(Fan, RefusesFacesThatTurnOver) {
+TEST(Fan, RejectsFlippedFaces) {
   const Surface surface(built(grid(4)).mesh, {});
   Fan fan;
   ASSERT_TRUE(fan.gather(surface, surface.mesh().find_halfedge(Vertex(12), Vertex(13)), 64));
@@ -77,12 +77,12 @@ TEST(Fan, RefusesFacesThatTurnOver) {
   EXPECT_EQ(fan.turned_area(), 0.0F);
   EXPECT_EQ(fan.check_shape(surface, {5.0F, 2.0F, 0.0F}), Rejection::fold_over);
   EXPECT_EQ(fan.check_shape(surface, {2.5F, 2.0F, 9.0F}), Fan::kLegal);
-  EXPECT_GT(fan.turned_area(), 9.0F) << "faces that turn by more than 78 degrees are harm";
-  // On the ring itself: faces without area.
+  EXPECT_GT(fan.turned_area(), 9.0F) << "faces that turn by more than 78 degrees count as harmful";
+  // On the ring itself, faces have no area.
   EXPECT_EQ(fan.check_shape(surface, {1.0F, 2.0F, 0.0F}), Rejection::fold_over);
 }
 
-TEST(Fan, ShapesAreThoseOfTheFaces) {
+TEST(Fan, ShapesMatchTheFaces) {
   const Surface surface(built(torus(9, 7)).mesh, {});
   const Mesh& mesh = surface.mesh();
   Fan fan;

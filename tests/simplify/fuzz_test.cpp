@@ -1,4 +1,4 @@
-// Simplification of what comes out of broken files: a million collapse attempts over the zoo.
+// Simplification of meshes from broken files: a million collapse attempts over the zoo.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -30,10 +30,10 @@ std::vector<Mesh> meshes_of_the_zoo() {
       if (mesh.face_count() > 0 && mesh.face_count() <= kMostFaces)
         meshes.push_back(std::move(mesh));
     } catch (const InputError&) {
-      // Refused, as it should be: not what is tested here.
+      // Rejected as expected. This test is not about the readers.
     }
   }
-  // Soups of random triangles: every defect at once, once built.
+  // Soups of random triangles have every defect at once.
   for (std::uint32_t seed = 0; seed < 300; ++seed) {
     std::mt19937 random(seed);
     Soup soup;
@@ -54,7 +54,7 @@ std::uint64_t attempts(const SimplifyReport& report) {
   return count;
 }
 
-TEST(Fuzz, AMillionAttemptsOverTheZooBreakNothing) {
+TEST(Fuzz, MillionAttemptsOverTheZooKeepMeshesValid) {
   const std::vector<Mesh> meshes = meshes_of_the_zoo();
   ASSERT_GT(meshes.size(), 320U);
   std::uint64_t tried = 0;
@@ -69,8 +69,7 @@ TEST(Fuzz, AMillionAttemptsOverTheZooBreakNothing) {
           Mesh(mesh), {.target_faces = 0, .cost = policy, .placement = placement, .seed = seed});
       expect_valid(result.mesh);
       ASSERT_EQ(topology(result.mesh), topology(mesh)) << "seed " << seed;
-      // Where the costs are errors, folds compete with them: as far as it goes all of them are
-      // large.
+      // Where costs are errors, folds compete with other errors. Near the end all errors are large.
       if (policy > CostPolicy::accumulated_quadric) {
         ASSERT_LE(count_folds(result.mesh), count_folds(mesh)) << "seed " << seed;
       }
@@ -82,7 +81,7 @@ TEST(Fuzz, AMillionAttemptsOverTheZooBreakNothing) {
   EXPECT_GE(tried, kAttempts);
 }
 
-TEST(Fuzz, EveryStepIsSound) {
+TEST(Fuzz, EveryCollapseKeepsTheMeshValid) {
   for (const Mesh& mesh : meshes_of_the_zoo()) {
     if (mesh.face_count() > (kSanitized ? 200 : 400)) continue;  // the validator makes it O(F^2)
     CollapseRecorder recorder;

@@ -24,7 +24,7 @@ Mesh asset(const char* name) {
   return read_model(kAssets / name, {}).mesh;
 }
 
-/// Pairs that intersect in the result and did not in the input.
+/// Counts the pairs that intersect in the result but not in the input.
 std::size_t count_new_pairs(const Mesh& input, const Simplified& result) {
   const auto before = self_intersections(input);
   std::size_t count = 0;
@@ -37,7 +37,7 @@ std::size_t count_new_pairs(const Mesh& input, const Simplified& result) {
   return count;
 }
 
-/// With an observer each collapse is watched; without one the result is looked at first.
+/// With an observer the run checks each collapse. Without one it checks the finished result first.
 void expect_no_new_pair(const Mesh& mesh, SimplifyOptions options) {
   options.no_intersections = true;
   CollapseRecorder recorder;
@@ -52,27 +52,27 @@ void expect_no_new_pair(const Mesh& mesh, SimplifyOptions options) {
   }
 }
 
-TEST(NoIntersections, AreNotWatchedForWhereNoneAppear) {
+TEST(NoIntersections, ResultIsUnchangedWhenNoneAppear) {
   const Mesh bunny = asset("bunny_1k.obj");
   const Simplified plain = simplify(Mesh(bunny), {.target_faces = 300});
-  ASSERT_EQ(count_self_intersections(plain.mesh), 0U) << "this model tests nothing any more";
+  ASSERT_EQ(count_self_intersections(plain.mesh), 0U) << "this model no longer tests anything";
   const Simplified kept = simplify(Mesh(bunny), {.target_faces = 300, .no_intersections = true});
   EXPECT_TRUE(is_identical(kept.mesh, plain.mesh));
   EXPECT_FALSE(has_new_intersections(bunny, kept));
 }
 
-TEST(NoIntersections, OfTheInputAreNotNew) {
+TEST(NoIntersections, PairsOfTheInputAreNotNew) {
   const Mesh knot = asset("knot.obj");
   const Simplified free = simplify(Mesh(knot), {.target_faces = 4});
   EXPECT_TRUE(has_new_intersections(knot, free));
-  // The same faces as their own input.
+  // The same faces with themselves as their input.
   Simplified same{.mesh = free.mesh, .report = {}, .vertex_source = {}, .face_source = {}};
   for (std::uint32_t f = 0; f < free.mesh.face_count(); ++f)
     same.face_source.emplace_back(f);
   EXPECT_FALSE(has_new_intersections(free.mesh, same));
 }
 
-/// Two tori, one just inside the other: far on the surface, near in space.
+/// Two tori, one just inside the other: distant along the surface, close in space.
 Soup shells(std::uint32_t n, std::uint32_t m, float gap) {
   Soup outer = torus(n, m);
   Soup inner = outer;
@@ -94,10 +94,10 @@ Soup with_noise(Soup soup, float size, std::uint32_t seed) {
   return soup;
 }
 
-TEST(NoIntersections, OfTheKnotAppearToTheLastLegalCollapse) {
+TEST(NoIntersections, KnotHasNoneAtTheLastLegalCollapse) {
   const Mesh knot = asset("knot.obj");
   const Simplified free = simplify(Mesh(knot), {.target_faces = 4});
-  EXPECT_GT(count_self_intersections(free.mesh), 10U) << "this model tests nothing any more";
+  EXPECT_GT(count_self_intersections(free.mesh), 10U) << "this model no longer tests anything";
   const Simplified kept = simplify(Mesh(knot), {.target_faces = 4, .no_intersections = true});
   EXPECT_EQ(count_self_intersections(kept.mesh), 0U);
   EXPECT_EQ(kept.report.reason, StopReason::no_legal_collapse);
@@ -105,7 +105,7 @@ TEST(NoIntersections, OfTheKnotAppearToTheLastLegalCollapse) {
   EXPECT_LT(kept.report.faces_reached, 80U);
 }
 
-TEST(NoIntersections, AppearOnTheWay) {
+TEST(NoIntersections, KnotHasNoneAfterAnyCollapse) {
   const Mesh knot = asset("knot.obj");
   CollapseRecorder recorder;
   const Simplified result =
@@ -117,7 +117,7 @@ TEST(NoIntersections, AppearOnTheWay) {
   });
 }
 
-TEST(NoIntersections, AppearAtAnyTarget) {
+TEST(NoIntersections, NoNewPairsAtAnyTarget) {
   for (const char* name : {"knot.obj", "bunny.obj", "bunny_1k.obj", "cactus.obj"}) {
     SCOPED_TRACE(name);
     const Mesh mesh = asset(name);
@@ -128,7 +128,7 @@ TEST(NoIntersections, AppearAtAnyTarget) {
   }
 }
 
-TEST(NoIntersections, AppearForAnyCost) {
+TEST(NoIntersections, NoNewPairsForAnyCost) {
   const Mesh mesh = built(with_noise(shells(40, 24, 0.02F), 0.004F, 3)).mesh;
   for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
     for (const std::uint32_t target : {1'000U, 200U, 4U})
@@ -136,7 +136,7 @@ TEST(NoIntersections, AppearForAnyCost) {
   }
 }
 
-TEST(NoIntersections, AppearOnRandomClosedShapes) {
+TEST(NoIntersections, NoNewPairsOnRandomClosedShapes) {
   std::size_t with_pairs = 0;
   for (std::uint32_t seed = 0; seed < 30; ++seed) {
     const float noise = 0.02F * static_cast<float>(seed % 10);
@@ -147,7 +147,7 @@ TEST(NoIntersections, AppearOnRandomClosedShapes) {
   EXPECT_GT(with_pairs, 5U) << "no input that intersects itself";
 }
 
-TEST(NoIntersections, AppearOnMeshesWithBoundary) {
+TEST(NoIntersections, NoNewPairsOnMeshesWithBoundary) {
   for (std::uint32_t seed = 0; seed < 10; ++seed) {
     Soup sheets = join(grid(20), grid(20), {0.0F, 0.0F, 0.1F});
     expect_no_new_pair(built(with_noise(std::move(sheets), 0.045F, seed)).mesh,
@@ -155,16 +155,17 @@ TEST(NoIntersections, AppearOnMeshesWithBoundary) {
   }
 }
 
-TEST(NoIntersections, AppearBetweenRegions) {
+TEST(NoIntersections, NoNewPairsBetweenRegions) {
   const Mesh mesh = built(with_noise(shells(300, 100, 0.002F), 0.0003F, 1)).mesh;
   ASSERT_EQ(count_self_intersections(mesh), 0U);
   const Simplified free = simplify(Mesh(mesh), {.target_faces = 20'000});
-  EXPECT_GT(count_self_intersections(free.mesh), 10U) << "this model tests nothing any more";
+  EXPECT_GT(count_self_intersections(free.mesh), 10U) << "this model no longer tests anything";
   CollapseRecorder recorder;
   const Simplified kept = simplify(
       Mesh(mesh), {.target_faces = 20'000, .no_intersections = true, .observer = &recorder});
   EXPECT_EQ(count_self_intersections(kept.mesh), 0U);
-  // By rank, as progressive meshes order them, regions alternate.
+  // Sorted by rank, the order that progressive meshes use, the collapses of several regions
+  // alternate.
   auto records = recorder.records();
   std::ranges::stable_sort(records, {}, &CollapseRecord::rank);
   const std::size_t steps = records.size();
@@ -174,7 +175,7 @@ TEST(NoIntersections, AppearBetweenRegions) {
   });
 }
 
-TEST(NoIntersections, GiveTheSameBytesOnAnyNumberOfThreads) {
+TEST(NoIntersections, SameBytesForAnyThreadCount) {
   const Mesh mesh = built(with_noise(shells(200, 100, 0.02F), 0.001F, 2)).mesh;
   const SimplifyOptions options{.target_faces = 2'000, .no_intersections = true};
   const Simplified first = simplify(Mesh(mesh), options);

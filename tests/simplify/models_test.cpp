@@ -1,4 +1,4 @@
-// Every policy on every model, down to a thousandth: what must hold whatever the model is.
+// Every policy on every model, down to a thousandth of its faces: checks that hold for any model.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,8 @@ namespace mesher::test {
 namespace {
 
 constexpr double kRatios[] = {0.5, 0.1, 0.01, 0.001};
-// Where every collapse of every run is checked; the larger models are checked at the end of each.
+// Up to this size the test checks every collapse of every run. For larger models it checks the
+// result.
 constexpr std::uint32_t kFewFaces = 1'300;
 
 void examine_run(const Mesh& mesh, CostPolicy policy, double ratio) {
@@ -34,7 +35,7 @@ void examine_run(const Mesh& mesh, CostPolicy policy, double ratio) {
   EXPECT_EQ(report.collapses, recorder.records().size());
   EXPECT_EQ(report.vertices_reached + report.collapses, report.vertices_before);
   if (report.reason == StopReason::target_reached) {
-    // A closed mesh loses faces by twos.
+    // A closed mesh loses two faces per collapse.
     EXPECT_LE(report.faces_reached, report.faces_asked);
     EXPECT_LE(report.faces_asked - report.faces_reached, 1U);
   } else {
@@ -61,9 +62,9 @@ void examine(const std::filesystem::path& file) {
   }
 }
 
-TEST(Models, AssetsKeepTheirTopologyAndReachTheirTarget) {
+TEST(Models, AssetsKeepTopologyAndReachTheTarget) {
   for (const std::filesystem::path& file : files_in(MESHER_SOURCE_DIR "/assets")) {
-    // The copy of a Debian package's bunny, as large as the scans.
+    // The bunny of a Debian package, as large as the scans.
     if (file.stem() == "bunny_70k" || file.stem() == "bunny_40k") continue;
     examine(file);
   }
@@ -71,7 +72,7 @@ TEST(Models, AssetsKeepTheirTopologyAndReachTheirTarget) {
 
 class Scan : public testing::TestWithParam<const char*> {};
 
-TEST_P(Scan, KeepsItsTopologyAndReachesItsTarget) {
+TEST_P(Scan, KeepsTopologyAndReachesTheTarget) {
   const std::filesystem::path file =
       std::filesystem::path(MESHER_SHARED_MODELS) / (std::string(GetParam()) + ".obj");
   if (!std::filesystem::exists(file)) {

@@ -13,7 +13,7 @@
 namespace mesher::test {
 namespace {
 
-TEST(MortonOrder, IsAPermutationThatKeepsNeighboursTogether) {
+TEST(MortonOrder, IsAPermutationThatKeepsNeighborsClose) {
   std::mt19937 random(3);
   std::vector<glm::vec3> positions;
   for (int i = 0; i < 4'000; ++i) {
@@ -28,22 +28,22 @@ TEST(MortonOrder, IsAPermutationThatKeepsNeighboursTogether) {
     for (std::size_t i = 1; i < order.size(); ++i) {
       step += double{glm::distance(positions[order[i].index()], positions[order[i - 1].index()])};
     }
-    EXPECT_LT(step / static_cast<double>(order.size()), 120.0);  // 660 between random places
+    EXPECT_LT(step / static_cast<double>(order.size()), 120.0);  // 660 for a random order
     std::sort(order.begin(), order.end());
     EXPECT_EQ(order, all);
   }
 }
 
-TEST(MortonOrder, TakesOnePointManyTimesAndNone) {
+TEST(MortonOrder, AcceptsEqualPointsAndNoPoints) {
   const std::vector<glm::vec3> positions(100, glm::vec3(3.0F));
   Array<Vertex> all;
   for (std::uint32_t v = 0; v < positions.size(); ++v)
     all.emplace_back(v);
-  EXPECT_EQ(morton_order(positions, all, {}), all) << "equal places keep their order";
+  EXPECT_EQ(morton_order(positions, all, {}), all) << "equal points keep their order";
   EXPECT_TRUE(morton_order(positions, {}, {}).empty());
 }
 
-TEST(Reorder, IsTheSameMeshUnderOtherNames) {
+TEST(Reorder, GivesTheSameSurfaceWithNewIds) {
   Mesh mesh = built(join(torus(20, 13), grid(9), {9, 0, 0})).mesh;
   mesh.set_sharpness(mesh.edge(Halfedge(17)), 2.5F);
   mesh.set_sharpness(Vertex(5), 1.0F);
@@ -62,7 +62,7 @@ TEST(Reorder, IsTheSameMeshUnderOtherNames) {
   }
 }
 
-TEST(Reorder, BowTieCopiesAreListedUnderTheirNewNames) {
+TEST(Reorder, BowTieCopiesAreListedWithNewIds) {
   const Mesh mesh = built(bow_tie({torus(20, 13), grid(9), cube()})).mesh;
   const Reordered order = reorder_by_position(mesh);
   expect_valid(order.mesh);
@@ -71,7 +71,7 @@ TEST(Reorder, BowTieCopiesAreListedUnderTheirNewNames) {
     EXPECT_TRUE(mesh.is_bow_tie_copy(order.vertex_source[copy.v.index()]));
 }
 
-TEST(ResultOrder, SourcesNameWhereEachPartComesFrom) {
+TEST(ResultOrder, SourcesMapToTheInput) {
   const Mesh mesh = built(join(torus(30, 20), grid(12), {9, 0, 0})).mesh;
   for (const ResultOrder order : {ResultOrder::input, ResultOrder::fill_holes}) {
     const Simplified result = simplify(
@@ -79,7 +79,8 @@ TEST(ResultOrder, SourcesNameWhereEachPartComesFrom) {
     expect_valid(result.mesh);
     ASSERT_EQ(result.vertex_source.size(), result.mesh.vertex_count());
     ASSERT_EQ(result.face_source.size(), result.mesh.face_count());
-    // A face keeps at least one corner where it was, or has lost all to their neighbours.
+    // A face keeps at least one corner in its position, or it has lost all of them to neighboring
+    // vertices.
     std::uint32_t with_a_corner = 0;
     for (std::uint32_t f = 0; f < result.mesh.face_count(); ++f) {
       bool has = false;
@@ -94,7 +95,7 @@ TEST(ResultOrder, SourcesNameWhereEachPartComesFrom) {
   }
 }
 
-TEST(ResultOrder, InputKeepsTheOrderAndFillHolesThePlaces) {
+TEST(ResultOrder, InputOrderIsSortedAndFillHolesKeepsSlots) {
   const Mesh mesh = built(torus(30, 20)).mesh;
   const Simplified in_order = simplify(Mesh(mesh), {.target_faces = 1'000});
   EXPECT_TRUE(std::is_sorted(in_order.vertex_source.begin(), in_order.vertex_source.end()));

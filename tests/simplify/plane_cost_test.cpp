@@ -10,7 +10,7 @@
 namespace mesher::test {
 namespace {
 
-/// The sum over both stars, written out.
+/// The sum over both stars, computed from its definition.
 double cost_by_definition(const Surface& surface, Halfedge edge, const glm::vec3& p) {
   const Mesh& mesh = surface.mesh();
   double sum = 0.0;
@@ -55,11 +55,11 @@ TEST(PlaneCosts, SumThePlanesOfBothStars) {
   expect_definition(Surface(build_mesh(torus(6, 5)).mesh, {}));
 }
 
-TEST(PlaneCosts, SumThePlanesAcrossFeaturesToo) {
+TEST(PlaneCosts, SumThePlanesAcrossFeatures) {
   expect_definition(Surface(build_mesh(grid(4)).mesh, {}));
 }
 
-TEST(PlaneCosts, AreNoneAtAHub) {
+TEST(PlaneCosts, AreNotComputedAtAHub) {
   Soup hub;
   constexpr std::uint32_t kSpokes = 80;
   hub.positions.emplace_back(0.0F);

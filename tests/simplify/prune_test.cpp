@@ -13,8 +13,8 @@
 namespace mesher::test {
 namespace {
 
-/// Forty tiny cubes (480 faces, 320 vertices), then a torus of 4,800 faces: to get to those alone
-/// without pruning costs an error larger than the cubes.
+/// Forty tiny cubes (480 faces, 320 vertices), then a torus of 4,800 faces. Without pruning,
+/// reaching only the faces of the cubes costs an error larger than the cubes.
 Soup specks_before_torus() {
   Soup soup = scaled(cube(), 1e-5F);
   for (int i = 1; i < 40; ++i)
@@ -26,7 +26,7 @@ std::uint32_t components(const Mesh& mesh) {
   return statistics(mesh).components;
 }
 
-TEST(Prune, SmallPartsVanishForTheSakeOfTheRest) {
+TEST(Prune, SmallPartsAreRemovedInFavorOfTheRest) {
   const Mesh mesh = built(torus_with_specks(40, 0.02F)).mesh;
   const SimplifyOptions options{.target_faces = 200};
   const Simplified plain = simplify(Mesh(mesh), options);
@@ -46,8 +46,8 @@ TEST(Prune, SmallPartsVanishForTheSakeOfTheRest) {
   EXPECT_LT(report.estimated_error, 0.5 * plain.report.estimated_error);
 }
 
-TEST(Prune, TheErrorCountsWhatIsPruned) {
-  // Small plates with bumps, farther from the torus than they are large.
+TEST(Prune, ErrorIncludesPrunedParts) {
+  // Small plates with bumps, farther from the torus than their own size.
   Soup plate = scaled(grid(4), 0.03F);
   for (std::size_t i = 0; i < plate.positions.size(); ++i)
     plate.positions[i].z = i % 2 == 0 ? 0.0F : 0.01F;
@@ -61,7 +61,7 @@ TEST(Prune, TheErrorCountsWhatIsPruned) {
   EXPECT_NEAR(result.report.estimated_error / forward, 1.0, 0.3);
 }
 
-TEST(Prune, NothingIsPrunedWhereTheErrorIsSmaller) {
+TEST(Prune, NothingIsPrunedWhenTheErrorIsSmaller) {
   const Mesh mesh = built(torus_with_specks(40, 0.02F)).mesh;
   const SimplifyOptions options{.target_faces = 4'000};
   const Simplified result = simplify_pruned(Mesh(mesh), options);
@@ -70,7 +70,7 @@ TEST(Prune, NothingIsPrunedWhereTheErrorIsSmaller) {
   EXPECT_TRUE(is_identical(result.mesh, simplify(Mesh(mesh), options).mesh));
 }
 
-TEST(Prune, TheLargestPartStays) {
+TEST(Prune, LargestPartIsKept) {
   for (const std::uint32_t target : {0U, 4U}) {
     const Mesh mesh = built(torus_with_specks(10, 0.02F)).mesh;
     const Simplified result = simplify_pruned(Mesh(mesh), {.target_faces = target});
@@ -83,8 +83,8 @@ TEST(Prune, TheLargestPartStays) {
   EXPECT_EQ(simplify_pruned(Mesh(), {}).report.reason, StopReason::already_there);
 }
 
-/// Nothing but the specks goes: then positions and corners must be the input's, found by the ids.
-TEST(Prune, IdsAreThoseOfTheInput) {
+/// Only the specks are removed. The ids must then lead to the positions and corners of the input.
+TEST(Prune, IdsMapToTheInput) {
   const Mesh mesh = built(specks_before_torus()).mesh;
   const Simplified result = simplify_pruned(Mesh(mesh), {.target_faces = 4'800});
   ASSERT_EQ(result.report.pruned_parts, 40U);
@@ -101,7 +101,7 @@ TEST(Prune, IdsAreThoseOfTheInput) {
   EXPECT_TRUE(std::is_sorted(result.face_source.begin(), result.face_source.end()));
 }
 
-TEST(Prune, AttributesFollowTheRest) {
+TEST(Prune, AttributesFollowTheRemainingParts) {
   const Mesh mesh = built(specks_before_torus()).mesh;
   Attributes attributes;
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
@@ -116,11 +116,11 @@ TEST(Prune, AttributesFollowTheRest) {
     for (std::uint32_t f = 0; f < result.mesh.face_count(); ++f)
       ASSERT_EQ(carried.attributes.group[f], 1 + result.face_source[f].index() % 5);
     ASSERT_EQ(carried.attributes.texcoord.size(), result.mesh.halfedge_count());
-    EXPECT_GE(carried.attributes.texcoord[0].x, 320.0F) << "earlier vertices are the cubes'";
+    EXPECT_GE(carried.attributes.texcoord[0].x, 320.0F) << "earlier vertices belong to the cubes";
   }
 }
 
-TEST(Prune, SharpnessOfTheRestStays) {
+TEST(Prune, KeepsSharpnessOfTheRemainingParts) {
   Mesh mesh = built(specks_before_torus()).mesh;
   for (std::uint32_t h = 1440; h < mesh.halfedge_count(); h += 300)
     mesh.set_sharpness(mesh.edge(Halfedge(h)), 2.0F);
@@ -132,8 +132,9 @@ TEST(Prune, SharpnessOfTheRestStays) {
   EXPECT_EQ(result.mesh.sharpness(Vertex(500 - 320)), 3.0F);
 }
 
-TEST(Prune, PartsThatTouchAtABowTieAreOne) {
-  // A small cube at the corner of a large plate stays; two small ones that touch go together.
+TEST(Prune, PartsThatTouchAtABowTieCountAsOne) {
+  // A small cube at the corner of a large plate stays. Two small cubes that touch are removed
+  // together.
   const Soup small = scaled(cube(), 1e-4F);
   Soup plate = grid(40);
   for (glm::vec3& p : plate.positions)
@@ -155,7 +156,7 @@ TEST(Prune, PartsThatTouchAtABowTieAreOne) {
   EXPECT_TRUE(pruned.mesh.bow_tie_copies().empty());
 }
 
-TEST(Prune, IsolatedVerticesStay) {
+TEST(Prune, KeepsIsolatedVertices) {
   Soup soup = torus_with_specks(20, 0.02F);
   soup.positions.push_back({1.0F, 2.0F, 3.0F});
   BuildOptions keep;
@@ -168,18 +169,18 @@ TEST(Prune, IsolatedVerticesStay) {
   EXPECT_EQ(result.vertex_source.back(), Vertex(mesh.vertex_count() - 1));
 }
 
-TEST(Prune, TheCertifiedBoundHoldsForTheWholeInput) {
+TEST(Prune, CertifiedBoundCoversTheWholeInput) {
   Soup soup = torus_with_specks(40, 0.02F);
   soup = join(std::move(soup), scaled(cube(), 0.02F), {0.0F, 0.0F, 3.0F});  // far from the rest
   const Mesh mesh = built(std::move(soup)).mesh;
   const Simplified result = simplify_pruned(Mesh(mesh), {.target_faces = 200, .certifies = true});
   ASSERT_EQ(result.report.pruned_parts, 41U);
   const double max = surface_distance(mesh, result.mesh).two_sided().max;
-  EXPECT_GT(max, 2.0) << "of the cube";
+  EXPECT_GT(max, 2.0) << "the distance of the cube";
   EXPECT_GE(result.report.certified_bound, max);
 }
 
-TEST(Prune, GivesTheSameBytesOnAnyNumberOfThreads) {
+TEST(Prune, SameBytesForAnyThreadCount) {
   const Mesh mesh = built(torus_with_specks(40, 0.02F)).mesh;
   std::vector<Simplified> results;
   for (const unsigned threads : {1U, 3U}) {

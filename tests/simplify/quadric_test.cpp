@@ -46,7 +46,7 @@ std::vector<Plane> random_planes(Random& random, int count) {
   return planes;
 }
 
-TEST(Quadric, IsTheSumOfAreasTimesSquaredDistances) {
+TEST(Quadric, EqualsTheSumOfAreasTimesSquaredDistances) {
   Random random(1);
   for (int run = 0; run < 200; ++run) {
     const std::vector<Plane> from = random_planes(random, 6);
@@ -66,7 +66,7 @@ TEST(Quadric, IsTheSumOfAreasTimesSquaredDistances) {
   }
 }
 
-TEST(Quadric, LanesGiveTheBitsOfOneEdge) {
+TEST(Quadric, LanesMatchTheScalarResultBitwise) {
   Random random(2);
   for (int run = 0; run < 100; ++run) {
     const std::vector<Plane> from = random_planes(random, 6);
@@ -93,7 +93,7 @@ TEST(Quadric, LanesGiveTheBitsOfOneEdge) {
   }
 }
 
-TEST(Quadric, RowsAreTheSameSums) {
+TEST(Quadric, RowsGiveTheSameSums) {
   Random random(3);
   for (int run = 0; run < 50; ++run) {
     const V n = random.unit();
@@ -118,7 +118,7 @@ TEST(Quadric, RowsAreTheSameSums) {
   }
 }
 
-TEST(BestOffset, MeetsThreePlanesInTheirCorner) {
+TEST(BestOffset, IsTheCornerOfThreePlanes) {
   const V edge{1.0F, 0.0F, 0.0F};
   const V axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   Quadric<float> from{};
@@ -127,7 +127,8 @@ TEST(BestOffset, MeetsThreePlanesInTheirCorner) {
   from = from + plane_quadric(axes[1], 1.0F) + plane_quadric(axes[2], 1.0F);
   const EdgeQuadric<float> q(from, to, V{}, edge);
   const V y = best_offset(q);
-  // x is pulled to the far end's plane, y and z to the near end's: the corner is the far end.
+  // The plane of the far end determines x, those of the near end y and z. The corner is the far
+  // end.
   EXPECT_NEAR(y.x, 0.5F, 1e-3F);
   EXPECT_NEAR(y.y, 0.0F, 1e-3F);
   EXPECT_NEAR(y.z, 0.0F, 1e-3F);
@@ -137,7 +138,7 @@ TEST(BestOffset, IsNoWorseThanTheMidpointAndKeepsTheVolume) {
   Random random(4);
   int kept = 0;
   for (int run = 0; run < 500; ++run) {
-    // A gently curved neighbourhood: normals near z.
+    // A gently curved neighborhood: normals near z.
     std::vector<Plane> planes[2];
     for (std::vector<Plane>& side : planes) {
       for (int i = 0; i < 6; ++i) {
@@ -152,16 +153,16 @@ TEST(BestOffset, IsNoWorseThanTheMidpointAndKeepsTheVolume) {
     const float missed = std::abs(dot(q.both.g, y) - q.volume);
     kept += missed < 1e-3F ? 1 : 0;
   }
-  EXPECT_GT(kept, 450) << "but for the few that the ball holds back";
+  EXPECT_GT(kept, 450) << "all except the few that the ball clamps";
 }
 
-TEST(BestOffset, StaysInTheMiddleWhereNothingSaysOtherwise) {
-  // A flat neighbourhood: all normals along z; moving in the plane costs nothing.
+TEST(BestOffset, StaysAtTheMidpointWhenUnconstrained) {
+  // A flat neighborhood: all normals along z. Moving in the plane costs nothing.
   const std::vector<Plane> flat(6, Plane{{0, 0, 1}, 1.0F});
   const EdgeQuadric<float> on_plane(sum(flat), sum(flat), V{0, 0, 2}, {0.3F, 0.4F, 0.0F});
   const V y = best_offset(on_plane);
   EXPECT_NEAR(std::sqrt(dot(y, y)), 0.0F, 1e-6F);
-  // A straight crease along x: it may slide along it, and does not.
+  // A straight crease along x. The vertex could slide along it but must not.
   std::vector<Plane> crease(3, Plane{{0, 0, 1}, 1.0F});
   crease.insert(crease.end(), 3, Plane{{0, 1, 0}, 1.0F});
   const EdgeQuadric<float> on_crease(sum(crease), sum(crease), V{0, 1, 1}, {1.0F, 0.0F, 0.0F});
@@ -169,7 +170,7 @@ TEST(BestOffset, StaysInTheMiddleWhereNothingSaysOtherwise) {
   EXPECT_NEAR(std::sqrt(dot(z, z)), 0.0F, 1e-6F);
 }
 
-TEST(BestOffset, IsFiniteForWhateverComes) {
+TEST(BestOffset, IsFiniteForAnyInput) {
   Random random(5);
   const float sizes[] = {0.0F, 1e-12F, 1e-6F, 1.0F, 1e6F};
   for (int run = 0; run < 2'000; ++run) {
@@ -181,7 +182,7 @@ TEST(BestOffset, IsFiniteForWhateverComes) {
         p.area *= size * size;
     }
     const V edge = random.vector() * (run % 7 == 0 ? 0.0F : size);
-    // A face that both ends have.
+    // A face that both ends share.
     const V shared = from.empty() ? V{} : from[0].normal * from[0].area;
     const EdgeQuadric<float> q(sum(from), sum(to), shared, edge);
     const V y = best_offset(q);
@@ -191,7 +192,7 @@ TEST(BestOffset, IsFiniteForWhateverComes) {
   }
 }
 
-// What is left of a sum after a much larger part of it is taken back may be negative.
+// The rest of a sum may be negative after a much larger part of it was subtracted.
 TEST(RankedCost, IsNeverNegative) {
   const std::vector<Plane> small(3, Plane{{0, 0, 1}, 1e-9F});
   const Quadric<float> left = sum(small) - sum(std::vector<Plane>(3, Plane{{0, 0, 1}, 1e-6F}));
@@ -201,7 +202,7 @@ TEST(RankedCost, IsNeverNegative) {
   EXPECT_GE(guessed_cost(left, left, V{1, 0, 1}), 0.0F);
 }
 
-TEST(BetterEnd, IsTheCheaperOne) {
+TEST(BetterEnd, IsTheCheaperEnd) {
   Random random(6);
   for (int run = 0; run < 200; ++run) {
     const EdgeQuadric<float> q(sum(random_planes(random, 5)), sum(random_planes(random, 6)), V{},

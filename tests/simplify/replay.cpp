@@ -14,7 +14,7 @@
 namespace mesher::test {
 namespace {
 
-/// Follows ids of the input through a mesh that keeps closing its holes.
+/// Tracks ids of the input through a mesh that fills its holes after each removal.
 class IdTracker {
  public:
   explicit IdTracker(std::uint32_t count) : now_(count), was_(count) {
@@ -47,7 +47,7 @@ std::vector<std::array<Corner, 3>> sorted_faces(const Mesh& mesh) {
       const glm::vec3& p = mesh.position(mesh.origin(Mesh::halfedge(Face(f), c)));
       face[c] = {p.x, p.y, p.z};
     }
-    // The same corner first, the same way around.
+    // Rotate the lowest corner to the front and keep the orientation.
     std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
     faces.push_back(face);
   }
@@ -115,7 +115,7 @@ Mesh replay(Mesh mesh, std::span<const CollapseRecord> records,
     if (testing::Test::HasFailure()) return mesh;
     std::array<std::uint32_t, 2> gone{
         Mesh::face(h).index(), record.twin.is_valid() ? Mesh::face(mesh.twin(h)).index() : kNone};
-    // The higher of the two goes first.
+    // Remove the higher of the two first.
     if (gone[1] != kNone && gone[1] > gone[0]) std::swap(gone[0], gone[1]);
     const CollapseResult result = collapse(mesh, h, record.position);
     vertices.removed(removed.index(), result.vertex_move);

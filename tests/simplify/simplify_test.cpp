@@ -26,8 +26,8 @@ Mesh bumpy_torus(std::uint32_t n, std::uint32_t m) {
   return built(std::move(soup)).mesh;
 }
 
-TEST(Simplify, TheSameBytesForAnyNumberOfThreads) {
-  // Large enough for several regions a round.
+TEST(Simplify, SameBytesForAnyThreadCount) {
+  // The mesh is large enough for several regions per round.
   const Mesh mesh = bumpy_torus(260, 120);
   for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
     SCOPED_TRACE(key(static_cast<CostPolicy>(p)));
@@ -56,7 +56,7 @@ TEST(Simplify, TheSameBytesForAnyNumberOfThreads) {
   }
 }
 
-TEST(Simplify, RecordsOfManyRegionsAreLegalOneAfterTheOther) {
+TEST(Simplify, RecordsOfManyRegionsAreLegalInSequence) {
   const Mesh mesh = bumpy_torus(150, 80);
   CollapseRecorder recorder;
   const Simplified result = simplify(Mesh(mesh), {.target_faces = 400, .observer = &recorder});
@@ -65,7 +65,7 @@ TEST(Simplify, RecordsOfManyRegionsAreLegalOneAfterTheOther) {
   EXPECT_TRUE(is_same_surface(replayed, result.mesh));
 }
 
-TEST(Simplify, ReachesOddTargetsWhereThereIsABoundary) {
+TEST(Simplify, ReachesOddTargetsOnMeshesWithBoundary) {
   const Mesh sheet = built(grid(20)).mesh;
   for (const std::uint32_t target : {701U, 700U, 333U, 100U, 57U, 56U, 3U, 2U}) {
     const Simplified result = simplify(Mesh(sheet), {.target_faces = target});
@@ -77,7 +77,7 @@ TEST(Simplify, ReachesOddTargetsWhereThereIsABoundary) {
   EXPECT_EQ(simplify(Mesh(closed), {.target_faces = 101}).mesh.face_count(), 100U);
 }
 
-TEST(Simplify, SaysWhatWasAskedAndReached) {
+TEST(Simplify, ReportsRequestedAndReachedFaces) {
   const Mesh mesh = bumpy_torus(12, 9);
   const Simplified none = simplify(Mesh(mesh), {.target_faces = 1'000});
   EXPECT_EQ(none.report.reason, StopReason::already_there);
@@ -89,15 +89,15 @@ TEST(Simplify, SaysWhatWasAskedAndReached) {
   EXPECT_EQ(all.report.reason, StopReason::no_legal_collapse);
   EXPECT_EQ(all.report.faces_before, 216U);
   EXPECT_EQ(all.report.faces_asked, 0U);
-  EXPECT_GE(all.report.faces_reached, 14U) << "no torus has fewer faces (Moebius's)";
+  EXPECT_GE(all.report.faces_reached, 14U) << "no torus has fewer faces (Moebius torus)";
   EXPECT_LT(all.report.faces_reached, 40U);
   EXPECT_GT(all.report[Rejection::link_condition], 0U);
   EXPECT_GT(all.report.estimated_error, 0.0);
-  EXPECT_LT(all.report.measured_error, 0.0) << "no bound was asked for";
+  EXPECT_LT(all.report.measured_error, 0.0) << "no bound was requested";
   EXPECT_GT(all.report.seconds.total(), 0.0);
 }
 
-TEST(Simplify, AnEmptyMeshAndIsolatedVerticesAreLeftAlone) {
+TEST(Simplify, LeavesEmptyMeshAndIsolatedVerticesUnchanged) {
   EXPECT_EQ(simplify(Mesh(), {.target_faces = 0}).report.reason, StopReason::already_there);
   Soup soup = join(torus(12, 9), soup_of({{9, 9, 9}, {8, 8, 8}}, {}));
   const Mesh mesh = built(std::move(soup), {.keep_isolated_vertices = true}).mesh;
@@ -111,7 +111,7 @@ TEST(Simplify, AnEmptyMeshAndIsolatedVerticesAreLeftAlone) {
   }
 }
 
-TEST(Simplify, AFarIsolatedVertexDoesNotSetTheScale) {
+TEST(Simplify, DistantIsolatedVertexDoesNotChangeTheScale) {
   const Mesh near = built(torus(60, 40)).mesh;
   const Mesh with_far = built(join(torus(60, 40), soup_of({{1e30F, 1e30F, 1e30F}}, {})),
                               {.keep_isolated_vertices = true})
@@ -123,7 +123,7 @@ TEST(Simplify, AFarIsolatedVertexDoesNotSetTheScale) {
               simplify(Mesh(near), {.target_faces = 300}).report.estimated_error, 0.01);
 }
 
-TEST(Simplify, EndpointsStayASubsetOfTheInput) {
+TEST(Simplify, EndpointPlacementUsesOnlyInputPositions) {
   const Mesh mesh = bumpy_torus(60, 40);
   std::set<std::array<float, 3>> input;
   for (const glm::vec3& p : mesh.positions())
@@ -140,7 +140,7 @@ TEST(Simplify, EndpointsStayASubsetOfTheInput) {
   }
 }
 
-TEST(Simplify, DoesNotDependOnScaleOrPlace) {
+TEST(Simplify, DoesNotDependOnScaleOrPosition) {
   const Mesh mesh = bumpy_torus(40, 30);
   const Simplified plain = simplify(Mesh(mesh), {.target_faces = 200});
   for (const float scale : {0x1p-60F, 0x1p-20F, 0x1p8F, 0x1p55F}) {
@@ -165,7 +165,7 @@ TEST(Simplify, KeepsTheVolumeOfAClosedSurface) {
   EXPECT_GT(std::abs(midpoints - before), 3.0 * std::abs(after - before));
 }
 
-TEST(Simplify, CanBeCancelledAndReportsProgress) {
+TEST(Simplify, ReportsProgressAndStopsWhenCanceled) {
   class Canceller : public CollapseObserver {
    public:
     explicit Canceller(Progress& progress) : progress_(progress) {}
@@ -185,7 +185,7 @@ TEST(Simplify, CanBeCancelledAndReportsProgress) {
   EXPECT_GT(whole.fraction(), 0.9F);
 }
 
-TEST(Simplify, EstimatesTheDistanceThatIsMeasured) {
+TEST(Simplify, EstimatedErrorIsNearTheMeasuredDistance) {
   const Mesh mesh = bumpy_torus(120, 80);
   for (const std::uint32_t target : {4'000U, 1'000U, 300U}) {
     const Simplified result = simplify(Mesh(mesh), {.target_faces = target});

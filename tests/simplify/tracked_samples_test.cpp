@@ -21,7 +21,7 @@ struct Asked {
   float correction = 0.0F;
 };
 
-/// Asks about merging the edge of `h` at `p`, for which the planes say `cost`.
+/// Evaluates the collapse of `h` to the position `p`, for which the quadric costs `cost`.
 Asked ask(TrackedSamples& tracked, const Surface& surface, Halfedge h, const glm::vec3& p,
           float cost) {
   Asked asked;
@@ -45,18 +45,19 @@ glm::vec3 midpoint(const Mesh& mesh, Halfedge h) {
   return 0.5F * (mesh.position(mesh.origin(h)) + mesh.position(mesh.target(h)));
 }
 
-TEST(TrackedSamples, SayThatAFlatCollapseCostsNothing) {
+TEST(TrackedSamples, FlatCollapseCostsNothing) {
   const Surface surface = surface_of(grid(6));
   const ErrorSamples samples(surface, kSamples);
   TrackedSamples tracked(surface, samples);
   const Halfedge h = inner_edge(surface.mesh());
   const Asked asked = ask(tracked, surface, h, midpoint(surface.mesh(), h), 1.0F);
-  // Most of what the planes say is taken off, as much as there are points; never all of it.
+  // The correction removes most of the quadric cost, in proportion to the number of points, but
+  // never all of it.
   EXPECT_LT(asked.correction, -0.5F);
   EXPECT_GE(asked.candidate.cost + asked.correction, 0.0F);
 }
 
-TEST(TrackedSamples, AddWhatThePlanesDoNotSay) {
+TEST(TrackedSamples, AddTheDistanceThatPlanesMiss) {
   const Surface surface = surface_of(grid(6));
   const ErrorSamples samples(surface, kSamples);
   TrackedSamples tracked(surface, samples);
@@ -68,7 +69,7 @@ TEST(TrackedSamples, AddWhatThePlanesDoNotSay) {
   EXPECT_GT(ask(tracked, surface, h, high, 0.0F).correction, 2.0F * low);
 }
 
-TEST(TrackedSamples, RememberWhatIsLostAlready) {
+TEST(TrackedSamples, RememberDistanceAlreadyLost) {
   Surface surface = surface_of(grid(6));
   const ErrorSamples samples(surface, kSamples);
   TrackedSamples tracked(surface, samples);
@@ -76,14 +77,14 @@ TEST(TrackedSamples, RememberWhatIsLostAlready) {
   const glm::vec3 flat = midpoint(surface.mesh(), h);
   const glm::vec3 above = flat + glm::vec3(0.0F, 0.0F, 0.5F);
   const Asked lifted = ask(tracked, surface, h, above, 0.0F);
-  // As if the collapse had been done: its faces hold the points at their new distances. Going on
-  // from there back to the plane costs nothing; the points gain.
+  // Simulate the collapse: its faces hold the points at their new distances. Moving back to the
+  // plane then costs nothing, because the points get nearer.
   tracked.collapsed(lifted.fan);
   EXPECT_EQ(ask(tracked, surface, h, flat, 0.0F).correction, 0.0F);
   EXPECT_LT(ask(tracked, surface, h, above, 0.0F).correction, 0.1F * lifted.correction);
 }
 
-TEST(TrackedSamples, AreSilentWithoutPoints) {
+TEST(TrackedSamples, HaveNoEffectWithoutPoints) {
   const Surface surface = surface_of(grid(6));
   const ErrorSamples none(surface, 0);
   TrackedSamples tracked(surface, none);

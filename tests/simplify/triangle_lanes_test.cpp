@@ -14,7 +14,7 @@ namespace {
 
 using Triangle = std::array<glm::dvec3, 3>;
 
-/// Of four triangles, one a lane.
+/// Squared distances to four triangles, one per lane.
 Float4 squared_distances_of(const glm::dvec3& p, const std::array<Triangle, 4>& triangles) {
   TriangleLanes lanes{};
   const auto set = [](Vec3<Float4>& to, std::size_t lane, const glm::dvec3& v) {
@@ -35,7 +35,7 @@ class RandomTriangles {
  public:
   glm::dvec3 point() { return {number_(engine_), number_(engine_), number_(engine_)}; }
   Triangle triangle() { return {point(), point(), point()}; }
-  /// As thin as a needle, its third corner almost on the first side.
+  /// A needle whose third corner is almost on its first side.
   Triangle needle() {
     Triangle t = triangle();
     t[2] = 0.5 * (t[0] + t[1]) + 1e-4 * point();
@@ -47,7 +47,7 @@ class RandomTriangles {
   std::uniform_real_distribution<float> number_{-1.0F, 1.0F};
 };
 
-TEST(TriangleLanes, AgreeWithTheDistanceInDouble) {
+TEST(TriangleLanes, AgreeWithDoublePrecision) {
   RandomTriangles random;
   for (int i = 0; i < 20'000; ++i) {
     const std::array<Triangle, 4> four{random.triangle(), random.triangle(), random.triangle(),
@@ -59,14 +59,14 @@ TEST(TriangleLanes, AgreeWithTheDistanceInDouble) {
   }
 }
 
-TEST(TriangleLanes, APointOnTheTriangleHasNoDistance) {
+TEST(TriangleLanes, PointOnTheTriangleHasZeroDistance) {
   const Triangle t{glm::dvec3(0, 0, 0), glm::dvec3(4, 0, 0), glm::dvec3(0, 4, 0)};
   EXPECT_EQ(squared_distances_of({1, 1, 0}, {t, t, t, t})[2], 0.0F);
   EXPECT_EQ(squared_distances_of({1, 1, 3}, {t, t, t, t})[1], 9.0F);
   EXPECT_EQ(squared_distances_of({7, 0, 4}, {t, t, t, t})[0], 25.0F);
 }
 
-TEST(TriangleLanes, TrianglesWithoutAreaAreTheirSides) {
+TEST(TriangleLanes, ZeroAreaTriangleMeasuresToItsSides) {
   const Triangle line{glm::dvec3(0, 0, 0), glm::dvec3(2, 0, 0), glm::dvec3(1, 0, 0)};
   const Triangle dot{glm::dvec3(1, 1, 1), glm::dvec3(1, 1, 1), glm::dvec3(1, 1, 1)};
   const Float4 found = squared_distances_of({1, 3, 0}, {line, dot, line, dot});

@@ -11,10 +11,11 @@
 namespace mesher::test {
 namespace {
 
-/// Corners of the four children that belong to the vertices a, b, c and to the middles ab, bc, ca.
+/// Corners of the four children that belong to the vertices a, b, c and to the midpoints ab, bc,
+/// ca.
 enum Corner : std::size_t { a = 0, ab = 1, ca = 2, b = 4, bc = 5, c = 8 };
 
-/// Two faces with a seam at their common edge, or any other two.
+/// Two faces with a seam at their common edge.
 Attributes two_faces() {
   Attributes attributes;
   attributes.texcoord = {{0, 0}, {1, 0}, {0, 1}, {0.5F, 0.5F}, {1, 1}, {0.25F, 0.75F}};
@@ -26,7 +27,7 @@ Attributes two_faces() {
   return attributes;
 }
 
-TEST(SubdivideAttributes, TextureCoordinatesAreHalvedWithinEachFace) {
+TEST(SubdivideAttributes, TexcoordsAreBisectedWithinEachFace) {
   const Attributes fine = subdivide_attributes(two_faces(), 1);
   ASSERT_EQ(fine.texcoord.size(), 24U);
   EXPECT_EQ(fine.texcoord[a], glm::vec2(0, 0));
@@ -40,7 +41,7 @@ TEST(SubdivideAttributes, TextureCoordinatesAreHalvedWithinEachFace) {
     EXPECT_EQ(fine.texcoord[corner], glm::vec2(0, 0.5F)) << corner;
 }
 
-TEST(SubdivideAttributes, SeamsStaySeams) {
+TEST(SubdivideAttributes, SeamsRemainSeams) {
   const Mesh mesh =
       built(soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {0, 1, 2, 1, 3, 2})).mesh;
   const Halfedge seam = mesh.find_halfedge(Vertex(1), Vertex(2));
@@ -61,7 +62,7 @@ TEST(SubdivideAttributes, SeamsStaySeams) {
   EXPECT_EQ(at_seam, 2U * 8U);
 }
 
-TEST(SubdivideAttributes, FollowPositionsThatStayWhereTheyAre) {
+TEST(SubdivideAttributes, MatchPositionsUnderMidpointSubdivision) {
   const Mesh mesh = built(grid(4)).mesh;
   Attributes attributes;
   const auto flat = [](const Mesh& m, Halfedge h) { return glm::vec2(m.position(m.origin(h))); };
@@ -73,14 +74,14 @@ TEST(SubdivideAttributes, FollowPositionsThatStayWhereTheyAre) {
     EXPECT_EQ(carried.texcoord[h], flat(fine, Halfedge(h))) << h;
 }
 
-TEST(SubdivideAttributes, ColorsAreMixedAndRoundedUp) {
+TEST(SubdivideAttributes, ColorsAreAveragedAndRoundedUp) {
   const Attributes fine = subdivide_attributes(two_faces(), 1);
   EXPECT_EQ(fine.color[b], glm::u8vec4(13, 20, 255, 0));
-  EXPECT_EQ(fine.color[ab], glm::u8vec4(12, 20, 143, 128));  // of 11.5, 20, 142.5 and 127.5
+  EXPECT_EQ(fine.color[ab], glm::u8vec4(12, 20, 143, 128));  // from 11.5, 20, 142.5 and 127.5
   EXPECT_EQ(fine.color[ca], glm::u8vec4(10, 20, 30, 255));
 }
 
-TEST(SubdivideAttributes, GroupsGoToAllChildren) {
+TEST(SubdivideAttributes, ChildrenInheritTheirGroup) {
   const Attributes fine = subdivide_attributes(two_faces(), 2);
   ASSERT_EQ(fine.group.size(), 32U);
   for (std::size_t f = 0; f < fine.group.size(); ++f)
@@ -88,7 +89,7 @@ TEST(SubdivideAttributes, GroupsGoToAllChildren) {
   EXPECT_EQ(fine.group_names, two_faces().group_names);
 }
 
-TEST(SubdivideAttributes, NormalsAreDroppedWhereTheSurfaceIsAnother) {
+TEST(SubdivideAttributes, NormalsAreDroppedUnlessNothingIsSubdivided) {
   EXPECT_TRUE(subdivide_attributes(two_faces(), 1).normal.empty());
   const Attributes same = subdivide_attributes(two_faces(), 0);
   EXPECT_TRUE(same.normal == two_faces().normal);
@@ -96,7 +97,7 @@ TEST(SubdivideAttributes, NormalsAreDroppedWhereTheSurfaceIsAnother) {
   EXPECT_TRUE(same.color == two_faces().color);
 }
 
-TEST(SubdivideAttributes, CornersWithoutAValueMakeMiddlesWithoutOne) {
+TEST(SubdivideAttributes, MissingCornerValuesGiveMissingMidpoints) {
   Attributes attributes = two_faces();
   attributes.texcoord[1] = glm::vec2(std::numeric_limits<float>::quiet_NaN());
   const Attributes fine = subdivide_attributes(attributes, 1);
@@ -106,11 +107,11 @@ TEST(SubdivideAttributes, CornersWithoutAValueMakeMiddlesWithoutOne) {
     EXPECT_FALSE(std::isnan(fine.texcoord[corner].x)) << corner;
 }
 
-TEST(SubdivideAttributes, OfNothingAreNothing) {
+TEST(SubdivideAttributes, EmptyAttributesStayEmpty) {
   EXPECT_TRUE(subdivide_attributes({}, 3).is_empty());
 }
 
-TEST(SubdividedAttributes, SizeIsThatOfTheResultAndTheLevelBefore) {
+TEST(SubdividedAttributes, SizeIsThatOfTheResultAndThePreviousLevel) {
   Attributes attributes;
   attributes.texcoord.assign(6, glm::vec2(0.0F));
   attributes.color.assign(6, glm::u8vec4(0));

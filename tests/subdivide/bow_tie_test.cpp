@@ -1,5 +1,5 @@
-// Copies of a bow-tie vertex under subdivision. That OpenSubdiv and the oracles agree is tested
-// with all other models.
+// Copies of a bow-tie vertex under subdivision. The tests over all models compare the engine with
+// OpenSubdiv and the oracles.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,11 +48,11 @@ Mesh without_copies(const Mesh& mesh) {
   return std::move(arrays).finish();
 }
 
-TEST(BowTies, ModelsHaveThem) {
+TEST(BowTies, ModelsContainBowTies) {
   EXPECT_GE(models_with_bow_ties().size(), 7U);
 }
 
-TEST(BowTies, CopiesStayAtTheirPositionOnEveryLevelAndAtTheLimit) {
+TEST(BowTies, CopiesKeepTheirPositionAtEveryLevelAndTheLimit) {
   for (std::uint32_t levels = 0; levels <= 3; ++levels) {
     for (const SubdivideOptions& options : every_rule(levels)) {
       for (const Model* model : models_with_bow_ties()) {
@@ -67,14 +67,14 @@ TEST(BowTies, CopiesStayAtTheirPositionOnEveryLevelAndAtTheLimit) {
   }
 }
 
-TEST(BowTies, CopiesWouldDriftApartUnderLoopIfTheyWereNotPinned) {
+TEST(BowTies, UnpinnedCopiesWouldDriftApartUnderLoop) {
   const Mesh cubes = built(bow_tie({cube(), cube()})).mesh;
   const auto [first, second] = std::pair(cubes.bow_tie_copies()[0].v, cubes.bow_tie_copies()[1].v);
   const Mesh fine = subdivide(without_copies(cubes), {.levels = 3}).mesh;
   EXPECT_GT(glm::distance(fine.position(first), fine.position(second)), 0.3F);
 }
 
-TEST(BowTies, CopiesCountAsInfinitelySharpCorners) {
+TEST(BowTies, CopiesAreInfinitelySharpCorners) {
   for (const SubdivideOptions& options : every_rule(3)) {
     for (const Model* model : models_with_bow_ties()) {
       SCOPED_TRACE(model->name);
@@ -91,8 +91,8 @@ TEST(BowTies, CopiesCountAsInfinitelySharpCorners) {
   }
 }
 
-// The one difference to OpenSubdiv, which averages over the edges of both fans.
-TEST(BowTies, ChaikinAveragesTheEdgesOfEachFanByItself) {
+// The only difference from OpenSubdiv, which averages over the edges of both fans.
+TEST(BowTies, ChaikinAveragesEachFanSeparately) {
   Mesh mesh = built(bow_tie({cube(), cube()})).mesh;
   mesh.set_sharpness(mesh.find_edge(Vertex(0), Vertex(4)), 1.5F);
   mesh.set_sharpness(mesh.find_edge(Vertex(15), Vertex(11)), 2.5F);
@@ -105,7 +105,7 @@ TEST(BowTies, ChaikinAveragesTheEdgesOfEachFanByItself) {
   EXPECT_EQ(sharpness_of(reference.level(1), 0, middle), 0.75);
 }
 
-TEST(BowTies, PinningLeavesNoSharpnessBehind) {
+TEST(BowTies, PinningAddsNoSharpnessToTheResult) {
   for (const SubdivideOptions& options : every_rule(2)) {
     const Mesh fine = subdivide(built(bow_tie({cube(), tetrahedron()})).mesh, options).mesh;
     EXPECT_TRUE(fine.vertex_sharpnesses().empty());

@@ -7,7 +7,7 @@
 namespace mesher::test {
 namespace {
 
-/// Weight of neighbour j around an extraordinary vertex of valence n, from the edge on.
+/// Weight of neighbor j around an extraordinary vertex of valence n, counted from the edge.
 double weight(std::size_t j, std::size_t n) {
   if (n == 3) return j == 0 ? 5.0 / 12.0 : -1.0 / 12.0;
   if (n == 4) return j == 0 ? 3.0 / 8.0 : (j == 2 ? -1.0 / 8.0 : 0.0);
@@ -51,7 +51,7 @@ class Butterfly {
     return sum;
   }
 
-  /// The vertex across the edge a-b from `c`, or where it would be by reflection.
+  /// The vertex across the edge a-b from `c`, or its reflection where there is none.
   Point wing(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     for (const std::uint32_t v : opposite(a, b)) {
       if (v != c) return at(v);
@@ -66,7 +66,7 @@ class Butterfly {
     return sum;
   }
 
-  /// The other end of the boundary edge that goes on at `v`.
+  /// The far end of the boundary edge that continues at `v`.
   Point next_on_boundary(std::uint32_t v, std::uint32_t previous) const {
     const std::vector<std::uint32_t>& ring = near_.ring[v];
     return at(ring.front() == previous ? ring.back() : ring.front());

@@ -4,11 +4,12 @@
 
 namespace mesher::test {
 
-/// One level of N. Dyn et al., 1990, modified by D. Zorin et al., 1996: old vertices stay.
-/// Positions and triangles only: sharpness has no part in it and is not carried.
+/// Refines by one level of butterfly (N. Dyn et al., 1990, modified by D. Zorin et al., 1996). Old
+/// vertices do not move. Handles only positions and triangles; sharpness has no effect and is not
+/// carried over.
 PlainMesh refine_butterfly(const PlainMesh& mesh);
 
-/// One level that puts new vertices in the middle of edges.
+/// Refines by one level that inserts new vertices at the midpoints of edges.
 PlainMesh refine_midpoint(const PlainMesh& mesh);
 
 }  // namespace mesher::test

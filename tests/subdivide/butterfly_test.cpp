@@ -1,4 +1,4 @@
-// The engine's interpolating schemes beside OpenMesh and the oracles.
+// Compares the interpolating schemes of the engine with OpenMesh and the oracles.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t kLevels = 3;
 
-/// Models without creases, for which the papers have no rules.
+/// Models without creases; the papers have no rules for creases.
 std::vector<const Model*> shapes() {
   std::vector<const Model*> result;
   for (const Model& model : models()) {
@@ -44,7 +44,7 @@ TEST(Butterfly, AgreesWithOpenMeshOnEveryModelAndLevel) {
   }
 }
 
-TEST(Butterfly, TheOracleAgreesWithOpenMesh) {
+TEST(Butterfly, OracleAgreesWithOpenMesh) {
   for (const Model* model : shapes()) {
     SCOPED_TRACE(model->name);
     PlainMesh mesh = plain_mesh(model->mesh, BoundaryRounding::edge_only);
@@ -57,7 +57,7 @@ TEST(Butterfly, TheOracleAgreesWithOpenMesh) {
   }
 }
 
-/// The faces on one side of a crease, with all vertices, and which faces they were.
+/// The faces on one side of a crease, with all vertices and the source of each face.
 struct Side {
   Mesh mesh;
   std::vector<std::uint32_t> faces;
@@ -87,7 +87,7 @@ double largest_distance_of_corners(const Mesh& whole, const Side& side, const Me
   return worst;
 }
 
-TEST(Butterfly, ACreaseLoopIsACut) {
+TEST(Butterfly, CreaseLoopActsAsABoundary) {
   Mesh mesh = build_mesh(jittered(icosahedron(), 0.1F)).mesh;
   for (std::uint32_t i = 0; i < 5; ++i) {
     const Edge e = mesh.find_edge(Vertex(1 + i), Vertex(1 + (i + 1) % 5));
@@ -109,7 +109,7 @@ TEST(Butterfly, ACreaseLoopIsACut) {
   }
 }
 
-TEST(Midpoint, HalvesEdgesAndMovesNothing) {
+TEST(Midpoint, BisectsEdgesAndMovesNoVertex) {
   for (const Model& model : models()) {
     SCOPED_TRACE(model.name);
     const PlainMesh mesh = plain_mesh(model.mesh, BoundaryRounding::edge_only);
@@ -119,7 +119,7 @@ TEST(Midpoint, HalvesEdgesAndMovesNothing) {
   }
 }
 
-TEST(Interpolating, OldVerticesStayToTheBit) {
+TEST(Interpolating, OldVerticesKeepTheirExactPosition) {
   for (const Scheme scheme : {Scheme::butterfly, Scheme::midpoint}) {
     for (const bool limit : {false, true}) {
       for (const Model* model : shapes()) {

@@ -29,7 +29,7 @@ std::vector<Triangle> triangles_of(const Mesh& mesh) {
 void expect_same(const Mesh& ours, const PlainMesh& reference, double tolerance) {
   expect_valid(ours);
   ASSERT_EQ(ours.vertex_count(), reference.positions.size());
-  // Not EXPECT_EQ: it would print both.
+  // EXPECT_EQ would print both lists.
   EXPECT_TRUE(triangles_of(ours) == reference.triangles);
   EXPECT_LE(largest_distance(points_of(ours.positions()), reference.positions), tolerance);
 }
@@ -45,7 +45,7 @@ void expect_same_sharpness(const Mesh& ours, const PlainMesh& reference) {
     const double theirs = sharpness_of(reference, ours.origin(h).index(), ours.target(h).index());
     if (!is_near(settled(ours.sharpness(h)), theirs)) ++different;
   }
-  EXPECT_EQ(different, 0U) << "half-edges of another sharpness";
+  EXPECT_EQ(different, 0U) << "half-edges with a different sharpness";
   for (std::uint32_t v = 0; v < ours.vertex_count(); ++v) {
     // Sharp by rule, or isolated.
     if (faces_at[v] < 2 || ours.is_bow_tie_copy(Vertex(v))) continue;

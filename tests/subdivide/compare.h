@@ -8,7 +8,7 @@
 
 namespace mesher::test {
 
-/// How far a result may be off, in diagonals of the model.
+/// Allowed difference of a result, relative to the diagonal of the model.
 inline constexpr double kTolerance = 1e-6;
 
 inline constexpr BoundaryRounding kBoundaries[] = {BoundaryRounding::edge_only,
@@ -17,12 +17,12 @@ inline constexpr CreaseDecay kDecays[] = {CreaseDecay::uniform, CreaseDecay::cha
 
 std::vector<Triangle> triangles_of(const Mesh& mesh);
 
-/// Fails where `ours` is no valid mesh, has other triangles than `reference`, or a position that is
-/// off by more than `tolerance` (model units).
+/// Fails if `ours` is not a valid mesh, if its triangles differ from `reference`, or if a position
+/// differs by more than `tolerance` (model units).
 void expect_same(const Mesh& ours, const PlainMesh& reference, double tolerance);
 
-/// Fails where an edge inside or a vertex has another sharpness. What is sharp by rule, as the
-/// boundary and bow ties are, need not be written down.
+/// Fails if the sharpness of an interior edge or of a vertex differs. Sharpness that follows from a
+/// rule, as at boundaries and bow ties, may be missing.
 void expect_same_sharpness(const Mesh& ours, const PlainMesh& reference);
 
 bool has_boundary(const Mesh& mesh);

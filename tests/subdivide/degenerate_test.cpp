@@ -1,4 +1,4 @@
-// What real files bring: hubs, coordinates at the ends of what floats hold, points on one place.
+// Input as in real files: hubs, coordinates at the limits of floats, coincident points.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@
 namespace mesher::test {
 namespace {
 
-/// A closed double cone: two tips with `spokes` neighbours each.
+/// A closed double cone: two apexes with `spokes` neighbors each.
 Mesh double_cone(std::uint32_t spokes, float sharpness) {
   Soup soup;
   soup.positions = {{0, 0, 1.3F}, {0, 0, -0.7F}};
@@ -41,9 +41,9 @@ Mesh double_cone(std::uint32_t spokes, float sharpness) {
 
 constexpr Scheme kSchemes[] = {Scheme::loop, Scheme::butterfly, Scheme::midpoint};
 
-// A walk around the whole hub for each of its edges would take ten minutes, for which ctest does
-// not wait.
-TEST(Degenerate, HubsOfAHundredThousandSpokesEnd) {
+// Walking around the whole hub for each of its edges would take ten minutes, which exceeds the time
+// limit of ctest.
+TEST(Degenerate, HubsWith100000SpokesTerminate) {
   constexpr std::uint32_t kSpokes = 100'000;
   for (const float sharpness : {0.0F, 1.5F, kInfinitelySharp}) {
     const Mesh mesh = double_cone(kSpokes, sharpness);
@@ -57,7 +57,7 @@ TEST(Degenerate, HubsOfAHundredThousandSpokesEnd) {
   }
 }
 
-TEST(Degenerate, HubsAreWhereTheirMaskPutsThem) {
+TEST(Degenerate, HubsFollowTheirVertexMask) {
   for (const std::uint32_t spokes : {32U, 64U, 65U, 1000U, 30'000U}) {
     const Mesh mesh = double_cone(spokes, 0.0F);
     const RingMask mask = loop_vertex_mask(spokes);
@@ -70,8 +70,9 @@ TEST(Degenerate, HubsAreWhereTheirMaskPutsThem) {
   }
 }
 
-TEST(Degenerate, ButterflyAtAHubIsItsStencil) {
-  constexpr std::uint32_t kSpokes = 40;  // above the number from which stencils are made together
+TEST(Degenerate, ButterflyAtAHubFollowsItsStencil) {
+  constexpr std::uint32_t kSpokes =
+      40;  // above the limit from which stencils are evaluated together
   const Mesh mesh = double_cone(kSpokes, 0.0F);
   const Mesh fine = subdivide(mesh, {.scheme = Scheme::butterfly}).mesh;
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
@@ -82,7 +83,7 @@ TEST(Degenerate, ButterflyAtAHubIsItsStencil) {
       expected += butterfly_ring_weight(kSpokes, i) * glm::dvec3(mesh.position(mesh.target(spoke)));
       spoke = mesh.rotate_ccw(spoke);
     }
-    // The rim has four neighbours: extraordinary, too.
+    // The rim vertex has four neighbors, so it is extraordinary, too.
     const Halfedge back = mesh.twin(Halfedge(h));
     glm::dvec3 other = kButterflyCenter * glm::dvec3(mesh.position(mesh.origin(back)));
     spoke = back;
@@ -96,7 +97,7 @@ TEST(Degenerate, ButterflyAtAHubIsItsStencil) {
   }
 }
 
-TEST(Degenerate, WhatNeverMovesStaysToTheLastBitWhateverIsBesideIt) {
+TEST(Degenerate, FixedVerticesKeepTheirExactPosition) {
   MeshArrays arrays = MeshArrays::take(double_cone(6, 0.0F));
   arrays.position[0].z = 3e38F;
   arrays.position[1] = {1.2345678F, 1e-3F, 1.1e-30F};
@@ -110,7 +111,7 @@ TEST(Degenerate, WhatNeverMovesStaysToTheLastBitWhateverIsBesideIt) {
   }
 }
 
-TEST(Degenerate, AVertexTagWearsDownThoughTheBoundaryRuleHoldsIt) {
+TEST(Degenerate, VertexTagDecaysUnderTheBoundaryRule) {
   Soup soup;
   soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   soup.corners = {0, 1, 2};
@@ -124,7 +125,7 @@ TEST(Degenerate, AVertexTagWearsDownThoughTheBoundaryRuleHoldsIt) {
   EXPECT_EQ(subdivide(mesh, options).mesh.sharpness(Vertex(0)), 0.0F);
 }
 
-TEST(Degenerate, EveryLongPartCanBeCancelled) {
+TEST(Degenerate, EveryLongStepStopsWhenCanceled) {
   const Mesh mesh = double_cone(40, 2.0F);
   const LevelView level = view_of(mesh);
   Progress cancelled;
@@ -143,14 +144,14 @@ TEST(Degenerate, EveryLongPartCanBeCancelled) {
   }
 }
 
-TEST(Degenerate, PeakCountsWhatIsSharp) {
+TEST(Degenerate, PeakMemoryCountsSharpElements) {
   const SubdivideOptions options{.levels = 2};
   const std::uint64_t smooth = subdivision_size(double_cone(500, 0.0F), options).peak_bytes;
   const std::uint64_t creased = subdivision_size(double_cone(500, 2.0F), options).peak_bytes;
   EXPECT_EQ(creased - smooth, kBytesPerSharpEdge * (500 * 4 + 500 * 2));
 }
 
-TEST(Degenerate, SizesNearTheEndOfFloatsScale) {
+TEST(Degenerate, ResultScalesUpToTheLimitsOfFloats) {
   const Mesh unit = double_cone(7, 2.0F);
   for (const int exponent : {-140, -120, 100, 126}) {
     MeshArrays arrays = MeshArrays::take(Mesh(unit));
@@ -176,7 +177,7 @@ TEST(Degenerate, SizesNearTheEndOfFloatsScale) {
   }
 }
 
-TEST(Degenerate, TheLargestCoordinatesStayNumbers) {
+TEST(Degenerate, LargestCoordinatesStayFinite) {
   MeshArrays arrays = MeshArrays::take(double_cone(6, 0.0F));
   for (glm::vec3& p : arrays.position)
     p *= 0.75F * std::numeric_limits<float>::max();
@@ -185,7 +186,7 @@ TEST(Degenerate, TheLargestCoordinatesStayNumbers) {
     expect_valid(subdivide(mesh, {.levels = 3, .scheme = scheme, .limit = true}).mesh);
 }
 
-/// Tags whatever there is, at random.
+/// Tags edges and vertices at random.
 void tag_at_random(Mesh& mesh, std::uint32_t seed) {
   std::mt19937 random(seed);
   constexpr float kSharpness[] = {0.0F, 0.0F, 0.5F, 1.0F, 2.7F, 11.0F, kInfinitelySharp};
@@ -208,7 +209,7 @@ SubdivideOptions options_at_random(std::uint32_t seed) {
           .limit = random() % 2 == 0};
 }
 
-TEST(Degenerate, AnythingMayBeSubdividedSimplifiedAndSubdividedAgain) {
+TEST(Degenerate, SubdivideSimplifySubdivideKeepsMeshesValid) {
   for (std::uint32_t seed = 0; seed < 400; ++seed) {
     SCOPED_TRACE(seed);
     Mesh mesh = build_mesh(random_soup(seed)).mesh;
@@ -223,7 +224,7 @@ TEST(Degenerate, AnythingMayBeSubdividedSimplifiedAndSubdividedAgain) {
   }
 }
 
-TEST(Degenerate, PointsOnOnePlaceStayThere) {
+TEST(Degenerate, CoincidentPointsStayCoincident) {
   MeshArrays arrays = MeshArrays::take(double_cone(5, 1.0F));
   for (glm::vec3& p : arrays.position)
     p = {3.0F, -2.0F, 0.5F};

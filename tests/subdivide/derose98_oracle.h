@@ -4,8 +4,8 @@
 
 namespace mesher::test {
 
-/// T. DeRose, M. Kass, T. Truong, "Subdivision surfaces in character animation", 1998: a sharp edge
-/// is halved, whatever its ends are.
+/// Weights of a sharp edge by T. DeRose, M. Kass, T. Truong, "Subdivision surfaces in character
+/// animation", 1998: the midpoint, for any kinds of ends.
 inline double derose98_sharp_edge(Kind, Kind) {
   return 0.5;
 }

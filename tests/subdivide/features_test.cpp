@@ -26,7 +26,7 @@ std::vector<SubdivideOptions> every_rule() {
   return all;
 }
 
-/// What is left of the edge of `h` at the end that `h` starts from, read off the mesh.
+/// Sharpness that remains on the edge of `h` at its origin, computed from the mesh.
 float left_at_origin(const Mesh& mesh, Halfedge h, CreaseDecay decay) {
   const float sharpness = mesh.sharpness(h);
   if (decay == CreaseDecay::uniform) return decayed(sharpness);
@@ -42,7 +42,7 @@ float left_at_origin(const Mesh& mesh, Halfedge h, CreaseDecay decay) {
   return chaikin_decayed(sharpness, at_end);
 }
 
-/// `level`, made of `coarse`, as a mesh with the sharpnesses that are left.
+/// `level`, made from `coarse`, as a mesh with the remaining sharpness.
 Mesh with_sharpness(const Mesh& coarse, const Level& level, CreaseDecay decay) {
   MeshArrays arrays;
   arrays.position = level.position;
@@ -66,7 +66,7 @@ Mesh with_sharpness(const Mesh& coarse, const Level& level, CreaseDecay decay) {
   return std::move(arrays).finish();
 }
 
-/// A sharp edge in words that do not depend on the order of lists: lower vertex first.
+/// A sharp edge in a form independent of list order: the lower vertex comes first.
 struct EdgeFact {
   float sharpness = 0.0F;
   std::array<float, 2> left{};
@@ -91,7 +91,7 @@ EdgeFacts edge_facts(const Features& features, const LevelView& level) {
 struct VertexFact {
   float own = 0.0F;
   VertexKind kind = VertexKind::smooth;
-  std::vector<std::uint32_t> across;  ///< vertices at the other ends, sorted
+  std::vector<std::uint32_t> across;  ///< the vertices at the other ends, sorted
   friend bool operator==(const VertexFact&, const VertexFact&) = default;
 };
 using VertexFacts = std::map<std::uint32_t, VertexFact>;
@@ -122,7 +122,7 @@ void expect_next_is_scan(const Model& model, const SubdivideOptions& options, in
   }
 }
 
-TEST(Features, OfTheNextLevelAreThoseThatAScanFinds) {
+TEST(Features, NextLevelMatchesAFullScan) {
   for (const SubdivideOptions& options : every_rule()) {
     SCOPED_TRACE("creases " + std::to_string(int(options.creases)) + ", boundary " +
                  std::to_string(int(options.boundary)) + ", decay " +
@@ -135,7 +135,7 @@ TEST(Features, OfTheNextLevelAreThoseThatAScanFinds) {
   }
 }
 
-TEST(Features, AreEverySharpEdgeAndNoOther) {
+TEST(Features, AreExactlyTheSharpEdges) {
   for (const Model& model : models()) {
     SCOPED_TRACE(model.name);
     const Mesh& mesh = model.mesh;
@@ -172,9 +172,10 @@ Mesh creased(Soup soup, const std::vector<std::uint32_t>& path) {
 
 using Kinds = std::map<std::uint32_t, VertexKind>;
 
-TEST(Features, KindsByHand) {
+TEST(Features, VertexKindsOfKnownMeshes) {
   using enum VertexKind;
-  // Through the middle of a fan of six, three faces on each side; two neighbours around are darts.
+  // The crease runs through the middle of a fan of six, with three faces on each side. The two
+  // neighbors on it are darts.
   EXPECT_EQ(kinds(creased(bipyramid(6), {2, 0, 5})),
             (Kinds{{0, regular_crease}, {2, dart}, {5, dart}}));
   EXPECT_EQ(kinds(creased(bipyramid(6), {2, 0, 4})), (Kinds{{0, crease}, {2, dart}, {4, dart}}));
@@ -190,11 +191,11 @@ TEST(Features, ThreeSharpEdgesMakeACorner) {
   mesh.set_sharpness(mesh.find_edge(Vertex(0), Vertex(3)), 0.5F);
   EXPECT_EQ(kinds(mesh)[0], VertexKind::corner);
   EXPECT_EQ(kinds(creased(grid(3), {5, 6}))[6], VertexKind::dart);
-  EXPECT_EQ(kinds(creased(grid(3), {4, 5}))[4], VertexKind::corner);  // two of them boundary
+  EXPECT_EQ(kinds(creased(grid(3), {4, 5}))[4], VertexKind::corner);  // two of them on the boundary
 }
 
-TEST(Features, BoundaryVerticesAreRegularWithThreeFaces) {
-  const Mesh mesh = built(grid(2)).mesh;  // its diagonals rise to the right
+TEST(Features, BoundaryVerticesWithThreeFacesAreRegular) {
+  const Mesh mesh = built(grid(2)).mesh;  // the diagonals rise to the right
   EXPECT_EQ(kinds(mesh), (Kinds{{0, VertexKind::crease},
                                 {1, VertexKind::regular_crease},
                                 {2, VertexKind::crease},
@@ -205,10 +206,10 @@ TEST(Features, BoundaryVerticesAreRegularWithThreeFaces) {
                                 {8, VertexKind::crease}}));
   const auto rounded = kinds(mesh, {.boundary = BoundaryRounding::edge_and_corner});
   EXPECT_EQ(rounded.at(2), VertexKind::corner);  // one face
-  EXPECT_EQ(rounded.at(0), VertexKind::crease);  // two
+  EXPECT_EQ(rounded.at(0), VertexKind::crease);  // two faces
 }
 
-TEST(Features, AVertexIsACornerWhileItsOwnSharpnessLasts) {
+TEST(Features, VertexIsACornerWhileItsSharpnessLasts) {
   Mesh mesh = built(icosahedron()).mesh;
   mesh.set_sharpness(Vertex(3), 1.5F);
   mesh.set_sharpness(Vertex(7), 12.0F);
@@ -223,7 +224,7 @@ TEST(Features, AVertexIsACornerWhileItsOwnSharpnessLasts) {
   EXPECT_EQ(vertex_facts(features), (VertexFacts{{7, {kInfinitelySharp, VertexKind::corner, {}}}}));
 }
 
-TEST(Features, CopiesOfABowTieAreCornersForEver) {
+TEST(Features, BowTieCopiesArePermanentCorners) {
   const Mesh mesh = built(bow_tie({icosahedron(), grid(2)})).mesh;
   ASSERT_EQ(mesh.bow_tie_copies().size(), 2U);
   Features features = features_of(mesh, {});

@@ -1,5 +1,5 @@
-// Pictures of subdivision against pictures that were looked at and approved (tests/golden): sheets
-// of several small ones each, all drawn by the camera that frames the model before subdivision.
+// Compares images of subdivision with approved images (tests/golden). Each sheet has several small
+// images. All of them use the camera that frames the model before subdivision.
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -31,7 +31,7 @@ Mesh asset(const std::string& name) {
   return read_model(MESHER_SOURCE_DIR "/assets/" + name + ".obj").mesh;
 }
 
-/// The cube, its twelve edges as sharp as that; the diagonals of its sides stay smooth.
+/// A cube whose twelve edges have the given sharpness; the diagonals of its sides are smooth.
 Mesh cube_of_sharpness(float sharpness) {
   Mesh mesh = build_mesh(cube()).mesh;
   for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
@@ -45,7 +45,7 @@ Mesh cube_of_sharpness(float sharpness) {
   return mesh;
 }
 
-/// Places small pictures in rows, from the left and the top.
+/// Places small images in rows, from left to right and from top to bottom.
 class Sheet {
  public:
   Sheet(std::uint32_t columns, std::uint32_t rows) : columns_(columns) {
@@ -75,7 +75,7 @@ class Sheet {
 
 class SubdivideGolden : public GpuTest {
  protected:
-  /// `mesh` subdivided by `options`; at the limit it is shaded with the limit's normals.
+  /// Renders `mesh` subdivided by `options`. The limit surface is shaded with limit normals.
   Image tile(const Mesh& mesh, const SubdivideOptions& options, const render::Settings& settings,
              const View& view = {}) {
     Subdivided result = subdivide(mesh, options);
@@ -89,8 +89,8 @@ class SubdivideGolden : public GpuTest {
   }
 };
 
-/// Levels 0 to 4 and the limit; above by Hoppe's rules, below by DeRose's.
-TEST_F(SubdivideGolden, CreasedCube) {
+/// Levels 0 to 4 and the limit. Top row: Hoppe's rules. Bottom row: DeRose's rules.
+TEST_F(SubdivideGolden, CreasedCubeMatches) {
   const Mesh mesh = asset("creased_cube");
   Sheet sheet(6, 2);
   for (const CreaseRules creases : {CreaseRules::hoppe94, CreaseRules::derose98}) {
@@ -101,8 +101,8 @@ TEST_F(SubdivideGolden, CreasedCube) {
   expect_golden(device(), "subdivide_creased_cube", sheet.image());
 }
 
-/// The cube; then its edges at 0, 0.5, 1 and 1.5, 2, 3, for ever.
-TEST_F(SubdivideGolden, Sharpness) {
+/// The cube, then with edge sharpness 0, 0.5, 1, 1.5, 2, 3 and infinity.
+TEST_F(SubdivideGolden, SharpnessMatches) {
   Sheet sheet(4, 2);
   sheet.add(tile(cube_of_sharpness(0.0F), {.levels = 0}, kSurfaceAndEdges));
   for (const float sharpness : {0.0F, 0.5F, 1.0F, 1.5F, 2.0F, 3.0F, kInfinitelySharp}) {
@@ -112,8 +112,8 @@ TEST_F(SubdivideGolden, Sharpness) {
   expect_golden(device(), "subdivide_sharpness", sheet.image());
 }
 
-/// The model, then three levels of Loop, butterfly and midpoint.
-TEST_F(SubdivideGolden, Schemes) {
+/// The model, then three levels each of Loop, butterfly and midpoint.
+TEST_F(SubdivideGolden, SchemesMatch) {
   Sheet sheet(4, 2);
   const auto add_row = [&](const Mesh& mesh, const View& view) {
     sheet.add(tile(mesh, {.levels = 0}, kSurfaceAndEdges, view));
@@ -125,9 +125,9 @@ TEST_F(SubdivideGolden, Schemes) {
   expect_golden(device(), "subdivide_loop_butterfly", sheet.image());
 }
 
-/// The model, its boundary with edges alone and with corners, and beside it a closed one. The box
-/// has no vertex with one face, the sheet has two of them.
-TEST_F(SubdivideGolden, Boundaries) {
+/// The model, its boundary with edges only and with corners, and next to it a closed model. The box
+/// has no vertex with one face; the sheet has two.
+TEST_F(SubdivideGolden, BoundariesMatch) {
   constexpr View kFromAbove{.yaw_deg = 30.0, .pitch_deg = 40.0};
   Sheet sheet(4, 2);
   const auto add_three = [&](const Mesh& mesh, const View& view) {

@@ -4,8 +4,9 @@
 
 namespace mesher::test {
 
-/// H. Hoppe et al., "Piecewise smooth surface reconstruction", 1994: the new point of a sharp edge
-/// by the kinds of its ends, as a way from the first; negative: as on a smooth edge.
+/// Position of the new point of a sharp edge, as a fraction from the first end, by the kinds of its
+/// ends. Negative: the edge uses the smooth mask. Source: H. Hoppe et al., "Piecewise smooth
+/// surface reconstruction", 1994.
 double hoppe94_sharp_edge(Kind a, Kind b);
 
 inline OracleRules hoppe94_rules(CreaseDecay decay = CreaseDecay::uniform) {

@@ -1,4 +1,4 @@
-// The engine's hoppe94 beside an implementation that shares nothing with it.
+// Compares the hoppe94 rules of the engine with an independent implementation.
 #include <gtest/gtest.h>
 
 #include "engine/subdivide/subdivide.h"
@@ -38,7 +38,7 @@ void compare(const Model& model, const Setting& setting) {
 
 class Hoppe94 : public ::testing::TestWithParam<BoundaryRounding> {};
 
-TEST_P(Hoppe94, AgreesWithTheOracleOnEveryModelAndLevel) {
+TEST_P(Hoppe94, AgreesWithOracleOnEveryModelAndLevel) {
   std::size_t compared = 0;
   for (const Model& model : models()) {
     if (!is_settled(model.mesh)) continue;
@@ -51,7 +51,7 @@ TEST_P(Hoppe94, AgreesWithTheOracleOnEveryModelAndLevel) {
   EXPECT_GE(compared, 40U);
 }
 
-TEST_P(Hoppe94, SoftCreasesDecayAndBlendAsDeRosesDo) {
+TEST_P(Hoppe94, SoftCreasesDecayAndBlendAsInDeRose) {
   std::size_t compared = 0;
   for (const Model& model : models()) {
     if (is_settled(model.mesh)) continue;

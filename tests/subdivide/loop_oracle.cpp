@@ -8,14 +8,14 @@
 namespace mesher::test {
 namespace {
 
-/// A vertex, its neighbours in order, and what is sharp there: all that its new place and that of
-/// the points on its edges depend on.
+/// A vertex, its neighbors in order and the sharpness there. The new positions of the vertex and of
+/// the points on its edges depend on nothing else.
 struct Star {
   Point center{};
   double own_sharpness = 0.0;
   bool is_boundary = false;
   std::vector<Point> ring;
-  std::vector<double> spoke;  ///< sharpness of the edge to each neighbour
+  std::vector<double> spoke;  ///< sharpness of the edge to each neighbor
 };
 
 enum class Rule { smooth, crease, corner };
@@ -25,7 +25,7 @@ std::size_t count_sharp(const std::vector<double>& sharpness) {
       std::count_if(sharpness.begin(), sharpness.end(), [](double s) { return s > 0.0; }));
 }
 
-/// A dart follows the rule for smooth vertices.
+/// A dart follows the rule of smooth vertices.
 Rule rule_of(double own_sharpness, const std::vector<double>& spoke) {
   const std::size_t sharp = count_sharp(spoke);
   if (own_sharpness > 0.0 || sharp > 2) return Rule::corner;
@@ -49,7 +49,7 @@ double loop_weight(std::size_t n) {
   return 3.0 / 8.0 + (3.0 / 8.0 + c / 4.0) * (3.0 / 8.0 + c / 4.0);
 }
 
-/// The mask of a rule, of which `spoke` tells the two edges of a crease.
+/// Applies the mask of a rule. `spoke` identifies the two edges of a crease.
 Point masked(const Star& star, Rule rule, const std::vector<double>& spoke) {
   if (rule == Rule::corner) return star.center;
   if (rule == Rule::crease) {
@@ -76,7 +76,7 @@ std::vector<double> child_spokes(const std::vector<double>& spoke, CreaseDecay d
   return child;
 }
 
-/// How much of the parent's rule is left where sharpness has just fallen to nothing.
+/// Weight of the parent's rule where sharpness has just decayed to zero.
 double parent_weight(const Star& star, double child_own, const std::vector<double>& child) {
   std::vector<double> fallen;
   if (star.own_sharpness > 0.0 && child_own == 0.0) fallen.push_back(star.own_sharpness);
@@ -99,7 +99,7 @@ Point new_center(const Star& star, double child_own, const std::vector<double>& 
   return w * by_parent + (1.0 - w) * masked(star, child_rule, child);
 }
 
-/// An edge with all that its new point depends on.
+/// An edge with everything that its new point depends on.
 struct EdgeSite {
   Point a{};
   Point b{};
@@ -117,7 +117,7 @@ Point new_point(const EdgeSite& edge, const OracleRules& rules) {
   };
   if (edge.sharpness == 0.0) return smooth();
   const double way = rules.sharp_edge(edge.kind_a, edge.kind_b);
-  // A boundary edge has but one opposite vertex and is never a dart's.
+  // A boundary edge has only one opposite vertex and never ends in a dart.
   const Point sharp = way < 0.0 ? smooth() : (1.0 - way) * edge.a + way * edge.b;
   if (edge.child_at_a > 0.0 && edge.child_at_b > 0.0) return sharp;
   const double s = rules.overshoots ? edge.sharpness : std::min(edge.sharpness, 1.0);
@@ -135,12 +135,12 @@ Star star_of(const PlainMesh& mesh, const Adjacency& near, std::uint32_t v) {
   return star;
 }
 
-/// The star of a vertex whose neighbours all lie on edges of the level before, so that a crease
-/// goes straight on through them.
+/// The star of a vertex whose neighbors all lie on edges of the previous level, so a crease
+/// continues straight through them.
 struct OldStar : Star {
-  std::vector<double> beyond;  ///< sharpness of the edge that goes on past each neighbour
+  std::vector<double> beyond;  ///< sharpness of the edge beyond each neighbor
 
-  /// Where it is one level on.
+  /// The same star one level deeper.
   OldStar refined(const OracleRules& rules) const;
 };
 
@@ -181,15 +181,16 @@ OldStar old_star_of(const PlainMesh& mesh, const Adjacency& near, std::uint32_t 
 }
 
 OldStar at_the_limit(OldStar star, const OracleRules& rules) {
-  // Each level brings the neighbours nearer by 5/8 or better: these are enough for doubles.
+  // Each level brings the neighbors nearer by a factor of 5/8 or better. This number of levels
+  // reaches double precision.
   constexpr int kLevels = 90;
   for (int level = 0; level < kLevels; ++level)
     star = star.refined(rules);
   return star;
 }
 
-/// Whether the faces' direction settles within few levels: known for stars of few faces, and not at
-/// corners, where a wide sector may fold up.
+/// Whether the normals of the faces converge within few levels. This holds for stars with few
+/// faces, but not at corners, where a wide sector may fold.
 bool is_told_soon(const OldStar& star) {
   constexpr std::size_t kMostNeighbours = 9;
   constexpr std::size_t kMostOnASide = 4;
@@ -206,8 +207,8 @@ bool is_told_soon(const OldStar& star) {
   return std::max(side, n - side) <= kMostOnASide;
 }
 
-/// Normals of the faces around the star as they shrink, summed from crease to crease; one a face,
-/// by the place of its first neighbour in the ring.
+/// Normals of the faces around the star as they shrink, summed from crease to crease. There is one
+/// per face, indexed by the position of its first neighbor in the ring.
 std::vector<Point> side_normals(const OldStar& star) {
   const std::size_t n = star.ring.size();
   const std::size_t faces = star.is_boundary ? n - 1 : n;
@@ -229,15 +230,15 @@ std::vector<Point> side_normals(const OldStar& star) {
   return normals;
 }
 
-/// By the neighbour that comes first, counter-clockwise, in each face.
+/// Keyed by the neighbor that comes first, counterclockwise, in each face.
 std::map<std::uint32_t, Point> normals_around(const PlainMesh& mesh, const Adjacency& near,
                                               std::uint32_t v, const OracleRules& rules) {
-  // Enough to settle, and few enough for what shrinks fastest, to a quarter, to be more than
-  // rounding.
+  // Enough levels to converge. With more, the fastest component, which shrinks to a quarter per
+  // level, would be lost in rounding.
   constexpr int kLevels = 36;
   if (near.ring[v].empty()) return {};
   OldStar star = old_star_of(mesh, near, v);
-  // Around the limit, so that differences keep their digits as they shrink.
+  // Coordinates relative to the limit, so that differences keep their precision as they shrink.
   const Point limit = at_the_limit(star, rules).center;
   star.center -= limit;
   for (Point& p : star.ring)
@@ -320,7 +321,8 @@ std::vector<Point> limit_normals(const PlainMesh& mesh, const OracleRules& rules
   std::vector<Point> result;
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
-      // The child at the corner has the neighbour that leads into it in the next place.
+      // The child at the corner holds it at index k, and the first neighbor of the face at the next
+      // index.
       const Triangle& child = fine.triangles[4 * f + k];
       const std::map<std::uint32_t, Point>& around = normals[child[k]];
       const auto place = around.find(child[(k + 1) % 3]);

@@ -29,7 +29,7 @@ TEST(LoopMasks, SumToOneAtEveryValence) {
   EXPECT_EQ(2.0 * (kLoopEdgeEnd + kLoopEdgeOpposite), 1.0);
 }
 
-TEST(LoopMasks, ByHand) {
+TEST(LoopMasks, MatchKnownValues) {
   EXPECT_NEAR(loop_vertex_mask(3).own, 0.4375, kRounding);
   EXPECT_NEAR(loop_vertex_mask(3).each, 0.1875, kRounding);
   EXPECT_NEAR(loop_vertex_mask(4).own, 0.515625, kRounding);
@@ -42,8 +42,9 @@ TEST(LoopMasks, ByHand) {
   EXPECT_NEAR(loop_limit_mask(6).each, 1.0 / 12.0, kRounding);
 }
 
-/// A step keeps 3/8 of a neighbour's place for the vertex, so that this must come out of it.
-TEST(LoopMasks, TheLimitIsWhatAStepLeavesAlone) {
+/// One level mixes 3/8 of a neighbor's position into the vertex, so the limit mask must be
+/// invariant.
+TEST(LoopMasks, LimitIsInvariantUnderOneLevel) {
   for (std::uint32_t n = 3; n <= 64; ++n) {
     const RingMask limit = loop_limit_mask(n);
     const double after = limit.own * loop_vertex_mask(n).own + n * limit.each * kLoopEdgeEnd;
@@ -51,13 +52,13 @@ TEST(LoopMasks, TheLimitIsWhatAStepLeavesAlone) {
   }
 }
 
-TEST(CreaseMasks, SumToOneAndTheLimitIsWhatAStepLeavesAlone) {
+TEST(CreaseMasks, SumToOneAndLimitIsInvariantUnderOneLevel) {
   EXPECT_EQ(total(kCreaseVertexMask, 2), 1.0);
   for (const CreaseRules rules : kRules) {
     for (const VertexKind kind : kCreaseKinds) {
       const RingMask limit = crease_limit_mask(rules, kind);
       EXPECT_NEAR(total(limit, 2), 1.0, kRounding);
-      // From the next level on both neighbours are edge vertices, which are regular.
+      // From the next level on, both neighbors are edge vertices, which are regular.
       const double of_vertex = sharp_edge_weight(rules, kind, VertexKind::regular_crease);
       const double after = limit.own * kCreaseVertexMask.own + 2.0 * limit.each * of_vertex;
       EXPECT_NEAR(after, limit.own, kRounding);
@@ -66,13 +67,13 @@ TEST(CreaseMasks, SumToOneAndTheLimitIsWhatAStepLeavesAlone) {
   EXPECT_NEAR(crease_limit_mask(CreaseRules::hoppe94, VertexKind::crease).own, 0.6, kRounding);
 }
 
-/// The share of the first end by H. Hoppe et al., 1994, table 1; 0: the smooth mask.
+/// The weight of the first end by H. Hoppe et al., 1994, table 1. 0: the smooth mask.
 struct TableRow {
   VertexKind first;
   double at_dart, at_regular, at_crease, at_corner;
 };
 
-TEST(SharpEdgeMasks, AreThoseOfTheTable) {
+TEST(SharpEdgeMasks, MatchTheTableOfHoppe) {
   constexpr TableRow kTable[] = {
       {VertexKind::dart, 0.0, 0.0, 0.0, 0.0},
       {VertexKind::regular_crease, 0.0, 4.0 / 8, 5.0 / 8, 5.0 / 8},
@@ -94,7 +95,7 @@ TEST(SharpEdgeMasks, AreThoseOfTheTable) {
   }
 }
 
-TEST(SharpEdgeMasks, OfDeRoseAreHalvesDartsIncluded) {
+TEST(SharpEdgeMasks, DeRoseUsesMidpointsEvenAtDarts) {
   constexpr VertexKind kEnds[] = {VertexKind::dart, VertexKind::regular_crease, VertexKind::crease,
                                   VertexKind::corner};
   for (const VertexKind first : kEnds) {
@@ -105,7 +106,7 @@ TEST(SharpEdgeMasks, OfDeRoseAreHalvesDartsIncluded) {
   }
 }
 
-/// Weights of a vertex and of its neighbours on one side of a crease.
+/// Weights of a vertex and of its neighbors on one side of a crease.
 struct Tangent {
   double own = 0.0;
   std::vector<double> of;
@@ -131,7 +132,7 @@ void for_each_tangent(const Check& check) {
   }
 }
 
-TEST(AcrossCreaseTangent, IsZeroWhereAllPointsAreOne) {
+TEST(AcrossCreaseTangent, IsZeroWhenAllPointsCoincide) {
   for_each_tangent([](CreaseRules, VertexKind, const Tangent& t) {
     EXPECT_NEAR(std::accumulate(t.of.begin(), t.of.end(), t.own), 0.0, kRounding);
   });
@@ -139,7 +140,7 @@ TEST(AcrossCreaseTangent, IsZeroWhereAllPointsAreOne) {
 
 TEST(AcrossCreaseTangent, PointsToItsSideAndNotAlongTheCrease) {
   for_each_tangent([](CreaseRules, VertexKind, const Tangent& t) {
-    // Half a disc but for a little, or there would be no side to point to with two neighbours.
+    // Slightly less than half a disc. With two neighbors, a full half disc would have no side.
     constexpr double kGap = 0.05 * std::numbers::pi;
     const double step = (std::numbers::pi - 2.0 * kGap) / static_cast<double>(t.of.size() - 1);
     glm::dvec2 sum(0.0);
@@ -152,7 +153,7 @@ TEST(AcrossCreaseTangent, PointsToItsSideAndNotAlongTheCrease) {
   });
 }
 
-/// What a step of subdivision makes of a linear form on a crease vertex and its side.
+/// Applies one level of subdivision to a linear form on a crease vertex and its side.
 Tangent stepped(const Tangent& t, double edge_weight_of_vertex) {
   const std::size_t last = t.of.size() - 1;
   Tangent after{t.own * kCreaseVertexMask.own, std::vector<double>(last + 1, 0.0)};
@@ -170,7 +171,7 @@ Tangent stepped(const Tangent& t, double edge_weight_of_vertex) {
   return after;
 }
 
-TEST(AcrossCreaseTangent, KeepsItsDirectionOverAStep) {
+TEST(AcrossCreaseTangent, KeepsItsDirectionUnderOneLevel) {
   for_each_tangent([](CreaseRules rules, VertexKind kind, const Tangent& t) {
     const double weight = sharp_edge_weight(rules, kind, VertexKind::regular_crease);
     const Tangent after = stepped(t, weight);
@@ -183,7 +184,7 @@ TEST(AcrossCreaseTangent, KeepsItsDirectionOverAStep) {
   });
 }
 
-TEST(AcrossCreaseTangent, ByHand) {
+TEST(AcrossCreaseTangent, MatchesKnownValues) {
   const Tangent regular = tangent(CreaseRules::hoppe94, VertexKind::regular_crease, 4);
   EXPECT_NEAR(regular.own, -2.0, kRounding);
   const double by_hand[] = {-1.0, 2.0, 2.0, -1.0};
@@ -209,7 +210,7 @@ TEST(ButterflyMasks, SumToOne) {
   }
 }
 
-TEST(ButterflyMasks, ByHandAndTheSameBothWaysAround) {
+TEST(ButterflyMasks, MatchKnownValuesAndAreSymmetric) {
   EXPECT_EQ(butterfly_ring_weight(3, 0), 5.0 / 12.0);
   EXPECT_EQ(butterfly_ring_weight(3, 2), -1.0 / 12.0);
   EXPECT_EQ(butterfly_ring_weight(4, 0), 3.0 / 8.0);

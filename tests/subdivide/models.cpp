@@ -14,7 +14,7 @@ namespace {
 
 using Path = std::vector<std::uint32_t>;
 
-/// Collects models: a shape, and what is sharp on it.
+/// Collects models: a shape with its sharp edges and vertices.
 class Collector {
  public:
   Model& add(std::string name, Soup soup) {
@@ -30,7 +30,7 @@ class Collector {
   std::vector<Model> models_;
 };
 
-/// Makes the edges of a path sharp. Fails the test where there is no such edge.
+/// Makes the edges of a path sharp. Fails the test if an edge does not exist.
 void sharpen(Model& model, const Path& path, float sharpness = kInfinitelySharp) {
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     const Edge e = model.mesh.find_edge(Vertex(path[i]), Vertex(path[i + 1]));

@@ -1,4 +1,4 @@
-// Normals of the limit surface: beside the oracle, and beside the faces that come closer to it.
+// Compares normals of the limit surface with the oracle and with the faces that converge to it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ Subdivided at_the_limit(const Mesh& mesh, CreaseRules creases, CreaseDecay decay
   return subdivide(mesh, {.levels = levels, .creases = creases, .decay = decay, .limit = true});
 }
 
-TEST(LimitNormals, AreUnitAndOneACorner) {
+TEST(LimitNormals, AreUnitLengthAndOnePerCorner) {
   for (const CreaseRules creases : kFamilies) {
     for (const Model& model : models()) {
       if (model.mesh.face_count() > 200) continue;
@@ -41,7 +41,7 @@ TEST(LimitNormals, AreUnitAndOneACorner) {
   }
 }
 
-TEST(LimitNormals, AreThereOnlyWhereTheLimitWasAskedFor) {
+TEST(LimitNormals, AreComputedOnlyAtTheLimit) {
   const Mesh& mesh = models().front().mesh;
   EXPECT_TRUE(subdivide(mesh, {.levels = 1}).limit_normal.empty());
   for (const Scheme scheme : {Scheme::butterfly, Scheme::midpoint}) {
@@ -50,7 +50,7 @@ TEST(LimitNormals, AreThereOnlyWhereTheLimitWasAskedFor) {
   }
 }
 
-/// Largest angle to the oracle's normals where it can tell them.
+/// Largest angle to the normals of the oracle, where it has any.
 double worst_angle_deg(const Subdivided& ours, const std::vector<Point>& oracle) {
   double worst = 0.0;
   for (std::size_t c = 0; c < oracle.size(); ++c) {
@@ -60,7 +60,7 @@ double worst_angle_deg(const Subdivided& ours, const std::vector<Point>& oracle)
   return worst;
 }
 
-TEST(LimitNormals, AgreeWithWhatTheFacesTurnTo) {
+TEST(LimitNormals, AgreeWithConvergedFaceNormals) {
   for (const CreaseRules creases : kFamilies) {
     for (const CreaseDecay decay : kDecays) {
       const OracleRules rules =
@@ -82,8 +82,8 @@ TEST(LimitNormals, AgreeWithWhatTheFacesTurnTo) {
   }
 }
 
-/// Mean angle between limit normals and the area-weighted normals of old vertices so many levels
-/// deeper.
+/// Mean angle between the limit normals and the area-weighted normals of old vertices `deeper`
+/// levels below.
 double mean_angle_deg(const Mesh& mesh, std::uint32_t deeper) {
   const Subdivided limit = at_the_limit(mesh, CreaseRules::hoppe94, CreaseDecay::uniform, 0);
   if (limit.limit_normal.size() != mesh.halfedge_count()) return kForEver;
@@ -103,7 +103,7 @@ double mean_angle_deg(const Mesh& mesh, std::uint32_t deeper) {
   return total / mesh.halfedge_count();
 }
 
-TEST(LimitNormals, OfSmoothModelsAreApproachedByTheFaces) {
+TEST(LimitNormals, FaceNormalsOfSmoothModelsConverge) {
   std::size_t compared = 0;
   for (const Model& model : models()) {
     if (!is_untagged(model.mesh) || has_boundary(model.mesh)) continue;

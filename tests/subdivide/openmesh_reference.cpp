@@ -25,7 +25,7 @@ PeerMesh peer_of(const PlainMesh& mesh) {
   return peer;
 }
 
-/// The same for any corner that a triangle starts with.
+/// Rotates the triangle so that its lowest corner comes first.
 Triangle canonical(Triangle t) {
   std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   return t;
@@ -37,7 +37,7 @@ PlainMesh openmesh_butterfly(const PlainMesh& mesh) {
   PeerMesh peer = peer_of(mesh);
   const Adjacency near = adjacency(mesh);
   const auto old_vertices = static_cast<std::uint32_t>(mesh.positions.size());
-  // It splits its edges in order, and each makes a vertex.
+  // OpenMesh splits its edges in order, and each split makes one vertex.
   std::vector<std::uint32_t> ours;
   for (std::uint32_t v = 0; v < old_vertices; ++v)
     ours.push_back(v);
@@ -64,7 +64,7 @@ PlainMesh openmesh_butterfly(const PlainMesh& mesh) {
       t[k++] = ours[std::size_t(v.idx())];
     theirs.insert(canonical(t));
   }
-  // Its order of faces is its own: compared as a set, then given in ours.
+  // OpenMesh has its own order of faces. Compare the faces as a set, then return them in our order.
   fine.triangles = split_triangles(mesh, near);
   for (const Triangle& t : fine.triangles) {
     if (!theirs.contains(canonical(t))) throw std::runtime_error("OpenMesh has other triangles");

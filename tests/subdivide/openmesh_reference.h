@@ -4,8 +4,7 @@
 
 namespace mesher::test {
 
-/// OpenMesh's opinion of one level of butterfly subdivision, in our numbering. Positions and
-/// triangles only.
+/// One level of butterfly subdivision by OpenMesh, in our numbering. Only positions and triangles.
 PlainMesh openmesh_butterfly(const PlainMesh& mesh);
 
 }  // namespace mesher::test

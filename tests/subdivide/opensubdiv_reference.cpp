@@ -13,14 +13,14 @@ namespace {
 namespace Far = OpenSubdiv::Far;
 namespace Sdc = OpenSubdiv::Sdc;
 
-/// A position as PrimvarRefiner wants it.
+/// A position with the interface that PrimvarRefiner requires.
 struct Value {
   Point point{};
   void Clear() { point = Point(0.0); }
   void AddWithWeight(const Value& other, double weight) { point += weight * other.point; }
 };
 
-/// What a TopologyDescriptor points to.
+/// The arrays that a TopologyDescriptor points to.
 struct Lists {
   std::vector<int> corners_of_face;
   std::vector<int> corners;
@@ -30,7 +30,7 @@ struct Lists {
   std::vector<float> vertex_sharpness;
 };
 
-/// The lowest copy of a bow-tie vertex; of all others the vertex itself.
+/// The lowest copy of a bow-tie vertex; for all others the vertex itself.
 Vertex first_copy(const Mesh& mesh, Vertex v) {
   for (const BowTieCopy& copy : mesh.bow_tie_copies()) {
     if (copy.v == v) return copy.first;
@@ -94,9 +94,9 @@ double settled(float sharpness) {
 /// One level in both numberings.
 struct Level {
   PlainMesh mesh;
-  std::vector<std::uint32_t> ours;  ///< by their vertex
-  std::vector<int> their_face;      ///< by our face
-  std::vector<Value> values;        ///< by their vertex
+  std::vector<std::uint32_t> ours;  ///< indexed by their vertex
+  std::vector<int> their_face;      ///< indexed by our face
+  std::vector<Value> values;        ///< indexed by their vertex
 };
 
 void note_sharpness(const Far::TopologyLevel& topology, Level& level) {
@@ -120,7 +120,7 @@ int local_corner(const Far::TopologyLevel& topology, const Level& level, int fac
   throw std::runtime_error("a face of OpenSubdiv lacks one of our vertices");
 }
 
-/// Numbers the children's vertices as we do.
+/// Numbers the vertices of the child level in our order.
 void number_vertices(const Far::TopologyLevel& topology, const Level& parent, Level& child) {
   constexpr std::uint32_t kUnset = 0xFFFFFFFFU;
   child.ours.assign(child.values.size(), kUnset);
@@ -136,13 +136,13 @@ void number_vertices(const Far::TopologyLevel& topology, const Level& parent, Le
       if (number == kUnset) number = next++;
     }
   }
-  child.mesh.positions = parent.mesh.positions;  // isolated ones stay
+  child.mesh.positions = parent.mesh.positions;  // isolated vertices do not move
   child.mesh.positions.resize(next);
   for (std::size_t v = 0; v < child.values.size(); ++v)
     child.mesh.positions.at(child.ours[v]) = child.values[v].point;
 }
 
-/// Puts a triangle's corners in an order that starts with `first`, which it must hold.
+/// Rotates the corners of a triangle so that it starts with `first`, which must be one of them.
 Triangle turned(Triangle triangle, std::uint32_t first) {
   for (int k = 0; k < 3 && triangle[0] != first; ++k)
     std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
@@ -150,8 +150,8 @@ Triangle turned(Triangle triangle, std::uint32_t first) {
   return triangle;
 }
 
-/// Puts their child faces in our order: by the corner of the parent that each holds, the middle one
-/// last; turned so that the corner is where we have it.
+/// Puts their child faces into our order: sorted by the parent's corner that each contains, the
+/// center face last. Each is rotated so that this corner is at our index.
 void order_faces(const Far::TopologyLevel& parent_topology,
                  const Far::TopologyLevel& child_topology, const Level& parent, Level& child) {
   for (std::size_t f = 0; f < parent.mesh.triangles.size(); ++f) {
@@ -192,14 +192,15 @@ Level base_level(const Mesh& mesh, const std::vector<std::uint32_t>& used) {
   return base;
 }
 
-/// Gives copies of bow-tie vertices, which OpenSubdiv knows as one vertex, what their first has.
+/// Gives the copies of a bow-tie vertex, which is a single vertex in OpenSubdiv, the values of the
+/// first copy.
 void tell_copies_apart(const Mesh& mesh, std::vector<Level>& levels) {
   for (std::size_t l = 0; l < levels.size() && !mesh.bow_tie_copies().empty(); ++l) {
     PlainMesh& level = levels[l].mesh;
     const std::vector<Triangle> merged = level.triangles;
     for (std::uint32_t h = 0; h < 3 * level.triangles.size(); ++h) {
       if (level.triangles[h / 3][h % 3] >= mesh.vertex_count()) continue;
-      // The child at a corner has it in the same place.
+      // The child at a corner has this corner at the same index.
       std::uint32_t base = h / 3;
       for (std::size_t up = 0; up < l; ++up)
         base /= 4;
@@ -232,7 +233,7 @@ struct OpenSubdivReference::Implementation {
 OpenSubdivReference::OpenSubdivReference(const Mesh& mesh, BoundaryRounding boundary,
                                          CreaseDecay decay, std::uint32_t levels)
     : implementation_(std::make_unique<Implementation>()) {
-  // OpenSubdiv has no use for isolated vertices.
+  // OpenSubdiv does not accept isolated vertices.
   std::vector<std::uint32_t> used;
   std::vector<std::uint32_t> number(mesh.vertex_count());
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {

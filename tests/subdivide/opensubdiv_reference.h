@@ -7,8 +7,8 @@
 
 namespace mesher::test {
 
-/// OpenSubdiv's opinion of a mesh, level by level, in our numbering. It is given bow-tie vertices
-/// as the input had them: their copies as one vertex.
+/// Subdivision of a mesh by OpenSubdiv, level by level, in our numbering. Bow-tie vertices are
+/// passed as in the input, with their copies as one vertex.
 class OpenSubdivReference {
  public:
   OpenSubdivReference(const Mesh& mesh, BoundaryRounding boundary, CreaseDecay decay,
@@ -17,10 +17,10 @@ class OpenSubdivReference {
   OpenSubdivReference(const OpenSubdivReference&) = delete;
   OpenSubdivReference& operator=(const OpenSubdivReference&) = delete;
 
-  /// Pre: level <= levels. Sharpnesses of 10 and more are given as for ever.
+  /// Pre: level <= levels. A sharpness of 10 or more is returned as infinite.
   const PlainMesh& level(std::uint32_t level) const;
-  /// Limit of the last level's vertices. Right for settled creases only: OpenSubdiv takes what is
-  /// semi-sharp on the last level for sharp.
+  /// Limit positions of the vertices of the last level. Correct only for creases that are smooth or
+  /// infinitely sharp: OpenSubdiv treats semi-sharp edges of the last level as sharp.
   std::vector<Point> limit_positions() const;
 
  private:

@@ -1,4 +1,4 @@
-// The engine's derose98 beside OpenSubdiv 3.5, position by position.
+// Compares the derose98 rules of the engine with OpenSubdiv 3.5, position by position.
 #include "tests/subdivide/opensubdiv_reference.h"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,9 @@ namespace {
 
 constexpr std::uint32_t kLevels = 4;
 
-/// Where we differ from OpenSubdiv on purpose, all of it. Such a model is compared with our own
-/// oracle, and OpenSubdiv with the oracle in which the reason is put: nothing else may differ.
+/// All intended differences from OpenSubdiv. Such a model is compared with our own oracle, and
+/// OpenSubdiv is compared with the oracle that reproduces the difference. No other difference is
+/// allowed.
 struct Disagreement {
   const char* model;
   CreaseDecay decay;
@@ -105,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(EveryRule, OpenSubdiv,
                          ::testing::Combine(::testing::ValuesIn(kBoundaries),
                                             ::testing::ValuesIn(kDecays)));
 
-/// How far OpenSubdiv is from the oracle on any level, in diagonals.
+/// Largest distance between OpenSubdiv and the oracle on any level, in diagonals.
 double apart(const Model& model, BoundaryRounding boundary, const OracleRules& rules) {
   const std::uint32_t levels = affordable_levels(model.mesh, kLevels);
   const double size = diagonal(points_of(model.mesh.positions()));
@@ -122,8 +123,8 @@ double apart(const Model& model, BoundaryRounding boundary, const OracleRules& r
   return worst;
 }
 
-TEST(OpenSubdivReference, AgreesWithTheOracleSaveForTheOvershoot) {
-  // Its sharpnesses are floats.
+TEST(OpenSubdivReference, AgreesWithOracleExceptForTheOvershoot) {
+  // OpenSubdiv stores sharpness as floats.
   constexpr double kRounding = 1e-8;
   for (const BoundaryRounding boundary : kBoundaries) {
     for (const CreaseDecay decay : kDecays) {
@@ -132,7 +133,7 @@ TEST(OpenSubdivReference, AgreesWithTheOracleSaveForTheOvershoot) {
         SCOPED_TRACE(model.name + ", " + name(boundary, decay));
         OracleRules rules = derose98_rules(decay);
         if (disagreement(model, decay) != nullptr) {
-          // A line of the table that nothing stands for any more would hide what comes next.
+          // An obsolete entry of the table would hide later differences.
           EXPECT_GT(apart(model, boundary, rules), kTolerance);
           rules.overshoots = true;
         }
@@ -142,10 +143,10 @@ TEST(OpenSubdivReference, AgreesWithTheOracleSaveForTheOvershoot) {
   }
 }
 
-/// Where a crease ends inside. There, and only there, our limits differ from OpenSubdiv's: it gives
-/// a dart the limit of a smooth vertex, although it halves the crease's edge there, so that the
-/// vertices of its own levels go elsewhere, by up to 0.6 % of the model's size. Our limit is where
-/// they go.
+/// Vertices where a crease ends inside. Only there our limits differ from those of OpenSubdiv.
+/// OpenSubdiv gives a dart the limit of a smooth vertex, although it bisects the crease edge there.
+/// So the vertices of its own levels converge elsewhere, by up to 0.6 % of the model size. Our
+/// limit is where they converge.
 std::set<std::uint32_t> darts_of(const PlainMesh& mesh) {
   std::vector<int> sharp(mesh.positions.size());
   for (const auto& [edge, sharpness] : mesh.sharpness) {
@@ -159,7 +160,7 @@ std::set<std::uint32_t> darts_of(const PlainMesh& mesh) {
   return darts;
 }
 
-TEST(OpenSubdivReference, LimitsAgreeSaveAtDarts) {
+TEST(OpenSubdivReference, LimitsAgreeExceptAtDarts) {
   double apart_at_darts = 0.0;
   for (const BoundaryRounding boundary : kBoundaries) {
     for (const Model& model : models()) {
@@ -183,7 +184,8 @@ TEST(OpenSubdivReference, LimitsAgreeSaveAtDarts) {
       EXPECT_LE(apart, kTolerance);
     }
   }
-  EXPECT_GT(apart_at_darts, 1e-4) << "OpenSubdiv's darts are as ours now: compare them, too";
+  EXPECT_GT(apart_at_darts, 1e-4)
+      << "the darts of OpenSubdiv now agree with ours: compare them, too";
   EXPECT_LT(apart_at_darts, 1e-2);
 }
 
@@ -212,7 +214,7 @@ TEST(Limits, AreExactForEverySharpness) {
   }
 }
 
-TEST(Models, HaveEveryValenceAndSharpness) {
+TEST(Models, CoverEveryValenceAndSharpness) {
   EXPECT_GE(models().size(), 48U);
   std::set<std::uint32_t> valences;
   std::set<float> sharpnesses;

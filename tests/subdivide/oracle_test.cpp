@@ -1,5 +1,5 @@
-// The oracles themselves: against values worked out by hand, and against OpenSubdiv and OpenMesh
-// before the engine is.
+// Tests of the oracles: they are compared with values computed by hand, and with OpenSubdiv and
+// OpenMesh.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,10 +27,10 @@ void expect_at(const Point& p, const Point& wanted) {
   EXPECT_NEAR(p.z, wanted.z, 1e-12);
 }
 
-TEST(Oracle, AnOctahedronByHand) {
+TEST(Oracle, MatchesOctahedronComputedByHand) {
   const PlainMesh fine = refine(plain(octahedron()), hoppe94_rules());
   ASSERT_EQ(fine.positions.size(), 18U);
-  // Valence 4: 33/64 of itself; the ring's mean is the origin.
+  // Valence 4: the vertex has the weight 33/64, and the mean of the ring is the origin.
   expect_at(fine.positions[0], {33.0 / 64.0, 0, 0});
   // The edge 0-1 of face 0: opposite vertices are top and bottom.
   expect_at(fine.positions[6], {3.0 / 8.0, 3.0 / 8.0, 0});
@@ -43,7 +43,7 @@ TEST(Oracle, AnOctahedronByHand) {
             {3.0 / (11.0 - 8.0 * 33.0 / 64.0), 0, 0});
 }
 
-TEST(Oracle, ATriangleByHand) {
+TEST(Oracle, MatchesTriangleComputedByHand) {
   const Soup one = soup_of({{0, 0, 0}, {8, 0, 0}, {0, 8, 0}}, {0, 1, 2});
   const PlainMesh round = refine(plain(one), hoppe94_rules());
   expect_at(round.positions[0], {1, 1, 0});
@@ -53,9 +53,9 @@ TEST(Oracle, ATriangleByHand) {
   expect_at(cornered.positions[4], {4, 4, 0});
 }
 
-TEST(Oracle, AnOpenFanByHand) {
-  // Three faces around vertex 0: a boundary vertex of valence 4, which is regular; its neighbours
-  // are not.
+TEST(Oracle, MatchesOpenFanComputedByHand) {
+  // Three faces around vertex 0, a regular boundary vertex of valence 4. Its neighbors are not
+  // regular.
   const Soup three = soup_of({{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 8}, {-8, 0, 0}},
                              {0, 1, 2, 0, 2, 3, 0, 3, 4});
   const PlainMesh hoppe = refine(plain(three), hoppe94_rules());
@@ -66,7 +66,7 @@ TEST(Oracle, AnOpenFanByHand) {
   expect_at(hoppe.positions[7], {4, 4, 1});
 }
 
-TEST(Oracle, DartsByHand) {
+TEST(Oracle, MatchesDartsComputedByHand) {
   Mesh mesh = built(octahedron()).mesh;
   mesh.set_sharpness(mesh.find_edge(Vertex(0), Vertex(1)), kInfinitelySharp);
   const PlainMesh tagged = plain_mesh(mesh, BoundaryRounding::edge_only);
@@ -77,7 +77,7 @@ TEST(Oracle, DartsByHand) {
   EXPECT_EQ(fine.sharpness.size(), 2U);
 }
 
-TEST(Oracle, SharpnessByHand) {
+TEST(Oracle, MatchesSharpnessComputedByHand) {
   const std::vector<double> others{0.0, 2.0, kForEver, 4.0};
   EXPECT_EQ(child_sharpness(2.5, others, CreaseDecay::uniform), 1.5);
   EXPECT_EQ(child_sharpness(2.5, others, CreaseDecay::chaikin), 0.75 * 2.5 + 0.25 * 3.0 - 1.0);
@@ -87,7 +87,7 @@ TEST(Oracle, SharpnessByHand) {
   EXPECT_EQ(child_sharpness(kForEver, others, CreaseDecay::chaikin), kForEver);
 }
 
-TEST(Oracle, AHalfSharpLoopBlendsHalfAndHalf) {
+TEST(Oracle, SharpnessOneHalfBlendsBothRulesEqually) {
   Mesh mesh = built(octahedron()).mesh;
   for (std::uint32_t i = 0; i < 4; ++i)
     mesh.set_sharpness(mesh.find_edge(Vertex(i), Vertex((i + 1) % 4)), 0.5F);
@@ -97,7 +97,7 @@ TEST(Oracle, AHalfSharpLoopBlendsHalfAndHalf) {
   EXPECT_TRUE(fine.sharpness.empty());
 }
 
-TEST(Oracle, LimitsAreWhereSubdivisionGoes) {
+TEST(Oracle, SubdivisionConvergesToTheLimits) {
   for (const OracleRules& rules :
        {hoppe94_rules(), derose98_rules(), hoppe94_rules(CreaseDecay::chaikin)}) {
     for (const Model& model : models()) {
@@ -121,8 +121,9 @@ TEST(Oracle, LimitsAreWhereSubdivisionGoes) {
   }
 }
 
-TEST(Oracle, LimitsOfCreasesAreTheKnownMasks) {
-  // Boundary of a triangle: every vertex is non-regular; one level on, 1/5, 3/5, 1/5.
+TEST(Oracle, CreaseLimitsMatchTheKnownMasks) {
+  // Boundary of a triangle: every vertex is non-regular. One level deeper the mask is 1/5, 3/5,
+  // 1/5.
   const PlainMesh fine =
       refine(plain(soup_of({{0, 0, 0}, {8, 0, 0}, {0, 8, 0}}, {0, 1, 2})), hoppe94_rules());
   const std::vector<Point> limit = limit_positions(fine, hoppe94_rules());
@@ -131,7 +132,7 @@ TEST(Oracle, LimitsOfCreasesAreTheKnownMasks) {
   expect_at(spline[0], (4.0 * fine.positions[0] + fine.positions[3] + fine.positions[5]) / 6.0);
 }
 
-TEST(Oracle, NormalsOfAnOctahedronPointOutward) {
+TEST(Oracle, OctahedronNormalsPointOutward) {
   const PlainMesh mesh = plain(octahedron());
   const std::vector<Point> normals = limit_normals(mesh, hoppe94_rules());
   ASSERT_EQ(normals.size(), 24U);
@@ -139,7 +140,7 @@ TEST(Oracle, NormalsOfAnOctahedronPointOutward) {
     expect_at(normals[c], mesh.positions[mesh.triangles[c / 3][c % 3]]);
 }
 
-TEST(Oracle, NormalsAreTheSameOneLevelOn) {
+TEST(Oracle, NormalsAreEqualOneLevelDeeper) {
   for (const OracleRules& rules : {hoppe94_rules(), derose98_rules()}) {
     for (const Model& model : models()) {
       if (model.mesh.face_count() > 40) continue;
@@ -166,7 +167,7 @@ TEST(Oracle, ButterflyKeepsAPlaneAndItsVertices) {
     expect_at(fine.positions[v], sheet.positions[v]);
   for (const Point& p : fine.positions)
     EXPECT_EQ(p.z, 0.0);
-  // Far inside everything is regular, and a linear function is reproduced.
+  // Far inside, all vertices are regular, and butterfly reproduces linear functions.
   const Adjacency near = adjacency(sheet);
   const std::uint32_t edge = near.edge_index.at(pair_of(6, 12));
   expect_at(fine.positions[sheet.positions.size() + edge], {1.5, 1.5, 0});

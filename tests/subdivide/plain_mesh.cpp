@@ -11,7 +11,7 @@ double settled(float sharpness) {
   return sharpness >= kSharpForEver ? kForEver : double(sharpness);
 }
 
-/// Orders the neighbours of a vertex, of which the faces give pairs that follow each other.
+/// Orders the neighbors of a vertex. The faces give pairs of consecutive neighbors.
 std::vector<std::uint32_t> ring_of(const std::map<std::uint32_t, std::uint32_t>& after) {
   if (after.empty()) return {};
   std::uint32_t first = after.begin()->first;
@@ -78,7 +78,7 @@ double largest_distance(std::span<const Point> a, std::span<const Point> b) {
   double largest = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double distance = glm::distance(a[i], b[i]);
-    // Not std::max: a distance that is no number must not pass.
+    // Not std::max, which would ignore a NaN distance.
     if (!(distance <= largest)) largest = distance;
   }
   return largest;

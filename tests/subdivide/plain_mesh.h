@@ -25,35 +25,36 @@ inline VertexPair pair_of(std::uint32_t a, std::uint32_t b) {
   return a < b ? VertexPair(a, b) : VertexPair(b, a);
 }
 
-/// A mesh as a list of triangles and a table of sharp edges: what the oracles subdivide, in doubles
-/// and with nothing of the engine's data structures.
+/// A mesh as a list of triangles and a table of sharp edges. The oracles subdivide it in double
+/// precision, without the data structures of the engine.
 struct PlainMesh {
   std::vector<Point> positions;
   std::vector<Triangle> triangles;
-  /// Edges that are sharp at all, boundary edges included.
+  /// All edges with a sharpness above zero, including boundary edges.
   std::map<VertexPair, double> sharpness;
-  std::vector<double> vertex_sharpness;  ///< V
+  std::vector<double> vertex_sharpness;  ///< one per vertex
 };
 
-/// With everything that is sharp by rule written down: boundary edges for ever, from kSharpForEver
-/// on for ever, copies of bow-tie vertices, and vertices with one face where `boundary` says so.
+/// Converts a mesh and lists everything that is sharp by rule as infinitely sharp: boundary edges,
+/// edges from kSharpForEver on, copies of bow-tie vertices and, depending on `boundary`, vertices
+/// with one face.
 PlainMesh plain_mesh(const Mesh& mesh, BoundaryRounding boundary);
 
-/// Diagonal of the bounding box; 1 where there is none.
+/// Diagonal of the bounding box; 1 if it is empty.
 double diagonal(std::span<const Point> positions);
 
-/// Largest distance between points of equal index. Pre: equally many.
+/// Largest distance between points of equal index. Pre: both have the same size.
 double largest_distance(std::span<const Point> a, std::span<const Point> b);
 
 std::vector<Point> points_of(std::span<const glm::vec3> positions);
 
-/// Who is whose neighbour, found by looking at every triangle.
+/// Adjacency of vertices and edges, found by scanning all triangles.
 struct Adjacency {
-  /// Edges in the order met when walking the faces and their edges ab, bc, ca.
+  /// Edges in the order in which a walk over the faces and their edges ab, bc, ca finds them.
   std::vector<VertexPair> edges;
   std::map<VertexPair, std::uint32_t> edge_index;
-  std::vector<std::vector<std::uint32_t>> opposite;  ///< third vertices of an edge's faces
-  /// Neighbours counter-clockwise; on the boundary from one end to the other.
+  std::vector<std::vector<std::uint32_t>> opposite;  ///< third vertices of the faces of an edge
+  /// Neighbors counterclockwise; on the boundary from one end to the other.
   std::vector<std::vector<std::uint32_t>> ring;
   std::vector<std::uint32_t> faces_at;
 
@@ -62,11 +63,11 @@ struct Adjacency {
 
 Adjacency adjacency(const PlainMesh& mesh);
 
-/// Four children a triangle, in the order that the engine promises: positions and sharpnesses are
-/// left to fill.
+/// Four children per triangle, in the order that the engine guarantees. The caller fills in
+/// positions and sharpness.
 std::vector<Triangle> split_triangles(const PlainMesh& mesh, const Adjacency& near);
 
-/// Sharpness of an edge; 0 where the table does not list it.
+/// Sharpness of an edge; 0 if the table does not list it.
 double sharpness_of(const PlainMesh& mesh, std::uint32_t a, std::uint32_t b);
 
 }  // namespace mesher::test

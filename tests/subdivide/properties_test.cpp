@@ -1,4 +1,4 @@
-// What holds for subdivision whatever the mesh and the rules.
+// Properties of subdivision that hold for any mesh and any rules.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace mesher::test {
 namespace {
 
-/// One of every combination of scheme, creases, boundary and decay that differs in what it does.
+/// One of every combination of scheme, creases, boundary and decay that gives a different result.
 std::vector<SubdivideOptions> every_rule(std::uint32_t levels) {
   std::vector<SubdivideOptions> all{{.levels = levels, .scheme = Scheme::butterfly},
                                     {.levels = levels, .scheme = Scheme::midpoint}};
@@ -42,7 +42,7 @@ std::string describe(const SubdivideOptions& o) {
          std::to_string(int(o.decay)) + (o.limit ? ", limit" : "");
 }
 
-/// Every third model: what each property takes.
+/// Every third model. Each property is tested on these.
 std::vector<const Model*> some_models(std::uint32_t most_faces = 150) {
   std::vector<const Model*> some;
   for (std::size_t i = 0; i < models().size(); ++i) {
@@ -76,13 +76,13 @@ TEST(Properties, SubdivisionCommutesWithAffineMaps) {
       SCOPED_TRACE(model->name);
       const Mesh before = subdivide(mapped(model->mesh), options).mesh;
       const Mesh after = mapped(subdivide(model->mesh, options).mesh);
-      // Rounding of coordinates around 10, not more.
+      // Only rounding of coordinates around 10.
       EXPECT_LE(distance(before, after), 4 * kTolerance * size_of(before));
     }
   }
 }
 
-TEST(Properties, ATagOfZeroIsNoTag) {
+TEST(Properties, ZeroSharpnessEqualsNoTag) {
   for (const SubdivideOptions& options : every_rule(2)) {
     SCOPED_TRACE(describe(options));
     for (const Model* model : some_models()) {
@@ -101,7 +101,7 @@ TEST(Properties, ATagOfZeroIsNoTag) {
   }
 }
 
-/// An icosahedron with a loop of one sharpness; 0: without.
+/// An icosahedron with a loop of the given sharpness (0: none).
 Mesh looped(float sharpness) {
   Mesh mesh = built(jittered(icosahedron(), 0.1F)).mesh;
   for (std::uint32_t i = 0; i < 5; ++i) {
@@ -110,14 +110,14 @@ Mesh looped(float sharpness) {
   return mesh;
 }
 
-/// The same without any sharpness.
+/// The same mesh without any sharpness.
 Mesh dulled(Mesh mesh) {
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
     mesh.set_sharpness(mesh.edge(Halfedge(h)), 0.0F);
   return mesh;
 }
 
-TEST(Properties, AWholeSharpnessIsSoManyLevelsOfCrease) {
+TEST(Properties, IntegerSharpnessEqualsThatManyCreaseLevels) {
   for (const CreaseRules creases : {CreaseRules::hoppe94, CreaseRules::derose98}) {
     for (std::uint32_t k = 1; k <= 3; ++k) {
       const Mesh soft = subdivide(looped(float(k)), {.levels = k + 1, .creases = creases}).mesh;
@@ -129,7 +129,7 @@ TEST(Properties, AWholeSharpnessIsSoManyLevelsOfCrease) {
   }
 }
 
-TEST(Properties, SharpnessActsContinuously) {
+TEST(Properties, ResultIsContinuousInTheSharpness) {
   constexpr float kStep = 1e-3F;
   for (const CreaseRules creases : {CreaseRules::hoppe94, CreaseRules::derose98}) {
     for (const CreaseDecay decay : kDecays) {
@@ -146,7 +146,7 @@ TEST(Properties, SharpnessActsContinuously) {
   }
 }
 
-TEST(Properties, OldVerticesHaveTheSameLimitOnEveryLevel) {
+TEST(Properties, OldVerticesHaveTheSameLimitAtEveryLevel) {
   for (const SubdivideOptions& rule : every_rule(0)) {
     if (!rule.limit) continue;
     SCOPED_TRACE(describe(rule));
@@ -169,7 +169,7 @@ std::size_t count_twinless(const Mesh& mesh) {
   return static_cast<std::size_t>(std::count(mesh.twins().begin(), mesh.twins().end(), Halfedge()));
 }
 
-TEST(Properties, TopologyIsKeptAndBoundariesDouble) {
+TEST(Properties, KeepsTopologyAndDoublesBoundaryEdges) {
   for (const Model& model : models()) {
     SCOPED_TRACE(model.name);
     const std::uint32_t most = std::min(3U, affordable_levels(model.mesh, 3));
@@ -189,7 +189,7 @@ bool is_same_bytes(const Array<T>& a, const Array<T>& b) {
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-TEST(Properties, TheSameBytesOnAnyNumberOfThreads) {
+TEST(Properties, SameBytesForAnyThreadCount) {
   for (const SubdivideOptions& options : every_rule(4)) {
     SCOPED_TRACE(describe(options));
     for (const Model& model : models()) {
@@ -208,7 +208,7 @@ TEST(Properties, TheSameBytesOnAnyNumberOfThreads) {
   }
 }
 
-TEST(Properties, TrianglesAreThoseOfTheMesh) {
+TEST(Properties, TriangleOutputMatchesTheMesh) {
   for (const SubdivideOptions& rule : every_rule(0)) {
     SCOPED_TRACE(describe(rule));
     for (const Model* model : some_models()) {
@@ -226,7 +226,7 @@ TEST(Properties, TrianglesAreThoseOfTheMesh) {
   }
 }
 
-TEST(Properties, TheSizeIsKnownBefore) {
+TEST(Properties, PredictedSizeIsExact) {
   for (const Model* model : some_models()) {
     SCOPED_TRACE(model->name);
     for (std::uint32_t levels = 0; levels <= 3; ++levels) {
@@ -244,17 +244,16 @@ TEST(Properties, TheSizeIsKnownBefore) {
   }
 }
 
-TEST(Properties, WhatDoesNotFitIsKnownWithoutOverflow) {
+TEST(Properties, PredictedSizeDoesNotOverflow) {
   const Mesh mesh = built(octahedron()).mesh;
-  EXPECT_TRUE(
-      subdivision_size(mesh, {.levels = 13}).has_ids);  // 3 * 8 * 4^13: 1.6 thousand million
-  EXPECT_FALSE(subdivision_size(mesh, {.levels = 14}).has_ids);  // 6.4 thousand million
+  EXPECT_TRUE(subdivision_size(mesh, {.levels = 13}).has_ids);   // 3 * 8 * 4^13: 1.6 billion
+  EXPECT_FALSE(subdivision_size(mesh, {.levels = 14}).has_ids);  // 6.4 billion
   EXPECT_EQ(subdivision_size(mesh, {.levels = 14}).faces, 8ULL << 28);
   for (const std::uint32_t levels : {15U, 31U, 32U, 64U, 1000U, 0xFFFFFFFFU})
     EXPECT_FALSE(subdivision_size(mesh, {.levels = levels}).has_ids) << levels;
 }
 
-TEST(Properties, NoLevelsAndNoFacesAreFine) {
+TEST(Properties, ZeroLevelsAndEmptyMeshesAreAccepted) {
   for (const SubdivideOptions& options : every_rule(0)) {
     if (options.limit) continue;
     for (const Model* model : some_models())
@@ -266,7 +265,7 @@ TEST(Properties, NoLevelsAndNoFacesAreFine) {
   }
 }
 
-TEST(Properties, IsolatedVerticesStay) {
+TEST(Properties, IsolatedVerticesDoNotMove) {
   for (const SubdivideOptions& options : every_rule(2)) {
     SCOPED_TRACE(describe(options));
     for (const Model& model : models()) {
@@ -281,7 +280,7 @@ TEST(Properties, IsolatedVerticesStay) {
   }
 }
 
-TEST(Properties, ACancelledOneThrows) {
+TEST(Properties, ThrowsWhenCanceled) {
   const Mesh mesh = built(octahedron()).mesh;
   for (const Scheme scheme : {Scheme::loop, Scheme::butterfly, Scheme::midpoint}) {
     Progress progress;

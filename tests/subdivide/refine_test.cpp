@@ -24,7 +24,7 @@ static_assert(first_half(Halfedge(1)) == Halfedge(4) && second_half(Halfedge(1))
 static_assert(first_half(Halfedge(2)) == Halfedge(8) && second_half(Halfedge(2)) == Halfedge(2));
 static_assert(second_half(Halfedge(5)) == Halfedge(14));
 
-TEST(Children, HalvesAreAllDifferentAndLeadBack) {
+TEST(Children, HalvesAreDistinctAndMapBackToTheirEdge) {
   constexpr std::uint32_t kHalfedges = 3 * 100;
   std::set<std::uint32_t> halves;
   for (std::uint32_t i = 0; i < kHalfedges; ++i) {
@@ -36,7 +36,7 @@ TEST(Children, HalvesAreAllDifferentAndLeadBack) {
   EXPECT_EQ(halves.size(), 2U * kHalfedges);
 }
 
-/// The next level with its old vertices in the middle of nowhere and connectivity complete.
+/// The next level with complete connectivity and placeholder positions.
 Level refined(const Mesh& mesh) {
   Level level = refine(view_of(mesh), false, nullptr, [](const EdgeSite&) { return Point(); });
   std::fill_n(level.position.begin(), mesh.vertex_count(), glm::vec3(0.0F));
@@ -69,7 +69,7 @@ TEST(Refine, HalvesOfAnEdgeMeetAtItsVertex) {
   }
 }
 
-TEST(Refine, ConnectivityIsThatOfAMesh) {
+TEST(Refine, ConnectivityIsValid) {
   for (const Model& model : models()) {
     SCOPED_TRACE(model.name);
     const Mesh fine = mesh_of(refined(model.mesh));
@@ -79,7 +79,7 @@ TEST(Refine, ConnectivityIsThatOfAMesh) {
   }
 }
 
-TEST(Refine, ANewBoundaryVertexStartsItsSweepOnTheBoundary) {
+TEST(Refine, RingOfANewBoundaryVertexStartsOnTheBoundary) {
   for (const Model& model : models()) {
     SCOPED_TRACE(model.name);
     const Mesh& mesh = model.mesh;
@@ -95,7 +95,7 @@ TEST(Refine, ANewBoundaryVertexStartsItsSweepOnTheBoundary) {
   }
 }
 
-TEST(Refine, NumbersEdgesInTheOrderTheyAreMet) {
+TEST(Refine, NumbersEdgesInTheOrderOfTheFaces) {
   for (const Model& model : models()) {
     SCOPED_TRACE(model.name);
     const Mesh& mesh = model.mesh;
@@ -114,7 +114,7 @@ TEST(Refine, NumbersEdgesInTheOrderTheyAreMet) {
   }
 }
 
-TEST(Refine, AsksForThePlaceOfEachEdgeOnceAndPutsItThere) {
+TEST(Refine, RequestsAndStoresEachEdgePositionOnce) {
   const Mesh mesh = built(grid(40)).mesh;
   std::mutex mutex;
   std::multiset<std::uint32_t> asked;
@@ -135,7 +135,7 @@ TEST(Refine, AsksForThePlaceOfEachEdgeOnceAndPutsItThere) {
   }
 }
 
-TEST(Refine, OnALastLevelThereAreFacesAlone) {
+TEST(Refine, LastLevelHasOnlyFaces) {
   const Mesh mesh = built(torus(20, 30)).mesh;
   const auto nowhere = [](const EdgeSite&) { return Point(); };
   const Level bare = refine(view_of(mesh), true, nullptr, nowhere);
@@ -144,7 +144,7 @@ TEST(Refine, OnALastLevelThereAreFacesAlone) {
   EXPECT_TRUE(bare.origin == refined(mesh).origin);
 }
 
-TEST(Refine, IsTheSameOnAnyNumberOfThreads) {
+TEST(Refine, SameForAnyThreadCount) {
   const Mesh mesh = built(torus(70, 80)).mesh;  // several chunks
   const auto run = [&](unsigned threads) {
     const ThreadLimit limit(threads);
@@ -157,7 +157,7 @@ TEST(Refine, IsTheSameOnAnyNumberOfThreads) {
   EXPECT_TRUE(one.outgoing == many.outgoing);
 }
 
-TEST(Refine, ThrowsWhereItIsNotWantedAnyMore) {
+TEST(Refine, ThrowsWhenCanceled) {
   const Mesh mesh = built(octahedron()).mesh;
   Progress progress;
   progress.cancel();

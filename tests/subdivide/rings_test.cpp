@@ -12,7 +12,7 @@
 namespace mesher::test {
 namespace {
 
-/// The half-edges out of a vertex inside, by walking around it.
+/// The half-edges out of an interior vertex, found by walking around it.
 std::vector<Halfedge> walked(const LevelView& level, Vertex v) {
   std::vector<Halfedge> spokes;
   const Halfedge start = level.outgoing[v.index()];
@@ -31,7 +31,7 @@ bool is_inside(const LevelView& level, Vertex v) {
   return h.is_valid() && level.twin[h.index()].is_valid();
 }
 
-/// Compares every vertex inside; returns how many there were.
+/// Compares every interior vertex; returns how many there were.
 std::uint32_t expect_walked(const Rings& rings, const LevelView& level) {
   std::uint32_t inside = 0;
   for (std::uint32_t v = 0; v < level.vertex_count(); ++v) {
@@ -44,7 +44,7 @@ std::uint32_t expect_walked(const Rings& rings, const LevelView& level) {
   return inside;
 }
 
-/// Steps down and compares on every level. From the second on some vertex is inside.
+/// Refines and compares at every level. From the second level on, some vertex is interior.
 void expect_walked_down(const Mesh& mesh, std::uint32_t levels) {
   Rings rings(view_of(mesh), true);
   expect_walked(rings, view_of(mesh));
@@ -64,7 +64,7 @@ void expect_walked_down(const Mesh& mesh, std::uint32_t levels) {
   }
 }
 
-TEST(Rings, AreWhatAWalkMeetsOnEveryLevel) {
+TEST(Rings, MatchAWalkAtEveryLevel) {
   for (const Model& model : models()) {
     SCOPED_TRACE(model.name);
     if (model.mesh.face_count() > 0)
@@ -72,12 +72,12 @@ TEST(Rings, AreWhatAWalkMeetsOnEveryLevel) {
   }
 }
 
-TEST(Rings, AreStillRightForVerticesOfManyLevelsBefore) {
+TEST(Rings, StayValidForVerticesOfEarlierLevels) {
   expect_walked_down(built(tetrahedron()).mesh, 6);
   expect_walked_down(built(fan(5, false)).mesh, 6);
 }
 
-TEST(Rings, KnowHowManyFacesAVertexOfTheMeshHas) {
+TEST(Rings, StoreTheFaceCountOfBaseVertices) {
   for (const Model& model : models()) {
     SCOPED_TRACE(model.name);
     std::vector<std::uint32_t> faces(model.mesh.vertex_count(), 0);
@@ -92,7 +92,7 @@ TEST(Rings, KnowHowManyFacesAVertexOfTheMeshHas) {
   }
 }
 
-TEST(Rings, OfNoMeshAreNone) {
+TEST(Rings, AreEmptyForAnEmptyMesh) {
   for (const bool lists_spokes : {false, true})
     EXPECT_EQ(Rings(view_of(Mesh()), lists_spokes).base_vertices(), 0U);
 }

@@ -30,7 +30,7 @@ void expect_near(const Point& is, const Point& expected) {
     EXPECT_NEAR(is[i], expected[i], 1e-6) << "coordinate " << i;
 }
 
-TEST(SharpVertexPoint, FollowsTheNumberOfSharpEdges) {
+TEST(SharpVertexPoint, DependsOnTheNumberOfSharpEdges) {
   constexpr float kSharp = kInfinitelySharp;
   expect_near(moved(0.0F, {}), kSmooth);
   expect_near(moved(0.0F, {{kA, kSharp, kSharp}}), kSmooth);
@@ -41,20 +41,20 @@ TEST(SharpVertexPoint, FollowsTheNumberOfSharpEdges) {
   expect_near(moved(kSharp, {{kA, kSharp, kSharp}, {kB, kSharp, kSharp}}), kVertex);
 }
 
-TEST(SharpVertexPoint, IsSharpAllTheWayWhileSomethingIsLeft) {
+TEST(SharpVertexPoint, IsFullySharpWhileSharpnessRemains) {
   expect_near(moved(0.0F, {{kA, 1.25F, 0.25F}, {kB, 1.5F, 0.5F}}), on_crease(kA, kB));
   expect_near(moved(1.5F, {}), kVertex);
 }
 
-TEST(SharpVertexPoint, BlendsWhereACreaseEnds) {
+TEST(SharpVertexPoint, BlendsWhenACreaseDecaysToZero) {
   expect_near(moved(0.0F, {{kA, 0.25F, 0.0F}, {kB, 0.75F, 0.0F}}),
               0.5 * on_crease(kA, kB) + 0.5 * kSmooth);
-  // One of two ends: what is left is a dart.
+  // One of the two edges becomes smooth, which leaves a dart.
   expect_near(moved(0.0F, {{kA, 0.25F, 0.0F}, {kB, 2.0F, 1.0F}}),
               0.25 * on_crease(kA, kB) + 0.75 * kSmooth);
 }
 
-TEST(SharpVertexPoint, BlendsACornerWithTheCreaseThatIsLeft) {
+TEST(SharpVertexPoint, BlendsACornerWithTheRemainingCrease) {
   expect_near(moved(0.0F, {{kA, 2.0F, 1.0F}, {kC, 0.25F, 0.0F}, {kB, 2.0F, 1.0F}}),
               0.25 * kVertex + 0.75 * on_crease(kA, kB));
   expect_near(moved(0.5F, {{kA, 2.0F, 1.0F}, {kB, 2.0F, 1.0F}}),
@@ -62,8 +62,8 @@ TEST(SharpVertexPoint, BlendsACornerWithTheCreaseThatIsLeft) {
   expect_near(moved(0.25F, {}), 0.25 * kVertex + 0.75 * kSmooth);
 }
 
-TEST(SharpVertexPoint, DoesNotBlendWhereTheRuleStays) {
-  // Four sharp edges or three: a corner, whatever ends.
+TEST(SharpVertexPoint, DoesNotBlendWhenTheRuleIsUnchanged) {
+  // The vertex is a corner with four sharp edges and with three, so the rule does not change.
   expect_near(
       moved(0.0F, {{kA, 2.0F, 1.0F}, {kB, 2.0F, 1.0F}, {kC, 2.0F, 1.0F}, {kSmooth, 0.25F, 0.0F}}),
       kVertex);
@@ -73,7 +73,7 @@ SharpSpan edge(VertexKind first, VertexKind second, float sharpness, float left)
   return {.end = {kA, kB}, .kind = {first, second}, .sharpness = sharpness, .left = {left, left}};
 }
 
-TEST(SharpEdgePoint, LeansToTheEndThatIsRegular) {
+TEST(SharpEdgePoint, IsCloserToTheRegularEnd) {
   const auto at = [](CreaseRules rules, VertexKind first, VertexKind second) {
     return sharp_edge_point(rules, edge(first, second, kInfinitelySharp, kInfinitelySharp),
                             kSmooth);
@@ -86,14 +86,14 @@ TEST(SharpEdgePoint, LeansToTheEndThatIsRegular) {
   expect_near(at(CreaseRules::derose98, kRegular, kCorner), 0.5 * (kA + kB));
 }
 
-TEST(SharpEdgePoint, IsSmoothAtHoppesDarts) {
+TEST(SharpEdgePoint, IsSmoothAtDartsOfHoppe) {
   const SharpSpan span =
       edge(VertexKind::dart, VertexKind::corner, kInfinitelySharp, kInfinitelySharp);
   expect_near(sharp_edge_point(CreaseRules::hoppe94, span, kSmooth), kSmooth);
   expect_near(sharp_edge_point(CreaseRules::derose98, span, kSmooth), 0.5 * (kA + kB));
 }
 
-TEST(SharpEdgePoint, BlendsWhereTheEdgeEnds) {
+TEST(SharpEdgePoint, BlendsWhenTheEdgeBecomesSmooth) {
   const auto at = [](float sharpness, std::array<float, 2> left) {
     SharpSpan span = edge(VertexKind::crease, VertexKind::crease, sharpness, 0.0F);
     span.left = left;
@@ -102,7 +102,7 @@ TEST(SharpEdgePoint, BlendsWhereTheEdgeEnds) {
   const Point middle = 0.5 * (kA + kB);
   expect_near(at(0.25F, {0.0F, 0.0F}), 0.25 * middle + 0.75 * kSmooth);
   expect_near(at(1.5F, {0.5F, 0.5F}), middle);
-  expect_near(at(1.25F, {0.25F, 0.0F}), middle);  // not beyond
+  expect_near(at(1.25F, {0.25F, 0.0F}), middle);  // clamped
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ float chaikin(float sharpness, std::initializer_list<float> others) {
   return chaikin_decayed(sharpness, at_end);
 }
 
-TEST(Sharpness, FallsByOneALevel) {
+TEST(Sharpness, DecreasesByOnePerLevel) {
   EXPECT_EQ(decayed(0.0F), 0.0F);
   EXPECT_EQ(decayed(0.75F), 0.0F);
   EXPECT_EQ(decayed(1.0F), 0.0F);
@@ -27,7 +27,7 @@ TEST(Sharpness, FallsByOneALevel) {
   EXPECT_EQ(decayed(9.5F), 8.5F);
 }
 
-TEST(Sharpness, IsForEverFromTenOn) {
+TEST(Sharpness, IsInfiniteFromTenOn) {
   for (const float s : {10.0F, 10.5F, 1e9F, kInfinitelySharp}) {
     EXPECT_EQ(decayed(s), kInfinitelySharp) << s;
     EXPECT_EQ(chaikin(s, {1.0F}), kInfinitelySharp) << s;
@@ -38,7 +38,7 @@ TEST(Sharpness, IsForEverFromTenOn) {
   EXPECT_FALSE(is_semi_sharp(0.0F));
 }
 
-TEST(ChaikinDecay, IsAnAverageWithTheOthersLessOne) {
+TEST(ChaikinDecay, AveragesWithTheOtherEdgesMinusOne) {
   EXPECT_EQ(chaikin(2.0F, {1.0F}), 0.75F);
   EXPECT_EQ(chaikin(2.0F, {2.0F}), 1.0F);
   EXPECT_EQ(chaikin(2.0F, {1.0F, 3.0F}), 1.0F);
@@ -47,13 +47,13 @@ TEST(ChaikinDecay, IsAnAverageWithTheOthersLessOne) {
   EXPECT_EQ(chaikin(0.0F, {9.0F}), 0.0F);
 }
 
-TEST(ChaikinDecay, LeavesOutWhatIsSmoothOrForEver) {
+TEST(ChaikinDecay, IgnoresSmoothAndInfinitelySharpEdges) {
   EXPECT_EQ(chaikin(2.0F, {}), 1.0F);
   EXPECT_EQ(chaikin(2.0F, {0.0F, kInfinitelySharp, 10.0F}), 1.0F);
   EXPECT_EQ(chaikin(2.0F, {0.0F, kInfinitelySharp, 1.0F, 10.0F}), 0.75F);
 }
 
-TEST(VertexRule, CountsSharpEdges) {
+TEST(VertexRule, DependsOnTheNumberOfSharpEdges) {
   EXPECT_EQ(vertex_rule(0.0F, 0), VertexRule::smooth);
   EXPECT_EQ(vertex_rule(0.0F, 1), VertexRule::smooth);
   EXPECT_EQ(vertex_rule(0.0F, 2), VertexRule::crease);
@@ -69,16 +69,16 @@ double transition(std::initializer_list<std::pair<float, float>> sharpnesses) {
   return sum.weight();
 }
 
-TEST(Transition, IsTheMeanOfWhatJustFellToZero) {
+TEST(Transition, IsTheMeanOfSharpnessesThatJustReachedZero) {
   EXPECT_EQ(transition({}), 0.0);
   EXPECT_EQ(transition({{0.5F, 0.0F}}), 0.5);
   EXPECT_EQ(transition({{0.25F, 0.0F}, {0.75F, 0.0F}}), 0.5);
   EXPECT_EQ(transition({{0.25F, 0.0F}, {1.5F, 0.5F}, {0.0F, 0.0F}}), 0.25);
   EXPECT_EQ(transition({{1.5F, 0.5F}}), 0.0);
-  EXPECT_EQ(transition({{1.5F, 0.0F}}), 1.0);  // by Chaikin's rule, held at 1
+  EXPECT_EQ(transition({{1.5F, 0.0F}}), 1.0);  // by Chaikin's rule, clamped to 1
 }
 
-TEST(EdgeBlend, IsTheSharpnessOfAnEdgeThatEnds) {
+TEST(EdgeBlend, IsTheSharpnessOfAnEdgeThatBecomesSmooth) {
   EXPECT_EQ(edge_blend(2.0F, 1.0F, 1.0F), 1.0);
   EXPECT_EQ(edge_blend(kInfinitelySharp, kInfinitelySharp, kInfinitelySharp), 1.0);
   EXPECT_EQ(edge_blend(0.5F, 0.0F, 0.0F), 0.5);
@@ -86,7 +86,7 @@ TEST(EdgeBlend, IsTheSharpnessOfAnEdgeThatEnds) {
   EXPECT_EQ(edge_blend(0.0F, 0.0F, 0.0F), 0.0);
 }
 
-TEST(EdgeBlend, StaysBetweenBothPointsWhereOneHalfWearsDownSooner) {
+TEST(EdgeBlend, IsClampedWhenOneHalfDecaysSooner) {
   EXPECT_EQ(edge_blend(1.25F, 0.25F, 0.0F), 1.0);
   EXPECT_EQ(edge_blend(1.25F, 0.0F, 0.25F), 1.0);
   EXPECT_EQ(edge_blend(0.75F, 0.25F, 0.0F), 0.75);
