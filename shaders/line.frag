@@ -1,4 +1,4 @@
-// Coverage of a line with round ends: its distance field, one pixel soft.
+// Coverage of a line with round ends: its distance field, with an edge one pixel soft.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "light.glsl"

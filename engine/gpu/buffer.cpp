@@ -12,8 +12,8 @@
 namespace mesher::gpu {
 namespace {
 
-/// Everything before is finished and seen by everything after; for transfers outside of frames,
-/// where a finer barrier would gain nothing.
+/// Waits for all earlier work and makes its writes visible to all later work. For transfers outside
+/// frames, where a finer barrier would gain nothing.
 void full_barrier(VkCommandBuffer commands) {
   memory_barrier(
       commands, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT},

@@ -15,7 +15,7 @@ namespace {
 void check_size(const Device& device, const DeviceImageOptions& options) {
   const auto [width, height] = options.extent;
   const std::uint32_t limit = device.properties().limits.maxImageDimension2D;
-  constexpr VkDeviceSize kTexelBytes = 4;  // of every format that is used here
+  constexpr VkDeviceSize kTexelBytes = 4;  // for every format used here
   const bool has_size = width > 0 && height > 0 && width <= limit && height <= limit;
   if (has_size && kTexelBytes * width * height * options.samples <= device.max_allocation_bytes()) {
     return;

@@ -58,7 +58,7 @@ VkInstance create_instance(const InstanceOptions& options, ValidationMessages* m
                                       .engineVersion = 0,
                                       .apiVersion = VK_API_VERSION_1_3};
   constexpr std::array kEnabled{VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
-  // Chained to the instance too, so that its own creation is watched.
+  // Chained to the instance too, so that its creation is validated.
   const VkDebugUtilsMessengerCreateInfoEXT messenger = messenger_info(messages);
   const VkValidationFeaturesEXT features{.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
                                          .pNext = &messenger,

@@ -22,7 +22,8 @@ std::optional<std::uint32_t> find_type(const VkPhysicalDeviceMemoryProperties& m
   return std::nullopt;
 }
 
-/// A discrete card without resizable BAR maps a window of 256 MB only: not a place for meshes.
+/// Returns whether a memory type is in the largest heap. A discrete card without resizable BAR maps
+/// only a 256 MB window, which is too small for meshes.
 bool is_in_largest_heap(const VkPhysicalDeviceMemoryProperties& memory, std::uint32_t type) {
   VkDeviceSize largest = 0;
   for (std::uint32_t i = 0; i < memory.memoryHeapCount; ++i) {

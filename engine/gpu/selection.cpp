@@ -64,7 +64,8 @@ std::optional<std::uint32_t> find_queue_family(VkPhysicalDevice physical, VkSurf
   return std::nullopt;
 }
 
-/// Vulkan 1.3 obliges a driver to have every feature that mesher turns on.
+/// Describes a device. Features need no check, because Vulkan 1.3 requires drivers to have every
+/// feature that mesher enables.
 Candidate describe(VkPhysicalDevice physical, VkSurfaceKHR surface) {
   VkPhysicalDeviceProperties properties{};
   vkGetPhysicalDeviceProperties(physical, &properties);

@@ -74,8 +74,7 @@ float load_float(const char* p, Component type, bool is_normalized) {
   return value;
 }
 
-/// A relative reference with its %XX turned into the characters they stand for; nothing where it is
-/// malformed.
+/// Returns a relative reference with its %XX escapes decoded, or nothing if it is malformed.
 std::optional<std::string> decode_uri(std::string_view uri) {
   std::string path;
   for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -93,7 +92,7 @@ std::optional<std::string> decode_uri(std::string_view uri) {
   return path;
 }
 
-/// True for a path that stays in or below the folder it is relative to.
+/// Returns whether a path stays in or below the folder it is relative to.
 bool stays_below(const std::filesystem::path& path) {
   if (path.empty() || path.is_absolute()) return false;
   return std::none_of(path.begin(), path.end(),
@@ -103,7 +102,7 @@ bool stays_below(const std::filesystem::path& path) {
 }  // namespace
 
 struct GltfFile::Accessor {
-  std::string_view bytes;  ///< from the first element on
+  std::string_view bytes;  ///< starts at the first element
   std::size_t count = 0;
   std::size_t stride = 0;
   std::size_t components = 0;
@@ -243,7 +242,7 @@ GltfFile::Accessor GltfFile::open_accessor(std::uint64_t index) {
   return accessor;
 }
 
-/// The bytes of an accessor's buffer view, from its own offset on.
+/// Returns the bytes of an accessor's buffer view, starting at the accessor's own offset.
 std::string_view GltfFile::view_bytes(const Json& accessor, std::size_t& stride) {
   const std::optional<std::uint64_t> view_index = find_number(accessor, "bufferView");
   if (!view_index) fail("an accessor without data");

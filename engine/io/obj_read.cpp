@@ -15,29 +15,31 @@
 namespace mesher {
 namespace {
 
-/// Text of a chunk. Small enough to stay in a core's cache together with what it says.
+/// Bytes of text per chunk. Small enough that the text and its contents fit in a core's cache.
 constexpr std::size_t kChunkBytes = std::size_t{1} << 18;
-/// Chunks that are parsed before their contents are put together.
+/// Number of chunks parsed before their contents are combined.
 constexpr std::size_t kWave = 16;
-/// Elements that one thread gathers at a time.
+/// Number of elements that one thread gathers at a time.
 constexpr std::size_t kGrain = std::size_t{1} << 15;
 
-/// Where a chunk lies and what came before it: enough to find an error's line later.
+/// Range of a chunk and the element counts before it: enough to find an error's line later.
 struct ChunkPlace {
   const char* begin;
   const char* end;
   std::size_t before[kObjKinds];
 };
 
-/// Which part of the file a wave is: shares of its bytes.
+/// Part of the file that a wave covers, as fractions of its bytes.
 struct Stretch {
   double begin;
   double end;
 };
 
-/// Makes an array longer by what a wave brings. Where that needs new memory, the rest of the file
-/// is expected to say as much a byte as this wave, so that an array moves once or twice at most.
-/// (Pages that are reserved and never reached cost nothing.)
+/// Extends an array to `size` elements after a wave.
+///
+/// If that needs new memory, it reserves enough for the rest of the file, assuming as many elements
+/// per byte as in this wave. So an array moves once or twice at most. (Reserved pages that are
+/// never reached cost nothing.)
 template <class T>
 void grow(Array<T>& array, std::size_t size, Stretch wave) {
   if (size > array.capacity()) {
@@ -48,7 +50,7 @@ void grow(Array<T>& array, std::size_t size, Stretch wave) {
   array.resize(size);
 }
 
-/// Puts chunks together in the order of the file.
+/// Combines chunks in file order.
 class ObjAssembly {
  public:
   ObjAssembly(const MappedFile& file, const ReadOptions& options)
@@ -109,7 +111,7 @@ class ObjAssembly {
     });
   }
 
-  /// Adds up what a chunk brings, and takes over what is rare.
+  /// Adds a chunk's element counts and takes over its rare contents.
   void count(const ObjChunk& chunk, const ChunkPlace& place) {
     for (const ObjName& name : chunk.names) {
       rename(name, static_cast<std::uint32_t>(face_count_ + name.face));
@@ -230,11 +232,11 @@ class ObjAssembly {
     return std::move(soup_);
   }
 
-  /// Parses a chunk that is known to have an index out of range once more, now knowing the range.
+  /// Parses a chunk with an index out of range again, now with known bounds, to report the error.
   [[noreturn]] void fail_in(const ChunkPlace& place, bool is_whole_file_read) const {
     ObjBounds bounds[kObjKinds];
     for (int kind = 0; kind < kObjKinds; ++kind) {
-      // While chunks are still to come, how far forward an index may point is not known.
+      // While chunks remain, the limit on forward references is unknown.
       if (is_whole_file_read) bounds[kind].count = count_[kind];
       bounds[kind].before = place.before[kind];
     }
@@ -273,7 +275,7 @@ class ObjAssembly {
     });
   }
 
-  /// Groups are kept where faces are in more than one. Names are numbered by first face.
+  /// Keeps groups if the faces are in more than one. Numbers names by first face.
   void gather_groups() {
     group_changes_.insert(group_changes_.begin(), GroupChange{0, kNone});
     group_changes_.push_back({static_cast<std::uint32_t>(face_count_), kNone});
@@ -299,7 +301,7 @@ class ObjAssembly {
 
   struct GroupChange {
     std::uint32_t face;
-    std::uint32_t group;  ///< kNone before the first name
+    std::uint32_t group;  ///< kNone until the first name
   };
 
   const MappedFile& file_;
@@ -313,7 +315,7 @@ class ObjAssembly {
   bool all_triangles_ = true;
   std::uint32_t largest_[kObjKinds] = {};
   ChunkPlace largest_at_[kObjKinds] = {};
-  Array<std::uint32_t> index_[kObjKinds];  ///< the vertices' are soup_.corners
+  Array<std::uint32_t> index_[kObjKinds];  ///< those of vertices are soup_.corners
   Array<glm::vec2> texcoords_;
   Array<glm::vec3> normals_;
   Array<glm::u8vec4> colors_;

@@ -12,7 +12,7 @@
 namespace mesher {
 namespace {
 
-/// What the first word promises of each vertex.
+/// Attributes per vertex, as the first word declares them.
 struct OffKind {
   bool has_texcoords = false;
   bool has_colors = false;
@@ -39,11 +39,11 @@ OffKind read_kind(TextCursor& text) {
   return kind;
 }
 
-/// A number of elements that each take at least `least_bytes` of the text still to come.
+/// Reads a number of elements that each take at least `least_bytes` of the remaining text.
 std::size_t read_count(TextCursor& text, std::size_t least_bytes) {
   const std::int64_t count = text.integer();
   if (count < 0) text.fail("a count below zero");
-  // The very last element needs no line end.
+  // The last element needs no line end.
   if (static_cast<std::uint64_t>(count) > text.bytes_left() / least_bytes + 1) {
     text.fail("the file is too short for so many elements");
   }
@@ -92,8 +92,8 @@ class OffReader {
     text_.skip_line();
   }
 
-  /// Three or four numbers, 0..255 where whole and 0..1 where written with a point. `after`: how
-  /// many numbers of the line belong to something else.
+  /// Reads a color of three or four numbers: 0..255 if whole, 0..1 if written with a decimal point.
+  /// `after` numbers at the end of the line belong to something else.
   void read_color(std::size_t after) {
     std::string_view words[6];
     double values[6] = {};
@@ -134,7 +134,7 @@ class OffReader {
     }
     if (soup_.corners.size() >= kNone) text_.fail("more than 32-bit ids can count");
     soup_.face_start.push_back(static_cast<std::uint32_t>(soup_.corners.size()));
-    text_.skip_line();  // a colour, perhaps
+    text_.skip_line();  // may hold a color
   }
 
   TextCursor text_;

@@ -8,7 +8,7 @@
 namespace mesher {
 namespace {
 
-/// More than any real file has, and few enough that looking through all of them stays quick.
+/// Limit on properties: more than any real file has, and few enough to search quickly.
 constexpr std::size_t kMostProperties = 1000;
 
 std::optional<PlyType> type_of(std::string_view name) {
@@ -63,8 +63,8 @@ class HeaderReader {
       ++p_;
     if (p_ >= file_.end()) fail("the header has no end");
     line_ = {begin, static_cast<std::size_t>(p_ - begin)};
-    // Which line end the file uses is settled by its first line: behind a lone carriage return,
-    // a newline may well be the first byte of the data.
+    // The first line decides which line end the file uses. After a lone carriage return, a newline
+    // may be the first byte of the data.
     if (line_number_ == 1) is_crlf_ = p_[0] == '\r' && p_[1] == '\n';
     p_ += is_crlf_ && p_[0] == '\r' && p_[1] == '\n' ? 2 : 1;
   }

@@ -15,7 +15,8 @@ namespace mesher {
 namespace {
 
 constexpr std::uint32_t kLargestSide = 32768;
-/// Rendered pictures are mostly even areas: the level hardly changes the size, but the time.
+/// Rendered images are mostly uniform areas. There, the level hardly changes the size but does
+/// change the time.
 constexpr int kCompressionLevel = 1;
 
 struct FreeContext {
@@ -70,7 +71,8 @@ Image read_png(const std::filesystem::path& file) {
   check(spng_get_ihdr(context.get(), &header));
   std::size_t size = 0;
   check(spng_decoded_image_size(context.get(), SPNG_FMT_RGBA8, &size));
-  // Compression shrinks at most about a thousandfold: what claims more is cut short or hostile.
+  // Compression shrinks data at most about a thousandfold. A file that claims more is truncated or
+  // hostile.
   if (size / 4096 > bytes.size()) throw InputError(bytes.name(), 0, "too little data for its size");
   Image image{.width = header.width, .height = header.height, .rgba = Array<std::uint8_t>(size)};
   check(

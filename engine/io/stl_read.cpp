@@ -41,7 +41,7 @@ Array<glm::vec3> read_binary(const MappedFile& file, std::size_t facets) {
   return positions;
 }
 
-// Some programs write their keywords in capitals.
+// Some programs write keywords in upper case.
 bool is_keyword(std::string_view word, std::string_view keyword) {
   return word.size() == keyword.size() &&
          ::strncasecmp(word.data(), keyword.data(), keyword.size()) == 0;
@@ -102,7 +102,7 @@ Soup read_stl(const MappedFile& file) {
   const bool fits = file.size() >= kHeaderBytes &&
                     (file.size() - kHeaderBytes) / kFacetBytes >= facets && facets > 0;
   const bool fits_exactly = fits && file.size() == kHeaderBytes + facets * kFacetBytes;
-  // Binary files whose free header begins with "solid" exist; what the count says is surer.
+  // Some binary files have a header that begins with "solid", so the facet count is more reliable.
   const bool is_text = !fits_exactly && starts_as_text(file);
   if (!is_text && !fits) {
     throw InputError(file.name(), 0,

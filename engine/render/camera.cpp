@@ -15,10 +15,10 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kFrameMargin = 1.08;
 constexpr double kWheelStep = 0.9;
-/// Far beyond any model in single precision, and safe to square.
+/// Limits on the distance: beyond any model in single precision, and safe to square.
 constexpr double kLeastDistance = 1e-42;
 constexpr double kMostDistance = 1e42;
-/// Nothing nearer to the eye than this share of the pivot's distance is drawn.
+/// Near limit: geometry nearer to the eye than this fraction of the pivot's distance is not drawn.
 constexpr double kLeastNear = 1e-3;
 
 double half_height_at_unit_distance() {
@@ -38,7 +38,8 @@ struct DepthRange {
   double far;
 };
 
-/// Of the box along the line of sight, from the eye, in units of the camera's distance.
+/// Returns the depths of the box along the line of sight, measured from the eye in units of the
+/// camera's distance.
 DepthRange depth_range(const Camera& camera, const Box& box) {
   if (box.is_empty()) return {0.1, 10.0};
   DepthRange range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
@@ -153,7 +154,7 @@ Ray Camera::pick_ray(const Cursor& cursor) const {
   if (!orthographic_) {
     return {eye(), glm::normalize(distance_ * forward() + in_plane)};
   }
-  // A parallel projection shows what lies behind the eye too.
+  // An orthographic projection also shows points behind the eye.
   constexpr double kBehind = 1e5;
   return {pivot_ + in_plane - kBehind * distance_ * forward(), forward()};
 }

@@ -14,7 +14,7 @@ void take_in(Box& box, const glm::vec3& p) {
   box.max = glm::max(box.max, p);
 }
 
-/// The position of a vertex, and those that it or an ancestor of it had at the levels before.
+/// Adds the position of a vertex and the positions that it or an ancestor had at coarser levels.
 void take_in_places(Box& box, const Mesh& mesh, const MorphSource& morph, Vertex v) {
   glm::vec3 p = mesh.position(v);
   take_in(box, p);
@@ -51,7 +51,7 @@ void MeshBox::update(const Mesh& mesh, const MorphSource& morph, bool is_new_mes
   const bool is_walked = mesh.vertex_count() <= walked_vertices_;
   const MorphSource walked = is_walked ? MorphSource{} : morph;
   if (mesh.changes().is_whole(GpuArray::position)) {
-    if (grows && is_walked) return;  // a level below one that has been taken in
+    if (grows && is_walked) return;  // a level below one that is included already
     const Box now = walked.is_empty() ? bounding_box(mesh) : all_places(mesh, walked);
     if (!grows || box_.is_empty()) {
       box_ = now;
