@@ -21,9 +21,9 @@ void check_size(const Device& device, const DeviceImageOptions& options) {
     return;
   }
   throw DeviceError("a picture of " + std::to_string(width) + "x" + std::to_string(height) +
-                    " pixels cannot be made: " + device.name() + " goes up to " +
-                    std::to_string(limit) + " each way and " +
-                    std::to_string(device.max_allocation_bytes() >> 20) + " MiB in all");
+                    " pixels is not possible: " + device.name() + " supports 1 to " +
+                    std::to_string(limit) + " pixels per side and " +
+                    std::to_string(device.max_allocation_bytes() >> 20) + " MiB in total");
 }
 
 VkImage create_image(Device& device, const DeviceImageOptions& options) {

@@ -58,12 +58,12 @@ std::optional<std::uint32_t> choose_type(const VkPhysicalDeviceMemoryProperties&
 Memory allocate(Device& device, const VkMemoryRequirements& requirements, MemoryIntent intent,
                 bool with_address) {
   if (requirements.size > device.max_allocation_bytes()) {
-    throw DeviceError(device.name() + " has no " + std::to_string(requirements.size >> 20) +
-                      " MiB of memory in one piece; " +
-                      std::to_string(device.max_allocation_bytes() >> 20) + " MiB is the limit");
+    throw DeviceError(device.name() + " cannot allocate " +
+                      std::to_string(requirements.size >> 20) + " MiB at once; the limit is " +
+                      std::to_string(device.max_allocation_bytes() >> 20) + " MiB");
   }
   const auto type = choose_type(device.memory(), requirements.memoryTypeBits, intent);
-  if (!type) throw DeviceError("the Vulkan device has no memory of the kind that is needed");
+  if (!type) throw DeviceError("the Vulkan device has no suitable memory type");
   const VkMemoryAllocateFlagsInfo flags{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,
                                         .pNext = nullptr,
                                         .flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT,

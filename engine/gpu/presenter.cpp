@@ -41,7 +41,7 @@ VkSurfaceFormatKHR choose_format(const Device& device, VkSurfaceKHR surface) {
                 format.format == VK_FORMAT_R8G8B8A8_UNORM) &&
                format.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR;
       });
-  if (found == formats.end()) throw DeviceError("the window takes no 8-bit RGBA images");
+  if (found == formats.end()) throw DeviceError("the window does not support 8-bit RGBA images");
   return *found;
 }
 
@@ -95,7 +95,7 @@ Presenter::Presenter(Device& device, VkSurfaceKHR surface) : device_(device), su
   check(vkGetPhysicalDeviceSurfaceSupportKHR(device.physical(), device.queue_family(), surface,
                                              &presents),
         "vkGetPhysicalDeviceSurfaceSupportKHR");
-  if (presents == VK_FALSE) throw DeviceError(device.name() + " cannot draw into this window");
+  if (presents == VK_FALSE) throw DeviceError(device.name() + " cannot present to this window");
   format_ = choose_format(device, surface);
   for (FrameSlot& slot : slots_) {
     slot.pool = create_pool(device);

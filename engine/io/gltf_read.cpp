@@ -86,7 +86,7 @@ class GltfReader {
     if (required == gltf_.root().end() || !required->is_array()) return;
     for (const Json& extension : *required) {
       if (extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression") {
-        gltf_.fail("compressed glTF cannot be read");
+        gltf_.fail("compressed glTF is not supported");
       }
     }
   }
@@ -95,9 +95,9 @@ class GltfReader {
     std::vector<std::uint64_t> list;
     const auto found = object.find(key);
     if (found == object.end()) return list;
-    if (!found->is_array()) gltf_.fail(std::string(key) + " is no array");
+    if (!found->is_array()) gltf_.fail(std::string(key) + " is not an array");
     for (const Json& index : *found) {
-      if (!index.is_number_unsigned()) gltf_.fail("a node that does not exist");
+      if (!index.is_number_unsigned()) gltf_.fail("a node index is not a non-negative integer");
       list.push_back(index.get<std::uint64_t>());
     }
     return list;
@@ -137,7 +137,7 @@ class GltfReader {
       const Placed placed = stack.back();
       stack.pop_back();
       const Json& node = gltf_.element("nodes", placed.node);
-      if (is_visited[placed.node]) gltf_.fail("the nodes form no tree");
+      if (is_visited[placed.node]) gltf_.fail("the nodes do not form a tree");
       is_visited[placed.node] = true;
       const glm::dmat4 to_world = placed.to_world * local_transform(node);
       if (const auto mesh = gltf_.find_number(node, "mesh")) {
@@ -170,13 +170,12 @@ class GltfReader {
   void add_mesh(std::uint64_t index, const glm::dmat4& to_world, std::string_view node_name) {
     const Json& mesh = gltf_.element("meshes", index);
     const auto primitives = mesh.find("primitives");
-    if (primitives == mesh.end() || !primitives->is_array())
-      gltf_.fail("a mesh without primitives");
+    if (primitives == mesh.end() || !primitives->is_array()) gltf_.fail("a mesh has no primitives");
     const std::string_view name = node_name.empty() ? gltf_.text(mesh, "name") : node_name;
     Array<glm::vec3> positions;
     const std::size_t first_corner = soup_.corners.size();
     for (const Json& json : *primitives) {
-      if (!json.is_object()) gltf_.fail("a primitive is no object");
+      if (!json.is_object()) gltf_.fail("a primitive is not an object");
       Primitive primitive = read_primitive(json);
       spend(kPrimitiveCost + primitive.positions.size() + primitive.triangles.size());
       if (primitive.triangles.empty()) continue;
@@ -221,7 +220,7 @@ class GltfReader {
     if (const auto accessor = gltf_.find_number(json, "indices")) {
       list = gltf_.indices(*accessor);
     } else {
-      if (vertices >= kNone) gltf_.fail("more than 32-bit ids can count");
+      if (vertices >= kNone) gltf_.fail("more elements than 32-bit indices can address");
       list.resize(vertices);
       for (std::size_t i = 0; i < vertices; ++i)
         list[i] = static_cast<std::uint32_t>(i);
@@ -292,9 +291,9 @@ class GltfReader {
   void spend(std::size_t values) {
     spent_ += values;
     if (spent_ > kAlwaysAllowed && spent_ / kMostPerByte > gltf_.byte_count()) {
-      gltf_.fail("its meshes are repeated beyond sense");
+      gltf_.fail("its meshes are instanced too often for the size of the file");
     }
-    if (spent_ >= kNone) gltf_.fail("more than 32-bit ids can count");
+    if (spent_ >= kNone) gltf_.fail("more elements than 32-bit indices can address");
   }
 
   /// Adds the distinct positions of a mesh and sets its corners to them.

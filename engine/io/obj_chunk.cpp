@@ -319,13 +319,13 @@ class Parser {
     }
     std::vector<float> sharpness;
     for (std::uint32_t i = 0; i < counts[1] && p != nullptr; ++i) {
-      p = number(p, sharpness.emplace_back(), "a tag has fewer numbers than it says");
+      p = number(p, sharpness.emplace_back(), "a tag has fewer values than its counts declare");
     }
     if (p == nullptr) return nullptr;
     const std::size_t tags =
         is_corner ? vertices.size() : vertices.size() - (vertices.empty() ? 0 : 1);
     if (sharpness.size() != 1 && sharpness.size() != tags) {
-      return fail(where, "a tag needs one sharpness, or one for each");
+      return fail(where, "a tag needs one sharpness, or one per edge or vertex");
     }
     for (std::size_t i = 0; i < tags; ++i) {
       chunk_.tags.push_back({is_corner, true, vertices[i], is_corner ? 0 : vertices[i + 1],

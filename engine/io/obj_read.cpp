@@ -137,7 +137,7 @@ class ObjAssembly {
     all_triangles_ = all_triangles_ && chunk.all_triangles;
     constexpr std::size_t kMost = kNone - 1;
     if (std::max({corner_count_, face_count_, count_[0], count_[1], count_[2]}) > kMost) {
-      throw InputError(file_.name(), 0, "more than 32-bit ids can count");
+      throw InputError(file_.name(), 0, "more elements than 32-bit indices can address");
     }
   }
 

@@ -31,7 +31,7 @@ class TextValues {
   /// A row is one line. A line with more values belongs to another element, for example if a count
   /// is wrong.
   void end_row() {
-    if (!text_.at_row_end()) text_.fail("a line has more values than the header says");
+    if (!text_.at_row_end()) text_.fail("a line has more values than the header declares");
   }
   [[noreturn]] void fail(std::string_view reason) { text_.fail(reason); }
 
@@ -84,7 +84,7 @@ class BinaryValues {
       case PlyType::float64:
         break;
     }
-    fail("indices must be whole numbers");
+    fail("indices must be integers");
   }
   void skip(PlyType type) { need(size_of(type)), p_ += size_of(type); }
   void end_row() {}
@@ -181,7 +181,7 @@ class PlyReader {
       if (element.name == "vertex") vertex_count_ = element.count;
     }
     if (vertex_count_ == 0) values_.fail("no vertices");
-    if (vertex_count_ >= kNone) values_.fail("more than 32-bit ids can count");
+    if (vertex_count_ >= kNone) values_.fail("more elements than 32-bit indices can address");
   }
 
   /// Refuses counts that the rest of the file cannot hold. Call it before allocating.
@@ -208,7 +208,7 @@ class PlyReader {
 
   std::size_t list_size(const PlyProperty& property) {
     const std::int64_t size = values_.next_whole(*property.count_type);
-    if (size < 0) values_.fail("a list with a count below zero");
+    if (size < 0) values_.fail("a list with a negative count");
     if (static_cast<std::uint64_t>(size) >
         values_.bytes_left() / Values::least_bytes(property.type)) {
       values_.fail("the file is too short for a list");
@@ -271,7 +271,8 @@ class PlyReader {
   }
 
   void end_face() {
-    if (soup_.corners.size() >= kNone) values_.fail("more than 32-bit ids can count");
+    if (soup_.corners.size() >= kNone)
+      values_.fail("more elements than 32-bit indices can address");
     soup_.face_start.push_back(static_cast<std::uint32_t>(soup_.corners.size()));
   }
 

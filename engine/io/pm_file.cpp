@@ -36,7 +36,7 @@ void check_kind(const std::string& name, std::span<const std::byte> begin) {
   if (begin.size() >= kBeginning && PmReader::is_pm(begin)) return;
   throw InputError(
       name, 0,
-      "is no progressive mesh; files of other formats, and named pipes, need one of the "
+      "is not a progressive mesh; files of other formats, and named pipes, need one of the "
       "extensions " +
           writable_formats());
 }

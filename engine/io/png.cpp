@@ -38,7 +38,7 @@ void write_png(const std::filesystem::path& file, const Image& image) {
   const auto check = [&](int error) {
     if (error != 0) throw OutputError(file.string(), spng_strerror(error));
   };
-  if (!context) throw OutputError(file.string(), "not enough memory");
+  if (!context) throw OutputError(file.string(), "out of memory");
   spng_ihdr header = {};
   header.width = image.width;
   header.height = image.height;
@@ -64,7 +64,7 @@ Image read_png(const std::filesystem::path& file) {
   const auto check = [&](int error) {
     if (error != 0) throw InputError(bytes.name(), 0, spng_strerror(error));
   };
-  if (!context) throw InputError(bytes.name(), 0, "not enough memory");
+  if (!context) throw InputError(bytes.name(), 0, "out of memory");
   check(spng_set_image_limits(context.get(), kLargestSide, kLargestSide));
   check(spng_set_png_buffer(context.get(), bytes.begin(), bytes.size()));
   spng_ihdr header = {};
@@ -73,7 +73,8 @@ Image read_png(const std::filesystem::path& file) {
   check(spng_decoded_image_size(context.get(), SPNG_FMT_RGBA8, &size));
   // Compression shrinks data at most about a thousandfold. A file that claims more is truncated or
   // hostile.
-  if (size / 4096 > bytes.size()) throw InputError(bytes.name(), 0, "too little data for its size");
+  if (size / 4096 > bytes.size())
+    throw InputError(bytes.name(), 0, "too few bytes for its dimensions");
   Image image{.width = header.width, .height = header.height, .rgba = Array<std::uint8_t>(size)};
   check(
       spng_decode_image(context.get(), image.rgba.data(), size, SPNG_FMT_RGBA8, SPNG_DECODE_TRNS));

@@ -107,10 +107,10 @@ Soup read_stl(const MappedFile& file) {
   if (!is_text && !fits) {
     throw InputError(file.name(), 0,
                      facets == 0 ? "neither text nor binary STL with facets"
-                                 : "the file ends too early for the facets it announces");
+                                 : "the file ends too early for its facet count");
   }
   if (!is_text && facets > kNone / 3) {
-    throw InputError(file.name(), 0, "more than 32-bit ids can count");
+    throw InputError(file.name(), 0, "more elements than 32-bit indices can address");
   }
   const Array<glm::vec3> positions = is_text ? read_text(file) : read_binary(file, facets);
   if (positions.empty()) throw InputError(file.name(), 0, "no facets");
