@@ -13,7 +13,7 @@
 
 layout(push_constant) uniform Constants { LineConstants constants; };
 
-layout(location = 0) out vec2 out_place;   // along and across, pixels from the first end
+layout(location = 0) out vec2 out_line_position;  // along and across, pixels from the first end
 layout(location = 1) out float out_length;  // pixels
 layout(location = 2) out float out_strength;
 layout(location = 3) flat out float out_half_width;  // pixels
@@ -76,7 +76,7 @@ void fetch_ends(uint first, uint second, out vec3 a, out vec3 b) {
 // Six equal positions: nothing is drawn.
 void draw_nothing() {
   gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
-  out_place = vec2(0.0);
+  out_line_position = vec2(0.0);
   out_length = 0.0;
   out_strength = 0.0;
   out_half_width = 0.0;
@@ -120,7 +120,7 @@ void main() {
   const bool is_end = corner == 1 || corner == 2 || corner == 4;
   const bool is_left = corner >= 2 && corner != 3;
   const float reach = constants.half_width + 1.0;
-  out_place = vec2(is_end ? out_length + reach : -reach, is_left ? reach : -reach);
-  const vec2 place = from.xy + along * out_place.x + across * out_place.y;
-  gl_Position = vec4(2.0 * place / constants.viewport, is_end ? to.z : from.z, 1.0);
+  out_line_position = vec2(is_end ? out_length + reach : -reach, is_left ? reach : -reach);
+  const vec2 position = from.xy + along * out_line_position.x + across * out_line_position.y;
+  gl_Position = vec4(2.0 * position / constants.viewport, is_end ? to.z : from.z, 1.0);
 }

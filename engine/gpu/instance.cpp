@@ -121,7 +121,7 @@ Instance::Instance(const InstanceOptions& options)
   if (options.validation && !has_validation_layer()) {
     throw DeviceError("no Vulkan validation layer (Debian: install vulkan-validationlayers)");
   }
-  excuse_leaks_of_others(options.validation);
+  suppress_third_party_leaks(options.validation);
   instance_ = create_instance(options, messages_.get());
   if (!options.validation) return;
   const VkDebugUtilsMessengerCreateInfoEXT info = messenger_info(messages_.get());

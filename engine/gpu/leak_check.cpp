@@ -14,7 +14,7 @@ extern "C" const char* __lsan_default_suppressions() {
 
 namespace mesher::gpu {
 
-void excuse_leaks_of_others(bool validation) {
+void suppress_third_party_leaks(bool validation) {
   // The loader unloads the layer and the driver with the instance. Leaks of unloaded code have no
   // name, and memory reachable only from the driver's globals (lavapipe: 128 bytes per device)
   // looks leaked.
@@ -28,7 +28,7 @@ void excuse_leaks_of_others(bool validation) {
 
 namespace mesher::gpu {
 
-void excuse_leaks_of_others(bool /*validation*/) {}
+void suppress_third_party_leaks(bool /*validation*/) {}
 
 }  // namespace mesher::gpu
 

@@ -6,6 +6,6 @@ namespace mesher::gpu {
 ///
 /// Keeps the layer and the driver loaded until exit, so that their leaks can be identified. Does
 /// nothing in other builds.
-void excuse_leaks_of_others(bool validation);
+void suppress_third_party_leaks(bool validation);
 
 }  // namespace mesher::gpu

@@ -80,7 +80,7 @@ double nearest_double(const Decimal& decimal) {
 /// It does unless the double lies exactly halfway between two floats: the decimal itself may lie on
 /// either side. Returns false for NaN, subnormal and overflowing values too, which the slow path
 /// handles.
-bool rounds_twice_alike(double value) {
+bool is_double_rounding_safe(double value) {
   constexpr std::uint64_t kBelowFloat = (1ULL << 29) - 1;
   constexpr std::uint64_t kHalfway = 1ULL << 28;
   if ((std::bit_cast<std::uint64_t>(value) & kBelowFloat) == kHalfway) return false;
@@ -137,7 +137,7 @@ const char* read_float(const char* p, float& value) {
   const char* const end = read_decimal(p + (negative || *p == '+' ? 1 : 0), decimal);
   if (end == nullptr) return read_slowly(p, value);
   const double nearest = nearest_double(decimal);
-  if (!rounds_twice_alike(nearest)) return read_slowly(p, value);
+  if (!is_double_rounding_safe(nearest)) return read_slowly(p, value);
   value = static_cast<float>(negative ? -nearest : nearest);
   return end;
 }

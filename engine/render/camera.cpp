@@ -64,11 +64,11 @@ glm::vec4 ViewTransform::clip(const glm::vec3& p) const {
           perspective ? -view.z : 1.0F};
 }
 
-double WindowPlaces::depth(const glm::dvec3& point) const {
+double WindowProjection::depth(const glm::dvec3& point) const {
   return glm::dot(point - eye, forward);
 }
 
-glm::dvec2 WindowPlaces::of(const glm::dvec3& point) const {
+glm::dvec2 WindowProjection::of(const glm::dvec3& point) const {
   const glm::dvec3 from_eye = point - eye;
   const double unit = perspective ? scale / glm::dot(from_eye, forward) : scale;
   return middle + unit * glm::dvec2(glm::dot(from_eye, right), -glm::dot(from_eye, up));
@@ -159,7 +159,7 @@ Ray Camera::pick_ray(const Cursor& cursor) const {
   return {pivot_ + in_plane - kBehind * distance_ * forward(), forward()};
 }
 
-WindowPlaces Camera::places(const glm::dvec2& window) const {
+WindowProjection Camera::places(const glm::dvec2& window) const {
   const double scale = 0.5 * window.y / half_height_at_unit_distance();
   return {.eye = eye(),
           .right = right(),

@@ -45,7 +45,7 @@ struct ViewTransform {
 };
 
 /// Projects many points to a window: see Camera::places.
-struct WindowPlaces {
+struct WindowProjection {
   glm::dvec3 eye{0.0};
   glm::dvec3 right{1.0, 0.0, 0.0};  ///< unit vectors, like the next two
   glm::dvec3 up{0.0, 1.0, 0.0};
@@ -94,12 +94,12 @@ class Camera {
   /// single point counts as one unit wide.
   void frame(const Box& box, double aspect);
   /// Makes `point` the pivot. The eye moves with it at the same distance.
-  void recentre(const glm::dvec3& point) { pivot_ = point; }
+  void recenter(const glm::dvec3& point) { pivot_ = point; }
 
   /// Returns the ray of all points under the cursor.
   Ray pick_ray(const Cursor& cursor) const;
   /// Returns the projection to a window of that size: the inverse of pick_ray.
-  WindowPlaces places(const glm::dvec2& window) const;
+  WindowProjection places(const glm::dvec2& window) const;
   /// Returns the transform with near and far planes fitted to `box`. `aspect` is width / height.
   ViewTransform transform(double aspect, const Box& box) const;
 

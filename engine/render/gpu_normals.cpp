@@ -35,8 +35,8 @@ std::optional<std::vector<Vertex>> touched_vertices(const Mesh& mesh) {
   const auto add_around = [&](GpuArray array, std::uint32_t i) {
     if (array == GpuArray::position) {  // the faces around it have changed shape
       touched.push_back(Vertex(i));
-      for (const Vertex neighbour : vertices_around(mesh, Vertex(i)))
-        touched.push_back(neighbour);
+      for (const Vertex neighbor : vertices_around(mesh, Vertex(i)))
+        touched.push_back(neighbor);
       return;
     }
     // The face has other corners, or an end of the edge has another fan or another split of its

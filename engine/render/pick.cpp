@@ -44,7 +44,7 @@ class Screen {
  public:
   Screen(const Mesh& mesh, const Camera& camera, const Cursor& cursor)
       : mesh_(mesh),
-        places_(camera.places(cursor.window)),
+        projection_(camera.places(cursor.window)),
         cursor_(cursor.position),
         near_(1e-3 * camera.distance()) {}
 
@@ -53,11 +53,11 @@ class Screen {
   double distance(Halfedge h) const {
     glm::dvec3 a = mesh_.position(mesh_.origin(h));
     glm::dvec3 b = mesh_.position(mesh_.target(h));
-    if (places_.perspective && !cut_behind_eye(a, b)) {
+    if (projection_.perspective && !cut_behind_eye(a, b)) {
       return std::numeric_limits<double>::infinity();
     }
-    const glm::dvec2 from = places_.of(a);
-    const glm::dvec2 along = places_.of(b) - from;
+    const glm::dvec2 from = projection_.of(a);
+    const glm::dvec2 along = projection_.of(b) - from;
     const glm::dvec2 to_cursor = cursor_ - from;
     const double square = glm::dot(along, along);
     const double share = square > 0.0 ? glm::dot(to_cursor, along) / square : 0.0;
@@ -67,8 +67,8 @@ class Screen {
  private:
   /// Clips the segment to the part in front of the near plane; false if none remains.
   bool cut_behind_eye(glm::dvec3& a, glm::dvec3& b) const {
-    const double a_depth = places_.depth(a) - near_;
-    const double b_depth = places_.depth(b) - near_;
+    const double a_depth = projection_.depth(a) - near_;
+    const double b_depth = projection_.depth(b) - near_;
     if (a_depth >= 0.0 && b_depth >= 0.0) return true;
     if (a_depth < 0.0 && b_depth < 0.0) return false;
     const glm::dvec3 cut = a + a_depth / (a_depth - b_depth) * (b - a);
@@ -77,7 +77,7 @@ class Screen {
   }
 
   const Mesh& mesh_;
-  WindowPlaces places_;
+  WindowProjection projection_;
   glm::dvec2 cursor_;
   double near_;
 };

@@ -215,7 +215,7 @@ void Recording::lines(Pass pass, const Settings& settings, float strength) {
 void Recording::draw_lines(LineList list, const Color& color, float width, float strength) {
   if (list.count == 0) return;
   const VkExtent2D extent = target_.extent();
-  constexpr std::uint32_t kVerticesALine = 6;
+  constexpr std::uint32_t kVerticesPerLine = 6;
   push(shared::LineConstants{
       .view = view_,
       .positions = positions_,
@@ -225,7 +225,7 @@ void Recording::draw_lines(LineList list, const Color& color, float width, float
       .color = pack(color, strength),
       .half_width = 0.5F * width * line_scale(extent),
       .viewport = {static_cast<float>(extent.width), static_cast<float>(extent.height)}});
-  vkCmdDraw(commands_, kVerticesALine * list.count, 1, 0, 0);
+  vkCmdDraw(commands_, kVerticesPerLine * list.count, 1, 0, 0);
 }
 
 /// Draws hidden lines faintly too, so that one can see through the mesh without mistaking back for
