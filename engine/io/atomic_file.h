@@ -11,10 +11,11 @@ namespace mesher {
 ///
 /// The data goes to an unnamed file in the target's folder, or to a temporary file where the file
 /// system does not support unnamed ones. `commit` gives that file the target's name. Destruction
-/// without `commit`, or a kill, leaves nothing behind and does not change an existing target.
-/// Symbolic links are followed, and an existing file keeps its permissions. Pipes and files that
-/// are open already (`/dev/stdout`, `/dev/fd/3`) cannot be replaced by a rename and are written
-/// directly.
+/// without `commit` leaves nothing behind and does not change an existing target. A killed process
+/// does not change the target either; it leaves a temporary file only if unnamed files are not
+/// supported, or if it is killed during `commit`. Symbolic links are followed, and an existing file
+/// keeps its permissions. Pipes and files that are open already (`/dev/stdout`, `/dev/fd/3`) cannot
+/// be replaced by a rename and are written directly.
 class AtomicFile {
  public:
   /// Throws OutputError if the target is a directory or its folder cannot be written.

@@ -53,7 +53,7 @@ class GltfFile {
                       std::size_t count);
   /// Returns all values of a scalar accessor of unsigned integers.
   Array<std::uint32_t> indices(std::uint64_t accessor);
-  /// Returns the size in bytes of the document and of all buffers opened so far.
+  /// Returns the size in bytes of the document and of the external buffers opened so far.
   std::size_t byte_count() const;
 
   [[noreturn]] void fail(std::string_view reason) const;

@@ -22,7 +22,7 @@ struct GltfLevel {
 /// Writes positions, normals if every corner has one, texture coordinates and colors. Texture
 /// coordinates are flipped to count from the top, as in glTF; missing ones are 0. A vertex is
 /// repeated where the attributes of its corners differ. Does not commit. O(F). Throws OutputError
-/// past 4 GB, the limit of the format.
+/// for an empty mesh, and for a .glb of more than 4 GB, the limit of the format.
 void write_gltf(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool binary);
 
 /// Writes levels of detail, finest first, with one node per level.

@@ -24,7 +24,8 @@ namespace mesher {
 ///
 /// O(bytes). Memory: the soup and a few megabytes. Throws InputError with the line for a malformed
 /// number, an index that is zero or out of range, or a crease between vertices that do not exist.
-/// Throws it without a line if the file has no vertices or more elements than 32-bit ids can count.
+/// Throws it without a line if the file has no vertices or more elements than 32-bit indices can
+/// address.
 Soup read_obj(const MappedFile& file, const ReadOptions& options);
 
 }  // namespace mesher

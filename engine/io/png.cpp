@@ -71,8 +71,9 @@ Image read_png(const std::filesystem::path& file) {
   check(spng_get_ihdr(context.get(), &header));
   std::size_t size = 0;
   check(spng_decoded_image_size(context.get(), SPNG_FMT_RGBA8, &size));
-  // Compression shrinks data at most about a thousandfold. A file that claims more is truncated or
-  // hostile.
+  // Deflate shrinks data at most about a thousandfold, and RGBA has four times the bytes of 8-bit
+  // gray. A file that claims more is truncated, hostile, or a nearly blank image of fewer than 8
+  // bits per sample.
   if (size / 4096 > bytes.size())
     throw InputError(bytes.name(), 0, "too few bytes for its dimensions");
   Image image{.width = header.width, .height = header.height, .rgba = Array<std::uint8_t>(size)};

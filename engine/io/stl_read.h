@@ -5,7 +5,8 @@
 
 namespace mesher {
 
-/// Reads STL, binary or text. The format is binary if the file size fits the binary facet count.
+/// Reads STL, binary or text. A file of exactly the size of its binary facet count is binary. Any
+/// other file is text if it begins with "solid", and binary if not.
 ///
 /// STL lists three positions per triangle. Bitwise equal positions (0 and -0 count as equal) become
 /// one vertex, in the order of first appearance. Normals, which follow from the positions, and

@@ -90,8 +90,8 @@ class Camera {
   void set_angles(double yaw_rad, double pitch_rad);
   void set_view(View view);
   void set_orthographic(bool orthographic) { orthographic_ = orthographic; }
-  /// Fits the whole box into the view and keeps the angles. An empty box counts as the point 0; a
-  /// single point counts as one unit wide.
+  /// Fits the whole box into the view and keeps the angles. An empty box counts as the point 0; for
+  /// a single point the view is two units high.
   void frame(const Box& box, double aspect);
   /// Makes `point` the pivot. The eye moves with it at the same distance.
   void recenter(const glm::dvec3& point) { pivot_ = point; }

@@ -21,8 +21,8 @@ class Renderer {
   /// Throws DeviceError if a pipeline cannot be created.
   void draw(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
             const Camera& camera, const Settings& settings);
-  /// Records the same triangles into the same target in one constant color: the cost of any indexed
-  /// draw.
+  /// Records the same triangles into the same target in one constant color: the minimum cost of any
+  /// indexed draw.
   void draw_bare(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
                  const Camera& camera, const Settings& settings);
 
