@@ -1,4 +1,4 @@
-// The least a vertex can cost: the yardstick of the frame-cost benchmark.
+// The cheapest possible vertex shader: the reference of the frame-cost benchmark.
 #version 460
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require

@@ -1,5 +1,5 @@
-// Where a vertex is while splits grow: engine/mesh/geomorph.h, the same formula in the same order.
-// Include after view.glsl and normal.glsl.
+// Positions of vertices during a geomorph: engine/mesh/geomorph.h, the same formula in the same
+// order. Include after view.glsl and normal.glsl.
 layout(buffer_reference, std430, buffer_reference_align = 8) readonly buffer Geomorph {
   GeomorphConstants at;
 };
@@ -14,19 +14,19 @@ const uint kCoarseNormal = 7;
 const uint kParentNormal = 8;
 const uint kChildNormal = 9;
 
-// What of a split is still to come, 1 to 0.
+// Returns the fraction of a split still to come, 1 to 0.
 float remaining(GeomorphConstants time, uint split) {
   precise float grown =
       time.fixed_share + time.rate * (float(time.whole - int(split)) + time.fraction);
   return 1.0 - clamp(grown, 0.0, 1.0);
 }
 
-// kNoHead + 1 is 0: so it never is.
+// Returns whether a head grows. kNoHead + 1 is 0, so kNoHead never does.
 bool is_growing(GeomorphConstants time, uint head) { return head + 1 > time.first_head; }
 
-// Of the newest split that moves a vertex, from where all that do are linked.
+// Returns the head of the newest split that moves a vertex. All others are linked from it.
 uint head_of(GeomorphConstants time, uint vertex) {
-  // Without anything that grows there may be no heads.
+  // If nothing grows, there may be no heads.
   return time.first_head == kNoHead ? kNoHead : Uints(time.heads).at[vertex];
 }
 
@@ -48,8 +48,8 @@ uint previous(GeomorphConstants time, uint head) {
   return Uints(time.splits).at[kSplitWords * (head >> 1) + kPrevious];
 }
 
-// A shader may have one loop only of those below: with two, llvmpipe of Mesa 22.3 moves some vertices
-// wrongly that nothing should move.
+// A shader may contain only one of the loops below. With two, llvmpipe of Mesa 22.3 moves some
+// vertices that must not move.
 void morph(GeomorphConstants time, uint vertex, inout vec3 position) {
   precise vec3 p = position;
   for (uint head = head_of(time, vertex); is_growing(time, head);) {
@@ -59,7 +59,7 @@ void morph(GeomorphConstants time, uint vertex, inout vec3 position) {
   position = p;
 }
 
-// Position and normal.
+// Morphs a position and a normal.
 void morph(GeomorphConstants time, uint vertex, inout vec3 position, inout vec3 normal) {
   precise vec3 p = position;
   precise vec3 n = normal;
@@ -75,7 +75,7 @@ void morph(GeomorphConstants time, uint vertex, inout vec3 position, inout vec3 
   if (square > 0.0 && n != normal) normal = n * inversesqrt(square);
 }
 
-// Two positions.
+// Morphs two positions.
 void morph(GeomorphConstants time, uvec2 vertices, inout vec3 a, inout vec3 b) {
   precise vec3 p = a;
   precise vec3 q = b;
@@ -95,10 +95,12 @@ void morph(GeomorphConstants time, uvec2 vertices, inout vec3 a, inout vec3 b) {
   b = q;
 }
 
-// Linear color of the surface at a vertex, `base` where no split brought it; negative: the surface
-// has one color. The same step each time that their number has doubled, and even steps to the eye: a
-// polynomial near viridis (S. van der Walt, N. Smith, 2015),
-// whose lightness rises evenly.
+// Returns the linear color of the surface at a vertex, or `base` if no split created the vertex.
+// Negative: the surface has one color.
+//
+// The color advances by the same step whenever the number of vertices has doubled, in steps that
+// look even to the eye. It is a polynomial approximation of viridis (S. van der Walt, N. Smith,
+// 2015), whose lightness rises evenly.
 vec3 split_order_color(GeomorphConstants time, uint vertex, vec3 base) {
   if (time.split_order_scale < 0.0) return vec3(-1.0);
   if (vertex < time.first_split_vertex) return base;

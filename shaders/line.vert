@@ -1,6 +1,6 @@
-// Edges as quads in the window: six vertices an edge, wide enough for anti-aliased borders and round
-// ends, which make joints look like one line. Variant ORDINARY: the ordinary edges of the mesh, out
-// of all its half-edges. Variant MORPH: their ends move while splits grow.
+// Edges as quads in the window: six vertices per edge, wide enough for anti-aliased borders and
+// round ends. Round ends make joints look like one line. Variant ORDINARY: the ordinary edges of
+// the mesh, selected from all its half-edges. Variant MORPH: their ends move during a geomorph.
 #version 460
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require
@@ -13,12 +13,12 @@
 
 layout(push_constant) uniform Constants { LineConstants constants; };
 
-layout(location = 0) out vec2 out_place;   // along and across, pixels from the first end
+layout(location = 0) out vec2 out_line_position;  // along and across, pixels from the first end
 layout(location = 1) out float out_length;  // pixels
 layout(location = 2) out float out_strength;
 layout(location = 3) flat out float out_half_width;  // pixels
 
-// Shortens the segment to what is in front of the near plane; false where nothing is.
+// Clips the segment to the part in front of the near plane. Returns false if none remains.
 bool clip_to_near(inout vec3 a, inout vec3 b) {
   if (constants.view.perspective == 0.0) return true;
   const float near = constants.view.projection.w / (1.0 + constants.view.projection.z);
@@ -33,10 +33,10 @@ bool clip_to_near(inout vec3 a, inout vec3 b) {
   return true;
 }
 
-// Window position in pixels from the middle, and depth. Lifted toward the viewer by more than the
-// line's half width, so that across its width it wins against the surface it lies on, up to a slope
-// of 1.5. (A depth bias on the surface instead would let back faces shine through at silhouettes,
-// where slopes have no end.)
+// Returns the window position in pixels from the center, and the depth. The position is lifted
+// toward the viewer by more than the line's half width. So across its width the line wins against
+// its own surface, up to a slope of 1.5. (A depth bias on the surface instead would let back faces
+// show through at silhouettes, where slopes are unbounded.)
 vec3 to_window(vec3 p) {
   const float w = constants.view.perspective != 0.0 ? -p.z : 1.0;
   const float pixel = 2.0 * w / (abs(constants.view.projection.y) * constants.viewport.y);
@@ -49,7 +49,7 @@ vec3 to_window(vec3 p) {
 #ifdef ORDINARY
 uint halfedge(uint line) { return line; }
 
-// Of two half-edges the one that runs to the higher vertex stands for the edge.
+// Only the half-edge that runs to the higher vertex draws the edge.
 bool is_drawn(uint h, uint from, uint to) {
   const uint edge_class = (Uints(constants.classes).at[h >> 4] >> (2 * (h & 15))) & 3;
   return edge_class == 0 && from < to;
@@ -73,10 +73,10 @@ void fetch_ends(uint first, uint second, out vec3 a, out vec3 b) {
 #endif
 }
 
-// Six times the same place: nothing is drawn.
+// Six equal positions: nothing is drawn.
 void draw_nothing() {
   gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
-  out_place = vec2(0.0);
+  out_line_position = vec2(0.0);
   out_length = 0.0;
   out_strength = 0.0;
   out_half_width = 0.0;
@@ -103,14 +103,14 @@ void main() {
   const vec2 across = vec2(-along.y, along.x);
 
 #ifdef ORDINARY
-  // As in surface.frag; but there a pixel belongs to one face, and here edges of less than two pixels
-  // pile up, the more the shorter they are.
+  // As in surface.frag. But there a pixel belongs to one face; here edges shorter than two pixels
+  // pile up, and more so the shorter they are.
   out_strength = clamp((out_length - 1.0) / 7.0, 0.08, 1.0) *
                  min(0.25 * out_length * out_length, 1.0);
   out_half_width = constants.half_width;
 #else
-  // A line of little weight is still wider and of another color than an ordinary edge: whatever is
-  // tagged is seen to be.
+  // A line of low weight is still wider than an ordinary edge and differs in color, so that every
+  // tagged edge is visible.
   const float full = weight(gl_VertexIndex / 6);
   out_strength = mix(0.45, 1.0, full);
   out_half_width = constants.half_width * mix(0.4, 1.0, full);
@@ -120,7 +120,7 @@ void main() {
   const bool is_end = corner == 1 || corner == 2 || corner == 4;
   const bool is_left = corner >= 2 && corner != 3;
   const float reach = constants.half_width + 1.0;
-  out_place = vec2(is_end ? out_length + reach : -reach, is_left ? reach : -reach);
-  const vec2 place = from.xy + along * out_place.x + across * out_place.y;
-  gl_Position = vec4(2.0 * place / constants.viewport, is_end ? to.z : from.z, 1.0);
+  out_line_position = vec2(is_end ? out_length + reach : -reach, is_left ? reach : -reach);
+  const vec2 position = from.xy + along * out_line_position.x + across * out_line_position.y;
+  gl_Position = vec4(2.0 * position / constants.viewport, is_end ? to.z : from.z, 1.0);
 }

@@ -1,5 +1,5 @@
-// A surface's pixels. Variants: GOURAUD (interpolated normals; otherwise the face's own), WIRE
-// (ordinary edges drawn on it), WIRE_ALONE (nothing but those), TINT (a color of its own a vertex).
+// Pixels of a surface. Variants: GOURAUD (interpolated normals; otherwise the face's own), WIRE
+// (ordinary edges on the surface), WIRE_ALONE (only the edges), TINT (one color per vertex).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "light.glsl"
@@ -22,15 +22,15 @@ layout(location = 3) in vec3 in_tint;
 layout(location = 0) out vec4 out_color;
 
 #if defined(WIRE) || defined(WIRE_ALONE)
-// How much of the pixel ordinary edges cover. Lines closer together than a few pixels fade to `least`,
-// since drawn in full they would say nothing but "dark".
+// Returns how much of the pixel ordinary edges cover. Lines closer together than a few pixels fade
+// to `least`; at full strength they would only look dark.
 float line_coverage(float least) {
   const vec3 dx = dFdx(in_barycentric);
   const vec3 dy = dFdy(in_barycentric);
   const vec3 altitude = inversesqrt(max(dx * dx + dy * dy, 1e-12));  // pixels from edge to corner
   const vec3 away = abs(in_barycentric) * altitude;
   const vec3 covered = clamp(0.5 * constants.line_width + 0.5 - away, 0.0, 1.0);
-  // The side of a square twice as large as the triangle, of whichever two coordinates vary.
+  // Side of a square with twice the triangle's area, computed from whichever two coordinates vary.
   const vec3 inverse_area = abs(cross(dx, dy));
   const float spacing =
       inversesqrt(max(max(inverse_area.x, max(inverse_area.y, inverse_area.z)), 1e-12));
@@ -39,7 +39,7 @@ float line_coverage(float least) {
 #endif
 
 #ifndef GOURAUD
-// Window y runs down, so this order of factors faces the viewer, whichever way the face winds.
+// Window y runs down, so with this order of factors the normal faces the viewer for either winding.
 vec3 face_normal() { return normalize(cross(dFdy(in_view), dFdx(in_view))); }
 #endif
 
@@ -56,7 +56,7 @@ vec3 surface_color() {
 
 void main() {
 #ifdef WIRE_ALONE
-  // Where edges are too dense to be seen one by one, their tone still tells the shape: darker where
+  // Where edges are too dense to be distinguished, their tone still shows the shape: darker where
   // the surface turns away.
   const float alpha = line_coverage(mix(0.65, 0.20, face_normal().z)) * unpackUnorm4x8(constants.line).a;
   out_color = vec4(alpha * decode_color(constants.line), alpha);

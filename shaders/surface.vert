@@ -1,6 +1,6 @@
-// A surface's vertices. Variants: GOURAUD passes normals on; PULLED takes no vertex input but the
-// number of a half-edge, so that corners of one vertex can differ: in their barycentric coordinate,
-// and (CORNER_NORMALS) in their normal. MORPH moves vertices while splits grow, and colors them.
+// Vertices of a surface. Variants: GOURAUD passes normals on. PULLED takes no vertex input but the
+// index of a half-edge, so that corners of one vertex can differ in their barycentric coordinate,
+// and (CORNER_NORMALS) in their normal. MORPH moves vertices during a geomorph and colors them.
 #version 460
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require
@@ -33,12 +33,12 @@ layout(location = 2) out vec3 out_barycentric;
 layout(location = 3) out vec3 out_tint;
 #endif
 
-// The depth of one vertex must be the same bits in every pass.
+// The depth of a vertex must have the same bits in every pass.
 invariant gl_Position;
 
 #ifdef PULLED
-// 1 at the corner, 0 along the opposite edge; where that edge is not an ordinary one, 1 all over, so
-// that no line is drawn there: the line pass does.
+// Returns 1 at the corner and 0 along the opposite edge. If that edge is not ordinary, returns 1
+// everywhere, because the line pass draws it.
 vec3 barycentric(uint h) {
   const uint corner = h % 3;
   const uint first = h - corner;
@@ -94,7 +94,7 @@ void main() {
 #if defined(GOURAUD) && !defined(CORNER_NORMALS)
   morph(geomorph(), vertex, position, n);
 #else
-  morph(geomorph(), vertex, position);  // normals of corners stay
+  morph(geomorph(), vertex, position);  // corner normals stay unchanged
 #endif
   out_tint = split_order_color(geomorph(), vertex, decode_color(constants.front));
 #endif

@@ -1,4 +1,4 @@
-// Placing vertices: ViewTransform in engine/render/camera.h.
+// Transforms vertices: see ViewTransform in engine/render/camera.h.
 #include "shared/constants.h"
 
 layout(buffer_reference, std430, buffer_reference_align = 4) readonly buffer Floats {

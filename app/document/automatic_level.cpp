@@ -21,7 +21,7 @@ std::uint32_t automatic_level(const LevelErrors& errors, std::uint32_t level, do
 }
 
 double pixels_per_unit(const render::Camera& camera, const Box& box, const glm::dvec2& window) {
-  const render::WindowPlaces places = camera.places(window);
+  const render::WindowProjection places = camera.places(window);
   if (!places.perspective) return places.scale;
   double depth = std::numeric_limits<double>::infinity();
   for (int corner = 0; corner < 8; ++corner) {

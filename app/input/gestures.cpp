@@ -23,7 +23,7 @@ void Gestures::press(MouseButton button, Modifiers modifiers, const glm::dvec2& 
     click_ =
         EdgeClick{.toggles = modifiers.control, .chain = modifiers.shift, .is_second = is_double};
   } else if (is_double) {
-    recentre();
+    recenter();
   }
 }
 
@@ -52,10 +52,10 @@ void Gestures::scroll(double steps, const glm::dvec2& at) {
   session_.camera.zoom(steps, {at, session_.window});
 }
 
-void Gestures::recentre() {
+void Gestures::recenter() {
   const auto hit =
       render::pick(shown_mesh(session_), session_.camera.pick_ray({at_, session_.window}));
-  if (hit) session_.camera.recentre(hit->point);
+  if (hit) session_.camera.recenter(hit->point);
 }
 
 }  // namespace mesher::app

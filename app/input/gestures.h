@@ -40,7 +40,7 @@ class Gestures {
  private:
   enum class Drag { none, orbit, pan };
 
-  void recentre();
+  void recenter();
 
   Session& session_;
   Drag drag_ = Drag::none;

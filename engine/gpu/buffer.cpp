@@ -12,8 +12,8 @@
 namespace mesher::gpu {
 namespace {
 
-/// Everything before is finished and seen by everything after; for transfers outside of frames,
-/// where a finer barrier would gain nothing.
+/// Waits for all earlier work and makes its writes visible to all later work. For transfers outside
+/// frames, where a finer barrier would gain nothing.
 void full_barrier(VkCommandBuffer commands) {
   memory_barrier(
       commands, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT},
@@ -36,9 +36,9 @@ Buffer::Buffer(Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, Mem
     : size_(bytes) {
   if (bytes == 0) return;
   if (bytes > device.max_buffer_bytes()) {
-    throw DeviceError("the mesh is too large for " + device.name() + ": a buffer of " +
-                      std::to_string(bytes >> 20) + " MiB, where " +
-                      std::to_string(device.max_buffer_bytes() >> 20) + " MiB is the limit");
+    throw DeviceError("the mesh is too large for " + device.name() + ": it needs a buffer of " +
+                      std::to_string(bytes >> 20) + " MiB, and the limit is " +
+                      std::to_string(device.max_buffer_bytes() >> 20) + " MiB");
   }
   const VkBufferCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
                                 .pNext = nullptr,

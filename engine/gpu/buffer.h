@@ -8,20 +8,21 @@
 
 namespace mesher::gpu {
 
-/// A piece of a buffer, in bytes.
+/// A range of a buffer, in bytes.
 struct ByteRange {
   VkDeviceSize begin = 0;
   VkDeviceSize end = 0;
   VkDeviceSize size() const { return end - begin; }
 };
 
-/// A buffer with memory of its own, readable by shaders at `address()`.
+/// A buffer with its own memory. Shaders read it at `address()`.
 class Buffer {
  public:
-  /// No bytes, no handle.
+  /// An empty buffer without a handle.
   Buffer() = default;
-  /// `usage` says VK_BUFFER_USAGE_VERTEX_BUFFER_BIT and the like; transfer and shader address come
-  /// by themselves. Throws DeviceError where `bytes` is beyond the device.
+  /// Creates a buffer of `bytes` bytes. `usage` is VK_BUFFER_USAGE_VERTEX_BUFFER_BIT or the like;
+  /// transfer and shader-address usage are added. Throws DeviceError if `bytes` exceeds what the
+  /// device supports.
   Buffer(Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, MemoryIntent intent);
 
   VkBuffer handle() const { return buffer_.get(); }
@@ -32,24 +33,26 @@ class Buffer {
 
  private:
   Memory memory_;
-  UniqueBuffer buffer_;  // after memory_: goes before it
+  UniqueBuffer buffer_;  // after memory_, so destroyed first
   VkDeviceSize size_ = 0;
   VkDeviceAddress address_ = 0;
 };
 
 /// Copies the given ranges of `source`, which mirrors the whole of `buffer`, and waits until no
-/// frame can be reading the old bytes. Directly where the buffer is mapped, otherwise by one
-/// staging copy. Pre: ranges are sorted, disjoint and within both.
+/// frame can be reading the old bytes.
+///
+/// Copies directly if the buffer is mapped, otherwise through one staging copy. Pre: ranges are
+/// sorted, disjoint and within both.
 void upload(Device& device, Buffer& buffer, std::span<const std::byte> source,
             std::span<const ByteRange> ranges);
-/// The same for memory that the CPU cannot reach, in one staging copy; works on any. What upload()
-/// falls back on.
+/// Uploads through one staging copy, for memory that the CPU cannot map; works on any memory.
+/// upload() falls back to it.
 void upload_by_staging(Device& device, Buffer& buffer, std::span<const std::byte> source,
                        std::span<const ByteRange> ranges);
-/// The whole of `source` to the start of `buffer`.
+/// Uploads the whole of `source` to the start of `buffer`.
 void upload(Device& device, Buffer& buffer, std::span<const std::byte> source);
 
-/// The first `bytes` bytes of `buffer`, once the GPU is done with it. For tests.
+/// Returns the first `bytes` bytes of `buffer` after the GPU has finished with it. For tests.
 std::vector<std::byte> download(Device& device, const Buffer& buffer, VkDeviceSize bytes);
 
 }  // namespace mesher::gpu

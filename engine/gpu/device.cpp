@@ -111,7 +111,7 @@ void Device::create(const DeviceOptions& options) {
 }
 
 Device::~Device() {
-  // Not wait_idle(): a destructor must not throw, and a lost device is to be torn down like any.
+  // Not wait_idle(): a destructor must not throw, and a lost device is destroyed in the same way.
   vkDeviceWaitIdle(device_);
   collect(std::numeric_limits<Ticket>::max());
   vkDestroyCommandPool(device_, once_pool_, nullptr);
@@ -180,7 +180,7 @@ void Device::run_once(const std::function<void(VkCommandBuffer)>& record) {
       .commandBufferCount = 1};
   VkCommandBuffer commands = VK_NULL_HANDLE;
   check(vkAllocateCommandBuffers(device_, &allocate, &commands), "vkAllocateCommandBuffers");
-  // Freed with everything else that waits for this submission, whether it works out or not.
+  // Freed after this submission, whether it succeeds or fails.
   const auto free = [this, commands] {
     retire([pool = once_pool_, commands](VkDevice device) {
       vkFreeCommandBuffers(device, pool, 1, &commands);

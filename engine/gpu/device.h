@@ -12,24 +12,24 @@
 namespace mesher::gpu {
 
 struct DeviceOptions {
-  /// Empty: the best one (discrete, integrated, virtual, CPU). A number: that position in
-  /// Instance::devices(). Anything else: the first whose name contains it, in any case.
+  /// Empty: the best device (in the order discrete, integrated, virtual, CPU). A number: the index
+  /// in Instance::devices(). Anything else: the first device whose name contains it, in any case.
   std::string select{};
-  /// The device must be able to present to it; null for pictures only.
+  /// The surface that the device must be able to present to. Null: images only.
   VkSurfaceKHR surface = VK_NULL_HANDLE;
 };
 
-/// A point on the device's time line: each submission has the next one.
+/// A point on the device's timeline. Each submission gets the next ticket.
 using Ticket = std::uint64_t;
 
-/// A logical device with one queue for everything, and the time line of what was submitted to it.
-/// Used from one thread at a time. Outlives all that is made from it.
+/// A logical device with one queue for all work and the timeline of its submissions. Pre: used from
+/// one thread at a time. Must outlive everything created from it.
 class Device {
  public:
-  /// Throws DeviceError where no device is usable or none matches `select` (the message lists what
-  /// there is).
+  /// Throws DeviceError if no device is usable or none matches `select`. The message lists the
+  /// devices.
   explicit Device(const Instance& instance, const DeviceOptions& options = {});
-  /// Waits for everything submitted.
+  /// Waits for all submitted work.
   ~Device();
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
@@ -42,26 +42,27 @@ class Device {
   const VkPhysicalDeviceProperties& properties() const { return properties_; }
   const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
   std::string name() const { return properties_.deviceName; }
-  /// Largest buffer that can be made, in bytes.
+  /// Returns the largest possible buffer, in bytes.
   VkDeviceSize max_buffer_bytes() const { return max_buffer_bytes_; }
-  /// Largest piece of memory that one image or buffer can have, in bytes.
+  /// Returns the largest memory allocation for one image or buffer, in bytes.
   VkDeviceSize max_allocation_bytes() const { return max_allocation_bytes_; }
-  /// `wanted` if color and depth attachments can have so many samples, otherwise 1.
+  /// Returns `wanted` if color and depth attachments support that many samples, otherwise 1.
   VkSampleCountFlagBits supported_samples(std::uint32_t wanted) const;
 
-  /// Submits `commands`; optionally waits for `wait` (at color output and transfer) and signals
+  /// Submits `commands`. Optionally waits for `wait` (at color output and transfer) and signals
   /// `signal`. Throws DeviceError.
   Ticket submit(VkCommandBuffer commands, VkSemaphore wait = VK_NULL_HANDLE,
                 VkSemaphore signal = VK_NULL_HANDLE);
-  /// Blocks until the submission with this ticket is done (0 is), then destroys what it held up.
+  /// Blocks until the submission with this ticket has finished (ticket 0 has), then destroys the
+  /// objects that waited for it.
   void wait(Ticket ticket);
   void wait_idle() { wait(submitted_); }
   Ticket submitted() const { return submitted_; }
 
-  /// Runs `destroy` once everything submitted so far is done: what a handle's destructor calls.
+  /// Runs `destroy` after all work submitted so far has finished. Handle destructors call it.
   void retire(std::function<void(VkDevice)> destroy);
 
-  /// Records and submits work that is not part of a frame, and waits for it.
+  /// Records and submits work outside a frame, and waits for it.
   void run_once(const std::function<void(VkCommandBuffer)>& record);
 
  private:

@@ -15,15 +15,15 @@ namespace {
 void check_size(const Device& device, const DeviceImageOptions& options) {
   const auto [width, height] = options.extent;
   const std::uint32_t limit = device.properties().limits.maxImageDimension2D;
-  constexpr VkDeviceSize kTexelBytes = 4;  // of every format that is used here
+  constexpr VkDeviceSize kTexelBytes = 4;  // for every format used here
   const bool has_size = width > 0 && height > 0 && width <= limit && height <= limit;
   if (has_size && kTexelBytes * width * height * options.samples <= device.max_allocation_bytes()) {
     return;
   }
   throw DeviceError("a picture of " + std::to_string(width) + "x" + std::to_string(height) +
-                    " pixels cannot be made: " + device.name() + " goes up to " +
-                    std::to_string(limit) + " each way and " +
-                    std::to_string(device.max_allocation_bytes() >> 20) + " MiB in all");
+                    " pixels is not possible: " + device.name() + " supports 1 to " +
+                    std::to_string(limit) + " pixels per side and " +
+                    std::to_string(device.max_allocation_bytes() >> 20) + " MiB in total");
 }
 
 VkImage create_image(Device& device, const DeviceImageOptions& options) {

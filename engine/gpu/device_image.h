@@ -14,7 +14,7 @@ struct DeviceImageOptions {
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
 };
 
-/// A two-dimensional image of one level with memory and a view of its own.
+/// A two-dimensional image with one mip level, its own memory and its own view.
 class DeviceImage {
  public:
   DeviceImage() = default;
@@ -35,7 +35,7 @@ class DeviceImage {
   VkExtent2D extent_{};
 };
 
-/// Where an image is in a frame, and what used it last: both ends of a barrier.
+/// Layout of an image and its last access: one end of a barrier.
 struct ImageState {
   VkImageLayout layout;
   VkPipelineStageFlags2 stage;
@@ -57,14 +57,14 @@ inline constexpr ImageState kTransferTarget{VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL
                                             VK_ACCESS_2_TRANSFER_WRITE_BIT};
 inline constexpr ImageState kPresent{VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, VK_PIPELINE_STAGE_2_NONE, 0};
 
-/// Records a barrier between two uses of an image. Coming from kUndefined the content is lost, and
-/// the barrier waits for everything before, whatever that did with the image.
+/// Records a barrier between two uses of an image. From kUndefined, the content is lost, and the
+/// barrier waits for earlier work at the stages of `to`.
 void transition(VkCommandBuffer commands, VkImage image, ImageState from, ImageState to,
                 VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT);
 
-/// Fetches an 8-bit RGBA or BGRA image that the last submission left in `state` (it stays there) as
-/// RGBA, alpha as it is; waits for the GPU. Needs VK_IMAGE_USAGE_TRANSFER_SRC_BIT. Throws
-/// DeviceError.
+/// Returns an 8-bit RGBA or BGRA image as RGBA, with alpha unchanged. Waits for the GPU. Pre: the
+/// last submission left the image in `state`, where it remains; it has
+/// VK_IMAGE_USAGE_TRANSFER_SRC_BIT. Throws DeviceError.
 mesher::Image read_image(Device& device, const DeviceImage& image, ImageState state);
 
 }  // namespace mesher::gpu

@@ -8,8 +8,8 @@
 
 namespace mesher::gpu {
 
-/// Sole owner of a Vulkan object made from a device. Destroyed when the work submitted before is
-/// done.
+/// Owns a Vulkan object created from a device. Destroys it after all work submitted earlier has
+/// finished.
 template <class T, void(VKAPI_PTR* Destroy)(VkDevice, T, const VkAllocationCallbacks*)>
 class Unique {
  public:

@@ -58,7 +58,7 @@ VkInstance create_instance(const InstanceOptions& options, ValidationMessages* m
                                       .engineVersion = 0,
                                       .apiVersion = VK_API_VERSION_1_3};
   constexpr std::array kEnabled{VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
-  // Chained to the instance too, so that its own creation is watched.
+  // Chained to the instance too, so that its creation is validated.
   const VkDebugUtilsMessengerCreateInfoEXT messenger = messenger_info(messages);
   const VkValidationFeaturesEXT features{.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
                                          .pNext = &messenger,
@@ -121,7 +121,7 @@ Instance::Instance(const InstanceOptions& options)
   if (options.validation && !has_validation_layer()) {
     throw DeviceError("no Vulkan validation layer (Debian: install vulkan-validationlayers)");
   }
-  excuse_leaks_of_others(options.validation);
+  suppress_third_party_leaks(options.validation);
   instance_ = create_instance(options, messages_.get());
   if (!options.validation) return;
   const VkDebugUtilsMessengerCreateInfoEXT info = messenger_info(messages_.get());

@@ -24,34 +24,37 @@ class ValidationMessages {
 };
 
 struct InstanceOptions {
-  /// What the window system needs (glfwGetRequiredInstanceExtensions); none for pictures only.
+  /// Extensions that the window system needs (glfwGetRequiredInstanceExtensions). Empty for images
+  /// only.
   std::vector<const char*> extensions{};
-  /// Validation with synchronization checks, collected in `Instance::messages`. A machine without
-  /// the layer is an error: a test that believes it validates must not pass in silence.
+  /// Validation with synchronization checks, collected in `Instance::messages`. A missing layer is
+  /// an error: a test that relies on validation must not pass silently without it.
   bool validation = false;
 };
 
-/// What `mesher --device ?` lists.
+/// A device as `mesher --device ?` lists it.
 struct DeviceDescription {
   std::string name;
   std::string kind;  ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU" or "other"
   std::string api_version;
-  bool is_usable = false;  ///< has Vulkan 1.3 and all that mesher asks for
+  bool is_usable = false;  ///< has Vulkan 1.3 and everything that mesher needs
 };
 
-/// A connection to the Vulkan loader. Outlives every Surface and Device made from it.
+/// A connection to the Vulkan loader. Must outlive every Surface and Device created from it.
 class Instance {
  public:
-  /// Throws DeviceError where there is no loader, no driver, no Vulkan 1.3, or an extension lacks.
+  /// Throws DeviceError if there is no loader, no driver or no Vulkan 1.3, or if an extension is
+  /// missing.
   explicit Instance(const InstanceOptions& options = {});
   ~Instance();
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;
 
   VkInstance handle() const { return instance_; }
-  /// In the driver's order: the position here is the index that `DeviceOptions::select` takes.
+  /// Returns the devices in the driver's order. The index here is the index for
+  /// `DeviceOptions::select`.
   std::vector<DeviceDescription> devices() const;
-  /// Empty unless InstanceOptions::validation.
+  /// Returns the validation messages. Empty unless InstanceOptions::validation is set.
   const ValidationMessages& messages() const { return *messages_; }
   ValidationMessages& messages() { return *messages_; }
 
@@ -61,7 +64,7 @@ class Instance {
   std::unique_ptr<ValidationMessages> messages_;
 };
 
-/// Owns a VkSurfaceKHR that the window library made. Outlives the swapchain on it.
+/// Owns a VkSurfaceKHR created by the window library. Must outlive the swapchain on it.
 class Surface {
  public:
   Surface(const Instance& instance, VkSurfaceKHR surface)

@@ -2,9 +2,10 @@
 
 namespace mesher::gpu {
 
-/// In builds with AddressSanitizer: tells its leak check which leaks are the validation layer's
-/// own, and keeps layer and driver loaded to the end so that they can be told apart. Nothing
-/// otherwise.
-void excuse_leaks_of_others(bool validation);
+/// Suppresses the validation layer's own leaks in the leak check of AddressSanitizer builds.
+///
+/// Keeps the layer and the driver loaded until exit, so that their leaks can be identified. Does
+/// nothing in other builds.
+void suppress_third_party_leaks(bool validation);
 
 }  // namespace mesher::gpu

@@ -22,7 +22,8 @@ std::optional<std::uint32_t> find_type(const VkPhysicalDeviceMemoryProperties& m
   return std::nullopt;
 }
 
-/// A discrete card without resizable BAR maps a window of 256 MB only: not a place for meshes.
+/// Returns whether a memory type is in the largest heap. A discrete card without resizable BAR maps
+/// only a 256 MB window, which is too small for meshes.
 bool is_in_largest_heap(const VkPhysicalDeviceMemoryProperties& memory, std::uint32_t type) {
   VkDeviceSize largest = 0;
   for (std::uint32_t i = 0; i < memory.memoryHeapCount; ++i) {
@@ -57,12 +58,12 @@ std::optional<std::uint32_t> choose_type(const VkPhysicalDeviceMemoryProperties&
 Memory allocate(Device& device, const VkMemoryRequirements& requirements, MemoryIntent intent,
                 bool with_address) {
   if (requirements.size > device.max_allocation_bytes()) {
-    throw DeviceError(device.name() + " has no " + std::to_string(requirements.size >> 20) +
-                      " MiB of memory in one piece; " +
-                      std::to_string(device.max_allocation_bytes() >> 20) + " MiB is the limit");
+    throw DeviceError(device.name() + " cannot allocate " +
+                      std::to_string(requirements.size >> 20) + " MiB at once; the limit is " +
+                      std::to_string(device.max_allocation_bytes() >> 20) + " MiB");
   }
   const auto type = choose_type(device.memory(), requirements.memoryTypeBits, intent);
-  if (!type) throw DeviceError("the Vulkan device has no memory of the kind that is needed");
+  if (!type) throw DeviceError("the Vulkan device has no suitable memory type");
   const VkMemoryAllocateFlagsInfo flags{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,
                                         .pNext = nullptr,
                                         .flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT,

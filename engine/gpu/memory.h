@@ -6,21 +6,21 @@
 
 namespace mesher::gpu {
 
-/// What memory is for; which of the device's heaps that means is decided here and nowhere else.
+/// Purpose of memory. Only this module maps a purpose to the device's heaps.
 enum class MemoryIntent {
-  fixed,    ///< written seldom, read by the GPU a lot; mapped too where the GPU's own memory can be
-  dynamic,  ///< written by the CPU, read by the GPU once: staging
+  fixed,     ///< written rarely, read by the GPU often; mapped if the GPU's own memory can be
+  dynamic,   ///< written by the CPU, read by the GPU once: staging
   readback,  ///< written by the GPU, read by the CPU
 };
 
-/// One allocation, mapped for as long as it lives where the CPU can reach it.
+/// One allocation. It stays mapped for its lifetime if the CPU can access it.
 struct Memory {
   UniqueMemory handle;
-  std::byte* mapped = nullptr;  ///< null: reach it by a copy on the GPU
+  std::byte* mapped = nullptr;  ///< null: access it by a copy on the GPU
 };
 
-/// Throws DeviceError where there is not enough of it. `with_address`: for buffers that shaders
-/// reach by address.
+/// Allocates memory. `with_address`: for buffers that shaders access by address. Throws DeviceError
+/// if out of memory.
 Memory allocate(Device& device, const VkMemoryRequirements& requirements, MemoryIntent intent,
                 bool with_address = false);
 

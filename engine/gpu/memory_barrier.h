@@ -4,13 +4,13 @@
 
 namespace mesher::gpu {
 
-/// Stages of a queue and what they do to memory.
+/// Pipeline stages and their memory accesses.
 struct MemoryUse {
   VkPipelineStageFlags2 stages = 0;
   VkAccessFlags2 access = 0;
 };
 
-/// What `before` did is finished, and its writes are seen by what `after` does from here on.
+/// Records a barrier: `before` completes, and its writes are visible to `after`.
 void memory_barrier(VkCommandBuffer commands, const MemoryUse& before, const MemoryUse& after);
 
 }  // namespace mesher::gpu

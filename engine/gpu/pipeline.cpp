@@ -23,7 +23,7 @@ std::uint32_t byte_size(VkFormat format) {
   }
 }
 
-/// Vertex arrays as Vulkan wants them told.
+/// Descriptions of vertex arrays in Vulkan's form.
 struct VertexInput {
   std::vector<VkVertexInputBindingDescription> bindings;
   std::vector<VkVertexInputAttributeDescription> attributes;

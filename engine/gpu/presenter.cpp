@@ -41,7 +41,7 @@ VkSurfaceFormatKHR choose_format(const Device& device, VkSurfaceKHR surface) {
                 format.format == VK_FORMAT_R8G8B8A8_UNORM) &&
                format.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR;
       });
-  if (found == formats.end()) throw DeviceError("the window takes no 8-bit RGBA images");
+  if (found == formats.end()) throw DeviceError("the window does not support 8-bit RGBA images");
   return *found;
 }
 
@@ -82,7 +82,7 @@ VkSwapchainCreateInfoKHR swapchain_info(VkSurfaceKHR surface, VkSurfaceFormatKHR
   info.imageSharingMode = VK_SHARING_MODE_EXCLUSIVE;
   info.preTransform = caps.currentTransform;
   info.compositeAlpha = choose_alpha(caps.supportedCompositeAlpha);
-  info.presentMode = VK_PRESENT_MODE_FIFO_KHR;  // the one that every device has
+  info.presentMode = VK_PRESENT_MODE_FIFO_KHR;  // supported by every device
   info.clipped = VK_TRUE;
   info.oldSwapchain = old;
   return info;
@@ -95,7 +95,7 @@ Presenter::Presenter(Device& device, VkSurfaceKHR surface) : device_(device), su
   check(vkGetPhysicalDeviceSurfaceSupportKHR(device.physical(), device.queue_family(), surface,
                                              &presents),
         "vkGetPhysicalDeviceSurfaceSupportKHR");
-  if (presents == VK_FALSE) throw DeviceError(device.name() + " cannot draw into this window");
+  if (presents == VK_FALSE) throw DeviceError(device.name() + " cannot present to this window");
   format_ = choose_format(device, surface);
   for (FrameSlot& slot : slots_) {
     slot.pool = create_pool(device);
@@ -111,14 +111,14 @@ Presenter::Presenter(Device& device, VkSurfaceKHR surface) : device_(device), su
 }
 
 Presenter::~Presenter() {
-  // The surface may go right after this, so the swapchain cannot wait in the queue of the retired.
+  // The surface may be destroyed right after this, so the swapchain cannot be retired later.
   vkQueueWaitIdle(device_.queue());
   images_.clear();
   swapchain_.reset();
   try {
     device_.wait_idle();
   } catch (const DeviceError&) {
-    // A lost device: its own destructor tears the rest down.
+    // The device is lost. Its destructor cleans up the rest.
   }
 }
 
@@ -128,7 +128,7 @@ bool Presenter::recreate(VkExtent2D size) {
         "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
   const VkExtent2D extent = choose_extent(caps, size);
   if (is_empty(extent)) return false;
-  // Presentation has no fence of its own: only an idle queue is done with the old semaphores.
+  // Presentation has no fence: the old semaphores are free only when the queue is idle.
   check(vkQueueWaitIdle(device_.queue()), "vkQueueWaitIdle");
   const VkSwapchainCreateInfoKHR info =
       swapchain_info(surface_, format_, caps, extent, swapchain_.get());

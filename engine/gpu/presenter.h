@@ -9,18 +9,19 @@
 
 namespace mesher::gpu {
 
-/// What one frame in a window is recorded into.
+/// The target of one frame in a window.
 struct Frame {
   VkCommandBuffer commands = VK_NULL_HANDLE;  ///< recording has begun
   std::uint32_t image_index = 0;
-  VkImage image = VK_NULL_HANDLE;     ///< of the swapchain; content and layout undefined at first
+  VkImage image = VK_NULL_HANDLE;     ///< of the swapchain; content and layout initially undefined
   VkImageView view = VK_NULL_HANDLE;  ///< of `image`, in Presenter::format()
   VkExtent2D extent{};
 };
 
-/// The swapchain of one window and its frames in flight. Images are UNORM: the scene arrives with
-/// its sRGB encoding done (SceneTarget::copy_to), so a window shows the very bytes of a PNG, and
-/// ImGui, which blends encoded colors, looks as it should.
+/// The swapchain of one window and its frames in flight.
+///
+/// Images are UNORM: the scene arrives sRGB-encoded (SceneTarget::copy_to). So a window shows the
+/// same bytes as a PNG, and ImGui, which blends encoded colors, looks right.
 ///
 ///     if (auto frame = presenter.begin(framebuffer_size)) {
 ///       renderer.draw(frame->commands, target, mesh, camera, settings);
@@ -32,32 +33,35 @@ class Presenter {
  public:
   static constexpr std::uint32_t kFramesInFlight = 2;
 
-  /// Throws DeviceError where the device cannot present to `surface`.
+  /// Throws DeviceError if the device cannot present to `surface`.
   Presenter(Device& device, VkSurfaceKHR surface);
   ~Presenter();
   Presenter(const Presenter&) = delete;
   Presenter& operator=(const Presenter&) = delete;
 
-  /// Waits for the frame before the last, acquires an image and begins recording. None where there
-  /// is nothing to draw into (a minimised window: size zero) or the swapchain had just to be made
-  /// anew twice in a row: wait for events and try again. `size` is the framebuffer's, in pixels;
-  /// the swapchain follows it. Throws DeviceError (a lost device or surface).
+  /// Waits for the frame before the last one, acquires an image and begins recording.
+  ///
+  /// Returns none if there is nothing to draw into (a minimized window: size zero), or if the
+  /// swapchain had to be rebuilt twice in a row. Then wait for events and try again. `size` is the
+  /// framebuffer size in pixels; the swapchain adopts it. Throws DeviceError (for a lost device or
+  /// surface).
   std::optional<Frame> begin(VkExtent2D size);
-  /// Ends recording, submits and presents: due for every frame that was begun. Pre: the image is in
-  /// COLOR_ATTACHMENT_OPTIMAL.
+  /// Ends recording, submits and presents. Call it for every frame that has begun. Pre: the image
+  /// is in COLOR_ATTACHMENT_OPTIMAL.
   void end(const Frame& frame);
 
   VkFormat format() const { return format_.format; }
   std::uint32_t image_count() const { return static_cast<std::uint32_t>(images_.size()); }
-  /// Grows by one whenever images and views are new: framebuffers made of the old ones are stale.
+  /// Returns a counter that increases by one whenever images and views are rebuilt: framebuffers
+  /// made from the old ones are stale.
   std::uint64_t generation() const { return generation_; }
 
  private:
   struct SwapchainImage {
     VkImage image = VK_NULL_HANDLE;
     UniqueImageView view;
-    // One an image, not one a frame: the presentation engine may hold it until this image comes
-    // round again.
+    // One per image, not per frame: the presentation engine may use it until the image is acquired
+    // again.
     UniqueSemaphore rendered;
   };
   struct FrameSlot {
@@ -75,7 +79,7 @@ class Presenter {
   VkSurfaceKHR surface_;
   VkSurfaceFormatKHR format_{};
   VkExtent2D extent_{};
-  VkExtent2D requested_{};  ///< what the window said when the swapchain was made
+  VkExtent2D requested_{};  ///< window size when the swapchain was created
   UniqueSwapchain swapchain_;
   std::vector<SwapchainImage> images_;
   std::array<FrameSlot, kFramesInFlight> slots_;

@@ -7,7 +7,8 @@
 
 namespace mesher::gpu {
 
-/// The spelling of the standard: "VK_ERROR_OUT_OF_DEVICE_MEMORY"; "VkResult -42" for one unknown.
+/// Returns the name of a result from the Vulkan standard, for example
+/// "VK_ERROR_OUT_OF_DEVICE_MEMORY", or "VkResult -42" if unknown.
 std::string result_name(VkResult result);
 
 /// Throws DeviceError "call: VK_ERROR_..." unless `result` is VK_SUCCESS.

@@ -64,7 +64,8 @@ std::optional<std::uint32_t> find_queue_family(VkPhysicalDevice physical, VkSurf
   return std::nullopt;
 }
 
-/// Vulkan 1.3 obliges a driver to have every feature that mesher turns on.
+/// Describes a device. Features need no check, because Vulkan 1.3 requires drivers to have every
+/// feature that mesher enables.
 Candidate describe(VkPhysicalDevice physical, VkSurfaceKHR surface) {
   VkPhysicalDeviceProperties properties{};
   vkGetPhysicalDeviceProperties(physical, &properties);
@@ -137,21 +138,23 @@ std::vector<Candidate> list_candidates(VkInstance instance, VkSurfaceKHR surface
 
 const Candidate& choose(const std::vector<Candidate>& candidates, std::string_view select) {
   if (candidates.empty()) {
-    throw DeviceError("no Vulkan device found (Debian: mesa-vulkan-drivers has one for any CPU)");
+    throw DeviceError(
+        "no Vulkan device found (Debian: mesa-vulkan-drivers includes one for any CPU)");
   }
   const Candidate* chosen = select.empty() ? best(candidates) : find(candidates, select);
   if (chosen == nullptr && select.empty()) {
-    throw DeviceError("no Vulkan device has version 1.3 and what is needed: " +
-                      list_names(candidates));
+    throw DeviceError(
+        "no Vulkan device supports version 1.3 and the required features; available: " +
+        list_names(candidates));
   }
   if (chosen == nullptr) {
     throw DeviceError("no Vulkan device matches '" + std::string(select) +
-                      "'; there are: " + list_names(candidates));
+                      "'; available: " + list_names(candidates));
   }
   if (!chosen->description.is_usable) {
     throw DeviceError("Vulkan device '" + chosen->description.name +
-                      "' cannot be used: it needs version 1.3 (it has " +
-                      chosen->description.api_version + "), drawing and presenting");
+                      "' is not usable: mesher needs Vulkan 1.3 (it has " +
+                      chosen->description.api_version + "), graphics and presentation");
   }
   return *chosen;
 }

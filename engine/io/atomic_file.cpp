@@ -16,11 +16,12 @@
 namespace mesher {
 namespace {
 
-/// One write(2) moves at most 2 GB; smaller pieces also keep the page cache flowing.
+/// write(2) writes at most 2 GB. Smaller pieces also let the page cache drain steadily.
 constexpr std::size_t kLargestWrite = std::size_t{1} << 26;
 
-/// The number of a descriptor of ours that `target` names (/dev/stdout, /dev/fd/3); -1: it names
-/// none. The file behind it is not to be replaced: a shell that said `>>` would lose what it held.
+/// Returns the number of the process's own descriptor that `target` names (/dev/stdout, /dev/fd/3),
+/// or -1. The file behind it must not be replaced: with a shell's `>>`, its old content would be
+/// lost.
 int descriptor_named(const std::filesystem::path& target) {
   if (target == "/dev/stdout") return STDOUT_FILENO;
   if (target == "/dev/stderr") return STDERR_FILENO;
@@ -32,7 +33,7 @@ int descriptor_named(const std::filesystem::path& target) {
   return error == std::errc() && end == number.data() + number.size() ? descriptor : -1;
 }
 
-/// Notes why not in errno.
+/// Returns whether the descriptor is writable. Sets errno if not.
 bool is_writable(int descriptor) {
   const int flags = ::fcntl(descriptor, F_GETFL);
   if (flags >= 0 && (flags & O_ACCMODE) == O_RDONLY) errno = EBADF;
@@ -61,7 +62,7 @@ AtomicFile::AtomicFile(const std::filesystem::path& target)
   }
   if (exists && std::filesystem::is_symlink(target)) target_ = std::filesystem::canonical(target);
   open_temporary();
-  // Some file systems know no permissions; the file is as good without.
+  // Some file systems do not support permissions; the file is valid without them.
   if (exists) static_cast<void>(::fchmod(descriptor_, status.st_mode & 07777));
 }
 
@@ -92,7 +93,8 @@ void AtomicFile::open_temporary() {
   const std::filesystem::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
   descriptor_ = ::open(folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
   if (descriptor_ >= 0) return;
-  // Not every file system has files without a name; what is really wrong shows in the second try.
+  // Not every file system supports unnamed files. If the cause is another, the second attempt
+  // reports it.
   try_names([this] {
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     return descriptor_ >= 0;
@@ -107,12 +109,12 @@ void AtomicFile::name_temporary() {
   });
 }
 
-/// Calls `make` with temporary names until it succeeds at one that nobody else has.
+/// Calls `make` with temporary names until it succeeds with a name that is not taken.
 template <class Make>
 void AtomicFile::try_names(Make make) {
   static std::atomic<unsigned> counter{0};
   for (int attempt = 0; attempt < 100; ++attempt) {
-    // Not made of the target's name, which may be as long as names can be.
+    // The target's name is not reused here, because it may already have the maximum length.
     temporary_ = target_.parent_path() / (".mesher-" + std::to_string(::getpid()) + "-" +
                                           std::to_string(counter++) + ".tmp");
     if (make()) return;
@@ -136,7 +138,7 @@ void AtomicFile::commit() {
   if (!is_direct_ && temporary_.empty()) name_temporary();
   const int descriptor = descriptor_;
   descriptor_ = -1;
-  // Full disks on the network are reported this late.
+  // Network file systems report a full disk only on close.
   if (::close(descriptor) != 0) fail("cannot write");
   if (is_direct_) return;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot write");

@@ -7,29 +7,34 @@
 
 namespace mesher {
 
-/// A file that appears whole or not at all: written without a name in the target's folder (where
-/// the file system knows such files; otherwise under a temporary one), named and renamed by
-/// `commit`. Destroyed without it, or killed, it leaves nothing behind, and whatever stood at the
-/// target stays. A link is followed, an existing file's permissions are kept. Pipes cannot be
-/// renamed over and are written directly; so is what is open already (`/dev/stdout`, `/dev/fd/3`).
+/// Writes a file that appears whole or not at all.
+///
+/// The data goes to an unnamed file in the target's folder, or to a temporary file where the file
+/// system does not support unnamed ones. `commit` gives that file the target's name. Destruction
+/// without `commit` leaves nothing behind and does not change an existing target. A killed process
+/// does not change the target either; it leaves a temporary file only if unnamed files are not
+/// supported, or if it is killed during `commit`. Symbolic links are followed, and an existing file
+/// keeps its permissions. Pipes and files that are open already (`/dev/stdout`, `/dev/fd/3`) cannot
+/// be replaced by a rename and are written directly.
 class AtomicFile {
  public:
-  /// Throws OutputError where the target is a directory or its folder cannot be written.
+  /// Throws OutputError if the target is a directory or its folder cannot be written.
   explicit AtomicFile(const std::filesystem::path& target);
-  /// Throws OutputError where it is plain, without opening anything, that the target cannot be
-  /// written: for a word before long work rather than after it.
+  /// Throws OutputError if the target obviously cannot be written. Opens nothing. Call it before
+  /// long work to fail early.
   static void check(const std::filesystem::path& target);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  /// Appends; nothing is buffered, so write in large pieces. Throws OutputError.
+  /// Appends `bytes`. Nothing is buffered, so write large pieces. Throws OutputError.
   void write(std::string_view bytes);
-  /// The target as the caller spelt it, for messages.
+  /// Returns the target as the caller spelled it, for messages.
   const std::string& name() const { return name_; }
   /// Bytes written so far.
   std::uint64_t size() const { return size_; }
-  /// Closes the file and gives it its name. Throws OutputError; the temporary file is gone then.
+  /// Closes the file and renames it to the target. Throws OutputError, and then the temporary file
+  /// has been removed.
   void commit();
 
  private:
@@ -43,7 +48,7 @@ class AtomicFile {
   std::string name_;
   std::filesystem::path target_;
   std::filesystem::path temporary_;  ///< empty while the file has no name
-  bool is_direct_ = false;           ///< the target itself is written
+  bool is_direct_ = false;           ///< writes to the target itself
   int descriptor_ = -1;
   std::uint64_t size_ = 0;
 };

@@ -7,11 +7,11 @@
 
 namespace mesher {
 
-/// The bytes that a base64 text stands for (RFC 4648, with or without padding); nothing where a
-/// character is none of its alphabet or the length cannot be. O(n).
+/// Returns the bytes that a base64 text encodes (RFC 4648, with or without padding). Returns
+/// nothing if the text has a character outside the alphabet or an impossible length. O(n).
 std::optional<std::string> decode_base64(std::string_view text);
 
-/// Passes bytes on to `Sink::write` as base64, piece by piece.
+/// Encodes bytes as base64 and passes them to `Sink::write` piece by piece.
 template <class Sink>
 class Base64Writer {
  public:
@@ -25,7 +25,7 @@ class Base64Writer {
     }
     sink_.write(text_);
   }
-  /// Writes what is left, padded. Call once, at the end.
+  /// Writes the remaining bytes, padded. Call it once, at the end.
   void finish() {
     if (held_ == 0) return;
     text_.clear();

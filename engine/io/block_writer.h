@@ -13,11 +13,11 @@
 
 namespace mesher {
 
-/// Text or binary data that grows. `need` makes room; appending itself does not check.
+/// A growing buffer of text or binary data. `need` makes room; appending does not check for it.
 class Appender {
  public:
   void clear() { size_ = 0; }
-  /// Makes room for `bytes` more.
+  /// Makes room for `bytes` more bytes.
   void need(std::size_t bytes) {
     if (storage_.size() - size_ < bytes) storage_.resize(2 * storage_.size() + bytes);
   }
@@ -31,11 +31,11 @@ class Appender {
     std::memcpy(put(text.size()), text.data(), text.size());
     return *this;
   }
-  /// At most 10 characters.
+  /// Appends a decimal number of at most 10 characters.
   Appender& operator<<(std::uint32_t value) { return number(value, 10); }
-  /// The shortest decimal that reads back as the same float: at most 15 characters.
+  /// Appends the shortest decimal that reads back as the same float: at most 15 characters.
   Appender& operator<<(float value) { return number(value, 15); }
-  /// The bytes of a number as they lie in memory (little-endian on the machines we build for).
+  /// Appends the bytes of a number as they are in memory (little-endian on all supported machines).
   template <class T>
   Appender& raw(const T& value) {
     std::memcpy(put(sizeof value), &value, sizeof value);
@@ -60,10 +60,12 @@ class Appender {
   std::size_t size_ = 0;
 };
 
-/// Writes `count` elements in order: they are formatted in parallel, a block at a time, so memory
-/// stays at a few megabytes whatever the count. `format(appender, i)` appends element i; room for
-/// `most_bytes` is made before, and it may ask for more. The bytes do not depend on the number of
-/// threads. `Sink` has `write(std::string_view)`: an AtomicFile, or what encodes on the way to one.
+/// Writes `count` elements in order. `format(appender, i)` appends element i.
+///
+/// Elements are formatted in parallel, one block at a time, so memory stays at a few megabytes for
+/// any count. Before each element the buffer has room for `most_bytes`; `format` may ask for more.
+/// The output does not depend on the number of threads. `Sink` must have `write(std::string_view)`:
+/// an AtomicFile, or an encoder that writes to one.
 template <class Sink, class Format>
 void write_elements(Sink& sink, std::size_t count, std::size_t most_bytes, Format&& format) {
   constexpr std::size_t kBlock = std::size_t{1} << 13;

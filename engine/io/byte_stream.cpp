@@ -13,7 +13,7 @@
 namespace mesher {
 namespace {
 
-// How long a silent pipe keeps the end of reading waiting.
+// Longest time that a silent pipe delays the end of reading.
 constexpr int kPollMilliseconds = 50;
 
 std::string reason(int error) {
@@ -23,7 +23,7 @@ std::string reason(int error) {
 }  // namespace
 
 ByteStream::ByteStream(const std::filesystem::path& file) : file_(file) {
-  // Else a named pipe would keep us here until somebody opens it for writing.
+  // Without O_NONBLOCK, opening a named pipe would block until a writer opens it.
   descriptor_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor_ < 0) throw InputError(file.string(), 0, reason(errno));
   thread_ = std::thread([this] { run(); });
@@ -66,9 +66,10 @@ void ByteStream::set_wake(void (*wake)()) {
   wake_ = wake;
 }
 
-/// False where no more is to be read.
+/// Returns false if reading is finished.
 bool ByteStream::read_block() {
-  // A pipe that never had a writer is not ready; one whose writers have all gone is, and ends.
+  // poll does not report a pipe that never had a writer. It reports one whose writers have all
+  // closed, and read then returns the end of the file.
   pollfd waiting{descriptor_, POLLIN, 0};
   const int ready = ::poll(&waiting, 1, kPollMilliseconds);
   if (ready == 0 || (ready < 0 && errno == EINTR)) return put({});
@@ -86,7 +87,7 @@ bool ByteStream::read_block() {
   return false;
 }
 
-/// False where nobody wants more.
+/// Returns false if the stream has been closed.
 bool ByteStream::put(Block&& block) {
   {
     std::unique_lock lock(mutex_);

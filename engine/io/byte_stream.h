@@ -11,36 +11,36 @@
 
 namespace mesher {
 
-/// The bytes of a file or a pipe, read on a thread of its own as they come: whoever takes them
-/// never waits. Reads no further ahead than kMostAhead.
+/// Reads a file or a pipe on a thread of its own, so that the consumer never blocks. Reads at most
+/// kMostAhead bytes ahead.
 class ByteStream {
  public:
   using Block = std::vector<std::byte>;
   static constexpr std::size_t kBlockBytes = std::size_t{16} << 10U;
   static constexpr std::size_t kMostAhead = std::size_t{8} << 20U;
 
-  /// Returns at once, even for a named pipe that nobody has opened for writing yet: that one is
-  /// silent until somebody does. Throws InputError where the file cannot be opened.
+  /// Opens the file and returns at once, even for a named pipe without a writer. Such a pipe stays
+  /// silent until a program opens it for writing. Throws InputError if the file cannot be opened.
   explicit ByteStream(const std::filesystem::path& file);
-  /// Ends the reading within a moment, even of a pipe that is silent.
+  /// Stops reading within a moment, even from a silent pipe.
   ~ByteStream();
   ByteStream(const ByteStream&) = delete;
   ByteStream& operator=(const ByteStream&) = delete;
 
-  /// `wake` is called from the thread, from now on, when there is something to take, or the end.
-  /// Null: nothing is.
+  /// Sets the function that the reading thread calls when data or the end of the file is available.
+  /// Null: it calls none.
   void set_wake(void (*wake)());
-  /// What comes next; empty: nothing is there yet, or nothing more comes.
+  /// Returns the next block. Empty: no data is available yet, or the stream has ended.
   Block take();
-  /// There is something to take, or the end.
+  /// Returns whether `take` has data or the stream has ended.
   bool has_news() const;
-  /// All has been taken, and no more comes.
+  /// Returns whether all data has been taken and no more will come.
   bool is_at_end() const;
-  /// Returns when there is something to take, or the end.
+  /// Blocks until data is available or the stream has ended.
   void wait() const;
-  /// Nobody wants more: what waits is dropped, and reading ends within a moment.
+  /// Drops the data that has not been taken and stops reading within a moment.
   void close();
-  /// Why reading ended before the end; empty: it did not.
+  /// Returns the error that stopped reading early. Empty: no error occurred.
   std::string failure() const;
 
  private:

@@ -68,7 +68,7 @@ constexpr FormatInfo kFormats[] = {
     {.name = "progressive mesh", .extension = ".pm"},
 };
 
-/// "a, b or c"
+/// Returns the words as "a, b or c".
 std::string list_of(const std::vector<std::string>& words) {
   std::string list;
   for (std::size_t i = 0; i < words.size(); ++i) {

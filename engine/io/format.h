@@ -16,15 +16,15 @@
 
 namespace mesher {
 
-/// How a format holds an attribute that the corners of a mesh have.
+/// How a format stores an attribute of a mesh's corners.
 enum class Holds {
   nothing,
-  one_per_vertex,  ///< if all corners of each vertex agree
-  all_or_none,     ///< if no corner lacks it
+  one_per_vertex,  ///< only if all corners of each vertex agree
+  all_or_none,     ///< only if every corner has it
   each_corner,
 };
 
-/// What a format can hold beside positions and faces.
+/// What a format can store besides positions and faces.
 struct FormatContents {
   bool creases = false;
   bool groups = false;
@@ -33,34 +33,39 @@ struct FormatContents {
   Holds color = Holds::nothing;
 };
 
-/// A row of the table of formats. To add a format, write its reader and writer and add its row:
-/// dialogs, messages, --help, and the report of what a file cannot hold follow from it.
+/// A row of the table of formats.
+///
+/// To add a format, write its reader and writer and add its row. Dialogs, messages, --help, and the
+/// report of what a file does not preserve are derived from the table.
 struct FormatInfo {
   const char* name;       ///< "Wavefront OBJ"
   const char* extension;  ///< ".obj", in lower case
   FormatContents holds{};
-  /// Reads the polygons of a file that is not empty. Null for progressive meshes, which
+  /// Reads the polygons of a file. Pre: the file is not empty. Null for progressive meshes, which
   /// engine/io/pm_file.h reads and writes.
   Soup (*read)(const MappedFile& file, const ReadOptions& options) = nullptr;
   void (*write)(AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
                 const WriteOptions& options) = nullptr;
-  /// Writes several levels of detail into one file; null: a file holds one level.
+  /// Writes several levels of detail into one file. Null: a file holds one level.
   void (*write_levels)(AtomicFile& file, std::span<const GltfLevel> levels) = nullptr;
 };
 
-/// All formats, in the order in which messages list them.
+/// Returns all formats, in the order in which messages list them.
 std::span<const FormatInfo> formats();
 
-/// The format that a file's extension names, in any case; null: none has it.
+/// Returns the format of a file's extension, matched without case. Null: no format has that
+/// extension.
 const FormatInfo* format_of(const std::filesystem::path& file);
 
-/// For messages: "obj, ply, stl, off, gltf, glb or pm", all that can be opened.
+/// Returns the formats that can be opened, for messages: "obj, ply, stl, off, gltf, glb or pm".
 std::string readable_formats();
-/// For messages: "obj, ply, stl, off, gltf or glb", all that a mesh can be written to.
+/// Returns the formats that a mesh can be written to, for messages: "obj, ply, stl, off, gltf or
+/// glb".
 std::string writable_formats();
 
-/// Readers cut the names of objects, groups and materials to this many bytes, because they join and
-/// copy names per face or node: the cost must not grow with a hostile name.
+/// Longest name of an object, group or material, in bytes; readers truncate longer names. Readers
+/// join and copy names per face or per node, and the limit keeps that cost independent of a hostile
+/// name.
 inline constexpr std::size_t kMaxNameBytes = 256;
 
 }  // namespace mesher

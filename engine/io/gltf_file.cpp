@@ -74,8 +74,7 @@ float load_float(const char* p, Component type, bool is_normalized) {
   return value;
 }
 
-/// A relative reference with its %XX turned into the characters they stand for; nothing where it is
-/// malformed.
+/// Returns a relative reference with its %XX escapes decoded, or nothing if it is malformed.
 std::optional<std::string> decode_uri(std::string_view uri) {
   std::string path;
   for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -93,7 +92,7 @@ std::optional<std::string> decode_uri(std::string_view uri) {
   return path;
 }
 
-/// True for a path that stays in or below the folder it is relative to.
+/// Returns whether a path stays in or below the folder it is relative to.
 bool stays_below(const std::filesystem::path& path) {
   if (path.empty() || path.is_absolute()) return false;
   return std::none_of(path.begin(), path.end(),
@@ -103,7 +102,7 @@ bool stays_below(const std::filesystem::path& path) {
 }  // namespace
 
 struct GltfFile::Accessor {
-  std::string_view bytes;  ///< from the first element on
+  std::string_view bytes;  ///< starts at the first element
   std::size_t count = 0;
   std::size_t stride = 0;
   std::size_t components = 0;
@@ -119,10 +118,10 @@ struct GltfFile::Buffer {
 
 GltfFile::GltfFile(const MappedFile& file) : file_(file) {
   read_container();
-  if (!json_->is_object()) fail("no glTF document");
+  if (!json_->is_object()) fail("not a glTF document");
   const auto asset = json_->find("asset");
   if (asset == json_->end() || text(*asset, "version").substr(0, 2) != "2.") {
-    fail("no glTF 2 document");
+    fail("not a glTF 2.0 document");
   }
   buffers_.resize(count("buffers"));
 }
@@ -134,7 +133,7 @@ void GltfFile::read_container() {
   constexpr std::size_t kHeader = 12;
   constexpr std::size_t kChunkHeader = 8;
   if (file_.size() < kHeader + kChunkHeader) fail("the file ends too early");
-  if (load_uint32(file_.begin() + 4) != 2) fail("no glTF 2 document");
+  if (load_uint32(file_.begin() + 4) != 2) fail("not a glTF 2.0 document");
   if (load_uint32(file_.begin() + 8) > file_.size()) fail("the file ends too early");
   std::size_t at = kHeader;
   bool has_json = false;
@@ -145,7 +144,7 @@ void GltfFile::read_container() {
     if (length > file_.size() - at) fail("a chunk is longer than the file");
     const char* const begin = file_.begin() + at;
     if (!has_json) {
-      if (kind != kJsonChunk) fail("the first chunk is no JSON");
+      if (kind != kJsonChunk) fail("the first chunk is not JSON");
       parse_json(begin, begin + length);
       has_json = true;
     } else if (kind == kBinaryChunk && !has_binary_chunk_) {
@@ -173,21 +172,21 @@ void GltfFile::parse_json(const char* begin, const char* end) {
 std::size_t GltfFile::count(const char* array) const {
   const auto found = json_->find(array);
   if (found == json_->end()) return 0;
-  if (!found->is_array()) fail(std::string(array) + " is no array");
+  if (!found->is_array()) fail(std::string(array) + " is not an array");
   return found->size();
 }
 
 const GltfFile::Json& GltfFile::element(const char* array, std::uint64_t index) const {
   if (index >= count(array)) fail(std::string("index into ") + array + " out of range");
   const Json& found = (*json_)[array][index];
-  if (!found.is_object()) fail(std::string("an element of ") + array + " is no object");
+  if (!found.is_object()) fail(std::string("an element of ") + array + " is not an object");
   return found;
 }
 
 std::optional<std::uint64_t> GltfFile::find_number(const Json& object, const char* key) const {
   const auto found = object.find(key);
   if (found == object.end()) return std::nullopt;
-  if (!found->is_number_unsigned()) fail(std::string(key) + " is no whole number");
+  if (!found->is_number_unsigned()) fail(std::string(key) + " is not a non-negative integer");
   return found->get<std::uint64_t>();
 }
 
@@ -202,7 +201,7 @@ std::optional<std::vector<double>> GltfFile::find_vector(const Json& object, con
     }
   }
   if (values.size() != size || found->size() != size) {
-    fail(std::string(key) + " is not " + std::to_string(size) + " numbers");
+    fail(std::string(key) + " must be an array of " + std::to_string(size) + " numbers");
   }
   return values;
 }
@@ -215,7 +214,7 @@ std::string_view GltfFile::text(const Json& object, const char* key) const {
 
 GltfFile::Accessor GltfFile::open_accessor(std::uint64_t index) {
   const Json& json = element("accessors", index);
-  if (json.contains("sparse")) fail("sparse accessors cannot be read");
+  if (json.contains("sparse")) fail("sparse accessors are not supported");
   Accessor accessor;
   const std::uint64_t type = find_number(json, "componentType").value_or(0);
   if (type < 5120 || type > 5126 || type == 5124) fail("unknown componentType");
@@ -225,7 +224,7 @@ GltfFile::Accessor GltfFile::open_accessor(std::uint64_t index) {
   for (const auto& [name, components] : kTypes) {
     if (text(json, "type") == name) accessor.components = components;
   }
-  if (accessor.components == 0) fail("unknown type of accessor");
+  if (accessor.components == 0) fail("unknown accessor type");
   const auto normalized = json.find("normalized");
   accessor.is_normalized = normalized != json.end() && *normalized == true;
   const std::size_t element_bytes = accessor.components * size_of(accessor.type);
@@ -237,26 +236,26 @@ GltfFile::Accessor GltfFile::open_accessor(std::uint64_t index) {
   const std::size_t bytes = accessor.bytes.size();
   if (count != 0 &&
       (bytes < element_bytes || count - 1 > (bytes - element_bytes) / accessor.stride)) {
-    fail("an accessor reaches past its buffer");
+    fail("an accessor extends past its buffer");
   }
   accessor.count = static_cast<std::size_t>(count);
   return accessor;
 }
 
-/// The bytes of an accessor's buffer view, from its own offset on.
+/// Returns the bytes of an accessor's buffer view, starting at the accessor's own offset.
 std::string_view GltfFile::view_bytes(const Json& accessor, std::size_t& stride) {
   const std::optional<std::uint64_t> view_index = find_number(accessor, "bufferView");
-  if (!view_index) fail("an accessor without data");
+  if (!view_index) fail("an accessor has no data");
   const Json& view = element("bufferViews", *view_index);
   std::string_view bytes = buffer_bytes(find_number(view, "buffer").value_or(~std::uint64_t{0}));
   const std::uint64_t offset = find_number(view, "byteOffset").value_or(0);
   const std::uint64_t length = find_number(view, "byteLength").value_or(0);
   if (offset > bytes.size() || length > bytes.size() - offset) {
-    fail("a buffer view reaches past its buffer");
+    fail("a buffer view extends past its buffer");
   }
   bytes = bytes.substr(offset, length);
   const std::uint64_t own_offset = find_number(accessor, "byteOffset").value_or(0);
-  if (own_offset > bytes.size()) fail("an accessor reaches past its buffer");
+  if (own_offset > bytes.size()) fail("an accessor extends past its buffer");
   stride = static_cast<std::size_t>(find_number(view, "byteStride").value_or(stride));
   return bytes.substr(own_offset);
 }
@@ -272,7 +271,7 @@ std::unique_ptr<GltfFile::Buffer> GltfFile::open_buffer(std::uint64_t index) {
   auto buffer = std::make_unique<Buffer>();
   const std::string_view uri = text(json, "uri");
   if (uri.empty()) {
-    if (index != 0 || !has_binary_chunk_) fail("a buffer without data");
+    if (index != 0 || !has_binary_chunk_) fail("a buffer has no data");
     buffer->bytes = binary_chunk_;
   } else if (uri.substr(0, 5) == "data:") {
     const std::size_t comma = uri.find(";base64,");
@@ -283,7 +282,7 @@ std::unique_ptr<GltfFile::Buffer> GltfFile::open_buffer(std::uint64_t index) {
     buffer->bytes = buffer->decoded;
   } else {
     const std::optional<std::string> path = decode_uri(uri);
-    if (!path || !stays_below(*path)) fail("a buffer outside the document's folder");
+    if (!path || !stays_below(*path)) fail("a buffer is outside the document's folder");
     const auto full = std::filesystem::path(file_.name()).parent_path() / *path;
     std::error_code error;
     if (!std::filesystem::is_regular_file(full, error)) fail("a buffer's file is missing");
@@ -291,7 +290,7 @@ std::unique_ptr<GltfFile::Buffer> GltfFile::open_buffer(std::uint64_t index) {
     buffer->bytes = buffer->file->bytes();
   }
   const std::uint64_t length = find_number(json, "byteLength").value_or(0);
-  if (length > buffer->bytes.size()) fail("a buffer is shorter than it says");
+  if (length > buffer->bytes.size()) fail("a buffer is shorter than its byteLength");
   buffer->bytes = buffer->bytes.substr(0, length);
   return buffer;
 }
@@ -304,7 +303,7 @@ Array<float> GltfFile::floats(std::uint64_t index, std::size_t components, std::
                               std::size_t count) {
   const Accessor accessor = open_accessor(index);
   if (first > accessor.count || count > accessor.count - first) {
-    fail("attributes of different lengths");
+    fail("attributes have different lengths");
   }
   Array<float> values(count * components);
   const std::size_t shared = std::min(components, accessor.components);
@@ -321,7 +320,7 @@ Array<float> GltfFile::floats(std::uint64_t index, std::size_t components, std::
 
 Array<std::uint32_t> GltfFile::indices(std::uint64_t index) {
   const Accessor accessor = open_accessor(index);
-  if (accessor.components != 1) fail("indices are no scalars");
+  if (accessor.components != 1) fail("indices are not scalars");
   Array<std::uint32_t> values(accessor.count);
   for (std::size_t i = 0; i < accessor.count; ++i) {
     const char* const from = accessor.bytes.data() + i * accessor.stride;
@@ -339,7 +338,7 @@ Array<std::uint32_t> GltfFile::indices(std::uint64_t index) {
       case Component::int8:
       case Component::int16:
       case Component::float32:
-        fail("indices are no unsigned integers");
+        fail("indices are not unsigned integers");
     }
   }
   return values;

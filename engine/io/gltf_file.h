@@ -14,43 +14,46 @@
 
 namespace mesher {
 
-/// A glTF 2.0 document with its buffers, whichever of the two containers it came in. Every index,
-/// offset and length is checked before use, and nothing is allocated that the bytes do not hold:
-/// whoever asks gets data or an InputError.
+/// A glTF 2.0 document with its buffers, from either container.
+///
+/// Every index, offset and length is checked before use. No allocation is larger than the file's
+/// bytes justify. A query returns data or throws InputError.
 class GltfFile {
  public:
   using Json = nlohmann::json;
 
-  /// Reads the container (told by its first bytes) and the JSON. Buffers are opened when first
-  /// used: the binary chunk, base64 data, or a regular file in or below the document's own folder.
+  /// Reads the container (identified by its first bytes) and the JSON. Buffers are opened on first
+  /// use. A buffer is the binary chunk, base64 data, or a regular file in or below the document's
+  /// own folder.
   explicit GltfFile(const MappedFile& file);
   ~GltfFile();
   GltfFile(const GltfFile&) = delete;
   GltfFile& operator=(const GltfFile&) = delete;
 
   const Json& root() const { return *json_; }
-  /// Length of a top-level array, 0 where there is none.
+  /// Returns the length of a top-level array, or 0 if it is absent.
   std::size_t count(const char* array) const;
-  /// An element of a top-level array.
+  /// Returns an element of a top-level array.
   const Json& element(const char* array, std::uint64_t index) const;
-  /// A whole number of an object, or nothing where it has no such key.
+  /// Returns the unsigned integer at a key of an object, or nothing if the key is absent.
   std::optional<std::uint64_t> find_number(const Json& object, const char* key) const;
-  /// The elements of an array of numbers of an object, or nothing where it has no such key. Fails
-  /// where there are not `size` of them.
+  /// Returns the array of numbers at a key of an object, or nothing if the key is absent. Throws
+  /// InputError if it does not have `size` elements.
   std::optional<std::vector<double>> find_vector(const Json& object, const char* key,
                                                  std::size_t size) const;
-  /// A text of an object, or "" where it has none. Valid as long as the document.
+  /// Returns the string at a key of an object, or "" if the key is absent. Valid as long as the
+  /// document.
   std::string_view text(const Json& object, const char* key) const;
 
-  /// Number of elements of an accessor, all of which are there.
+  /// Returns the number of elements of an accessor. All of them lie within the buffer.
   std::size_t element_count(std::uint64_t accessor);
-  /// Values of elements [first, first + count) of an accessor, `components` to an element: those it
-  /// lacks are 1, those it has more are left out. Normalized integers become fractions.
+  /// Returns elements [first, first + count) of an accessor, with `components` values per element.
+  /// Missing components are 1; surplus ones are dropped. Normalized integers become fractions.
   Array<float> floats(std::uint64_t accessor, std::size_t components, std::size_t first,
                       std::size_t count);
-  /// All values of a scalar accessor of unsigned integers.
+  /// Returns all values of a scalar accessor of unsigned integers.
   Array<std::uint32_t> indices(std::uint64_t accessor);
-  /// Bytes of the document and of all buffers opened so far.
+  /// Returns the size in bytes of the document and of the external buffers opened so far.
   std::size_t byte_count() const;
 
   [[noreturn]] void fail(std::string_view reason) const;

@@ -21,11 +21,12 @@ namespace {
 using Json = GltfFile::Json;
 
 constexpr float kAbsent = std::numeric_limits<float>::quiet_NaN();
-/// Corners and vertices that any file may have, however often its meshes are repeated.
+/// Number of corners and vertices that every file may have, however often its meshes are repeated.
 constexpr std::size_t kAlwaysAllowed = std::size_t{1} << 25;
-/// Beyond that, so many for each byte of the file. One of its own takes a byte at least.
+/// Beyond that, the limit per byte of the file. An unrepeated corner or vertex takes at least one
+/// byte.
 constexpr std::size_t kMostPerByte = 8;
-/// What looking at a primitive costs, in corners.
+/// Cost of visiting a primitive, in corners.
 constexpr std::size_t kPrimitiveCost = 64;
 
 enum Mode : std::uint64_t { kTriangles = 4, kStrip = 5, kFan = 6 };
@@ -52,13 +53,13 @@ std::uint8_t color_byte(float value) {
              : static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
 }
 
-/// Vertex attributes of a primitive, each empty or one a vertex.
+/// Vertex attributes of a primitive, each empty or one per vertex.
 struct Primitive {
   Array<glm::vec3> positions;
   Array<glm::vec3> normals;
   Array<glm::vec2> texcoords;
   Array<glm::vec4> colors;
-  Array<std::uint32_t> triangles;  ///< three indices each
+  Array<std::uint32_t> triangles;  ///< three indices per triangle
 };
 
 class GltfReader {
@@ -85,7 +86,7 @@ class GltfReader {
     if (required == gltf_.root().end() || !required->is_array()) return;
     for (const Json& extension : *required) {
       if (extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression") {
-        gltf_.fail("compressed glTF cannot be read");
+        gltf_.fail("compressed glTF is not supported");
       }
     }
   }
@@ -94,15 +95,15 @@ class GltfReader {
     std::vector<std::uint64_t> list;
     const auto found = object.find(key);
     if (found == object.end()) return list;
-    if (!found->is_array()) gltf_.fail(std::string(key) + " is no array");
+    if (!found->is_array()) gltf_.fail(std::string(key) + " is not an array");
     for (const Json& index : *found) {
-      if (!index.is_number_unsigned()) gltf_.fail("a node that does not exist");
+      if (!index.is_number_unsigned()) gltf_.fail("a node index is not a non-negative integer");
       list.push_back(index.get<std::uint64_t>());
     }
     return list;
   }
 
-  /// Roots of the default scene; without scenes, the nodes that are nobody's children.
+  /// Returns the roots of the default scene; if there are no scenes, the nodes without a parent.
   std::vector<std::uint64_t> roots() {
     if (gltf_.count("scenes") > 0) {
       const std::uint64_t scene = gltf_.find_number(gltf_.root(), "scene").value_or(0);
@@ -121,7 +122,8 @@ class GltfReader {
     return list;
   }
 
-  /// Depth first, in the order of the file, without recursion: files can nest as deep as they like.
+  /// Visits the nodes depth first, in file order. Not recursive, because files can nest to any
+  /// depth.
   void walk(const std::vector<std::uint64_t>& roots) {
     std::vector<bool> is_visited(gltf_.count("nodes"), false);
     std::vector<Placed> stack;
@@ -135,7 +137,7 @@ class GltfReader {
       const Placed placed = stack.back();
       stack.pop_back();
       const Json& node = gltf_.element("nodes", placed.node);
-      if (is_visited[placed.node]) gltf_.fail("the nodes form no tree");
+      if (is_visited[placed.node]) gltf_.fail("the nodes do not form a tree");
       is_visited[placed.node] = true;
       const glm::dmat4 to_world = placed.to_world * local_transform(node);
       if (const auto mesh = gltf_.find_number(node, "mesh")) {
@@ -168,13 +170,12 @@ class GltfReader {
   void add_mesh(std::uint64_t index, const glm::dmat4& to_world, std::string_view node_name) {
     const Json& mesh = gltf_.element("meshes", index);
     const auto primitives = mesh.find("primitives");
-    if (primitives == mesh.end() || !primitives->is_array())
-      gltf_.fail("a mesh without primitives");
+    if (primitives == mesh.end() || !primitives->is_array()) gltf_.fail("a mesh has no primitives");
     const std::string_view name = node_name.empty() ? gltf_.text(mesh, "name") : node_name;
     Array<glm::vec3> positions;
     const std::size_t first_corner = soup_.corners.size();
     for (const Json& json : *primitives) {
-      if (!json.is_object()) gltf_.fail("a primitive is no object");
+      if (!json.is_object()) gltf_.fail("a primitive is not an object");
       Primitive primitive = read_primitive(json);
       spend(kPrimitiveCost + primitive.positions.size() + primitive.triangles.size());
       if (primitive.triangles.empty()) continue;
@@ -196,7 +197,7 @@ class GltfReader {
     const std::size_t vertices = gltf_.element_count(*position);
     primitive.triangles = triangles(json, mode, vertices);
     if (primitive.triangles.empty()) return primitive;
-    // Many primitives may share one long accessor, each using its part of it.
+    // Many primitives may share one long accessor and each use a part of it.
     const auto [low, high] =
         std::minmax_element(primitive.triangles.begin(), primitive.triangles.end());
     const std::uint32_t first = *low;
@@ -219,7 +220,7 @@ class GltfReader {
     if (const auto accessor = gltf_.find_number(json, "indices")) {
       list = gltf_.indices(*accessor);
     } else {
-      if (vertices >= kNone) gltf_.fail("more than 32-bit ids can count");
+      if (vertices >= kNone) gltf_.fail("more elements than 32-bit indices can address");
       list.resize(vertices);
       for (std::size_t i = 0; i < vertices; ++i)
         list[i] = static_cast<std::uint32_t>(i);
@@ -241,7 +242,7 @@ class GltfReader {
   }
 
   static void transform(Primitive& primitive, const glm::dmat4& to_world) {
-    if (to_world == glm::dmat4(1.0)) return;  // keeps every bit
+    if (to_world == glm::dmat4(1.0)) return;  // preserves every bit
     for (glm::vec3& p : primitive.positions) {
       p = glm::vec3(to_world * glm::dvec4(glm::dvec3(p), 1.0));
     }
@@ -255,18 +256,18 @@ class GltfReader {
       if (length > 0.0) n = glm::vec3(turned / length);
     }
     if (determinant >= 0.0) return;
-    // A mirrored mesh would show its inside.
+    // A mirroring transform turns the mesh inside out; swap two corners to undo that.
     for (std::size_t i = 0; i + 2 < primitive.triangles.size(); i += 3) {
       std::swap(primitive.triangles[i + 1], primitive.triangles[i + 2]);
     }
   }
 
-  /// Appends a value a corner; an attribute that only some primitives have is `absent` elsewhere.
+  /// Appends one value per corner. Corners of primitives without the attribute get `absent`.
   template <class Out, class In, class Convert>
   void add_values(Array<Out>& out, const Array<In>& in, const Primitive& primitive, Out absent,
                   Convert&& convert) {
     if (in.empty() && out.empty()) return;
-    out.resize(soup_.corners.size(), absent);  // corners before the first that have it
+    out.resize(soup_.corners.size(), absent);  // earlier corners without the attribute
     for (const std::uint32_t v : primitive.triangles) {
       out.push_back(in.empty() ? absent : convert(in[v]));
     }
@@ -286,16 +287,16 @@ class GltfReader {
       soup_.corners.push_back(first_vertex + v);
   }
 
-  /// Notes that so many values were read, and refuses a file that says the same again and again.
+  /// Adds to the count of values read. Fails if the file repeats its meshes too often.
   void spend(std::size_t values) {
     spent_ += values;
     if (spent_ > kAlwaysAllowed && spent_ / kMostPerByte > gltf_.byte_count()) {
-      gltf_.fail("its meshes are repeated beyond sense");
+      gltf_.fail("its meshes are instanced too often for the size of the file");
     }
-    if (spent_ >= kNone) gltf_.fail("more than 32-bit ids can count");
+    if (spent_ >= kNone) gltf_.fail("more elements than 32-bit indices can address");
   }
 
-  /// Adds a mesh's positions, each once, and lets its corners point at them.
+  /// Adds the distinct positions of a mesh and sets its corners to them.
   void join(const Array<glm::vec3>& positions, std::size_t first_corner) {
     const Weld welded = weld_positions(positions);
     const auto first_vertex = static_cast<std::uint32_t>(soup_.positions.size());

@@ -5,16 +5,18 @@
 
 namespace mesher {
 
-/// Reads glTF 2.0, text (.gltf, buffers within or beside it) or binary (.glb): the triangles of the
-/// default scene, each mesh placed by its nodes, with normals, texture coordinates (turned so that
-/// they count from the bottom, as in OBJ) and colours. Vertices of one mesh at bitwise equal places
-/// are joined: glTF splits them where attributes differ, and the surface would fall apart. The node
-/// and material name the group of a face. Points, lines, skins and morphs are passed over.
+/// Reads glTF 2.0, text (.gltf, with buffers inside or beside it) or binary (.glb).
 ///
-/// Ours rather than a library's: the one that Debian has is known to crash on hostile files, and
-/// every answer here comes from checked bytes. Cycles and nodes with two parents are refused, and
-/// so are repeated meshes that would swell a small file beyond sense. O(bytes + output log output).
-/// Throws InputError.
+/// Returns the triangles of the default scene with normals, texture coordinates and colors. Each
+/// mesh is transformed by its nodes. Texture coordinates are flipped to count from the bottom, as
+/// in OBJ. Vertices of one mesh at bitwise equal positions are merged: glTF splits vertices where
+/// attributes differ, and the surface would fall apart otherwise. The names of the node and the
+/// material form the group of a face. Points, lines, skins and morph targets are ignored.
+///
+/// This reader is our own because the library that Debian ships is known to crash on hostile files;
+/// here every value comes from checked bytes. Cycles and nodes with two parents are refused. So are
+/// repeated meshes that would expand a small file to an unreasonable size. O(bytes + output log
+/// output). Throws InputError.
 Soup read_gltf(const MappedFile& file);
 
 }  // namespace mesher

@@ -20,24 +20,24 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t kMostBytes = std::numeric_limits<std::uint32_t>::max();
 
-/// Vertices as the file has them.
+/// Vertices of the file.
 struct SplitVertices {
-  Array<std::uint32_t> index;   ///< one a corner
-  Array<std::uint32_t> vertex;  ///< the mesh's vertex of each
+  Array<std::uint32_t> index;   ///< one per corner
+  Array<std::uint32_t> vertex;  ///< mesh vertex of each file vertex
   Array<std::uint32_t> corner;  ///< a corner with its attributes; kNone for an isolated vertex
 };
 
-/// An array of the file, with a view of its own.
+/// An array of the file with its own buffer view.
 struct Accessor {
   const char* type;
   int component_type;
   std::size_t count;
   std::size_t element_bytes;
   int target;
-  Json more;  ///< what else its JSON says
+  Json more;  ///< further JSON members
 };
 
-/// Which attributes are written.
+/// Attributes to write.
 struct Carried {
   bool normal;
   bool texcoord;
@@ -53,8 +53,8 @@ bool same_attributes(const Attributes& attributes, const Carried& carried, Halfe
          (!carried.color || same(attributes.color));
 }
 
-/// Where a sweep around a vertex starts so that no run of like corners is cut in two: behind a
-/// change of attributes; on a boundary, at its start.
+/// Returns the half-edge at which a sweep around a vertex starts, so that no run of equal corners
+/// is split: after a change of attributes, or on a boundary at its start.
 template <class Same>
 Halfedge start_of_run(const Mesh& mesh, Vertex v, Same&& same) {
   const Halfedge start = mesh.outgoing(v);
@@ -99,7 +99,7 @@ SplitVertices split_vertices(const Mesh& mesh, const Attributes& attributes,
   return split;
 }
 
-/// One level of detail on its way into a file.
+/// Writes one level of detail.
 class LevelWriter {
  public:
   explicit LevelWriter(const GltfLevel& level)
@@ -113,8 +113,8 @@ class LevelWriter {
     split_ = split_vertices(mesh_, attributes_, carried_);
   }
 
-  /// Tells `add_accessor` of each accessor, in the order in which `write_data` writes them: type,
-  /// component type, count, bytes an element, target; it returns the accessor's index and its JSON.
+  /// Calls `add_accessor` for each accessor in the order of `write_data`, with type, component
+  /// type, count, bytes per element and target. It returns the accessor's index and its JSON.
   /// Returns the primitive.
   template <class AddAccessor>
   Json describe(AddAccessor&& add_accessor) const {
@@ -197,7 +197,8 @@ class GltfWriter {
   void run() {
     std::string json = document_.dump();
     if (!binary_) {
-      // The data goes where the document, which is known by now, cannot hold it twice.
+      // The data is written before the rest of the document, which is complete by now, so that the
+      // document need not hold it as well.
       file_.write("{\"buffers\":[{\"byteLength\":" + std::to_string(bytes_) +
                   ",\"uri\":\"data:application/octet-stream;base64,");
       Base64Writer<AtomicFile> text(file_);
@@ -223,7 +224,7 @@ class GltfWriter {
   }
 
  private:
-  /// Adds an accessor with a buffer view of its own and returns its index.
+  /// Adds an accessor with its own buffer view and returns the accessor's index.
   std::size_t add_accessor(Accessor&& accessor) {
     const std::uint64_t bytes = accessor.count * accessor.element_bytes;
     document_["bufferViews"].push_back({{"buffer", 0},
@@ -254,8 +255,8 @@ class GltfWriter {
     document_["scene"] = 0;
   }
 
-  /// The first node names the others, which are in no scene: whoever does not know of levels shows
-  /// the first.
+  /// The first node names the others, which are in no scene. A reader without support for levels
+  /// shows the first.
   void describe_chain(std::span<const GltfLevel> levels) {
     Json ids = Json::array();
     Json coverage = Json::array();

@@ -8,25 +8,28 @@
 
 namespace mesher {
 
-/// A mesh in one of its levels of detail.
+/// A mesh at one level of detail.
 struct GltfLevel {
   const Mesh* mesh;
   const Attributes* attributes;
-  /// The level is for sizes on the screen down to this: the fraction of its area that the model
+  /// Minimum screen coverage of this level: the fraction of the screen's area that the model
   /// covers.
   double least_coverage = 0.0;
 };
 
-/// Writes glTF 2.0, binary (.glb) or as text with the data inside it (.gltf, one file, whole or not
-/// at all): positions, normals where every corner has one, texture coordinates (turned so that they
-/// count from the top, as glTF has it; absent ones are 0) and colours. A vertex is repeated where
-/// the attributes of its corners differ. Does not commit. O(F). Throws OutputError past 4 GB, which
-/// the format cannot hold.
+/// Writes glTF 2.0, binary (.glb) or as text with the data embedded (.gltf, a single file).
+///
+/// Writes positions, normals if every corner has one, texture coordinates and colors. Texture
+/// coordinates are flipped to count from the top, as in glTF; missing ones are 0. A vertex is
+/// repeated where the attributes of its corners differ. Does not commit. O(F). Throws OutputError
+/// for an empty mesh, and for a .glb of more than 4 GB, the limit of the format.
 void write_gltf(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool binary);
 
-/// The same with levels of detail, the finest first: a node each, of which only the first is in the
-/// scene; it names the others (extension MSFT_lod, the coverages in extras.MSFT_screencoverage). So
-/// a program that does not know the extension shows the finest. Pre: there is one.
+/// Writes levels of detail, finest first, with one node per level.
+///
+/// Only the first node is in the scene. It names the others with the extension MSFT_lod, and its
+/// extras.MSFT_screencoverage lists the coverages. A program that does not know the extension shows
+/// the finest level. Pre: `levels` is not empty.
 void write_gltf(AtomicFile& file, std::span<const GltfLevel> levels, bool binary);
 
 }  // namespace mesher

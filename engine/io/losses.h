@@ -9,9 +9,9 @@
 
 namespace mesher {
 
-/// Returns what write_model leaves out or changes because the format cannot hold it, in a person's
-/// words ("3 creases", "normals (they differ around vertices)"). Empty: the file holds everything.
-/// O(F).
+/// Returns what write_model omits or changes because the format cannot store it, as phrases for the
+/// user ("3 creases", "normals (they differ around vertices)"). Empty: the file preserves
+/// everything. O(F).
 std::vector<std::string> losses_in_format(const std::filesystem::path& file, const Mesh& mesh,
                                           const Attributes& attributes);
 

@@ -26,7 +26,7 @@ struct Descriptor {
   }
 };
 
-// A named pipe says "end of file" until somebody opens it for writing: poll knows the difference.
+// A named pipe reads as ended until a writer opens it; poll tells the difference.
 void wait_for_data(int descriptor, Progress* progress) {
   pollfd readable{descriptor, POLLIN, 0};
   while (::poll(&readable, 1, kCancelCheckMs) == 0) {
@@ -38,15 +38,15 @@ void wait_for_data(int descriptor, Progress* progress) {
 
 MappedFile::MappedFile(const std::filesystem::path& file, Progress* progress)
     : name_(file.string()) {
-  // Without blocking: a pipe that nobody writes to must not hold up whoever wants to cancel.
+  // Open without blocking: a pipe without a writer must not delay cancelling.
   const Descriptor in{::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
   if (in.fd < 0) fail("cannot open");
   struct stat status = {};
   if (::fstat(in.fd, &status) != 0) fail("cannot open");
   if (S_ISDIR(status.st_mode)) throw InputError(name_, 0, "is a directory");
-  // A device may never end; a terminal is one too.
+  // Devices are refused because their data may never end. A terminal is a device too.
   if (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)) throw InputError(name_, 0, "is a device");
-  // Files under /proc say that they are empty and are not: those are read.
+  // Files under /proc report size 0 but are not empty, so they are read block by block.
   if (S_ISREG(status.st_mode) && status.st_size > 0) {
     map(in.fd, static_cast<std::size_t>(status.st_size));
   } else {
@@ -60,8 +60,8 @@ MappedFile::~MappedFile() {
 
 void MappedFile::map(int descriptor, std::size_t size) {
   const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-  // The padding: anonymous pages one further than the file needs, and the file laid over them. The
-  // kernel zeroes what is left of the file's last page.
+  // For the padding, map anonymous pages one page past the file's end, then map the file over them.
+  // The kernel zeroes the rest of the file's last page.
   const std::size_t bytes = (size / page + 2) * page;
   void* const area = ::mmap(nullptr, bytes, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (area == MAP_FAILED) fail("cannot map");

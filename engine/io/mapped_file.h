@@ -11,17 +11,19 @@
 
 namespace mesher {
 
-/// A whole file, read-only, as one span of bytes: mapped where it is a regular file, read block by
-/// block where it is a pipe (so `/dev/stdin` works). Sizes are 64-bit. Whoever cuts a
-/// regular file short while it is mapped ends the program; that is the price of not copying it.
+/// A whole file, read-only, as one span of bytes.
+///
+/// A regular file is memory-mapped. A pipe is read block by block (so `/dev/stdin` works). Sizes
+/// are 64-bit. If another program truncates a regular file while it is mapped, this program dies;
+/// that is the price of not copying the file.
 class MappedFile {
  public:
-  /// So many zero bytes may be read past the end: scanners that look a word ahead, or for the
-  /// character that ends a number, need no check of their own.
+  /// Number of zero bytes that may be read past the end. Scanners that look a word ahead, or for
+  /// the character that ends a number, need no bounds check.
   static constexpr std::size_t kPadding = 64;
 
-  /// Throws InputError where the file is missing, unreadable, a directory or a device; Cancelled
-  /// where `progress` is cancelled while a pipe keeps us waiting.
+  /// Throws InputError if the file is missing, unreadable, a directory or a device; Cancelled if
+  /// `progress` is cancelled while a pipe has no data.
   explicit MappedFile(const std::filesystem::path& file, Progress* progress = nullptr);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;
@@ -33,8 +35,8 @@ class MappedFile {
   std::size_t size() const { return size_; }
   std::string_view bytes() const { return {data_, size_}; }
 
-  /// Number of the line that holds `where`, counted from 1; a line ends at its newline. O(size),
-  /// meant for error messages. Pre: begin() <= where <= end().
+  /// Returns the number of the line that contains `where`, counted from 1. A line ends with its
+  /// newline. O(size); meant for error messages. Pre: begin() <= where <= end().
   std::uint64_t line_of(const char* where) const;
 
  private:
@@ -45,7 +47,7 @@ class MappedFile {
   std::string name_;
   const char* data_ = nullptr;
   std::size_t size_ = 0;
-  std::size_t mapped_bytes_ = 0;  ///< 0: the bytes lie in copy_
+  std::size_t mapped_bytes_ = 0;  ///< 0: the bytes are in copy_
   Array<char> copy_;
 };
 

@@ -16,8 +16,8 @@ using scan::is_digit;
 
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
-/// Length of a backslash and the line end, or the end of the file, that it hides; 0 where there is
-/// none. (A zero byte inside the file is then met next, and refused.)
+/// Returns the length of a backslash and the line end, or the end of the file, that it escapes; 0
+/// if there is none. (A zero byte inside the file is reached next and refused.)
 std::size_t continuation(const char* p) {
   if (p[0] != '\\') return 0;
   if (p[1] == '\n') return 2;
@@ -34,7 +34,7 @@ const char* skip_more_blanks(const char* p) {
   }
 }
 
-/// Skips blanks and continuations. One blank is by far the most common.
+/// Skips blanks and continuations. A single blank is by far the most common case.
 inline const char* skip_blanks(const char* p) {
   if (*p == ' ') ++p;
   if (static_cast<unsigned char>(*p) > ' ' && *p != '\\') return p;
@@ -45,7 +45,7 @@ std::uint8_t color_byte(float value) {
   return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
 }
 
-/// Each `statement` function gets the text behind its keyword and returns the start of the next
+/// Each `statement` function receives the text after its keyword. It returns the start of the next
 /// line, or null after an error.
 class Parser {
  public:
@@ -97,7 +97,7 @@ class Parser {
 
   bool ends_keyword(char c) const { return is_blank(c) || c == '\n' || c == '\\' || c == '\0'; }
 
-  /// Comments are not continued: a backslash may well end a path in one.
+  /// Comments are not continued: a path in one may end in a backslash.
   const char* past_line(const char* p) const {
     if (p >= end_) return end_;
     const void* const newline = std::memchr(p, '\n', static_cast<std::size_t>(end_ - p));
@@ -141,7 +141,8 @@ class Parser {
     return vertex_color(skip_blanks(p));
   }
 
-  /// Behind the coordinates: nothing, a weight, or a colour of three or four parts.
+  /// Reads the text after the coordinates: nothing, a weight, or a color of three or four
+  /// components.
   const char* vertex_color(const char* p) {
     float extra[4];
     int count = 0;
@@ -221,7 +222,7 @@ class Parser {
     chunk_.face_end.push(static_cast<std::uint32_t>(corners));
   }
 
-  /// Reads "/t", "//n" or "/t/n" of the corner that was pushed last.
+  /// Reads "/t", "//n" or "/t/n" of the last pushed corner.
   const char* corner_attributes(const char* p) {
     for (ObjKind kind : {kObjTexcoord, kObjNormal}) {
       if (*p != '/') break;
@@ -289,7 +290,7 @@ class Parser {
     return scan::ends_token(*next) ? next : fail(p, "a crease needs vertex numbers");
   }
 
-  /// `e a b [sharpness]`
+  /// Reads `e a b [sharpness]`.
   const char* edge(const char* p) {
     ObjTag found{.is_based_on_zero = false, .sharpness = kInfinite, .where = p};
     p = vertex_number(p, found.a);
@@ -302,8 +303,8 @@ class Parser {
     return past_line(p);
   }
 
-  /// `t crease i/f/s i0 i1 .. f0 ..` (a chain of edges) and `t corner i/f/s i0 .. f0 ..`, with one
-  /// sharpness for all or one for each; other tags are none of ours.
+  /// Reads `t crease i/f/s i0 i1 .. f0 ..` (a chain of edges) and `t corner i/f/s i0 .. f0 ..`,
+  /// with one sharpness for all or one for each. Ignores other tags.
   const char* tag(const char* p) {
     const char* const where = p = skip_blanks(p);
     const bool is_corner = std::strncmp(p, "corner", 6) == 0 && ends_keyword(p[6]);
@@ -318,13 +319,13 @@ class Parser {
     }
     std::vector<float> sharpness;
     for (std::uint32_t i = 0; i < counts[1] && p != nullptr; ++i) {
-      p = number(p, sharpness.emplace_back(), "a tag has fewer numbers than it says");
+      p = number(p, sharpness.emplace_back(), "a tag has fewer values than its counts declare");
     }
     if (p == nullptr) return nullptr;
     const std::size_t tags =
         is_corner ? vertices.size() : vertices.size() - (vertices.empty() ? 0 : 1);
     if (sharpness.size() != 1 && sharpness.size() != tags) {
-      return fail(where, "a tag needs one sharpness, or one for each");
+      return fail(where, "a tag needs one sharpness, or one per edge or vertex");
     }
     for (std::size_t i = 0; i < tags; ++i) {
       chunk_.tags.push_back({is_corner, true, vertices[i], is_corner ? 0 : vertices[i + 1],
@@ -347,8 +348,9 @@ class Parser {
   ObjChunk& chunk_;
 };
 
-/// Makes room for the most that so many bytes can say: a corner takes at least two ("1 "), a face
-/// two ("f\n"), a position and a normal eight ("v 1 1 1\n"), a texture coordinate four ("vt 1\n").
+/// Makes room for the largest contents of `bytes` bytes. A corner takes at least two ("1 "), a face
+/// two ("f\n"), a position or normal eight ("v 1 1 1\n"), and a texture coordinate five ("vt 1\n");
+/// the divisors do not exceed these.
 void start(ObjChunk& chunk, std::size_t bytes) {
   chunk.positions.start(bytes / 6 + 1);
   chunk.colors.start(bytes / 6 + 1);
@@ -376,7 +378,7 @@ void parse_obj_chunk(const char* begin, const char* end, const ObjBounds (&bound
 }
 
 const char* next_obj_line(const char* text_begin, const char* from, const char* end) {
-  // The newline that ends the line before `from` may stand right before it.
+  // The newline that ends the line before `from` may be the character right before it.
   const char* p = from > text_begin ? from - 1 : from;
   for (;;) {
     if (p >= end) return end;

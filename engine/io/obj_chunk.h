@@ -12,23 +12,24 @@
 
 namespace mesher {
 
-/// Space for a known largest number of elements, used again from chunk to chunk: appending is a
-/// store and an increment, and pages that are never reached are never filled.
+/// Reusable storage with a fixed capacity. Appending is a store and an increment. Pages that are
+/// never reached are never touched.
 template <class T>
 class Scratch {
  public:
-  /// Empties it and makes room for `capacity` elements.
+  /// Clears it and makes room for `capacity` elements.
   void start(std::size_t capacity) {
     size_ = 0;
     if (storage_.size() >= capacity) return;
-    storage_.clear();  // nothing to carry over
+    storage_.clear();  // no elements to copy
     storage_.resize(capacity);
   }
   void push(const T& value) {
     MESHER_ASSERT(size_ < storage_.size());
     storage_.data()[size_++] = value;
   }
-  /// Appends copies up to a size. For arrays that begin to matter half way.
+  /// Appends copies of `value` until the size is `size`. For arrays that are first needed halfway
+  /// through.
   void fill_up(std::size_t size, const T& value) {
     while (size_ < size)
       push(value);
@@ -44,12 +45,12 @@ class Scratch {
   std::size_t size_ = 0;
 };
 
-/// The three things that OBJ counts.
+/// The three kinds of elements that OBJ indexes.
 enum ObjKind : std::uint8_t { kObjVertex, kObjTexcoord, kObjNormal };
 inline constexpr int kObjKinds = 3;
 
-/// What a corner's indices may name. As far as a chunk knows while the others are still being
-/// parsed: anything.
+/// Range of valid indices of a corner. The defaults allow any index, because a chunk does not know
+/// the range while other chunks are still being parsed.
 struct ObjBounds {
   std::uint64_t count = 0xFFFFFFFFU;  ///< in the whole file
   std::uint64_t before = 1ULL << 40;  ///< in the chunks before this one
@@ -57,39 +58,40 @@ struct ObjBounds {
 
 /// One kind of index of a chunk's corners.
 struct ObjIndices {
-  /// One a corner, or empty where no corner has this kind; counted from 0, kNone where absent. A
-  /// relative index counts from the chunk's start, and wraps below zero where it reaches back.
+  /// One per corner, counted from 0; kNone if the corner has no index. Empty if no corner has this
+  /// kind. A relative index counts from the start of the chunk and wraps below zero if it refers to
+  /// an earlier chunk.
   Scratch<std::uint32_t> index;
   std::vector<std::uint32_t> relative;  ///< corners whose index is relative
-  std::uint32_t largest = 0;            ///< of the absolute ones, counted from 1
-  std::uint64_t reach_back = 0;         ///< how far before the chunk a relative one reaches
+  std::uint32_t largest = 0;            ///< absolute index, counted from 1
+  std::uint64_t reach_back = 0;         ///< largest distance of a relative index before the chunk
 };
 
-/// A name takes effect: `g`, `o` or `usemtl`.
+/// A change of name by `g`, `o` or `usemtl`.
 struct ObjName {
   char kind;           ///< 'g', 'o' or 'u'
-  std::uint32_t face;  ///< first face of the chunk that has it
+  std::uint32_t face;  ///< first face of the chunk with the name
   std::string_view name;
 };
 
-/// A crease or a corner as written.
+/// A crease or a corner as written in the file.
 struct ObjTag {
   bool is_corner = false;
-  bool is_based_on_zero = true;  ///< false for `e`, whose base the file as a whole decides
+  bool is_based_on_zero = true;  ///< false for `e`: the whole file decides its base
   std::uint32_t a = 0;
   std::uint32_t b = 0;
   float sharpness = 0.0F;
   const char* where = nullptr;
 };
 
-/// What a run of whole lines of an OBJ file says, counted from its own start.
+/// The contents of a run of whole lines of an OBJ file, counted from its own start.
 struct ObjChunk {
   Scratch<glm::vec3> positions;
-  Scratch<glm::u8vec4> colors;  ///< one a position, or empty
+  Scratch<glm::u8vec4> colors;  ///< one per position, or empty
   Scratch<glm::vec2> texcoords;
   Scratch<glm::vec3> normals;
   ObjIndices indices[kObjKinds];
-  Scratch<std::uint32_t> face_end;  ///< one a face: number of corners up to its last
+  Scratch<std::uint32_t> face_end;  ///< one per face: number of corners up to its last
   bool all_triangles = true;
   std::vector<ObjName> names;
   std::vector<ObjTag> tags;
@@ -100,13 +102,14 @@ struct ObjChunk {
   std::size_t corner_count() const { return indices[kObjVertex].index.size(); }
 };
 
-/// Parses whole lines [begin, end) into `chunk`, whose contents are replaced; stops at the first
-/// error and notes it there. Never throws but for lack of memory. Pre: the text lies in a
-/// MappedFile, and both ends are starts of lines or the end of the file.
+/// Parses the whole lines [begin, end) into `chunk` and replaces its contents.
+///
+/// Stops at the first error and records it in `chunk`. Throws only if out of memory. Pre: the text
+/// is in a MappedFile, and both ends are starts of lines or the end of the file.
 void parse_obj_chunk(const char* begin, const char* end, const ObjBounds (&bounds)[kObjKinds],
                      ObjChunk& chunk);
 
-/// Start of the first line at or after `from`: continued lines are not torn apart.
+/// Returns the start of the first line at or after `from`. Does not split continued lines.
 const char* next_obj_line(const char* text_begin, const char* from, const char* end);
 
 }  // namespace mesher

@@ -14,7 +14,7 @@ VertexPair ordered(std::uint32_t a, std::uint32_t b) {
   return std::minmax(a, b);
 }
 
-/// Pairs of vertices, and which of them some face has as an edge.
+/// Pairs of vertices, and a flag for each pair that is an edge of some face.
 class EdgeSearch {
  public:
   EdgeSearch(std::vector<VertexPair> pairs, std::size_t vertex_count)
@@ -28,7 +28,7 @@ class EdgeSearch {
   }
 
   void look_at(std::uint32_t a, std::uint32_t b) {
-    // Nearly every edge of a mesh ends here; the search is for the few.
+    // Nearly every edge of a mesh returns here; only a few need the search.
     if (!is_named_[a] || !is_named_[b]) return;
     const auto at = std::lower_bound(pairs_.begin(), pairs_.end(), ordered(a, b));
     if (at != pairs_.end() && *at == ordered(a, b)) found_[at - pairs_.begin()] = true;
@@ -82,7 +82,7 @@ void add_obj_tags(const MappedFile& file, std::optional<int> base, const std::ve
   if (tags.empty()) return;
   const std::uint32_t e_base = base ? static_cast<std::uint32_t>(*base) : likelier_base(tags, soup);
   for (const ObjTag& tag : tags) {
-    // Below the base wraps around, and is out of range too.
+    // An index below the base wraps around and is out of range too.
     const std::uint32_t a = tag.a - (tag.is_based_on_zero ? 0 : e_base);
     const std::uint32_t b = tag.b - (tag.is_based_on_zero ? 0 : e_base);
     if (a >= soup.positions.size() || (!tag.is_corner && b >= soup.positions.size())) {

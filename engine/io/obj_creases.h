@@ -9,10 +9,11 @@
 
 namespace mesher {
 
-/// Puts the creases and corners of an OBJ file into its soup. `e` lines count vertices from `base`;
-/// where that is not said, from the base that makes more of the pairs edges of faces, 0 where both
-/// make as many. O(corners) where the base must be decided. Throws InputError with the line of a
-/// vertex that does not exist.
+/// Adds the creases and corners of an OBJ file to its soup.
+///
+/// `e` lines count vertices from `base`. If it is not set, the base is the one for which more pairs
+/// are edges of faces; 0 if both give the same number. O(corners) if the base must be determined.
+/// Throws InputError with the line of a vertex that does not exist.
 void add_obj_tags(const MappedFile& file, std::optional<int> base, const std::vector<ObjTag>& tags,
                   Soup& soup);
 

@@ -15,29 +15,31 @@
 namespace mesher {
 namespace {
 
-/// Text of a chunk. Small enough to stay in a core's cache together with what it says.
+/// Bytes of text per chunk. Small enough that the text and its contents fit in a core's cache.
 constexpr std::size_t kChunkBytes = std::size_t{1} << 18;
-/// Chunks that are parsed before their contents are put together.
+/// Number of chunks parsed before their contents are combined.
 constexpr std::size_t kWave = 16;
-/// Elements that one thread gathers at a time.
+/// Number of elements that one thread gathers at a time.
 constexpr std::size_t kGrain = std::size_t{1} << 15;
 
-/// Where a chunk lies and what came before it: enough to find an error's line later.
-struct ChunkPlace {
+/// Range of a chunk and the element counts before it: enough to find an error's line later.
+struct ChunkRange {
   const char* begin;
   const char* end;
   std::size_t before[kObjKinds];
 };
 
-/// Which part of the file a wave is: shares of its bytes.
+/// Part of the file that a wave covers, as fractions of its bytes.
 struct Stretch {
   double begin;
   double end;
 };
 
-/// Makes an array longer by what a wave brings. Where that needs new memory, the rest of the file
-/// is expected to say as much a byte as this wave, so that an array moves once or twice at most.
-/// (Pages that are reserved and never reached cost nothing.)
+/// Extends an array to `size` elements after a wave.
+///
+/// If that needs new memory, it reserves enough for the rest of the file, assuming as many elements
+/// per byte as in this wave. So an array moves once or twice at most. (Reserved pages that are
+/// never reached cost nothing.)
 template <class T>
 void grow(Array<T>& array, std::size_t size, Stretch wave) {
   if (size > array.capacity()) {
@@ -48,7 +50,7 @@ void grow(Array<T>& array, std::size_t size, Stretch wave) {
   array.resize(size);
 }
 
-/// Puts chunks together in the order of the file.
+/// Combines chunks in file order.
 class ObjAssembly {
  public:
   ObjAssembly(const MappedFile& file, const ReadOptions& options)
@@ -58,16 +60,16 @@ class ObjAssembly {
     const char* p = text_start(file_);
     std::vector<ObjChunk> wave(kWave);
     while (p < file_.end()) {
-      std::vector<ChunkPlace> places;
-      while (places.size() < kWave && p < file_.end()) {
+      std::vector<ChunkRange> ranges;
+      while (ranges.size() < kWave && p < file_.end()) {
         const std::size_t left = static_cast<std::size_t>(file_.end() - p);
         const char* const end =
             left <= kChunkBytes ? file_.end() : next_obj_line(p, p + kChunkBytes, file_.end());
-        places.push_back({p, end, {}});
+        ranges.push_back({p, end, {}});
         p = end;
       }
-      parse(places, wave);
-      append(places, wave);
+      parse(ranges, wave);
+      append(ranges, wave);
       report(options_.progress, static_cast<float>(share(p)));
     }
     return finish();
@@ -82,35 +84,35 @@ class ObjAssembly {
     throw InputError(file_.name(), file_.line_of(where), reason);
   }
 
-  void parse(const std::vector<ChunkPlace>& places, std::vector<ObjChunk>& wave) const {
+  void parse(const std::vector<ChunkRange>& ranges, std::vector<ObjChunk>& wave) const {
     static constexpr ObjBounds kAnything[kObjKinds] = {};
-    parallel_chunks(places.size(), 1, [&](std::size_t i, IndexRange) {
-      parse_obj_chunk(places[i].begin, places[i].end, kAnything, wave[i]);
+    parallel_chunks(ranges.size(), 1, [&](std::size_t i, IndexRange) {
+      parse_obj_chunk(ranges[i].begin, ranges[i].end, kAnything, wave[i]);
     });
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
       if (wave[i].error != nullptr) fail(wave[i].error_at, wave[i].error);
     }
   }
 
-  void append(std::vector<ChunkPlace>& places, const std::vector<ObjChunk>& wave) {
+  void append(std::vector<ChunkRange>& ranges, const std::vector<ObjChunk>& wave) {
     const std::size_t first_face = face_count_;
     const std::size_t first_corner = corner_count_;
-    std::vector<std::size_t> corner_at(places.size());
-    std::vector<std::size_t> face_at(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      std::copy_n(count_, kObjKinds, places[i].before);
+    std::vector<std::size_t> corner_at(ranges.size());
+    std::vector<std::size_t> face_at(ranges.size());
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      std::copy_n(count_, kObjKinds, ranges[i].before);
       corner_at[i] = corner_count_;
       face_at[i] = face_count_;
-      count(wave[i], places[i]);
+      count(wave[i], ranges[i]);
     }
-    make_room(first_corner, first_face, {share(places.front().begin), share(places.back().end)});
-    parallel_chunks(places.size(), 1, [&](std::size_t i, IndexRange) {
-      copy_chunk(wave[i], places[i], corner_at[i], face_at[i]);
+    make_room(first_corner, first_face, {share(ranges.front().begin), share(ranges.back().end)});
+    parallel_chunks(ranges.size(), 1, [&](std::size_t i, IndexRange) {
+      copy_chunk(wave[i], ranges[i], corner_at[i], face_at[i]);
     });
   }
 
-  /// Adds up what a chunk brings, and takes over what is rare.
-  void count(const ObjChunk& chunk, const ChunkPlace& place) {
+  /// Adds a chunk's element counts and takes over its rare contents.
+  void count(const ObjChunk& chunk, const ChunkRange& range) {
     for (const ObjName& name : chunk.names) {
       rename(name, static_cast<std::uint32_t>(face_count_ + name.face));
     }
@@ -122,10 +124,10 @@ class ObjAssembly {
       reaches_too_far = reaches_too_far || indices.reach_back > count_[kind];
       if (indices.largest > largest_[kind]) {
         largest_[kind] = indices.largest;
-        largest_at_[kind] = place;
+        largest_at_[kind] = range;
       }
     }
-    if (reaches_too_far) fail_in(place, false);
+    if (reaches_too_far) fail_in(range, false);
     count_[kObjVertex] += chunk.positions.size();
     count_[kObjTexcoord] += chunk.texcoords.size();
     count_[kObjNormal] += chunk.normals.size();
@@ -135,7 +137,7 @@ class ObjAssembly {
     all_triangles_ = all_triangles_ && chunk.all_triangles;
     constexpr std::size_t kMost = kNone - 1;
     if (std::max({corner_count_, face_count_, count_[0], count_[1], count_[2]}) > kMost) {
-      throw InputError(file_.name(), 0, "more than 32-bit ids can count");
+      throw InputError(file_.name(), 0, "more elements than 32-bit indices can address");
     }
   }
 
@@ -167,23 +169,23 @@ class ObjAssembly {
     std::fill(array.begin() + static_cast<std::ptrdiff_t>(before), array.end(), value);
   }
 
-  void copy_chunk(const ObjChunk& chunk, const ChunkPlace& place, std::size_t corner_at,
+  void copy_chunk(const ObjChunk& chunk, const ChunkRange& range, std::size_t corner_at,
                   std::size_t face_at) {
     const auto copy = [](const auto& from, auto& to, std::size_t at) {
       std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(at));
     };
-    copy(chunk.positions, soup_.positions, place.before[kObjVertex]);
-    copy(chunk.texcoords, texcoords_, place.before[kObjTexcoord]);
-    copy(chunk.normals, normals_, place.before[kObjNormal]);
-    if (has_colors_) copy(chunk.colors, colors_, place.before[kObjVertex]);
-    copy_indices(chunk.indices[kObjVertex], place.before[kObjVertex], soup_.corners, corner_at);
+    copy(chunk.positions, soup_.positions, range.before[kObjVertex]);
+    copy(chunk.texcoords, texcoords_, range.before[kObjTexcoord]);
+    copy(chunk.normals, normals_, range.before[kObjNormal]);
+    if (has_colors_) copy(chunk.colors, colors_, range.before[kObjVertex]);
+    copy_indices(chunk.indices[kObjVertex], range.before[kObjVertex], soup_.corners, corner_at);
     for (ObjKind kind : {kObjTexcoord, kObjNormal}) {
       if (!has_[kind]) continue;
       if (chunk.indices[kind].index.empty()) {
         std::fill_n(index_[kind].begin() + static_cast<std::ptrdiff_t>(corner_at),
                     chunk.corner_count(), kNone);
       } else {
-        copy_indices(chunk.indices[kind], place.before[kind], index_[kind], corner_at);
+        copy_indices(chunk.indices[kind], range.before[kind], index_[kind], corner_at);
       }
     }
     if (all_triangles_) return;
@@ -230,17 +232,17 @@ class ObjAssembly {
     return std::move(soup_);
   }
 
-  /// Parses a chunk that is known to have an index out of range once more, now knowing the range.
-  [[noreturn]] void fail_in(const ChunkPlace& place, bool is_whole_file_read) const {
+  /// Parses a chunk with an index out of range again, now with known bounds, to report the error.
+  [[noreturn]] void fail_in(const ChunkRange& range, bool is_whole_file_read) const {
     ObjBounds bounds[kObjKinds];
     for (int kind = 0; kind < kObjKinds; ++kind) {
-      // While chunks are still to come, how far forward an index may point is not known.
+      // While chunks remain, the limit on forward references is unknown.
       if (is_whole_file_read) bounds[kind].count = count_[kind];
-      bounds[kind].before = place.before[kind];
+      bounds[kind].before = range.before[kind];
     }
     ObjChunk chunk;
-    parse_obj_chunk(place.begin, place.end, bounds, chunk);
-    fail(chunk.error != nullptr ? chunk.error_at : place.begin,
+    parse_obj_chunk(range.begin, range.end, bounds, chunk);
+    fail(chunk.error != nullptr ? chunk.error_at : range.begin,
          chunk.error != nullptr ? chunk.error : "index out of range");
   }
 
@@ -273,7 +275,7 @@ class ObjAssembly {
     });
   }
 
-  /// Groups are kept where faces are in more than one. Names are numbered by first face.
+  /// Keeps groups if the faces are in more than one. Numbers names by first face.
   void gather_groups() {
     group_changes_.insert(group_changes_.begin(), GroupChange{0, kNone});
     group_changes_.push_back({static_cast<std::uint32_t>(face_count_), kNone});
@@ -299,7 +301,7 @@ class ObjAssembly {
 
   struct GroupChange {
     std::uint32_t face;
-    std::uint32_t group;  ///< kNone before the first name
+    std::uint32_t group;  ///< kNone until the first name
   };
 
   const MappedFile& file_;
@@ -312,8 +314,8 @@ class ObjAssembly {
   bool has_colors_ = false;
   bool all_triangles_ = true;
   std::uint32_t largest_[kObjKinds] = {};
-  ChunkPlace largest_at_[kObjKinds] = {};
-  Array<std::uint32_t> index_[kObjKinds];  ///< the vertices' are soup_.corners
+  ChunkRange largest_at_[kObjKinds] = {};
+  Array<std::uint32_t> index_[kObjKinds];  ///< those of vertices are soup_.corners
   Array<glm::vec2> texcoords_;
   Array<glm::vec3> normals_;
   Array<glm::u8vec4> colors_;

@@ -11,7 +11,7 @@ namespace mesher {
 namespace {
 
 constexpr std::size_t kNumber = 16;  ///< a float and the blank before it
-constexpr std::size_t kIndex = 11;   ///< an index and what separates it
+constexpr std::size_t kIndex = 11;   ///< an index and its separator
 
 /// Distinct values of a corner attribute; corners without one have kNone.
 template <class T>
@@ -70,7 +70,7 @@ void write_positions(AtomicFile& file, const Mesh& mesh, const Attributes& attri
   });
 }
 
-/// Names come from other formats too, where they may hold anything.
+/// Replaces control characters. Names also come from other formats, where they may hold anything.
 std::string one_line(std::string name) {
   for (char& c : name) {
     if (static_cast<unsigned char>(c) < ' ') c = '_';

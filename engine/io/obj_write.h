@@ -6,11 +6,13 @@
 
 namespace mesher {
 
-/// Writes Wavefront OBJ: `v` (with colour where each vertex has one colour), `vt` and `vn` without
-/// repetition, `f`, groups as `g` in runs of faces, and creases as `e a b s`, counted from 0, with
-/// a comment that says so; vertices with a sharpness of their own as `t corner`. Numbers are the
-/// shortest that read back as the same floats. Does not commit. O(F log F) with attributes, else
-/// O(F).
+/// Writes Wavefront OBJ.
+///
+/// Writes `v` (with color if each vertex has one color), `vt` and `vn` without duplicates, `f`,
+/// groups as `g` in runs of faces, and creases as `e a b s`. Creases count vertices from 0, and a
+/// comment in the file says so. Vertices with a sharpness of their own are written as `t corner`.
+/// Numbers are the shortest that read back as the same floats. Does not commit. O(F log F) with
+/// attributes, else O(F).
 void write_obj(AtomicFile& file, const Mesh& mesh, const Attributes& attributes);
 
 }  // namespace mesher

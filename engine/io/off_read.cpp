@@ -12,7 +12,7 @@
 namespace mesher {
 namespace {
 
-/// What the first word promises of each vertex.
+/// Attributes per vertex, as the first word declares them.
 struct OffKind {
   bool has_texcoords = false;
   bool has_colors = false;
@@ -32,22 +32,22 @@ OffKind read_kind(TextCursor& text) {
   kind.has_colors = take_prefix(word, "C");
   kind.has_normals = take_prefix(word, "N");
   if (word == "4OFF" || word == "nOFF" || word == "4nOFF") {
-    text.fail("only three-dimensional OFF can be read");
+    text.fail("only three-dimensional OFF is supported");
   }
   if (word != "OFF") text.fail("does not begin with OFF");
-  if (!text.at_line_end() && *text.position() == 'B') text.fail("binary OFF cannot be read");
+  if (!text.at_line_end() && *text.position() == 'B') text.fail("binary OFF is not supported");
   return kind;
 }
 
-/// A number of elements that each take at least `least_bytes` of the text still to come.
+/// Reads a number of elements that each take at least `least_bytes` of the remaining text.
 std::size_t read_count(TextCursor& text, std::size_t least_bytes) {
   const std::int64_t count = text.integer();
-  if (count < 0) text.fail("a count below zero");
-  // The very last element needs no line end.
+  if (count < 0) text.fail("a negative count");
+  // The last element needs no line end.
   if (static_cast<std::uint64_t>(count) > text.bytes_left() / least_bytes + 1) {
     text.fail("the file is too short for so many elements");
   }
-  if (count >= kNone) text.fail("more than 32-bit ids can count");
+  if (count >= kNone) text.fail("more elements than 32-bit indices can address");
   return static_cast<std::size_t>(count);
 }
 
@@ -92,8 +92,8 @@ class OffReader {
     text_.skip_line();
   }
 
-  /// Three or four numbers, 0..255 where whole and 0..1 where written with a point. `after`: how
-  /// many numbers of the line belong to something else.
+  /// Reads a color of three or four numbers: 0..255 if whole, 0..1 if written with a decimal point.
+  /// `after` numbers at the end of the line belong to something else.
   void read_color(std::size_t after) {
     std::string_view words[6];
     double values[6] = {};
@@ -104,7 +104,7 @@ class OffReader {
       words[count] = again.word();
       values[count++] = ahead.wide_number();
     }
-    if (count < 3 + after) ahead.fail("a vertex without its colour");
+    if (count < 3 + after) ahead.fail("a vertex has no color");
     const std::size_t parts = count - after;
     const bool is_fraction = std::any_of(words, words + parts, [](std::string_view word) {
       return word.find('.') != std::string_view::npos;
@@ -121,7 +121,7 @@ class OffReader {
 
   void read_face() {
     const std::int64_t corners = text_.integer();
-    if (corners < 0) text_.fail("a face with a count below zero");
+    if (corners < 0) text_.fail("a face with a negative count");
     if (static_cast<std::uint64_t>(corners) > text_.bytes_left() / 2 + 1) {
       text_.fail("the file is too short for this face");
     }
@@ -132,9 +132,9 @@ class OffReader {
       }
       soup_.corners.push_back(static_cast<std::uint32_t>(index));
     }
-    if (soup_.corners.size() >= kNone) text_.fail("more than 32-bit ids can count");
+    if (soup_.corners.size() >= kNone) text_.fail("more elements than 32-bit indices can address");
     soup_.face_start.push_back(static_cast<std::uint32_t>(soup_.corners.size()));
-    text_.skip_line();  // a colour, perhaps
+    text_.skip_line();  // may hold a color
   }
 
   TextCursor text_;

@@ -8,7 +8,7 @@
 namespace mesher {
 namespace {
 
-/// More than any real file has, and few enough that looking through all of them stays quick.
+/// Limit on properties: more than any real file has, and few enough to search quickly.
 constexpr std::size_t kMostProperties = 1000;
 
 std::optional<PlyType> type_of(std::string_view name) {
@@ -43,10 +43,10 @@ class HeaderReader {
       } else if (keyword == "property") {
         read_property();
       } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
-        fail("unknown word in the header");
+        fail("unknown keyword in the header");
       }
     }
-    if (!has_format_) fail("the header names no format");
+    if (!has_format_) fail("the header has no format line");
     header_.data = p_;
     return std::move(header_);
   }
@@ -61,10 +61,10 @@ class HeaderReader {
     const char* const begin = p_;
     while (p_ < file_.end() && *p_ != '\n' && *p_ != '\r')
       ++p_;
-    if (p_ >= file_.end()) fail("the header has no end");
+    if (p_ >= file_.end()) fail("the header has no end_header line");
     line_ = {begin, static_cast<std::size_t>(p_ - begin)};
-    // Which line end the file uses is settled by its first line: behind a lone carriage return,
-    // a newline may well be the first byte of the data.
+    // The first line decides which line end the file uses. After a lone carriage return, a newline
+    // may be the first byte of the data.
     if (line_number_ == 1) is_crlf_ = p_[0] == '\r' && p_[1] == '\n';
     p_ += is_crlf_ && p_[0] == '\r' && p_[1] == '\n' ? 2 : 1;
   }
@@ -102,7 +102,7 @@ class HeaderReader {
       fail("an element needs a name and a count");
     }
     for (const PlyElement& other : header_.elements) {
-      if (other.name == element.name) fail("an element is named twice");
+      if (other.name == element.name) fail("an element is declared twice");
     }
     if (header_.elements.size() >= kMostProperties) fail("too many elements");
     header_.elements.push_back(std::move(element));
@@ -115,12 +115,12 @@ class HeaderReader {
   }
 
   void read_property() {
-    if (header_.elements.empty()) fail("a property before any element");
+    if (header_.elements.empty()) fail("a property precedes the first element");
     PlyProperty property;
     const std::string_view before = line_;
     if (word() == "list") {
       property.count_type = read_type();
-      if (!is_whole(*property.count_type)) fail("a list must be counted in whole numbers");
+      if (!is_whole(*property.count_type)) fail("a list count must have an integer type");
     } else {
       line_ = before;
     }

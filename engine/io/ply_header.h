@@ -13,7 +13,7 @@ namespace mesher {
 enum class PlyEncoding { text, little_endian, big_endian };
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-/// Bytes of a value in the binary encodings.
+/// Returns the size in bytes of a value in the binary encodings.
 std::size_t size_of(PlyType type);
 inline bool is_whole(PlyType type) {
   return type < PlyType::float32;
@@ -21,23 +21,23 @@ inline bool is_whole(PlyType type) {
 
 struct PlyProperty {
   std::string name;
-  PlyType type = PlyType::float32;    ///< of the value, or of each item of the list
+  PlyType type = PlyType::float32;    ///< type of the value, or of each list item
   std::optional<PlyType> count_type;  ///< set for a list
 };
 
 struct PlyElement {
   std::string name;
-  std::uint64_t count = 0;  ///< as announced: not to be trusted
+  std::uint64_t count = 0;  ///< as the header says; do not trust it
   std::vector<PlyProperty> properties;
 };
 
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::text;
   std::vector<PlyElement> elements;
-  const char* data = nullptr;  ///< first byte behind the header
+  const char* data = nullptr;  ///< first byte after the header
 };
 
-/// Reads the header of a PLY file, with any line end. Throws InputError with the line.
+/// Reads the header of a PLY file with any kind of line end. Throws InputError with the line.
 PlyHeader read_ply_header(const MappedFile& file);
 
 }  // namespace mesher

@@ -16,21 +16,22 @@
 namespace mesher {
 namespace {
 
-/// Values one after another out of a text file.
+/// Reads values one by one from a text file.
 class TextValues {
  public:
   TextValues(const MappedFile& file, const char* data) : text_(file, data) {}
   static constexpr std::size_t least_bytes(PlyType) { return 1; }
 
-  /// Values that may still follow, at most.
+  /// Returns a bound on the number of values that may follow.
   std::size_t bytes_left() const { return text_.bytes_left() / 2 + 1; }
   float next_float(PlyType) { return text_.number(); }
   double next(PlyType) { return text_.wide_number(); }
   std::int64_t next_whole(PlyType) { return text_.integer(); }
   void skip(PlyType) { text_.word(); }
-  /// A row is a line: one that goes on belongs to another element, as where a count is wrong.
+  /// A row is one line. A line with more values belongs to another element, for example if a count
+  /// is wrong.
   void end_row() {
-    if (!text_.at_row_end()) text_.fail("a line has more values than the header says");
+    if (!text_.at_row_end()) text_.fail("a line has more values than the header declares");
   }
   [[noreturn]] void fail(std::string_view reason) { text_.fail(reason); }
 
@@ -38,7 +39,7 @@ class TextValues {
   TextCursor text_;
 };
 
-/// Values out of a binary file; `kSwapped` where its byte order is not the machine's.
+/// Reads values from a binary file. `kSwapped`: its byte order is not the machine's.
 template <bool kSwapped>
 class BinaryValues {
  public:
@@ -83,7 +84,7 @@ class BinaryValues {
       case PlyType::float64:
         break;
     }
-    fail("indices must be whole numbers");
+    fail("indices must be integers");
   }
   void skip(PlyType type) { need(size_of(type)), p_ += size_of(type); }
   void end_row() {}
@@ -109,7 +110,7 @@ class BinaryValues {
   const char* p_;
 };
 
-/// What a property of a vertex is to us.
+/// Role of a vertex property.
 enum class Role { none, position, normal, texcoord, color };
 struct Slot {
   Role role = Role::none;
@@ -136,7 +137,8 @@ Slot slot_of(std::string_view name) {
   return {};
 }
 
-/// A colour part as a byte: fractions are 0..1, whole numbers fill their type.
+/// Returns a color component as a byte. Floating-point values range over 0..1; integers use the
+/// full range of their type.
 std::uint8_t color_byte(double value, PlyType type) {
   if (!is_whole(type)) value *= 255.0;
   if (type == PlyType::uint16) value /= 257.0;
@@ -158,7 +160,7 @@ class PlyReader {
       if (element.name == "vertex") {
         read_vertices(element);
       } else if (element.properties.empty()) {
-        continue;  // however many there are, they take no bytes
+        continue;  // any number of them takes no bytes
       } else if (element.name == "face") {
         for (std::uint64_t i = 0; i < element.count; ++i)
           read_face(element);
@@ -179,10 +181,10 @@ class PlyReader {
       if (element.name == "vertex") vertex_count_ = element.count;
     }
     if (vertex_count_ == 0) values_.fail("no vertices");
-    if (vertex_count_ >= kNone) values_.fail("more than 32-bit ids can count");
+    if (vertex_count_ >= kNone) values_.fail("more elements than 32-bit indices can address");
   }
 
-  /// Refuses counts that the rest of the file cannot hold, before anything is allocated.
+  /// Refuses counts that the rest of the file cannot hold. Call it before allocating.
   void check_count(const PlyElement& element) {
     std::size_t row = 0;
     for (const PlyProperty& property : element.properties) {
@@ -206,7 +208,7 @@ class PlyReader {
 
   std::size_t list_size(const PlyProperty& property) {
     const std::int64_t size = values_.next_whole(*property.count_type);
-    if (size < 0) values_.fail("a list with a count below zero");
+    if (size < 0) values_.fail("a list with a negative count");
     if (static_cast<std::uint64_t>(size) >
         values_.bytes_left() / Values::least_bytes(property.type)) {
       values_.fail("the file is too short for a list");
@@ -269,7 +271,8 @@ class PlyReader {
   }
 
   void end_face() {
-    if (soup_.corners.size() >= kNone) values_.fail("more than 32-bit ids can count");
+    if (soup_.corners.size() >= kNone)
+      values_.fail("more elements than 32-bit indices can address");
     soup_.face_start.push_back(static_cast<std::uint32_t>(soup_.corners.size()));
   }
 
@@ -307,8 +310,8 @@ class PlyReader {
     }
   }
 
-  /// Each further index makes a triangle with the two before it, turned every other time; -1 begins
-  /// a new strip.
+  /// Each further index forms a triangle with the two before it; every other triangle is flipped.
+  /// -1 starts a new strip.
   void read_strips(const PlyElement& element) {
     for (const PlyProperty& property : element.properties) {
       if (!lists_vertices(property)) {
@@ -356,7 +359,7 @@ class PlyReader {
   Array<glm::vec3> normals_;
   Array<glm::vec2> texcoords_;
   Array<glm::u8vec4> colors_;
-  std::vector<float> corner_texcoords_;  ///< of the face that is being read
+  std::vector<float> corner_texcoords_;  ///< of the current face
 };
 
 }  // namespace

@@ -5,14 +5,15 @@
 
 namespace mesher {
 
-/// Reads PLY: text and both binary encodings, values of any type, list counts of any whole type,
-/// elements in any order. Taken from it: positions, normals, colours and texture coordinates of
-/// vertices; polygons (`vertex_indices` or `vertex_index`) with texture coordinates of their
-/// corners
-/// (`texcoord`); triangle strips. Everything else is passed over.
+/// Reads PLY: text and both binary encodings, values of any type, list counts of any integer type,
+/// elements in any order.
 ///
-/// Ours rather than a library's, because counts are checked against the bytes that are there before
-/// anything is allocated, and values keep every bit. O(bytes). Throws InputError, with the line in
+/// Reads positions, normals, colors and texture coordinates of vertices; polygons (`vertex_indices`
+/// or `vertex_index`) with texture coordinates per corner (`texcoord`); and triangle strips.
+/// Everything else is ignored.
+///
+/// This reader is our own for two reasons: it checks counts against the available bytes before it
+/// allocates, and it preserves every bit of a value. O(bytes). Throws InputError, with the line in
 /// text files.
 Soup read_ply(const MappedFile& file);
 

@@ -10,7 +10,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary PLY is written as it lies here");
 
-/// Appends values in the encoding of the file: blanks between them, or as they lie in memory.
+/// Appends values in the file's encoding: text separated by blanks, or bytes as in memory.
 class PlyValues {
  public:
   PlyValues(Appender& out, bool ascii) : out_(out), ascii_(ascii) {}

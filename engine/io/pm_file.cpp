@@ -27,24 +27,25 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kBlock = std::size_t{1} << 18;
 
-/// So many bytes tell what a file is.
+/// Number of bytes that identify a file.
 constexpr std::size_t kBeginning = 8;
 
-/// Of what has no name to tell its kind by.
+/// Checks the format of a file whose name does not tell it. Throws InputError if it is not a
+/// progressive mesh.
 void check_kind(const std::string& name, std::span<const std::byte> begin) {
   if (begin.size() >= kBeginning && PmReader::is_pm(begin)) return;
   throw InputError(
       name, 0,
-      "is no progressive mesh; files of other formats, and named pipes, need one of the "
+      "is not a progressive mesh; files of other formats, and named pipes, need one of the "
       "extensions " +
           writable_formats());
 }
 
-/// A pipe of which no more is read than is asked for: it may never end.
+/// A pipe. Reads no more than requested, because the pipe may never end.
 class Pipe {
  public:
   Pipe(std::string name, Progress* progress) : name_(std::move(name)), progress_(progress) {
-    // Without blocking: a pipe that nobody writes to must not hold up whoever wants to cancel.
+    // Open without blocking: a pipe without a writer must not delay cancelling.
     descriptor_ = ::open(name_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor_ < 0) fail("cannot open");
   }
@@ -54,7 +55,7 @@ class Pipe {
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
 
-  /// Waits for the next bytes; empty at the end. They are overwritten by the next call.
+  /// Waits for the next bytes and returns them; empty at the end. The next call overwrites them.
   std::span<const std::byte> read() {
     for (;;) {
       while (!has_news(kCancelCheckMs))
@@ -66,9 +67,9 @@ class Pipe {
     }
   }
 
-  /// Whether bytes, or the end, are there within that time.
+  /// Returns whether data or the end of the pipe is available within `milliseconds`.
   bool has_news(int milliseconds) const {
-    // A named pipe reads as ended until somebody opens it for writing: poll knows the difference.
+    // A named pipe reads as ended until a writer opens it; poll tells the difference.
     pollfd readable{descriptor_, POLLIN, 0};
     return ::poll(&readable, 1, milliseconds) > 0;
   }
@@ -105,7 +106,7 @@ void feed_all(PmReader& reader, std::span<const std::byte> bytes, Progress* prog
   reader.finish();
 }
 
-/// A file that is there as a whole. Returns its bytes.
+/// Feeds a whole regular file. Returns its size in bytes.
 std::uint64_t feed_file(PmReader& reader, const fs::path& file, Progress* progress) {
   const MappedFile mapped(file, progress);
   if (mapped.size() == 0) throw InputError(mapped.name(), 0, "is empty");
@@ -115,7 +116,7 @@ std::uint64_t feed_file(PmReader& reader, const fs::path& file, Progress* progre
   return bytes.size();
 }
 
-/// Feeds what tells the kind of a pipe. Returns how many bytes that were.
+/// Feeds the bytes that identify the content of a pipe. Returns how many bytes were fed.
 std::uint64_t feed_beginning(PmReader& reader, Pipe& pipe, const fs::path& file) {
   std::vector<std::byte> begin;
   while (begin.size() < kBeginning) {
@@ -129,8 +130,9 @@ std::uint64_t feed_beginning(PmReader& reader, Pipe& pipe, const fs::path& file)
   return begin.size();
 }
 
-/// Reads no further than the mesh goes: what follows may be endless, or its writer may rest. Bytes
-/// that are there already do count, as damage. Returns how many were fed.
+/// Feeds the mesh of a pipe and returns the number of bytes fed. Reads no further than the mesh:
+/// the rest may be endless, or its writer may pause. Surplus bytes that are available already are
+/// read and count as damage.
 std::uint64_t feed_pipe(PmReader& reader, const fs::path& file, Progress* progress) {
   Pipe pipe(file.string(), progress);
   std::uint64_t fed = feed_beginning(reader, pipe, file);
@@ -206,7 +208,7 @@ PmSizes write_pm_file(AtomicFile& file, ProgressiveMesh& mesh, const PmWriteOpti
       file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     });
   } catch (const OutputError& error) {
-    // The coder knows of no file; the file itself names itself.
+    // The encoder does not know the file name; errors of the file itself already contain it.
     const std::string_view what = error.what();
     if (what.starts_with(file.name() + ": ")) throw;
     throw OutputError(file.name(), what);

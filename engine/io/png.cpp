@@ -15,7 +15,8 @@ namespace mesher {
 namespace {
 
 constexpr std::uint32_t kLargestSide = 32768;
-/// Rendered pictures are mostly even areas: the level hardly changes the size, but the time.
+/// Rendered images are mostly uniform areas. There, the level hardly changes the size but does
+/// change the time.
 constexpr int kCompressionLevel = 1;
 
 struct FreeContext {
@@ -37,7 +38,7 @@ void write_png(const std::filesystem::path& file, const Image& image) {
   const auto check = [&](int error) {
     if (error != 0) throw OutputError(file.string(), spng_strerror(error));
   };
-  if (!context) throw OutputError(file.string(), "not enough memory");
+  if (!context) throw OutputError(file.string(), "out of memory");
   spng_ihdr header = {};
   header.width = image.width;
   header.height = image.height;
@@ -63,15 +64,18 @@ Image read_png(const std::filesystem::path& file) {
   const auto check = [&](int error) {
     if (error != 0) throw InputError(bytes.name(), 0, spng_strerror(error));
   };
-  if (!context) throw InputError(bytes.name(), 0, "not enough memory");
+  if (!context) throw InputError(bytes.name(), 0, "out of memory");
   check(spng_set_image_limits(context.get(), kLargestSide, kLargestSide));
   check(spng_set_png_buffer(context.get(), bytes.begin(), bytes.size()));
   spng_ihdr header = {};
   check(spng_get_ihdr(context.get(), &header));
   std::size_t size = 0;
   check(spng_decoded_image_size(context.get(), SPNG_FMT_RGBA8, &size));
-  // Compression shrinks at most about a thousandfold: what claims more is cut short or hostile.
-  if (size / 4096 > bytes.size()) throw InputError(bytes.name(), 0, "too little data for its size");
+  // Deflate shrinks data at most about a thousandfold, and RGBA has four times the bytes of 8-bit
+  // gray. A file that claims more is truncated, hostile, or a nearly blank image of fewer than 8
+  // bits per sample.
+  if (size / 4096 > bytes.size())
+    throw InputError(bytes.name(), 0, "too few bytes for its dimensions");
   Image image{.width = header.width, .height = header.height, .rgba = Array<std::uint8_t>(size)};
   check(
       spng_decode_image(context.get(), image.rgba.data(), size, SPNG_FMT_RGBA8, SPNG_DECODE_TRNS));

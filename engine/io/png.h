@@ -6,12 +6,12 @@
 
 namespace mesher {
 
-/// Writes a picture as 8-bit RGBA PNG, whole or not at all. Meant to be quick rather than small: a
+/// Writes an image as 8-bit RGBA PNG that appears whole or not at all. Favors speed over size: a
 /// cheap filter and light compression. Throws OutputError. Pre: width and height are at least 1.
 void write_png(const std::filesystem::path& file, const Image& image);
 
-/// Reads any PNG as 8-bit RGBA. Throws InputError for a file that is damaged, no PNG, or wider or
-/// higher than 32,768 pixels.
+/// Reads any PNG as 8-bit RGBA. Throws InputError if the file is damaged, is not a PNG, or is wider
+/// or higher than 32,768 pixels.
 Image read_png(const std::filesystem::path& file);
 
 }  // namespace mesher

@@ -6,18 +6,19 @@
 
 namespace mesher {
 
-// None of these commits the file. All O(F), in blocks: memory does not grow with the mesh, but for
-// attributes. Text numbers are the shortest that read back as the same floats.
+// None of these functions commits the file. All are O(F) and write in blocks, so memory does not
+// grow with the mesh, except for attributes. Numbers in text are the shortest that read back as the
+// same floats.
 
-/// Writes PLY, little-endian binary or text: positions, and normals, texture coordinates and
-/// colours of vertices where all corners of each vertex agree; texture coordinates with seams as
+/// Writes PLY, little-endian binary or text. Normals, texture coordinates and colors are written
+/// per vertex if all corners of each vertex agree. Texture coordinates with seams are written as
 /// the faces' `texcoord` list.
 void write_ply(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool ascii);
 
 /// Writes STL, binary or text, with face normals.
 void write_stl(AtomicFile& file, const Mesh& mesh, bool ascii);
 
-/// Writes OFF, or COFF where all corners of each vertex have one colour.
+/// Writes OFF, or COFF if all corners of each vertex have one color.
 void write_off(AtomicFile& file, const Mesh& mesh, const Attributes& attributes);
 
 }  // namespace mesher

@@ -11,21 +11,22 @@
 namespace mesher {
 
 struct ReadOptions {
-  /// Whether the `e` lines of an OBJ count vertices from 0 or 1. Unset: the base for which every
-  /// listed pair is an edge; 0 if both are.
+  /// Base of the vertex numbers in the `e` lines of an OBJ, 0 or 1. Unset: the base for which more
+  /// of the listed pairs are edges; 0 if both give the same number.
   std::optional<int> crease_index_base;
   bool keep_isolated_vertices = false;
   Progress* progress = nullptr;
 };
 
-/// Reads the polygons of a file as they are, in the format that the extension names, in any case.
-/// All readers check every count against the file's bytes before they allocate, keep every bit of a
-/// position, and keep shared vertices shared (engine/io/*_read.h say what each takes over). Throws
-/// InputError with file, line (in text formats) and reason; DeviceError if memory runs out;
-/// Cancelled.
+/// Reads the polygons of a file unchanged, in the format of its extension, matched without case.
+///
+/// All readers check every count against the file's bytes before they allocate, preserve every bit
+/// of a position, and keep shared vertices shared. engine/io/*_read.h say what each reader
+/// supports. Throws InputError with file, line (in text formats) and reason; DeviceError if out of
+/// memory; Cancelled.
 Soup read_soup(const std::filesystem::path& file, const ReadOptions& options = {});
 
-/// Reads a file and builds the mesh. Throws as read_soup.
+/// Reads a file and builds the mesh. Throws the same errors as read_soup.
 Model read_model(const std::filesystem::path& file, const ReadOptions& options = {});
 
 }  // namespace mesher

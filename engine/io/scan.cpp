@@ -15,7 +15,7 @@ constexpr int kLargestExactPower = 22;
 constexpr std::uint32_t kWholePowers[] = {1,      10,      100,      1000,     10000,
                                           100000, 1000000, 10000000, 100000000};
 
-/// A decimal as written: mantissa * 10^exponent, exact while `digits` <= 19.
+/// A decimal number as written: mantissa * 10^exponent. Exact while `digits` <= 19.
 struct Decimal {
   std::uint64_t mantissa = 0;
   int digits = 0;
@@ -30,14 +30,15 @@ inline const char* read_mantissa_digits(const char* p, Decimal& decimal) {
     decimal.mantissa = decimal.mantissa * kWholePowers[count] + digits_value(word, count);
     decimal.digits += static_cast<int>(count);
     p += count;
-    // Past 24 digits the slow way takes over; no need to count on.
+    // Past 24 digits the slow path takes over, so counting on is useless.
     if (count < 8 || decimal.digits > 24) return p;
   }
 }
 
-/// Null where there is no plain short decimal here; the slow way then decides what it is.
+/// Reads a plain short decimal. Returns null if there is none; the slow path then decides.
 inline const char* read_decimal(const char* p, Decimal& decimal) {
-  // One digit before the point is by far the most common; more go eight at a time.
+  // One digit before the decimal point is by far the most common case. More digits are read eight
+  // at a time.
   if (is_digit(*p) && !is_digit(p[1])) {
     decimal.mantissa = static_cast<std::uint64_t>(*p - '0');
     decimal.digits = 1;
@@ -63,8 +64,8 @@ inline const char* read_decimal(const char* p, Decimal& decimal) {
   return ends_token(*p) ? p : nullptr;
 }
 
-/// Nearest double, in one correctly rounded operation on two exact doubles; NaN where that is not
-/// possible (W. Clinger, "How to read floating point numbers accurately", 1990).
+/// Returns the nearest double, by one correctly rounded operation on two exact doubles, or NaN if
+/// that is not possible (W. Clinger, "How to read floating point numbers accurately", 1990).
 double nearest_double(const Decimal& decimal) {
   if (decimal.mantissa > (1ULL << 53) || std::abs(decimal.exponent) > kLargestExactPower) {
     return std::numeric_limits<double>::quiet_NaN();
@@ -74,10 +75,12 @@ double nearest_double(const Decimal& decimal) {
                               : mantissa * kPowersOfTen[decimal.exponent];
 }
 
-/// Whether rounding the nearest double again gives the nearest float. It does, unless the double
-/// lies exactly halfway between two floats, where the decimal itself may lie to either side; NaN,
-/// subnormal and overflowing values are left to the slow way too.
-bool rounds_twice_alike(double value) {
+/// Returns whether rounding the nearest double again gives the nearest float.
+///
+/// It does unless the double lies exactly halfway between two floats: the decimal itself may lie on
+/// either side. Returns false for NaN, subnormal and overflowing values too, which the slow path
+/// handles.
+bool is_double_rounding_safe(double value) {
   constexpr std::uint64_t kBelowFloat = (1ULL << 29) - 1;
   constexpr std::uint64_t kHalfway = 1ULL << 28;
   if ((std::bit_cast<std::uint64_t>(value) & kBelowFloat) == kHalfway) return false;
@@ -85,7 +88,8 @@ bool rounds_twice_alike(double value) {
                           value <= static_cast<double>(std::numeric_limits<float>::max()));
 }
 
-/// Whether a decimal that does not fit is too large rather than too small. Pre: one of the two.
+/// Returns whether an out-of-range decimal is too large rather than too small. Pre: it is one of
+/// the two.
 bool is_huge(const char* p, const char* end) {
   const char* const mark = std::find_if(p, end, [](char c) { return c == 'e' || c == 'E'; });
   std::int64_t exponent = 0;
@@ -133,7 +137,7 @@ const char* read_float(const char* p, float& value) {
   const char* const end = read_decimal(p + (negative || *p == '+' ? 1 : 0), decimal);
   if (end == nullptr) return read_slowly(p, value);
   const double nearest = nearest_double(decimal);
-  if (!rounds_twice_alike(nearest)) return read_slowly(p, value);
+  if (!is_double_rounding_safe(nearest)) return read_slowly(p, value);
   value = static_cast<float>(negative ? -nearest : nearest);
   return end;
 }

@@ -6,10 +6,11 @@
 
 namespace mesher::scan {
 
-// Scanners over text that ends in readable zero bytes (MappedFile::kPadding), so that none of them
-// needs to know where the text ends: a zero byte is no part of any token.
+// Scanners over text that ends in readable zero bytes (MappedFile::kPadding). They need not know
+// where the text ends, because a zero byte is never part of a token.
 
-/// White space inside a line. A lone carriage return is one too, so CRLF needs nothing special.
+/// Returns whether `c` is white space inside a line. A lone carriage return counts, so CRLF needs
+/// no special case.
 inline bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
@@ -18,7 +19,8 @@ inline bool is_digit(char c) {
   return static_cast<unsigned char>(c - '0') <= 9;
 }
 
-/// True for what may follow a number: white space, a control character, a comment, a continuation.
+/// Returns whether `c` may follow a number: white space, a control character, a comment or a
+/// continuation.
 inline bool ends_token(char c) {
   return static_cast<unsigned char>(c) <= ' ' || c == '#' || c == '\\';
 }
@@ -29,12 +31,16 @@ inline const char* skip_blanks(const char* p) {
   return p;
 }
 
-/// Reads a decimal number, "inf" or "nan", with or without sign, correctly rounded to single
-/// precision: the very bits of strtof. Too large gives infinity, too small zero, as there. Returns
-/// the end of the number, or null where there is none or something else sticks to it.
+/// Reads a decimal number, "inf" or "nan" with optional sign, and rounds it correctly to single
+/// precision.
+///
+/// The result has the same bits as strtof's. Too large a number gives infinity and too small a
+/// number gives zero, as with strtof. Returns the end of the number, or null if there is no number
+/// or another character follows it directly.
 const char* read_float(const char* p, float& value);
 
-/// The same in double precision, for formats that hold doubles and attributes that are scaled.
+/// Reads a number in double precision, for formats that hold doubles and for attributes that are
+/// scaled.
 const char* read_double(const char* p, double& value);
 
 static_assert(std::endian::native == std::endian::little, "eight digits are read as one word");
@@ -45,15 +51,16 @@ inline std::uint64_t load_word(const char* p) {
   return word;
 }
 
-/// How many of the eight characters are digits before the first that is not. Borrows and carries
-/// only arise at and above that character, so the count is right.
+/// Returns how many of the eight characters are digits before the first non-digit. Borrows and
+/// carries arise only at and above that character, so the count is correct.
 inline unsigned leading_digits(std::uint64_t word) {
   const std::uint64_t other =
       ((word + 0x4646464646464646U) | (word - 0x3030303030303030U)) & 0x8080808080808080U;
   return static_cast<unsigned>(std::countr_zero(other)) / 8;
 }
 
-/// Value of the first `count` characters of the word. Pre: they are digits, 1 <= count <= 8.
+/// Returns the value of the first `count` characters of the word. Pre: they are digits, 1 <= count
+/// <= 8.
 inline std::uint32_t digits_value(std::uint64_t word, unsigned count) {
   word = (word - 0x3030303030303030U) << (64 - 8 * count);
   word = word * 10 + (word >> 8);
@@ -63,10 +70,10 @@ inline std::uint32_t digits_value(std::uint64_t word, unsigned count) {
                                     32);
 }
 
-/// Reads eight digits and more: what read_digits leaves aside.
+/// Reads eight or more digits; read_digits calls it.
 const char* read_long_digits(const char* p, std::uint32_t& value);
 
-/// Reads digits; a number past 32 bits gives 0xFFFFFFFF. Returns the first character after them.
+/// Reads digits and returns the first character after them. A number over 32 bits gives 0xFFFFFFFF.
 /// Pre: is_digit(*p).
 inline const char* read_digits(const char* p, std::uint32_t& value) {
   const std::uint64_t word = load_word(p);
@@ -76,8 +83,8 @@ inline const char* read_digits(const char* p, std::uint32_t& value) {
   return p + count;
 }
 
-/// Reads a whole number with optional sign, at most 18 digits; null where there is none or
-/// something else sticks to it.
+/// Reads an integer with optional sign and at most 18 digits. Returns null if there is none or
+/// another character follows it directly.
 const char* read_integer(const char* p, std::int64_t& value);
 
 }  // namespace mesher::scan

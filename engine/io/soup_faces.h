@@ -4,7 +4,7 @@
 
 namespace mesher {
 
-/// Drops `face_start` where it says no more than that every face is a triangle. O(F).
+/// Drops `face_start` if all faces are triangles. O(F).
 inline void forget_triangle_starts(Soup& soup) {
   for (std::size_t f = 0; f < soup.face_start.size(); ++f) {
     if (soup.face_start[f] != 3 * f) return;

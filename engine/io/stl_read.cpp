@@ -41,7 +41,7 @@ Array<glm::vec3> read_binary(const MappedFile& file, std::size_t facets) {
   return positions;
 }
 
-// Some programs write their keywords in capitals.
+// Some programs write keywords in upper case.
 bool is_keyword(std::string_view word, std::string_view keyword) {
   return word.size() == keyword.size() &&
          ::strncasecmp(word.data(), keyword.data(), keyword.size()) == 0;
@@ -102,15 +102,15 @@ Soup read_stl(const MappedFile& file) {
   const bool fits = file.size() >= kHeaderBytes &&
                     (file.size() - kHeaderBytes) / kFacetBytes >= facets && facets > 0;
   const bool fits_exactly = fits && file.size() == kHeaderBytes + facets * kFacetBytes;
-  // Binary files whose free header begins with "solid" exist; what the count says is surer.
+  // Some binary files have a header that begins with "solid", so the facet count is more reliable.
   const bool is_text = !fits_exactly && starts_as_text(file);
   if (!is_text && !fits) {
     throw InputError(file.name(), 0,
                      facets == 0 ? "neither text nor binary STL with facets"
-                                 : "the file ends too early for the facets it announces");
+                                 : "the file ends too early for its facet count");
   }
   if (!is_text && facets > kNone / 3) {
-    throw InputError(file.name(), 0, "more than 32-bit ids can count");
+    throw InputError(file.name(), 0, "more elements than 32-bit indices can address");
   }
   const Array<glm::vec3> positions = is_text ? read_text(file) : read_binary(file, facets);
   if (positions.empty()) throw InputError(file.name(), 0, "no facets");

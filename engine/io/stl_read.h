@@ -5,11 +5,13 @@
 
 namespace mesher {
 
-/// Reads STL, binary or text (told apart by whether the size fits the binary count). STL lists
-/// three positions a triangle; positions that are bitwise equal (0 and -0 count as equal) become
-/// one vertex, in the order of their first appearance. Normals, which follow from the positions,
-/// and other vendors' attribute bytes are passed over. Ours rather than a library's: those hand on
-/// the unconnected triangles. O(n log n) time. Throws InputError.
+/// Reads STL, binary or text. A file of exactly the size of its binary facet count is binary. Any
+/// other file is text if it begins with "solid", and binary if not.
+///
+/// STL lists three positions per triangle. Bitwise equal positions (0 and -0 count as equal) become
+/// one vertex, in the order of first appearance. Normals, which follow from the positions, and
+/// vendor-specific attribute bytes are ignored. This reader is our own because libraries return
+/// unconnected triangles. O(n log n) time. Throws InputError.
 Soup read_stl(const MappedFile& file);
 
 }  // namespace mesher

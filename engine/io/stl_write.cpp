@@ -18,7 +18,7 @@ Facet facet_of(const Mesh& mesh, std::size_t f) {
   for (std::size_t c = 0; c < 3; ++c) {
     facet.corners[c] = mesh.position(mesh.origins()[3 * f + c]);
   }
-  // In double: the products of small or large coordinates leave the range of floats.
+  // In double: products of small or large coordinates would leave the range of float.
   const glm::dvec3 a(facet.corners[0]);
   const glm::dvec3 area =
       glm::cross(glm::dvec3(facet.corners[1]) - a, glm::dvec3(facet.corners[2]) - a);

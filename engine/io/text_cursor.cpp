@@ -41,7 +41,7 @@ std::string_view TextCursor::word() {
   expect_more();
   while (p_ < file_.end() && static_cast<unsigned char>(*p_) > ' ')
     ++p_;
-  if (p_ == last_) fail("a character that is no text");
+  if (p_ == last_) fail("a control character in a text file");
   return {last_, static_cast<std::size_t>(p_ - last_)};
 }
 
@@ -67,7 +67,7 @@ std::int64_t TextCursor::integer() {
   expect_more();
   std::int64_t value = 0;
   const char* const next = scan::read_integer(p_, value);
-  if (next == nullptr) fail("not a whole number");
+  if (next == nullptr) fail("not an integer");
   p_ = next;
   return value;
 }

@@ -12,9 +12,9 @@
 
 namespace mesher {
 
-// Many formats know attributes of vertices only, where we keep one a corner.
+// Many formats store attributes per vertex, while mesher stores one per corner.
 
-/// Values of corners from values of vertices. O(corners), parallel. Pre: indices are in range.
+/// Copies per-vertex values to corners. O(corners), parallel. Pre: indices are in range.
 template <class T>
 Array<T> spread_to_corners(std::span<const std::uint32_t> corners, const Array<T>& of_vertices) {
   Array<T> values;
@@ -27,8 +27,8 @@ Array<T> spread_to_corners(std::span<const std::uint32_t> corners, const Array<T
   return values;
 }
 
-/// One value a vertex where all corners at each vertex agree bit for bit (`unused` for vertices
-/// without corners); else, or where there are no values, empty. O(corners).
+/// Returns one value per vertex if all corners at each vertex agree bit for bit (`unused` for
+/// vertices without corners); otherwise, or if there are no values, empty. O(corners).
 template <class T>
 Array<T> gather_to_vertices(std::span<const Vertex> origins, std::size_t vertex_count,
                             const Array<T>& of_corners, const T& unused) {

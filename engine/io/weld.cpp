@@ -36,7 +36,7 @@ Weld weld(const std::uint32_t* items, std::size_t words, std::size_t count) {
       entries[i] = {hash_of(items + i * words, words), static_cast<std::uint32_t>(i)};
     }
   });
-  // The hash only makes most comparisons cheap; equal hashes are settled by the items themselves.
+  // The hash only speeds up most comparisons. Equal hashes are resolved by comparing the items.
   tbb::parallel_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
     if (a.hash != b.hash) return a.hash < b.hash;
     const int order = std::memcmp(at(a.item), at(b.item), words * sizeof(std::uint32_t));
@@ -53,7 +53,7 @@ Weld weld(const std::uint32_t* items, std::size_t words, std::size_t count) {
     if (!is_same) lowest = entries[i].item;
     result.index[entries[i].item] = lowest;
   }
-  // The lowest of equal items comes first, so that its number is known when the others ask for it.
+  // The lowest of equal items comes first, so its number is known when the others need it.
   for (std::size_t i = 0; i < count; ++i) {
     if (result.index[i] == i) {
       result.index[i] = static_cast<std::uint32_t>(result.first.size());
@@ -68,7 +68,7 @@ Weld weld(const std::uint32_t* items, std::size_t words, std::size_t count) {
 Weld weld_positions(const Array<glm::vec3>& positions) {
   Array<glm::vec3> keys(positions.size());
   parallel_for(positions.size(), kGrain, [&](IndexRange range) {
-    // Adding 0 turns -0 into 0 and leaves everything else alone.
+    // Adding 0 turns -0 into 0 and changes nothing else.
     for (std::size_t i = range.begin; i < range.end; ++i)
       keys[i] = positions[i] + 0.0F;
   });

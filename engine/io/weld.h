@@ -7,18 +7,19 @@
 
 namespace mesher {
 
-/// Equal items found: what each item became, and one of each kind.
+/// Equal items: the number of each item among the distinct ones, and the first of each kind.
 struct Weld {
-  Array<std::uint32_t> index;  ///< for each item, its number among the different ones
-  Array<std::uint32_t> first;  ///< for each different one, the lowest item that equals it
+  Array<std::uint32_t> index;  ///< for each item, its number among the distinct items
+  Array<std::uint32_t> first;  ///< for each distinct item, the lowest equal item
 };
 
-/// Finds items that are bitwise equal. An item is `words` consecutive 32-bit words. The different
-/// ones are numbered in the order of their first appearance. By sorting, so no input is slow: O(n
-/// log n) time, in parallel; scratch 12 bytes an item. Pre: count < 2^32.
+/// Finds bitwise equal items. An item is `words` consecutive 32-bit words.
+///
+/// Distinct items are numbered in the order of first appearance. Sorting makes every input fast:
+/// O(n log n) time, in parallel. Scratch: 12 bytes per item. Pre: count < 2^32.
 Weld weld(const std::uint32_t* items, std::size_t words, std::size_t count);
 
-/// The same for positions, where 0 and -0 are equal.
+/// Finds equal positions, where 0 and -0 are equal.
 Weld weld_positions(const Array<glm::vec3>& positions);
 
 }  // namespace mesher

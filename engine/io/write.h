@@ -13,15 +13,17 @@ struct WriteOptions {
   bool ascii = false;  ///< PLY and STL as text rather than little-endian binary
 };
 
-/// Writes a mesh in the format that the extension names, with the attributes and creases that the
-/// format can hold (losses_in_format lists the others). Writes a temporary file beside the target
-/// and renames it, so that the file appears whole or not at all. Positions keep every bit in
-/// formats that hold single precision. Throws OutputError; UsageError as writable_format. O(V + F).
+/// Writes a mesh in the format of the file's extension, with the attributes and creases that the
+/// format can store.
+///
+/// losses_in_format lists what is not preserved. Writes a temporary file beside the target and
+/// renames it, so that the file appears whole or not at all. Positions preserve every bit in
+/// formats with single precision. Throws OutputError; UsageError as writable_format does. O(V + F).
 void write_model(const std::filesystem::path& file, const Mesh& mesh, const Attributes& attributes,
                  const WriteOptions& options = {});
 
-/// Returns the format in which write_model writes a file. Throws UsageError if the extension is not
-/// known, or if it names progressive meshes, which write_pm_file writes.
+/// Returns the format that write_model uses for a file. Throws UsageError if the extension is
+/// unknown, or if it names progressive meshes, which write_pm_file writes.
 const FormatInfo& writable_format(const std::filesystem::path& file);
 
 }  // namespace mesher

@@ -15,10 +15,10 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kFrameMargin = 1.08;
 constexpr double kWheelStep = 0.9;
-/// Far beyond any model in single precision, and safe to square.
+/// Limits on the distance: beyond any model in single precision, and safe to square.
 constexpr double kLeastDistance = 1e-42;
 constexpr double kMostDistance = 1e42;
-/// Nothing nearer to the eye than this share of the pivot's distance is drawn.
+/// Near limit: geometry nearer to the eye than this fraction of the pivot's distance is not drawn.
 constexpr double kLeastNear = 1e-3;
 
 double half_height_at_unit_distance() {
@@ -38,7 +38,8 @@ struct DepthRange {
   double far;
 };
 
-/// Of the box along the line of sight, from the eye, in units of the camera's distance.
+/// Returns the depths of the box along the line of sight, measured from the eye in units of the
+/// camera's distance.
 DepthRange depth_range(const Camera& camera, const Box& box) {
   if (box.is_empty()) return {0.1, 10.0};
   DepthRange range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
@@ -63,11 +64,11 @@ glm::vec4 ViewTransform::clip(const glm::vec3& p) const {
           perspective ? -view.z : 1.0F};
 }
 
-double WindowPlaces::depth(const glm::dvec3& point) const {
+double WindowProjection::depth(const glm::dvec3& point) const {
   return glm::dot(point - eye, forward);
 }
 
-glm::dvec2 WindowPlaces::of(const glm::dvec3& point) const {
+glm::dvec2 WindowProjection::of(const glm::dvec3& point) const {
   const glm::dvec3 from_eye = point - eye;
   const double unit = perspective ? scale / glm::dot(from_eye, forward) : scale;
   return middle + unit * glm::dvec2(glm::dot(from_eye, right), -glm::dot(from_eye, up));
@@ -153,12 +154,12 @@ Ray Camera::pick_ray(const Cursor& cursor) const {
   if (!orthographic_) {
     return {eye(), glm::normalize(distance_ * forward() + in_plane)};
   }
-  // A parallel projection shows what lies behind the eye too.
+  // An orthographic projection also shows points behind the eye.
   constexpr double kBehind = 1e5;
   return {pivot_ + in_plane - kBehind * distance_ * forward(), forward()};
 }
 
-WindowPlaces Camera::places(const glm::dvec2& window) const {
+WindowProjection Camera::places(const glm::dvec2& window) const {
   const double scale = 0.5 * window.y / half_height_at_unit_distance();
   return {.eye = eye(),
           .right = right(),

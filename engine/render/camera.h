@@ -14,23 +14,23 @@ struct Ray {
   glm::dvec3 direction{0.0, 0.0, -1.0};
 };
 
-/// Directions one looks from, with Y up.
+/// View directions, with Y up.
 enum class View { front, right, top };
 
-/// Where a point of the window is. Any unit, the same for both; y runs down from the top edge.
+/// A position in the window. Any unit, the same for both members; y runs down from the top edge.
 struct Cursor {
   glm::dvec2 position{0.0};
   glm::dvec2 window{1.0};  ///< width and height
 };
 
-/// What a shader needs to place a vertex p (a float, as the mesh stores it):
+/// The transform that a shader applies to a vertex p (a float, as the mesh stores it):
 ///     view = rows * (p - origin) + offset         in units of the camera's distance, looking at -z
 ///     clip = (scale.x * view.x, scale.y * view.y, depth_scale * view.z + depth_offset,
 ///             perspective ? -view.z : 1)
-/// `origin` is the pivot rounded to float, so that p - origin rounds relative to the *difference*
-/// (exactly, within a factor of two: Sterbenz 1974): far from zero nothing is lost but what the
-/// stored positions have lost. The rest of the pivot is in `offset`. Depth is reversed: 1 near, 0
-/// far.
+/// `origin` is the pivot rounded to float, so p - origin rounds relative to the *difference*
+/// (exactly, within a factor of two: Sterbenz 1974). Far from zero, this loses no more precision
+/// than the stored positions have lost already. `offset` holds the rest of the pivot. Depth is
+/// reversed: 1 near, 0 far.
 struct ViewTransform {
   glm::vec3 origin{0.0F};
   glm::mat3 rows{1.0F};  ///< rows[i] is the i-th row (that is, glm's i-th column)
@@ -40,28 +40,28 @@ struct ViewTransform {
   float depth_offset = 0.0F;
   bool perspective = true;
 
-  /// Clip coordinates of a point, computed as a shader does; for tests and labels.
+  /// Returns the clip coordinates of a point, computed as the shader does; for tests and labels.
   glm::vec4 clip(const glm::vec3& p) const;
 };
 
-/// Where points appear in a window, for many of them: see Camera::places.
-struct WindowPlaces {
+/// Projects many points to a window: see Camera::places.
+struct WindowProjection {
   glm::dvec3 eye{0.0};
-  glm::dvec3 right{1.0, 0.0, 0.0};  ///< unit vectors, as the next two
+  glm::dvec3 right{1.0, 0.0, 0.0};  ///< unit vectors, like the next two
   glm::dvec3 up{0.0, 1.0, 0.0};
   glm::dvec3 forward{0.0, 0.0, -1.0};
   glm::dvec2 middle{0.0};
-  double scale = 1.0;  ///< Cursor units a model unit; in perspective, at a depth of 1
+  double scale = 1.0;  ///< Cursor units per model unit; in perspective, at depth 1
   bool perspective = true;
 
-  /// How far a point is before the eye along the line of sight, model units. In perspective, only
-  /// what has a depth above 0 appears.
+  /// Returns the depth of a point along the line of sight, in model units. In perspective, only
+  /// points at a depth above 0 are visible.
   double depth(const glm::dvec3& point) const;
   glm::dvec2 of(const glm::dvec3& point) const;
 };
 
-/// A turntable: it looks at a pivot, turns around the vertical (yaw) and tilts up to the poles
-/// (pitch), and never rolls. All double; no Vulkan.
+/// A turntable camera. It looks at a pivot, turns around the vertical axis (yaw), tilts up to the
+/// poles (pitch), and never rolls. All values are double; no Vulkan.
 class Camera {
  public:
   static constexpr double kFieldOfViewRad = 0.6108652381980153;  ///< vertical: 35 degrees
@@ -76,31 +76,31 @@ class Camera {
   glm::dvec3 up() const;
   glm::dvec3 forward() const;
 
-  /// A drag by `delta` (Cursor units): a drag over the window's height is half a turn. The model
-  /// follows the hand.
+  /// Orbits by a drag of `delta` (Cursor units). A drag over the window's height is half a turn.
+  /// The model follows the cursor.
   void orbit(const glm::dvec2& delta, const glm::dvec2& window);
-  /// A drag by `delta` moves the pivot in the view plane, so that the point of the pivot's plane
-  /// under the cursor stays under it.
+  /// Moves the pivot in the view plane by a drag of `delta`. The point of the pivot's plane under
+  /// the cursor stays under it.
   void pan(const glm::dvec2& delta, const glm::dvec2& window);
-  /// `steps` wheel clicks nearer (negative: farther), each by a tenth of the distance; the point of
-  /// the pivot's plane under the cursor stays where it is.
+  /// Moves nearer by `steps` wheel clicks (negative: farther), each by a tenth of the distance. The
+  /// point of the pivot's plane under the cursor stays in place.
   void zoom(double steps, const Cursor& cursor);
-  /// Divides the distance by `factor`, about the pivot. Pre: factor > 0.
+  /// Divides the distance to the pivot by `factor`. Pre: factor > 0.
   void zoom(double factor);
   void set_angles(double yaw_rad, double pitch_rad);
   void set_view(View view);
   void set_orthographic(bool orthographic) { orthographic_ = orthographic; }
-  /// Puts the whole box in sight, angles unchanged. An empty box counts as the point 0, a box of
-  /// one point as one unit wide.
+  /// Fits the whole box into the view and keeps the angles. An empty box counts as the point 0; for
+  /// a single point the view is two units high.
   void frame(const Box& box, double aspect);
-  /// Makes `point` the pivot; the eye moves along, at the same distance.
-  void recentre(const glm::dvec3& point) { pivot_ = point; }
+  /// Makes `point` the pivot. The eye moves with it at the same distance.
+  void recenter(const glm::dvec3& point) { pivot_ = point; }
 
-  /// The half-line of everything under the cursor.
+  /// Returns the ray of all points under the cursor.
   Ray pick_ray(const Cursor& cursor) const;
-  /// Where points appear in a window of that size: the inverse of pick_ray.
-  WindowPlaces places(const glm::dvec2& window) const;
-  /// Near and far planes are laid around `box`. `aspect` is width / height.
+  /// Returns the projection to a window of that size: the inverse of pick_ray.
+  WindowProjection places(const glm::dvec2& window) const;
+  /// Returns the transform with near and far planes fitted to `box`. `aspect` is width / height.
   ViewTransform transform(double aspect, const Box& box) const;
 
   friend bool operator==(const Camera&, const Camera&) = default;

@@ -14,8 +14,8 @@ bool is_growing(const GpuMesh& mesh, const GeomorphTime& time) {
   return time.rate != 0.0F || time.fixed < 1.0F;
 }
 
-/// One over how often the vertices from the first birth on double those before. By the number that
-/// may come, so that a color stays while levels go up and down.
+/// Returns the inverse of the number of times that the vertices from `first` on double those
+/// before. Counts all splits that may come, so that a color stays the same while levels change.
 float split_order_scale(const GpuMesh& mesh, std::uint32_t first) {
   const std::uint32_t split_count = mesh.morph().split_count();
   const double all =
@@ -54,7 +54,7 @@ VkDeviceAddress GeomorphBlock::write(VkCommandBuffer commands, const GpuMesh& me
   if (!buffer_) {
     buffer_ = gpu::Buffer(device_, sizeof(constants), 0, gpu::MemoryIntent::fixed);
   }
-  // Frames before, in whatever command buffer, have read it and written it.
+  // Earlier frames, in any command buffer, have read and written the block.
   gpu::memory_barrier(commands,
                       {VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
                        VK_ACCESS_2_TRANSFER_WRITE_BIT},

@@ -6,16 +6,17 @@
 
 namespace mesher::render {
 
-/// Whether vertices have to be moved or colored: otherwise a frame costs what it always did.
+/// Returns whether vertices must be moved or colored. If not, a frame costs no more than without
+/// geomorphs.
 bool needs_geomorph(const GpuMesh& mesh, const Settings& settings);
 
-/// The block of GeomorphConstants that the MORPH variants of shaders read in a frame.
+/// The block of GeomorphConstants that the MORPH shader variants read in a frame.
 class GeomorphBlock {
  public:
   explicit GeomorphBlock(gpu::Device& device) : device_(device) {}
 
-  /// Records that the block holds what `settings` say of `mesh`, for what is drawn after, and gives
-  /// its address. Frames before it still find theirs. Pre: not within rendering.
+  /// Records the update of the block from `settings` and `mesh` for the following draws, and
+  /// returns its address. Earlier frames still read their own values. Pre: outside a render pass.
   VkDeviceAddress write(VkCommandBuffer commands, const GpuMesh& mesh, const Settings& settings);
 
  private:

@@ -33,7 +33,7 @@ std::span<const std::byte> bytes_of(const Elements& elements) {
   return std::as_bytes(std::span(elements));
 }
 
-/// The places where a list differs from what it was.
+/// Returns the indices at which a list differs from its old version.
 ChangeLog differences(const std::vector<Line>& before, const std::vector<Line>& after) {
   ChangeLog log;
   for (std::uint32_t i = 0; i < after.size(); ++i) {
@@ -47,7 +47,7 @@ ChangeLog differences(const std::vector<Line>& before, const std::vector<Line>& 
 UploadStats GpuMesh::apply(Mesh& mesh, const Settings& settings, const Sources& sources) {
   UploadStats stats;
   const bool is_new = !is_valid_;
-  is_valid_ = false;  // until all of it worked
+  is_valid_ = false;  // until everything has succeeded
   if (is_new) {
     forget_buffers();
     mesh.changes().note_all();
@@ -134,7 +134,7 @@ void GpuMesh::copy_changed_classes(const Mesh& mesh, UploadStats& stats) {
   const std::uint32_t count = mesh.halfedge_count();
   const std::vector<ChangedRange> changed = mesh.changes().merged(GpuArray::edge_class, 0, count);
   classes_.resize(word_count(count));
-  ChangeLog words;  // sorts and joins; what it counts here are words
+  ChangeLog words;  // sorts and merges; counts words here
   const auto pack = [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t word = first; word <= last; ++word)
       classes_[word] = class_word(mesh, word);
@@ -142,7 +142,7 @@ void GpuMesh::copy_changed_classes(const Mesh& mesh, UploadStats& stats) {
   };
   for (const ChangedRange range : changed)
     pack(range.begin / kClassesPerWord, (range.end - 1) / kClassesPerWord);
-  // Past the live half-edges the last word is zeros, whatever lived there.
+  // The last word is zero past the live half-edges, whatever was there before.
   if (count != halfedge_count() && count > 0) pack(word_count(count) - 1, word_count(count) - 1);
   upload_changes(device_, class_buffer_, bytes_of(classes_),
                  {words, GpuArray::edge_class, sizeof(std::uint32_t)}, 0, stats);

@@ -17,36 +17,40 @@
 
 namespace mesher::render {
 
-/// Edges that are pointed out, whatever they are: a selection, and what is under the cursor.
+/// Marked edges: a selection and the edge under the cursor.
 struct MarkedEdges {
   std::vector<Edge> selected;
-  Edge hovered;  ///< none: no edge is
+  Edge hovered;  ///< none: no edge is hovered
   friend bool operator==(const MarkedEdges&, const MarkedEdges&) = default;
 };
 
-/// The GPU's mirror of a mesh. Positions and indices are the mesh's own arrays, byte for byte; the
-/// class of each half-edge is packed to two bits (16 a word, lowest first); normals are made only
-/// where shading asks for them. Shaders reach all of it by address, so no limit on the range of a
-/// descriptor applies.
+/// The GPU's mirror of a mesh.
+///
+/// Positions and indices are the mesh's own arrays, byte for byte. The class of each half-edge is
+/// packed into two bits (16 per word, lowest first). Normals are created only if the shading needs
+/// them. Shaders access all of it by address, so the range limit of descriptors does not apply.
 class GpuMesh {
  public:
   explicit GpuMesh(gpu::Device& device) : device_(device), normals_(device), morph_(device) {}
 
-  /// Brings the mirror up to date with `mesh` and with the normals that `settings` want, and clears
-  /// `mesh.changes()`. Only changed ranges are copied (and the normals of the one-rings they
-  /// touch); everything where the mesh is new. Live elements are a prefix of the buffers: a mesh
-  /// that shrinks keeps its buffers, and one that grows again within them uploads what it has noted
-  /// as changed, new elements included; past them an array is copied whole into a larger buffer (a
-  /// progressive mesh has room for all its splits from the start).
-  /// Waits for frames in flight where it copies at all. Throws DeviceError where the mesh is too
-  /// large for the device. O(changes + crease and boundary edges), O(V + F) when whole. `sources`
-  /// are read, not kept.
+  /// Updates the mirror from `mesh` and the normals that `settings` need, and clears
+  /// `mesh.changes()`.
+  ///
+  /// Copies only changed ranges (and the normals of the one-rings they touch), or everything if the
+  /// mesh is new. Live elements are a prefix of the buffers. A mesh that shrinks keeps its buffers.
+  /// A mesh that grows again within them uploads its recorded changes, including new elements.
+  /// Beyond them, an array is copied whole into a larger buffer (a progressive mesh has room for
+  /// all its splits from the start). `sources` are read, not kept.
+  ///
+  /// Waits for frames in flight if it copies anything. O(changes + crease and boundary edges), or
+  /// O(V + F) for a full copy. Throws DeviceError if the mesh is too large for the device.
   UploadStats apply(Mesh& mesh, const Settings& settings, const Sources& sources = {});
-  /// Points edges out from now on. Pre: they are edges of the mesh as it is drawn next; so call it
-  /// again where edges vanish; a new mesh has none. Returns whether that changes the picture.
-  /// O(marked edges).
+  /// Sets the marked edges. Returns whether that changes the image. O(marked edges).
+  ///
+  /// Pre: they are edges of the mesh as it is drawn next, so call it again when edges are removed.
+  /// A new mesh has no marked edges.
   bool mark(const MarkedEdges& marked);
-  /// The next apply() copies everything: for another mesh object than before.
+  /// Makes the next apply() copy everything. Call it when the mesh object changes.
   void invalidate() { is_valid_ = false; }
 
   gpu::Device& device() const { return device_; }
@@ -61,35 +65,35 @@ class GpuMesh {
     return static_cast<std::uint32_t>(marked_.selected.size());
   }
   bool has_hovered() const { return marked_.hovered.is_valid(); }
-  /// Contains all that is drawn: see MeshBox.
+  /// Returns a box that contains everything drawn: see MeshBox.
   const Box& box() const { return box_.get(); }
 
-  const gpu::Buffer& positions() const { return positions_; }   ///< vec3 a vertex
-  const gpu::Buffer& indices() const { return indices_; }       ///< uint a half-edge
-  const gpu::Buffer& classes() const { return class_buffer_; }  ///< 16 half-edges a uint
+  const gpu::Buffer& positions() const { return positions_; }   ///< vec3 per vertex
+  const gpu::Buffer& indices() const { return indices_; }       ///< uint per half-edge
+  const gpu::Buffer& classes() const { return class_buffer_; }  ///< 16 half-edges per uint
   const GpuNormals& normals() const { return normals_; }
-  const GpuMorph& morph() const { return morph_; }  ///< how vertices move while splits grow
-  /// The edges that are lines of their own (Line: half-edge and weight, two words), ascending: so
-  /// the picture does not depend on the edits that led to a mesh.
+  const GpuMorph& morph() const { return morph_; }  ///< how vertices move during a geomorph
+  /// Edges drawn as lines of their own (Line: half-edge and weight, two words), in ascending order.
+  /// So the image does not depend on the edits that led to the mesh.
   const gpu::Buffer& creases() const { return crease_buffer_; }
   const gpu::Buffer& boundaries() const { return boundary_buffer_; }
-  /// Those that are pointed out, as lines: the selected ones, then the hovered one.
+  /// Marked edges as lines: the selected ones, then the hovered one.
   const gpu::Buffer& marks() const { return mark_buffer_; }
 
-  /// The live part of what the GPU holds, read back: positions, indices, classes, creases,
-  /// boundaries, normals, heads, splits, one after the other. For tests: equal to that of a fresh
+  /// Returns the live part of the GPU data, read back: positions, indices, classes, creases,
+  /// boundaries, normals, heads and splits, one after another. For tests: it equals that of a fresh
   /// mirror after any sequence of edits.
   std::vector<std::byte> read_back() const;
 
  private:
-  /// A buffer and how much of it is live.
+  /// A buffer and the size of its live part.
   struct Part {
     const gpu::Buffer* buffer;
     std::size_t bytes;
   };
 
   void forget_buffers();
-  /// For a mesh whose splits may come at any time: none of them moves a buffer.
+  /// Reserves room for `splits` splits, so that later splits do not reallocate buffers.
   void make_room_for(const Mesh& mesh, std::size_t splits);
   void copy_arrays(const Mesh& mesh, UploadStats& stats);
   void copy_all_classes(const Mesh& mesh, UploadStats& stats);
@@ -101,14 +105,14 @@ class GpuMesh {
   std::uint32_t vertex_count_ = 0;
   std::uint32_t face_count_ = 0;
   MeshBox box_;
-  Array<std::uint32_t> classes_;  ///< what class_buffer_ holds
-  LineEdges lines_;               ///< what the buffers of lines hold
+  Array<std::uint32_t> classes_;  ///< contents of class_buffer_
+  LineEdges lines_;               ///< contents of the line buffers
   gpu::Buffer positions_;
   gpu::Buffer indices_;
   gpu::Buffer class_buffer_;
   gpu::Buffer crease_buffer_;
   gpu::Buffer boundary_buffer_;
-  MarkedEdges marked_;  ///< what mark_buffer_ holds
+  MarkedEdges marked_;  ///< contents of mark_buffer_
   gpu::Buffer mark_buffer_;
   GpuNormals normals_;
   GpuMorph morph_;

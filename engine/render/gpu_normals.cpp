@@ -27,18 +27,20 @@ GpuNormals::Mode wanted_mode(const Settings& settings, const NormalSource& sourc
   return can_split ? GpuNormals::Mode::corner : GpuNormals::Mode::vertex;
 }
 
-/// Vertices whose normals the changes may have touched, sorted; none where that is most of them.
+/// Returns the vertices whose normals the changes may have affected, sorted; none if that is most
+/// vertices.
 std::optional<std::vector<Vertex>> touched_vertices(const Mesh& mesh) {
   const ChangeLog& changes = mesh.changes();
   std::vector<Vertex> touched;
   const auto add_around = [&](GpuArray array, std::uint32_t i) {
-    if (array == GpuArray::position) {  // the faces around it have another shape
+    if (array == GpuArray::position) {  // the faces around it have changed shape
       touched.push_back(Vertex(i));
-      for (const Vertex neighbour : vertices_around(mesh, Vertex(i)))
-        touched.push_back(neighbour);
+      for (const Vertex neighbor : vertices_around(mesh, Vertex(i)))
+        touched.push_back(neighbor);
       return;
     }
-    // The face has other corners; or an end of the edge has another fan, or another split in it.
+    // The face has other corners, or an end of the edge has another fan or another split of its
+    // fan.
     touched.push_back(mesh.origin(Halfedge(i)));
     touched.push_back(mesh.target(Halfedge(i)));
     if (array == GpuArray::origin) touched.push_back(mesh.origin(Mesh::prev(Halfedge(i))));
@@ -140,7 +142,7 @@ void GpuNormals::update_changed(const Mesh& mesh, UploadStats& stats) {
   packed_.resize(mode_ == Mode::vertex ? mesh.vertex_count() : mesh.halfedge_count());
   count_ = packed_.size();
   if (mode_ == Mode::corner) corner_.resize(mesh.halfedge_count());
-  ChangeLog log;  // sorts and joins; what it counts here are normals
+  ChangeLog log;  // sorts and merges; counts normals here
   const auto store = [&](std::uint32_t i, const glm::vec3& normal) {
     packed_[i] = encode_normal(normal);
     log.note(GpuArray::position, i);

@@ -12,34 +12,37 @@
 
 namespace mesher::render {
 
-/// Where normals come from.
+/// Sources of normals.
 struct NormalSource {
-  std::span<const glm::vec3> corner;      ///< one a half-edge, as they are; empty: from the faces
-  std::span<const std::uint32_t> vertex;  ///< one a vertex, packed: before all others
-  std::size_t most_vertices = 0;          ///< how many there may be of `vertex`, as far as is known
+  std::span<const glm::vec3> corner;  ///< one per half-edge, used unchanged; empty: from the faces
+  std::span<const std::uint32_t> vertex;  ///< one per vertex, packed: preferred to all others
+  std::size_t most_vertices = 0;          ///< largest expected size of `vertex`
   bool can_split = false;                 ///< the mesh has creases
 };
 
-/// The normals of a GPU mesh: none unless shading interpolates them; one a vertex where nothing can
-/// split them (given so; or no tagged crease and a threshold of 180 degrees), otherwise one a
-/// half-edge.
+/// The normals of a GPU mesh.
+///
+/// There are none unless the shading interpolates them. There is one per vertex if nothing can
+/// split them (vertex normals are given, or there is no tagged crease and the threshold is 180
+/// degrees); otherwise one per half-edge.
 class GpuNormals {
  public:
   enum class Mode { none, vertex, corner };
 
   explicit GpuNormals(gpu::Device& device) : device_(device) {}
 
-  /// Makes what `settings` want, whole where anything but `mesh.changes()` differs from before.
+  /// Creates the normals that `settings` need. Creates all of them if anything but `mesh.changes()`
+  /// differs from the last call.
   void update(const Mesh& mesh, const Settings& settings, const NormalSource& source,
               bool is_new_mesh, UploadStats& stats);
 
   Mode mode() const { return mode_; }
   const gpu::Buffer& buffer() const { return buffer_; }
-  /// How much of the buffer is live: four bytes a normal.
+  /// Returns the size of the live part of the buffer: four bytes per normal.
   std::size_t bytes() const { return count_ * sizeof(std::uint32_t); }
 
  private:
-  /// What they are made of.
+  /// Source of the normals.
   enum class Origin { faces, corners, vertices };
 
   static Origin origin(const NormalSource& source);
@@ -53,8 +56,8 @@ class GpuNormals {
   float crease_angle_deg_ = 0.0F;
   Origin origin_ = Origin::faces;
   std::size_t count_ = 0;        ///< live normals
-  Array<glm::vec3> corner_;      ///< in corner mode, what `packed_` was made of
-  Array<std::uint32_t> packed_;  ///< what `buffer_` holds where it is not given
+  Array<glm::vec3> corner_;      ///< in corner mode, source of `packed_`
+  Array<std::uint32_t> packed_;  ///< contents of `buffer_` if not given
   gpu::Buffer buffer_;
 };
 

@@ -24,8 +24,8 @@ void append(const std::vector<Line>& from, std::vector<Line>& to) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-/// `sorted` up to `count` without what lies in `changed`, with `fresh` (all of which does) in its
-/// place.
+/// Returns `sorted` up to `count`, with the lines in `changed` replaced by `fresh` (whose lines are
+/// all in `changed`).
 std::vector<Line> replace(const std::vector<Line>& sorted, std::uint32_t count,
                           std::span<const ChangedRange> changed, const std::vector<Line>& fresh) {
   std::vector<Line> kept;
@@ -46,7 +46,7 @@ std::vector<Line> replace(const std::vector<Line>& sorted, std::uint32_t count,
 }  // namespace
 
 float line_weight(float sharpness) {
-  // A crease of 2, half its look.
+  // A crease of sharpness 2 has half the weight.
   constexpr float kHalf = 2.0F;
   return sharpness < kInfinitelySharp ? sharpness / (sharpness + kHalf) : 1.0F;
 }

@@ -8,37 +8,37 @@
 namespace mesher::render {
 namespace {
 
-void take_in(Box& box, const glm::vec3& p) {
+void extend(Box& box, const glm::vec3& p) {
   if (box.is_empty()) box = {p, p};
   box.min = glm::min(box.min, p);
   box.max = glm::max(box.max, p);
 }
 
-/// The position of a vertex, and those that it or an ancestor of it had at the levels before.
-void take_in_places(Box& box, const Mesh& mesh, const MorphSource& morph, Vertex v) {
+/// Adds the position of a vertex and the positions that it or an ancestor had at coarser levels.
+void extend_by_positions(Box& box, const Mesh& mesh, const MorphSource& morph, Vertex v) {
   glm::vec3 p = mesh.position(v);
-  take_in(box, p);
+  extend(box, p);
   if (morph.is_empty()) return;
   std::uint32_t head = morph.heads[v.index()];
   while (head != kNoHead) {
     const SplitMorph& split = morph.splits[head >> 1U];
     p -= (head & 1U) != 0 ? split.child_delta : split.parent_delta;
-    take_in(box, p);
+    extend(box, p);
     head = split.previous;
   }
 }
 
-Box all_places(const Mesh& mesh, const MorphSource& morph) {
+Box box_of_positions(const Mesh& mesh, const MorphSource& morph) {
   constexpr std::size_t kChunk = 1U << 14;
   std::vector<Box> parts(chunk_count(mesh.vertex_count(), kChunk));
   parallel_chunks(mesh.vertex_count(), kChunk, [&](std::size_t chunk, IndexRange range) {
     for (std::size_t v = range.begin; v < range.end; ++v)
-      take_in_places(parts[chunk], mesh, morph, Vertex(static_cast<std::uint32_t>(v)));
+      extend_by_positions(parts[chunk], mesh, morph, Vertex(static_cast<std::uint32_t>(v)));
   });
   Box box;
   for (const Box& part : parts) {
-    take_in(box, part.min);
-    take_in(box, part.max);
+    extend(box, part.min);
+    extend(box, part.max);
   }
   return box;
 }
@@ -51,19 +51,19 @@ void MeshBox::update(const Mesh& mesh, const MorphSource& morph, bool is_new_mes
   const bool is_walked = mesh.vertex_count() <= walked_vertices_;
   const MorphSource walked = is_walked ? MorphSource{} : morph;
   if (mesh.changes().is_whole(GpuArray::position)) {
-    if (grows && is_walked) return;  // a level below one that has been taken in
-    const Box now = walked.is_empty() ? bounding_box(mesh) : all_places(mesh, walked);
+    if (grows && is_walked) return;  // a level below one that is included already
+    const Box now = walked.is_empty() ? bounding_box(mesh) : box_of_positions(mesh, walked);
     if (!grows || box_.is_empty()) {
       box_ = now;
     } else if (!now.is_empty()) {
-      take_in(box_, now.min);
-      take_in(box_, now.max);
+      extend(box_, now.min);
+      extend(box_, now.max);
     }
   } else {
     for (const ChangedRange range :
          mesh.changes().merged(GpuArray::position, 0, mesh.vertex_count())) {
       for (std::uint32_t v = range.begin; v < range.end; ++v)
-        take_in_places(box_, mesh, walked, Vertex(v));
+        extend_by_positions(box_, mesh, walked, Vertex(v));
     }
   }
   if (!grows) {

@@ -7,13 +7,13 @@
 
 namespace mesher::render {
 
-/// Draws one picture and fetches it. `mesh` must have been applied with `settings`; alpha is 255.
+/// Draws one image and returns it, with alpha 255. Pre: `mesh` has been applied with `settings`.
 /// Throws DeviceError.
 Image render_image(gpu::Device& device, Renderer& renderer, const GpuMesh& mesh,
                    const Camera& camera, const Settings& settings, std::uint32_t width,
                    std::uint32_t height);
 
-/// Mirrors `mesh`, draws one picture and fetches it: all that a batch run needs.
+/// Mirrors `mesh`, draws one image and returns it. Batch runs need nothing else.
 Image render_image(gpu::Device& device, Mesh& mesh, const Camera& camera, const Settings& settings,
                    std::uint32_t width, std::uint32_t height, const Sources& sources = {});
 

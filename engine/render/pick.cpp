@@ -15,10 +15,10 @@ struct Nearest {
   Face face;
 };
 
-/// Distance along the ray, or infinity where it misses.
+/// Returns the distance along the ray, or infinity if the ray misses.
 double intersect(const Mesh& mesh, Face f, const Ray& ray) {
   constexpr double kMiss = std::numeric_limits<double>::infinity();
-  // Rounding must not let a ray slip through between two faces.
+  // Rounding must not let a ray pass between two faces.
   constexpr double kSeam = 1e-9;
   const auto corner = [&](std::uint32_t i) {
     return glm::dvec3(mesh.position(mesh.origin(Mesh::halfedge(f, i))));
@@ -39,24 +39,25 @@ double intersect(const Mesh& mesh, Face f, const Ray& ray) {
   return distance >= 0.0 ? distance : kMiss;
 }
 
-/// Edges as they appear in a window, seen from the cursor.
+/// Measures edges in a window, relative to the cursor.
 class Screen {
  public:
   Screen(const Mesh& mesh, const Camera& camera, const Cursor& cursor)
       : mesh_(mesh),
-        places_(camera.places(cursor.window)),
+        projection_(camera.places(cursor.window)),
         cursor_(cursor.position),
         near_(1e-3 * camera.distance()) {}
 
-  /// From the cursor to an edge; infinite where it is not before the eye.
+  /// Returns the distance from the cursor to an edge; infinite if the edge is not in front of the
+  /// eye.
   double distance(Halfedge h) const {
     glm::dvec3 a = mesh_.position(mesh_.origin(h));
     glm::dvec3 b = mesh_.position(mesh_.target(h));
-    if (places_.perspective && !cut_behind_eye(a, b)) {
+    if (projection_.perspective && !cut_behind_eye(a, b)) {
       return std::numeric_limits<double>::infinity();
     }
-    const glm::dvec2 from = places_.of(a);
-    const glm::dvec2 along = places_.of(b) - from;
+    const glm::dvec2 from = projection_.of(a);
+    const glm::dvec2 along = projection_.of(b) - from;
     const glm::dvec2 to_cursor = cursor_ - from;
     const double square = glm::dot(along, along);
     const double share = square > 0.0 ? glm::dot(to_cursor, along) / square : 0.0;
@@ -64,10 +65,10 @@ class Screen {
   }
 
  private:
-  /// Leaves what is a little before the eye and beyond; false where nothing is.
+  /// Clips the segment to the part in front of the near plane; false if none remains.
   bool cut_behind_eye(glm::dvec3& a, glm::dvec3& b) const {
-    const double a_depth = places_.depth(a) - near_;
-    const double b_depth = places_.depth(b) - near_;
+    const double a_depth = projection_.depth(a) - near_;
+    const double b_depth = projection_.depth(b) - near_;
     if (a_depth >= 0.0 && b_depth >= 0.0) return true;
     if (a_depth < 0.0 && b_depth < 0.0) return false;
     const glm::dvec3 cut = a + a_depth / (a_depth - b_depth) * (b - a);
@@ -76,12 +77,12 @@ class Screen {
   }
 
   const Mesh& mesh_;
-  WindowPlaces places_;
+  WindowProjection projection_;
   glm::dvec2 cursor_;
   double near_;
 };
 
-/// The nearest of half-edges [begin, end); the first of two alike.
+/// Returns the nearest of half-edges [begin, end); the first if two are equally near.
 EdgeHit nearest_edge(const Mesh& mesh, const Screen& screen, IndexRange range) {
   EdgeHit nearest{{}, std::numeric_limits<double>::infinity()};
   for (std::size_t i = range.begin; i < range.end; ++i) {

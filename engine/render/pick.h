@@ -14,9 +14,9 @@ struct Hit {
   double distance = 0.0;  ///< along the ray
 };
 
-/// The nearest face under a ray, from either side, or none (T. Moeller, B. Trumbore, "Fast, minimum
-/// storage ray/triangle intersection", 1997, in double). The lower face where two are equally near.
-/// O(F), parallel: a click, not a frame.
+/// Returns the nearest face hit by a ray from either side, or none (T. Moeller, B. Trumbore, "Fast,
+/// minimum storage ray/triangle intersection", 1997, in double). Returns the lower face if two are
+/// equally near. O(F), parallel: fast enough per click, too slow per frame.
 std::optional<Hit> pick(const Mesh& mesh, const Ray& ray);
 
 struct EdgeHit {
@@ -24,9 +24,12 @@ struct EdgeHit {
   double distance_px = 0.0;  ///< from the cursor to the edge, in the window
 };
 
-/// The edge that a person points at: of the face under the cursor the edge nearest to it in the
-/// window; where no face is, of all edges (those of the outline, that is). None farther than
-/// `tolerance_px` counts. `cursor` is in pixels. O(F), parallel: a click, or a rest of the hand.
+/// Returns the edge under the cursor.
+///
+/// If there is a face under the cursor, returns the face's edge nearest to the cursor in the
+/// window. Otherwise returns the nearest of all edges (the outline). Returns none if the edge is
+/// farther than `tolerance_px`. `cursor` is in pixels. O(F), parallel: fast enough per click or
+/// hover, too slow per frame.
 std::optional<EdgeHit> pick_edge(const Mesh& mesh, const Camera& camera, const Cursor& cursor,
                                  double tolerance_px = 8.0);
 

@@ -11,22 +11,23 @@
 namespace mesher::render {
 namespace {
 
-/// Lines are as wide as asked in a picture this high, and grow with the square root.
+/// Image height at which lines have their nominal width. Widths scale with the square root of the
+/// height.
 constexpr float kReferenceHeight = 600.0F;
 constexpr float kEdgeWidth = 1.1F;
-/// Up to so many faces, edges alone are drawn as quads: drawn by their faces, those on the outline
-/// have one face there, and half a width. Beyond, edges are so dense that it does not matter, and
-/// quads cost three times as much.
+/// Up to this many faces, edges without a surface are drawn as quads. Drawn by their faces instead,
+/// edges on the outline would have only one face, and half the width. Beyond this, edges are so
+/// dense that it does not matter, and quads cost three times as much.
 constexpr std::uint32_t kQuadFaces = 50'000;
 constexpr float kCreaseWidth = 3.0F;
 constexpr float kBoundaryWidth = 4.6F;
-/// Of the bands under marked edges: wide enough to be seen on both sides of a boundary.
+/// Widths of the bands under marked edges: wide enough to be seen on both sides of a boundary.
 constexpr float kSelectedWidth = 8.0F;
 constexpr float kHoveredWidth = 7.5F;
 constexpr float kEdgeStrength = 0.85F;
-/// How strong lines are without a surface, in sight and where a surface would hide them. Blending
-/// is linear, which makes the same share of light on dark look like much more than of dark on
-/// light.
+/// Opacity of lines without a surface: where they are visible, and where a surface would hide them.
+/// Blending is linear, so the same opacity looks much stronger for light lines on dark than for
+/// dark lines on light.
 struct LoneStrength {
   float visible;
   float hidden;
@@ -53,7 +54,7 @@ shared::ViewConstants view_constants(const ViewTransform& view) {
   return {.row_x = {view.rows[0], view.offset.x},
           .row_y = {view.rows[1], view.offset.y},
           .row_z = {view.rows[2], view.offset.z},
-          // Vulkan's clip space has y down.
+          // y runs down in Vulkan's clip space
           .projection = {view.scale.x, -view.scale.y, view.depth_scale, view.depth_offset},
           .origin = view.origin,
           .perspective = view.perspective ? 1.0F : 0.0F};
@@ -70,7 +71,7 @@ VkRenderingAttachmentInfo attachment(const gpu::DeviceImage& image, VkImageLayou
   return info;
 }
 
-/// The drawing of one frame.
+/// Records the draws of one frame.
 class Recording {
  public:
   Recording(VkCommandBuffer commands, ScenePipelines& pipelines, const SceneTarget& target,
@@ -83,7 +84,7 @@ class Recording {
             static_cast<double>(target.extent().width) / target.extent().height, mesh.box()))),
         positions_(mesh.positions().address()) {}
 
-  /// From now on vertices are drawn where `block` says.
+  /// Makes later draws take vertices from `block`.
   void morph(VkDeviceAddress block) {
     positions_ = block;
     vertices_ = Vertices::morphed;
@@ -92,7 +93,7 @@ class Recording {
   void end();
   void surface(Pass pass, const Settings& settings, float line_strength = kEdgeStrength);
   void edges(Pass pass, const Settings& settings, float strength);
-  /// Marked edges, and on them creases and boundaries.
+  /// Draws marked edges, and creases and boundaries on top of them.
   void lines(Pass pass, const Settings& settings, float strength);
   void wire_alone(const Settings& settings);
 
@@ -119,7 +120,7 @@ class Recording {
   const SceneTarget& target_;
   const GpuMesh& mesh_;
   shared::ViewConstants view_;
-  VkDeviceAddress positions_;  ///< what shaders take for it: positions, or GeomorphConstants
+  VkDeviceAddress positions_;  ///< address for the shaders: positions, or GeomorphConstants
   Vertices vertices_ = Vertices::still;
 };
 
@@ -214,7 +215,7 @@ void Recording::lines(Pass pass, const Settings& settings, float strength) {
 void Recording::draw_lines(LineList list, const Color& color, float width, float strength) {
   if (list.count == 0) return;
   const VkExtent2D extent = target_.extent();
-  constexpr std::uint32_t kVerticesALine = 6;
+  constexpr std::uint32_t kVerticesPerLine = 6;
   push(shared::LineConstants{
       .view = view_,
       .positions = positions_,
@@ -224,11 +225,11 @@ void Recording::draw_lines(LineList list, const Color& color, float width, float
       .color = pack(color, strength),
       .half_width = 0.5F * width * line_scale(extent),
       .viewport = {static_cast<float>(extent.width), static_cast<float>(extent.height)}});
-  vkCmdDraw(commands_, kVerticesALine * list.count, 1, 0, 0);
+  vkCmdDraw(commands_, kVerticesPerLine * list.count, 1, 0, 0);
 }
 
-/// What a surface would hide is drawn too, but faintly: one sees through without mistaking the back
-/// for the front.
+/// Draws hidden lines faintly too, so that one can see through the mesh without mistaking back for
+/// front.
 void Recording::wire_alone(const Settings& settings) {
   surface(Pass::depth, settings);
   const LoneStrength strength = settings.background == Background::light ? kOnLight : kOnDark;

@@ -9,20 +9,20 @@
 
 namespace mesher::render {
 
-/// Records scenes. Pipelines are made when a setting first needs them and kept.
+/// Records scenes. Pipelines are created when first needed, and kept.
 ///
-/// The cost of a frame, for benchmarks: `device.run_once([&](auto commands) { renderer.draw(...);
-/// })` submits and waits, so its wall time is the frame's.
+/// To measure a frame in benchmarks, call `device.run_once([&](auto commands) { renderer.draw(...);
+/// })`. It submits and waits, so its wall time is the frame's cost.
 class Renderer {
  public:
   explicit Renderer(gpu::Device& device) : pipelines_(device), geomorph_(device) {}
 
   /// Records the whole scene into `target`. Pre: `mesh` has been applied with these settings.
-  /// Throws DeviceError where a pipeline cannot be made.
+  /// Throws DeviceError if a pipeline cannot be created.
   void draw(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
             const Camera& camera, const Settings& settings);
-  /// The same triangles in the same target in one constant color: what any indexed draw has to
-  /// cost.
+  /// Records the same triangles into the same target in one constant color: the minimum cost of any
+  /// indexed draw.
   void draw_bare(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
                  const Camera& camera, const Settings& settings);
 

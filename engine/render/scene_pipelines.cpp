@@ -48,7 +48,7 @@ PassShaders shaders_of(Pass pass) {
 PassShaders morphed_shaders_of(Pass pass) {
   switch (pass) {
     case Pass::bare:
-      break;  // the yardstick stays what it is
+      break;  // the reference stays unchanged
     case Pass::depth:
       return {shaders::kFlatMorphVert, {}};
     case Pass::flat:

@@ -9,16 +9,16 @@
 
 namespace mesher::render {
 
-/// Every way the scene's triangles are drawn.
+/// All ways to draw the scene's triangles.
 enum class Pass : std::uint8_t {
-  bare,                 ///< one constant color: the benchmark's yardstick
+  bare,                 ///< one constant color: the benchmark's reference
   depth,                ///< depth alone
   flat,                 ///< indexed
-  gouraud,              ///< indexed, a normal a vertex
-  gouraud_corner,       ///< by half-edge, a normal a half-edge
+  gouraud,              ///< indexed, one normal per vertex
+  gouraud_corner,       ///< by half-edge, one normal per half-edge
   flat_wire,            ///< by half-edge, with ordinary edges
-  gouraud_wire,         ///< by half-edge, with ordinary edges, a normal a vertex
-  gouraud_corner_wire,  ///< the same, a normal a half-edge
+  gouraud_wire,         ///< by half-edge, with ordinary edges, one normal per vertex
+  gouraud_corner_wire,  ///< the same, one normal per half-edge
   wire_hidden,          ///< ordinary edges alone, drawn by their faces, behind `depth`
   wire_visible,         ///< the same, not behind it
   edge_hidden,          ///< ordinary edges alone, as quads, behind `depth`
@@ -28,24 +28,25 @@ enum class Pass : std::uint8_t {
 };
 inline constexpr std::size_t kPassCount = 14;
 
-/// Where its vertices are.
+/// Source of vertex positions.
 enum class Vertices : std::uint8_t {
-  still,    ///< where the mesh has them
-  morphed,  ///< where splits that grow have brought them, with a color each where that is wanted
+  still,    ///< the mesh's positions
+  morphed,  ///< moved by growing splits, and colored per vertex if requested
 };
 inline constexpr std::size_t kVerticesCount = 2;
 
-/// Whether a pass takes indexed vertices (positions, and normals where it is `gouraud`) or pulls
-/// them by half-edge number.
+/// Returns whether a pass takes indexed vertices (positions, and normals for `gouraud`) rather than
+/// pulling them by half-edge index.
 bool is_indexed(Pass pass);
 
-/// The pipelines, each made when first asked for: starting up costs only what is drawn.
+/// Pipelines, each created on first use: startup pays only for what is drawn.
 class ScenePipelines {
  public:
   explicit ScenePipelines(gpu::Device& device);
 
   VkPipelineLayout layout() const { return layout_.get(); }
-  /// For `target`'s format and samples; asking for another kind of target drops those made before.
+  /// Returns a pipeline for `target`'s format and samples. Another kind of target drops the
+  /// existing pipelines.
   VkPipeline get(Pass pass, Vertices vertices, const SceneTarget& target);
 
  private:

@@ -11,8 +11,8 @@
 namespace mesher::render {
 
 enum class Shading {
-  none,     ///< no surface: with `wireframe`, lines alone, hidden ones faintly
-  flat,     ///< one normal a face
+  none,     ///< no surface: with `wireframe`, only lines; hidden ones are faint
+  flat,     ///< one normal per face
   gouraud,  ///< normals interpolated between corners
 };
 
@@ -36,40 +36,41 @@ constexpr const auto& choices(Background) {
   return kBackgrounds;
 }
 
-/// An sRGB color, components 0 to 1: as color pickers and CSS give them.
+/// An sRGB color with components 0 to 1, as in color pickers and CSS.
 using Color = glm::vec3;
 
-/// How a scene is drawn. Plain values: compare, copy, keep in a file.
+/// How to draw a scene. A plain value: compare it, copy it, save it to a file.
 struct Settings {
   Shading shading = Shading::flat;
-  /// Edges: ordinary ones thin and faded where dense, creases yellow (semi-sharp ones thinner and
-  /// paler), boundaries thick and red.
+  /// Draw edges: ordinary ones thin and faded where dense, creases yellow (semi-sharp ones thinner
+  /// and paler), boundaries thick and red.
   bool wireframe = false;
-  /// Creases and boundaries also where there is no wireframe.
+  /// Draw creases and boundaries even without the wireframe.
   bool line_edges = false;
-  /// Gouraud normals split where faces meet at more than this (180: only at tagged creases).
+  /// Split Gouraud normals at edges whose face normals differ by more than this (180: only at
+  /// tagged creases).
   float crease_angle_deg = 180.0F;
   Background background = Background::light;
   Color front{0.80F, 0.78F, 0.74F};
-  Color back{0.32F, 0.47F, 0.86F};  ///< blue: a surface turned inside out is seen at once
+  Color back{0.32F, 0.47F, 0.86F};  ///< blue: an inside-out surface is obvious
   Color crease{1.00F, 0.80F, 0.00F};
   Color boundary{0.90F, 0.05F, 0.05F};
-  Color selected{0.00F, 0.62F, 0.93F};  ///< a band under the line that the edge has anyway
+  Color selected{0.00F, 0.62F, 0.93F};  ///< a band under the edge's own line
   Color hovered{0.55F, 0.85F, 1.00F};
-  /// Samples a pixel, 1 or 4.
+  /// Samples per pixel, 1 or 4.
   unsigned samples = 4;
-  /// How far splits have grown that the mirror has a MorphSource for; without one it is ignored.
+  /// Progress of the geomorph of growing splits. Ignored if the mirror has no MorphSource.
   GeomorphTime geomorph = GeomorphTime::done();
-  /// The surface's front is colored by when a vertex came: `front` for those below
-  /// `first_split_vertex`, from there on violet (early) over green to yellow (late), the same step
-  /// each time that their number has doubled.
+  /// Color the front by split order: `front` for vertices below `first_split_vertex`, then from
+  /// violet (early) over green to yellow (late). The color advances by the same step whenever the
+  /// number of vertices has doubled.
   bool colors_by_split_order = false;
   std::uint32_t first_split_vertex = 0;
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
-/// What commands and panels can change of it.
+/// Settings that commands and panels can change.
 inline constexpr std::array kRenderOptions{
     Option<Settings>{.key = "shading",
                      .label = "shading",
@@ -100,9 +101,10 @@ inline constexpr std::array kRenderOptions{
                      .most = 4.0},
 };
 
-/// The color behind the model.
+/// Returns the color behind the model.
 Color background_color(Background background);
-/// The color of ordinary edges: over a surface dark; alone, whatever reads on the background.
+/// Returns the color of ordinary edges: dark over a surface; otherwise whatever contrasts with the
+/// background.
 Color edge_color(const Settings& settings);
 
 }  // namespace mesher::render

@@ -3,22 +3,22 @@
 #include <cstdint>
 #include <span>
 
-/// SPIR-V of the shaders in shaders/, compiled by the build. One entry a variant.
+/// SPIR-V of the shaders in shaders/, compiled by the build. One entry per variant.
 namespace mesher::render::shaders {
 
 using Words = std::span<const std::uint32_t>;
 
 extern const Words kFlatVert;           ///< indexed vertices
-extern const Words kGouraudVert;        ///< indexed vertices, a normal each
+extern const Words kGouraudVert;        ///< indexed vertices, one normal each
 extern const Words kFlatPulledVert;     ///< by half-edge, with barycentric coordinates
-extern const Words kGouraudPulledVert;  ///< by half-edge, a normal a vertex
-extern const Words kGouraudCornerVert;  ///< by half-edge, a normal a half-edge
+extern const Words kGouraudPulledVert;  ///< by half-edge, one normal per vertex
+extern const Words kGouraudCornerVert;  ///< by half-edge, one normal per half-edge
 extern const Words kFlatFrag;
 extern const Words kGouraudFrag;
 extern const Words kFlatWireFrag;
 extern const Words kGouraudWireFrag;
 extern const Words kWireAloneFrag;
-// The same with vertices that move while splits grow, and that may have a color each.
+// The same with vertices that move during a geomorph and may have a color each.
 extern const Words kFlatMorphVert;
 extern const Words kGouraudMorphVert;
 extern const Words kFlatPulledMorphVert;

@@ -8,32 +8,33 @@
 
 namespace mesher::render {
 
-/// What a mesh is drawn with while splits grow: see SplitMorph.
+/// The data to draw a mesh during a geomorph: see SplitMorph.
 struct MorphSource {
-  /// One a vertex. One may differ from that of the last time only where the mesh's log says that
-  /// the vertex's position has changed.
+  /// One per vertex. A head may change only if the mesh's change log lists that vertex's position
+  /// as changed.
   std::span<const std::uint32_t> heads;
-  /// Those from the last time stay as they are; more may have come after them. Otherwise it is
-  /// another mesh (GpuMesh::invalidate). Their normals count only beside Sources::vertex_normals,
-  /// and may be others after a time without those: while splits still arrive nobody knows them.
+  /// Splits must stay the same between calls; more may be appended. Otherwise it is another mesh
+  /// (GpuMesh::invalidate). Their normals count only if Sources::vertex_normals is set. They may
+  /// change after calls without vertex normals, because the normals are unknown while splits
+  /// arrive.
   std::span<const SplitMorph> splits;
 
   bool is_empty() const { return heads.empty() || splits.empty(); }
-  /// How many splits come after the level that the heads are of: the last vertex's head is its
-  /// birth.
+  /// Returns the number of splits after the level of the heads. The last vertex's head is the split
+  /// that created it.
   std::size_t splits_to_come() const {
     if (is_empty()) return 0;
     return splits.size() - (heads.back() == kNoHead ? 0 : heads.back() / 2 + std::size_t{1});
   }
 };
 
-/// What a mirror takes beside the mesh. Each may be empty.
+/// Inputs of a mirror besides the mesh. Each may be empty.
 struct Sources {
-  /// One a half-edge: taken for Gouraud shading instead of the faces'. They may change only with
-  /// the mesh.
+  /// One per half-edge: used for Gouraud shading instead of the faces' normals. They may change
+  /// only with the mesh.
   std::span<const glm::vec3> corner_normals;
-  /// One a vertex, as encode_normal gives them: taken before all others, and never split, whatever
-  /// creases there are. They may change as heads may.
+  /// One per vertex, as encode_normal returns them. Preferred to all others and never split,
+  /// whatever creases there are. They may change like the heads.
   std::span<const std::uint32_t> vertex_normals;
   MorphSource morph;
 };

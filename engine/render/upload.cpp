@@ -6,10 +6,10 @@
 namespace mesher::render {
 namespace {
 
-/// Beyond, so many small copies cost more than the bytes that they save.
+/// Above this, many small copies cost more than the bytes they save.
 constexpr std::size_t kMostRanges = 20'000;
 
-/// Elements between two ranges so near each other that one copy of both is cheaper than two.
+/// Returns the largest gap, in elements, between two ranges that is cheaper to copy than to skip.
 std::uint32_t worthwhile_gap(std::size_t element_bytes) {
   constexpr std::size_t kBytes = 64;  // a cache line
   return static_cast<std::uint32_t>(kBytes / element_bytes);
@@ -21,7 +21,7 @@ bool make_room(gpu::Device& device, gpu::Buffer& buffer, std::size_t bytes,
                VkBufferUsageFlags usage) {
   if (buffer.size() >= bytes) return false;
   const VkDeviceSize grown = std::min(buffer.size() + buffer.size() / 2, device.max_buffer_bytes());
-  buffer = {};  // before the new one: not both at once
+  buffer = {};  // freed first, so that both never coexist
   buffer =
       gpu::Buffer(device, std::max<VkDeviceSize>(bytes, grown), usage, gpu::MemoryIntent::fixed);
   return true;

@@ -9,33 +9,34 @@
 
 namespace mesher::render {
 
-/// What bringing a mirror up to date cost.
+/// Cost of an update of a mirror.
 struct UploadStats {
   std::uint64_t uploaded_bytes = 0;
   std::uint64_t total_bytes = 0;  ///< size of the whole mirror
-  std::uint32_t ranges = 0;       ///< pieces copied
+  std::uint32_t ranges = 0;       ///< ranges copied
 };
 
-/// Puts an empty buffer of at least `bytes` bytes in place of one that is smaller; one that was
-/// filled before gets half as much again, so that what grows bit by bit is seldom copied whole.
-/// Returns whether it did.
+/// Replaces a buffer smaller than `bytes` with an empty one of at least `bytes` bytes and returns
+/// whether it did. A non-empty buffer grows by at least half, so a buffer that grows gradually is
+/// rarely copied whole.
 bool make_room(gpu::Device& device, gpu::Buffer& buffer, std::size_t bytes,
                VkBufferUsageFlags usage);
 
-/// Makes `buffer` hold all of `source` from its start, with room made where it is too small.
+/// Copies all of `source` to the start of `buffer`, and enlarges it if necessary.
 void upload_whole(gpu::Device& device, gpu::Buffer& buffer, std::span<const std::byte> source,
                   VkBufferUsageFlags usage, UploadStats& stats);
 
-/// Elements of a mirrored array that have changed.
+/// The changed elements of a mirrored array.
 struct ChangedElements {
   const ChangeLog& log;
-  GpuArray array;  ///< whose list of the log counts
+  GpuArray array;  ///< selects the list of the log
   std::size_t element_bytes;
 };
 
-/// Brings the start of `buffer` up to date with `source`: what has changed of it; or all of it
-/// where all has, the buffer is too small, or the pieces are so many that one copy is cheaper. What
-/// lies past the end of `source` stays: room to grow again.
+/// Updates the start of `buffer` from `source`.
+///
+/// Copies the changes only, or everything if all changed, the buffer is too small, or there are so
+/// many ranges that one copy is cheaper. Data past the end of `source` stays: room to grow again.
 void upload_changes(gpu::Device& device, gpu::Buffer& buffer, std::span<const std::byte> source,
                     const ChangedElements& changed, VkBufferUsageFlags usage, UploadStats& stats);
 

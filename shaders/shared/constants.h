@@ -1,5 +1,5 @@
-// Push constants, one definition for C++ and GLSL. std430 rules: vec4 and structs at multiples of
-// 16 bytes, vec2 and addresses of 8. At most 128 bytes, the least that every device has.
+// Push constants, one definition for C++ and GLSL. std430 rules: vec4 and structs are aligned to 16
+// bytes, vec2 and addresses to 8. At most 128 bytes, the minimum that every device supports.
 #ifndef MESHER_SHADERS_CONSTANTS_H
 #define MESHER_SHADERS_CONSTANTS_H
 
@@ -18,7 +18,7 @@ using Address = std::uint64_t;
 #define Address uvec2
 #endif
 
-/// Camera::transform as shaders use it: see ViewTransform.
+/// Camera::transform in the shaders' form: see ViewTransform.
 struct ViewConstants {
   vec4 row_x;  // a row of the rotation, and the offset
   vec4 row_y;
@@ -28,21 +28,21 @@ struct ViewConstants {
   float perspective;  // 1 or 0
 };
 
-// Colors in 8 bits a component hold the square root of linear light: close to even steps for the
-// eye, and undone by one multiplication.
+// Colors in 8 bits per component store the square root of linear light. The steps look nearly even
+// to the eye, and one multiplication decodes them.
 
-// In MORPH variants `positions` is the address of GeomorphConstants instead, since push constants
-// have no room left.
+// In MORPH variants, `positions` is the address of GeomorphConstants instead, because the push
+// constants are full.
 
 struct SurfaceConstants {
   ViewConstants view;
-  Address positions;  // float[3] a vertex
-  Address indices;    // uint a half-edge
-  Address classes;    // 16 half-edges a uint
-  Address normals;    // octahedral snorm16x2, a vertex or a half-edge
+  Address positions;  // float[3] per vertex
+  Address indices;    // uint per half-edge
+  Address classes;    // 16 half-edges per uint
+  Address normals;    // octahedral snorm16x2, per vertex or per half-edge
   uint front;
   uint back;
-  uint line;         // alpha: strength where the mesh is not dense
+  uint line;         // alpha: opacity where the mesh is not dense
   float line_width;  // pixels
 };
 
@@ -57,20 +57,21 @@ struct LineConstants {
   vec2 viewport;     // pixels
 };
 
-/// What vertices are moved by while splits grow: see GeomorphTime and SplitMorph in
-/// engine/mesh/geomorph.h. No push constants but a block in a buffer, the same for a whole frame.
+/// The data that moves vertices during a geomorph: see GeomorphTime and SplitMorph in
+/// engine/mesh/geomorph.h. It is not in the push constants but in a buffer, and is the same for a
+/// whole frame.
 struct GeomorphConstants {
   Address positions;
-  Address heads;    // uint a vertex
+  Address heads;    // uint per vertex
   Address splits;   // SplitMorph, kSplitWords words each
-  uint first_head;  // heads from here on grow: twice GeomorphTime::first_growing
+  uint first_head;  // first growing head: twice GeomorphTime::first_growing
   int whole;        // this and the next as in GeomorphTime
   float fraction;
   float rate;
   float fixed_share;
-  uint first_split_vertex;  // the first vertex that came with a split
-  float split_order_scale;  // one over how often those double the mesh; negative: it has one color
-  uint unused;              // a multiple of 8 bytes
+  uint first_split_vertex;  // the first vertex created by a split
+  float split_order_scale;  // 1 / doublings of the mesh by these; negative: one color
+  uint unused;              // pads to a multiple of 8 bytes
 };
 
 #ifdef __cplusplus

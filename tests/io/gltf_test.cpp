@@ -147,19 +147,20 @@ TEST(GltfRead, ReadsStripsFansAndLists) {
 
 TEST(GltfRead, RejectsInvalidFiles) {
   expect_refusal("{", "malformed JSON");
-  expect_refusal("[]", "no glTF document");
-  expect_refusal(R"({"asset":{"version":"1.0"}})", "no glTF 2");
+  expect_refusal("[]", "not a glTF document");
+  expect_refusal(R"({"asset":{"version":"1.0"}})", "not a glTF 2.0 document");
   expect_refusal(R"({"asset":{"version":"2.0"}})", "no triangles");
-  expect_refusal(document(R"("nodes":[{"children":[0]}],"scenes":[{"nodes":[0]}],)"), "no tree");
+  expect_refusal(document(R"("nodes":[{"children":[0]}],"scenes":[{"nodes":[0]}],)"),
+                 "do not form a tree");
   expect_refusal(document(R"("nodes":[{"mesh":7}],)"), "out of range");
-  expect_refusal(document(R"("nodes":[{"mesh":-1}],)"), "whole number");
-  expect_refusal(document(R"("nodes":[7],)"), "no object");
-  expect_refusal(document(R"("nodes":{},)"), "no array");
+  expect_refusal(document(R"("nodes":[{"mesh":-1}],)"), "not a non-negative integer");
+  expect_refusal(document(R"("nodes":[7],)"), "is not an object");
+  expect_refusal(document(R"("nodes":{},)"), "is not an array");
   expect_refusal(document(R"("nodes":[{"mesh":0,"matrix":[1,2]}],)"), "16 numbers");
-  expect_refusal(document("", R"("meshes":[{}])"), "without primitives");
+  expect_refusal(document("", R"("meshes":[{}])"), "has no primitives");
   expect_refusal(
       document("", R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":0}]}])"),
-      "no scalars");
+      "not scalars");
   expect_refusal(
       document("", R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":9}]}])"),
       "out of range");
@@ -174,11 +175,12 @@ TEST(GltfRead, RejectsInvalidFiles) {
                  "past its buffer");
   expect_refusal(replaced(R"("byteLength":12)", R"("byteLength":12,"byteStride":1)"), "byteStride");
   expect_refusal(replaced(R"("byteLength":12)", R"("byteLength":12,"byteStride":0)"), "byteStride");
-  expect_refusal(replaced(R"("byteLength":132)", R"("byteLength":133)"), "shorter than it says");
+  expect_refusal(replaced(R"("byteLength":132)", R"("byteLength":133)"),
+                 "shorter than its byteLength");
   expect_refusal(replaced(R"("componentType":5126)", R"("componentType":5124)"), "componentType");
-  expect_refusal(replaced(R"("type":"VEC3")", R"("type":"MAT4")"), "unknown type");
+  expect_refusal(replaced(R"("type":"VEC3")", R"("type":"MAT4")"), "unknown accessor type");
   expect_refusal(replaced(R"("bufferView":0,)", R"("sparse":{},)"), "sparse");
-  expect_refusal(replaced(R"("bufferView":0,)", ""), "without data");
+  expect_refusal(replaced(R"("bufferView":0,)", ""), "has no data");
   expect_refusal(
       replaced(R"("asset")", R"("extensionsRequired":["KHR_draco_mesh_compression"],"asset")"),
       "compressed");
@@ -203,7 +205,7 @@ TEST(GltfRead, RejectsExcessiveInstances) {
       {"bufferView":1,"componentType":5123,"count":30000,"type":"SCALAR"}],)";
   expect_refusal(kAsset + buffer(kPositions + indices) + views + "\"nodes\":[" + nodes + "]," +
                      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}]})",
-                 "beyond sense");
+                 "instanced too often");
 }
 
 const std::string kSeam =

@@ -146,11 +146,11 @@ TEST(PlyRead, RejectsInvalidFiles) {
   expect("ply\nformat utf8 1.0\nend_header\n", 2, "unknown format");
   expect(start + "element vertex -1\n", 3, "name and a count");
   expect(start + "element vertex 99999999999999999999999\n", 3, "name and a count");
-  expect(start + "property float x\n", 3, "before any element");
+  expect(start + "property float x\n", 3, "precedes the first element");
   expect(start + "element vertex 1\nproperty quad x\n", 4, "unknown type");
-  expect(start + "element vertex 1\nproperty list float int x\n", 4, "whole numbers");
-  expect(start + "element a 1\nelement a 1\n", 4, "named twice");
-  expect(start + "nonsense\n", 3, "unknown word");
+  expect(start + "element vertex 1\nproperty list float int x\n", 4, "integer type");
+  expect(start + "element a 1\nelement a 1\n", 4, "declared twice");
+  expect(start + "nonsense\n", 3, "unknown keyword");
   expect(start + "element vertex 1\nproperty float x\nend_header\n1\n", 6, "x, y and z");
   expect(start + "element vertex 0\n" + kXyz + "end_header\n", 8, "no vertices");
   expect(start + "element vertex 4000000000\n" + kXyz + "end_header\n0 0 0\n", 8, "too short");
@@ -161,9 +161,9 @@ TEST(PlyRead, RejectsInvalidFiles) {
   expect(three + "3 0 1 3\n", 13, "out of range");
   expect(three + "3 0 1 -1\n", 13, "out of range");
   expect(three + "3 0 1\n", 14, "ends too early");
-  expect(three + "-3 0 1 2\n", 13, "below zero");
+  expect(three + "-3 0 1 2\n", 13, "negative count");
   expect(three + "2000000000 0 1 2\n", 13, "too short");
-  expect(three + "3 0 1 x\n", 13, "not a whole number");
+  expect(three + "3 0 1 x\n", 13, "not an integer");
   expect(three, 13, "");
 }
 

@@ -128,7 +128,7 @@ TEST(OffRead, RejectsInvalidFiles) {
   expect_refusal("m.off", "4OFF\n", 1, "three-dimensional");
   expect_refusal("m.off", "OFF BINARY\n", 1, "binary");
   expect_refusal("m.off", "OFF\n", 2, "ends too early");
-  expect_refusal("m.off", "OFF\n-1 0 0\n", 2, "below zero");
+  expect_refusal("m.off", "OFF\n-1 0 0\n", 2, "negative count");
   expect_refusal("m.off", "OFF\n0 0 0\n", 2, "no vertices");
   expect_refusal("m.off", "OFF\n4000000000 1 0\n0 0 0\n", 2, "too short");
   expect_refusal("m.off", "OFF\n1 4000000000 0\n0 0 0\n", 2, "too short");
@@ -136,9 +136,9 @@ TEST(OffRead, RejectsInvalidFiles) {
   expect_refusal("m.off", three, 6, "ends too early");
   expect_refusal("m.off", three + "3 0 1 3\n", 6, "out of range");
   expect_refusal("m.off", three + "3 0 1 -1\n", 6, "out of range");
-  expect_refusal("m.off", three + "-3\n", 6, "below zero");
+  expect_refusal("m.off", three + "-3\n", 6, "negative count");
   expect_refusal("m.off", three + "1000000 0 1 2\n", 6, "too short");
-  expect_refusal("m.off", "COFF\n1 0 0\n0 0 0 255\n", 3, "colour");
+  expect_refusal("m.off", "COFF\n1 0 0\n0 0 0 255\n", 3, "color");
 }
 
 }  // namespace

@@ -170,7 +170,7 @@ TEST(Camera, RecenterKeepsAnglesAndDistance) {
   Camera camera;
   camera.set_angles(0.5, 0.5);
   const double distance = camera.distance();
-  camera.recentre({1, 2, 3});
+  camera.recenter({1, 2, 3});
   expect_near(camera.pivot(), {1, 2, 3});
   EXPECT_EQ(camera.distance(), distance);
   expect_near(window_position(camera, {1, 2, 3}), 0.5 * kWindow, 1e-9);

@@ -325,7 +325,7 @@ TEST_F(ProgressiveCommand, NoMoreOfAPipeIsReadThanIsNeeded) {
   EXPECT_EQ(nlohmann::json::parse(after.out)["statistics"]["faces"], 3674);
   const Finished garbage = shell("(" + tail + ") | mesher info /dev/stdin");
   EXPECT_EQ(garbage.exit_code, 2);
-  EXPECT_TRUE(holds(garbage.err, "is no progressive mesh")) << garbage.err;
+  EXPECT_TRUE(holds(garbage.err, "is not a progressive mesh")) << garbage.err;
   const Finished named = shell("mkfifo g.pm; (" + tail + ") >g.pm & mesher info g.pm");
   EXPECT_EQ(named.exit_code, 2);
   EXPECT_TRUE(holds(named.err, "not a progressive mesh")) << named.err;
