@@ -21,7 +21,7 @@ std::vector<std::string> normalized_arguments(std::vector<std::string> arguments
                                               const std::vector<std::string>& commands,
                                               const std::vector<std::string>& long_options) {
   for (std::string& argument : arguments) {
-    if (argument == "--") break;  // what follows are names, whatever they look like
+    if (argument == "--") break;  // the rest are file names
     if (is_one_dash_name(argument, long_options)) argument.insert(0, 1, '-');
   }
   const auto speaks_of_program = [](const std::string& argument) {

@@ -5,9 +5,9 @@
 
 namespace mesher::app {
 
-/// Brings a command line into the one form that the parser knows. The assignment's spellings (one
-/// dash, long name: `-input bunny.obj -size 500 -gouraud`) get their second dash where
-/// `long_options` (without dashes) has the name; without a command word, `view` is meant.
+/// Converts a command line into the form that the parser knows. The assignment writes long names
+/// with one dash (`-input bunny.obj -size 500 -gouraud`): a name in `long_options` (without dashes)
+/// gets its second dash. If the first word is not in `commands`, `view` is inserted before it.
 std::vector<std::string> normalized_arguments(std::vector<std::string> arguments,
                                               const std::vector<std::string>& commands,
                                               const std::vector<std::string>& long_options);

@@ -58,17 +58,17 @@ void say_repairs(const BuildReport& report) {
   }
 }
 
-/// Whatever the options: what follows is not what the file was made of.
+/// Prints even with --quiet, because the result is not the complete model.
 void say_damage(const LoadedModel& loaded) {
   if (loaded.pm->damage.empty()) return;
   say(loaded.file.string() + ": DAMAGED: " + loaded.pm->damage +
-      "; going on with what lies before: " + with_commas(loaded.pm->faces) + " faces");
+      "; using the intact part before it: " + with_commas(loaded.pm->faces) + " faces");
 }
 
 void print_pm(const PmSummary& pm) {
   print("progressive mesh", pm.coordinate_bits == 0
                                 ? std::string("lossless")
-                                : "positions of " + std::to_string(pm.coordinate_bits) + " bits");
+                                : std::to_string(pm.coordinate_bits) + "-bit positions");
   print("base vertices", pm.base_vertices);
   print("base faces", pm.base_faces);
   print("splits", pm.splits);
@@ -141,7 +141,10 @@ LoadedLevels load_levels(const InputOptions& input, const CommonOptions& common)
   const std::filesystem::path file = find_model(input.model);
   if (!is_pm_file(file)) return {load(input, common), {}};
   if (input.tag_creases_deg) {
-    throw UsageError("--tag-creases: a progressive mesh has the creases that it was made with");
+    throw UsageError(
+        "--tag-creases: cannot be used with a progressive mesh, which keeps the creases that it "
+        "was "
+        "built with");
   }
   ProgressLine line(!common.quiet);
   PmContents contents = read_pm_file(file, line.progress());
@@ -167,7 +170,7 @@ void run_convert(const InputOptions& input, const std::string& output, bool asci
   check_output(output);
   const LoadedModel loaded = load(input, common);
   const Mesh& mesh = loaded.model.mesh;
-  // Most formats cannot say "nothing", and their readers would refuse it.
+  // Most formats cannot represent an empty mesh, and their readers would reject one.
   if (mesh.face_count() == 0) throw InputError(loaded.file.string(), 0, "has no faces to convert");
   const std::vector<std::string> losses = losses_in_format(output, mesh, loaded.model.attributes);
   write_model(output, mesh, loaded.model.attributes, {.ascii = ascii});

@@ -10,7 +10,8 @@ constexpr std::size_t kNameColumn = 2;
 constexpr std::size_t kTextColumn = 6;
 constexpr std::size_t kCommandTextColumn = 15;
 
-/// Breaks a text between words. `at`: the column where it starts; `indent`: that of further lines.
+/// Breaks a text between words. `at`: the column where it starts; `indent`: the column where the
+/// other lines start.
 std::string wrapped(const std::string& text, std::size_t at, std::size_t indent) {
   std::string result;
   std::istringstream words(text);

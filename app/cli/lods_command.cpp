@@ -24,8 +24,9 @@ namespace fs = std::filesystem;
 
 /// The input in all its levels.
 struct Source {
-  LoadedModel loaded;       ///< in full detail
-  Progressive progressive;  ///< sources are empty where it was read; none where parts are pruned
+  LoadedModel loaded;  ///< in full detail
+  /// Its sources are empty if it was read from a file. It is empty if parts are pruned.
+  Progressive progressive;
   double diagonal() const { return loaded.statistics.box.diagonal(); }
 };
 
@@ -33,16 +34,16 @@ struct Level {
   double ratio = 1.0;
   double coverage = 0.0;
   std::uint32_t asked_faces = 0;
-  std::uint32_t level = 0;  ///< of the progressive mesh; else the first that has the same mesh
+  std::uint32_t level = 0;  ///< of the progressive mesh; pruned: index of the first equal level
   Mesh mesh;
   Attributes attributes;
   std::vector<std::string> dropped;
-  std::optional<SimplifyOutcome> pruned;  ///< where parts may be
-  /// RMS distance from the model, model units; negative where a coarser level is near enough.
+  std::optional<SimplifyOutcome> pruned;  ///< none unless parts may be pruned
+  /// RMS distance from the model, in model units; negative if this or a coarser level is near.
   double error = -1.0;
 };
 
-/// A target that is out of reach gives the level before once more.
+/// Returns whether level i equals the level before it, because its target cannot be reached.
 bool repeats(const std::vector<Level>& levels, std::size_t i) {
   return i > 0 && levels[i].level == levels[i - 1].level;
 }
@@ -63,7 +64,8 @@ std::vector<fs::path> files_for(const fs::path& output, std::size_t levels) {
   return files;
 }
 
-/// Levels of a person's choice are made whatever their error is.
+/// Reads the model and, unless parts are pruned, builds its progressive mesh. Ratios that the
+/// person gave are reached at any error; by default, simplification stops at kFarFromInput.
 Source read_source(const InputOptions& input, double least_ratio, const LodArguments& arguments,
                    const CommonOptions& common) {
   LoadedLevels opened = load_levels(input, common);
@@ -86,7 +88,7 @@ Source read_source(const InputOptions& input, double least_ratio, const LodArgum
   return source;
 }
 
-/// Normals that could not be carried are computed.
+/// Computes normals if the model has some and they could not be carried over.
 void complete_normals(const Model& full, const Mesh& mesh, CarriedAttributes& carried) {
   if (full.attributes.normal.empty() || !carried.attributes.normal.empty()) return;
   carried.attributes.normal = corner_normals(mesh, {});
@@ -95,7 +97,7 @@ void complete_normals(const Model& full, const Mesh& mesh, CarriedAttributes& ca
   }
 }
 
-/// What can be carried to a level that `mesh` shows.
+/// Returns the attributes that can be carried over to `mesh`, a level of the source.
 CarriedAttributes attributes_of(const Source& source, const Mesh& mesh) {
   const Model& full = source.loaded.model;
   if (full.attributes.is_empty()) return {};
@@ -111,7 +113,7 @@ CarriedAttributes attributes_of(const Source& source, const Mesh& mesh) {
   return carried;
 }
 
-/// Leaves the progressive mesh at the coarsest.
+/// Leaves the progressive mesh at the coarsest of these levels.
 std::vector<Level> make_levels(Source& source, const std::vector<double>& ratios,
                                const std::vector<double>& coverage) {
   ProgressiveMesh& progressive = source.progressive.mesh;
@@ -140,7 +142,7 @@ bool is_same(const Mesh& a, const Mesh& b) {
          std::ranges::equal(a.positions(), b.positions());
 }
 
-/// Each by a simplification of its own: no progressive mesh loses a part on the way.
+/// Simplifies once per level, because a progressive mesh cannot remove parts.
 std::vector<Level> make_pruned_levels(const Source& source, const std::vector<double>& ratios,
                                       const std::vector<double>& coverage,
                                       const LodArguments& arguments, const CommonOptions& common) {
@@ -170,7 +172,7 @@ std::vector<Level> make_pruned_levels(const Source& source, const std::vector<do
   return levels;
 }
 
-/// The coarsest first: where one is near the model, so are the finer ones.
+/// Starts with the coarsest level: if one is near the model, the finer ones are near as well.
 void measure_coarse_levels(const Source& source, std::vector<Level>& levels) {
   for (std::size_t i = levels.size(); i-- > 0;) {
     const double error = distance_from_input(source.loaded.model.mesh, levels[i].mesh);
@@ -179,7 +181,7 @@ void measure_coarse_levels(const Source& source, std::vector<Level>& levels) {
   }
 }
 
-/// All of them or none.
+/// Writes either all files or none.
 void write_levels(const std::vector<fs::path>& files, const std::vector<Level>& levels) {
   std::vector<std::unique_ptr<AtomicFile>> open;
   open.reserve(files.size());
@@ -211,7 +213,7 @@ void say_levels(const Source& source, const std::vector<Level>& levels,
     const std::string why = is_read ? "it is the base of the progressive mesh" : stop_text(reason);
     const std::string name = "level " + std::to_string(i) + ": ";
     say(name + with_commas(level.mesh.vertex_count()) + " vertices, " + with_commas(faces) +
-        " faces, for a coverage of " + short_number(level.coverage) + " and more" +
+        " faces, for a coverage of at least " + short_number(level.coverage) +
         (faces > level.asked_faces
              ? "; asked for " + with_commas(level.asked_faces) + " faces: " + why
              : "") +
@@ -240,7 +242,7 @@ Json level_json(const Level& level) {
           {"dropped", level.dropped}};
 }
 
-/// Null where the coarsest level follows from the file.
+/// Null if the levels come from a progressive mesh that was read.
 Json stop_reason(const Source& source, const Level& coarsest) {
   if (coarsest.pruned) return key(coarsest.pruned->report.reason);
   return source.loaded.pm ? Json() : Json(key(source.progressive.report.reason));
@@ -272,7 +274,8 @@ std::vector<double> parse_ratios(const std::string& text) {
   const std::vector<double> ratios = parse_numbers(text).value_or(std::vector<double>{});
   if (ratios.empty() || !is_falling(ratios) || ratios.front() > 1.0 || ratios.back() <= 0.0) {
     throw UsageError("--ratios: '" + text +
-                     "' are not numbers above 0, at most 1, the largest first (1,0.5,0.25)");
+                     "' is not a decreasing list of numbers above 0 and at most 1, such as "
+                     "1,0.5,0.25");
   }
   return ratios;
 }
@@ -281,8 +284,8 @@ std::vector<double> parse_coverage(const std::string& text, std::size_t levels) 
   const std::vector<double> coverage = parse_numbers(text).value_or(std::vector<double>{});
   if (coverage.size() != levels || !is_falling(coverage) || coverage.front() > 1.0 ||
       coverage.back() < 0.0) {
-    throw UsageError("--coverage: '" + text + "' are not " + std::to_string(levels) +
-                     " numbers from 0 to 1, one a level, the largest first");
+    throw UsageError("--coverage: '" + text + "' is not a decreasing list of " +
+                     std::to_string(levels) + " numbers from 0 to 1, one per level");
   }
   return coverage;
 }

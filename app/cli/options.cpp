@@ -43,7 +43,7 @@ void apply_shading(render::Settings& settings, const LookOptions& look) {
   settings = look.settings;
   if (look.gouraud) settings.shading = render::Shading::gouraud;
   if (look.dark) settings.background = render::Background::dark;
-  // Without a surface and without edges there would be nothing to see.
+  // Without surface and wireframe the picture would be empty.
   if (settings.shading == render::Shading::none) settings.wireframe = true;
 }
 

@@ -19,7 +19,7 @@ struct Size {
 struct CommonOptions {
   bool json = false;
   bool quiet = false;
-  unsigned threads = 0;  ///< 0: as many as the machine has
+  unsigned threads = 0;  ///< 0: one per core
 };
 
 /// How a model is opened.
@@ -44,7 +44,7 @@ struct LookOptions {
   bool validation = false;
 };
 
-/// Parses "1,0.5,0.25". None if a part is no finite number.
+/// Parses "1,0.5,0.25". None if a part is not a finite number.
 std::optional<std::vector<double>> parse_numbers(const std::string& text);
 
 /// "500" or "640x480". Throws UsageError; sides are 1 to 16384.

@@ -8,8 +8,8 @@
 
 namespace mesher::app {
 
-/// Shows what a Progress says on stderr, ten times a second, where stderr is a terminal and the
-/// work takes longer than a moment; wipes the line at the end. Otherwise does nothing.
+/// Shows a Progress on stderr, ten times per second, if stderr is a terminal and the work takes
+/// longer than a moment. Erases the line at the end.
 class ProgressLine {
  public:
   explicit ProgressLine(bool is_wanted);

@@ -18,8 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Neither a pipe needs a name nor what a shell has opened for us, be it a file: whoever reads it
-/// knows what it is.
+/// Returns whether the output needs no ".pm" in its name: a pipe, or a file that the shell opened.
 bool is_stream(const fs::path& file) {
   if (file == "/dev/stdout" || file.parent_path() == "/dev/fd") return true;
   std::error_code ignored;
@@ -43,7 +42,7 @@ std::vector<std::string> names_of(const Attributes& attributes) {
   return names;
 }
 
-/// What became of a model.
+/// What was built and written.
 struct Written {
   SimplifyOutcome outcome;
   PmSummary summary;
@@ -91,7 +90,7 @@ double share_of_indexed(const PmSummary& pm) {
 void say_written(const std::string& output, const Written& written) {
   const SimplifyReport& r = written.outcome.report;
   const PmSummary& pm = written.summary;
-  say("base of " + with_commas(pm.base_faces) + " of " + with_commas(r.faces_before) + " faces, " +
+  say("base: " + with_commas(pm.base_faces) + " of " + with_commas(r.faces_before) + " faces, " +
       (r.faces_asked > 0 ? "asked for " + with_commas(r.faces_asked) : "chosen by size and error") +
       ": " + stop_text(r.reason) + "; " + with_commas(pm.splits) + " splits, in " +
       short_number(r.seconds.total() + written.build_s) + " s");
@@ -103,13 +102,13 @@ void say_written(const std::string& output, const Written& written) {
                           : "warning: the base is far from the input, which has few faces");
   }
   say(output + ": " + with_commas(pm.bytes) + " bytes in " + short_number(written.write_s) +
-      " s, " + short_number(pm.bytes_per_vertex()) + " a vertex (" +
+      " s, " + short_number(pm.bytes_per_vertex()) + " per vertex (" +
       (pm.coordinate_bits == 0 ? "lossless"
-                               : "positions of " + std::to_string(pm.coordinate_bits) + " bits") +
+                               : std::to_string(pm.coordinate_bits) + "-bit positions") +
       "), " + short_number(100.0 * share_of_indexed(pm)) +
-      " % of the plain arrays; the base takes " + with_commas(written.sizes.base));
+      " % of the plain arrays; the base takes " + with_commas(written.sizes.base) + " bytes");
   for (const std::string& name : written.outcome.dropped)
-    say(name + " are not kept");
+    say(name + " are not preserved");
 }
 
 void print_written(const LoadedModel& loaded, const std::string& output, const Written& written) {
@@ -129,9 +128,9 @@ void print_written(const LoadedModel& loaded, const std::string& output, const W
 void say_level(const ProgressiveMesh& mesh, const DetailArguments& arguments) {
   const std::uint32_t faces = mesh.face_count(mesh.level());
   std::string why;
-  if (arguments.faces && faces > *arguments.faces) why = ", the base: there is nothing coarser";
+  if (arguments.faces && faces > *arguments.faces) why = ", the base: no level is coarser";
   if (arguments.faces && mesh.level() == mesh.split_count() && faces < *arguments.faces) {
-    why = ": there are no more faces";
+    why = ", full detail: the mesh has no more faces";
   }
   say("level " + with_commas(mesh.level()) + " of " + with_commas(mesh.split_count()) + why);
 }
@@ -164,13 +163,13 @@ void run_progressive(const InputOptions& input, const std::string& output,
 void run_extract(const InputOptions& input, const std::string& output,
                  const DetailArguments& arguments, const CommonOptions& common) {
   if (!arguments.faces && !arguments.lod) {
-    throw UsageError("extract: say how much detail: --faces N or --lod 0..1");
+    throw UsageError("extract: give a level of detail: --faces N or --lod 0..1");
   }
   check_output(output);
   auto [loaded, levels] = load_levels(input, common);
   if (!levels) {
     throw InputError(loaded.file.string(), 0,
-                     "is no progressive mesh; `mesher progressive` makes one");
+                     "is not a progressive mesh; `mesher progressive` writes one");
   }
   levels->go_to(level_for(arguments, *levels));
   Model& model = loaded.model;

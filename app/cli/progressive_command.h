@@ -9,24 +9,25 @@
 
 namespace mesher::app {
 
-/// What `progressive` was told, in arguments.
+/// The arguments of `progressive`.
 struct ProgressiveArguments {
-  ProgressiveSettings settings;  ///< of which base_faces
+  ProgressiveSettings settings;  ///< only base_faces is used
   unsigned coordinate_bits = 0;  ///< 0: lossless
-  SimplifyArguments simplify;    ///< of which targets are not taken
+  SimplifyArguments simplify;    ///< its targets are ignored
 };
 
-/// How much detail was asked for: one of the two.
+/// The requested level of detail: at most one of the two is given.
 struct DetailArguments {
   std::optional<std::uint32_t> faces;
-  std::optional<double> lod;  ///< 0: the base, 1: everything
+  std::optional<double> lod;  ///< 0: the base, 1: full detail
 };
 
-/// The level of a progressive mesh that the arguments mean: at most so many faces, or the base; or
-/// that share of the splits. Pre: one is given, the share is 0 to 1.
+/// Returns the level of a progressive mesh that the arguments ask for. `faces`: the finest level of
+/// at most that number of faces, or the base if all levels have more. `lod`: the level with that
+/// share of the splits. Pre: one is given, and `lod` is from 0 to 1.
 std::uint32_t level_for(const DetailArguments& arguments, const ProgressiveMesh& mesh);
 
-/// Reads a model, records its simplification to a base, and writes the progressive mesh of it.
+/// Reads a model, records its simplification to a base, and writes the progressive mesh.
 void run_progressive(const InputOptions& input, const std::string& output,
                      const ProgressiveArguments& arguments, const CommonOptions& common);
 

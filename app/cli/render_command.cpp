@@ -38,7 +38,7 @@ void show(Session& session, LoadedModel&& loaded, const LookOptions& look) {
   apply_look(session, look);
 }
 
-/// Opens the model for a picture of the moment; the camera sees it as it sees all of it.
+/// Opens the model for a picture at `lod`. The camera is framed on the full model.
 Detail open_detail(Session& session, LoadedLevels&& opened, double lod, const LookOptions& look,
                    const CommonOptions& common) {
   Detail detail;
@@ -102,7 +102,7 @@ void draw(LoadedModel&& loaded, const std::string& output, const LookOptions& lo
   print_json(json);
 }
 
-/// Fewer faces: the level of a progressive mesh, or simplified.
+/// Reduces the number of faces: by the level of a progressive mesh, or by simplification.
 void reduce(LoadedLevels& opened, const DetailArguments& detail, const CommonOptions& common) {
   LoadedModel& loaded = opened.loaded;
   if (!opened.levels) {
@@ -129,7 +129,7 @@ DetailMoment detail_moment(double lod, std::uint32_t base_vertices, std::uint32_
 
 void run_render(const InputOptions& input, const std::string& output, const LookOptions& look,
                 const DetailArguments& detail, const CommonOptions& common) {
-  // Refuse before the work, not after it.
+  // Reject bad arguments before the work starts.
   if (!look.size.empty()) parse_size(look.size);
   if (!look.camera.empty()) parse_camera(look.camera);
   if (!is_png_name(output)) throw UsageError("-o: '" + output + "' does not end in .png");

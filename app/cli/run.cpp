@@ -28,7 +28,7 @@ namespace {
 
 constexpr const char* kDefaultModel = "bunny.obj";
 
-/// The command line's grammar, and what it was filled with.
+/// The grammar of the command line, and the parsed values.
 class CommandLine {
  public:
   CommandLine() {
@@ -65,7 +65,7 @@ class CommandLine {
     }
     std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
     arguments = normalized_arguments(std::move(arguments), commands, long_options);
-    std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+    std::reverse(arguments.begin(), arguments.end());  // as CLI11 expects them
     app_.parse(std::move(arguments));
   }
 

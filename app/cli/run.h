@@ -2,8 +2,8 @@
 
 namespace mesher::app {
 
-/// The program: reads the command line, runs one command, and turns every failure into one line on
-/// stderr and the exit code that ExitCode documents.
+/// Runs the program: parses the command line and runs one command. Every failure becomes one line
+/// on stderr and one of the exit codes that ExitCode documents.
 int run(int argc, const char* const* argv);
 
 }  // namespace mesher::app

@@ -69,7 +69,7 @@ void say_outcome(const SimplifyOutcome& outcome, bool prunes) {
     say("dropped " + dropped);
 }
 
-/// What `--measure` finds.
+/// The result of `--measure`.
 struct Measured {
   SurfaceDistance sampled;
   DistanceInterval certified;
@@ -80,11 +80,11 @@ void say_distance(const Measured& measured) {
     return short_number(distance) + " (" + short_number(measured.sampled.percent(distance)) + " %)";
   };
   const OneSidedDistance both = measured.sampled.two_sided();
-  say("distance, both ways: rms " + text(both.rms) + ", max " + text(both.max) +
-      ", certainly at most " + text(measured.certified.upper));
+  say("distance, both directions: rms " + text(both.rms) + ", max " + text(both.max) +
+      ", certified at most " + text(measured.certified.upper));
 }
 
-/// Empty unless it is wanted and both meshes have faces.
+/// Returns none unless both meshes have faces.
 std::optional<Measured> measured(const Mesh& before, const Mesh& after,
                                  const CommonOptions& common) {
   if (before.face_count() == 0 || after.face_count() == 0) return std::nullopt;
@@ -94,7 +94,7 @@ std::optional<Measured> measured(const Mesh& before, const Mesh& after,
       .certified = hausdorff_bounds(before, after, {.progress = line.progress()}).two_sided()};
 }
 
-/// Empty unless it is wanted.
+/// Returns none without --measure.
 std::optional<std::uint64_t> counted(const Mesh& mesh, const SimplifyArguments& arguments,
                                      const CommonOptions& common) {
   if (!arguments.measure) return std::nullopt;
@@ -122,8 +122,8 @@ SimplifyOptions simplify_options(const SimplifyArguments& arguments, std::uint32
   }
   if (arguments.prune && !arguments.max_error.empty()) {
     throw UsageError(
-        "--prune: cannot be combined with --max-error, since a part that is removed may be "
-        "further than that from the result; give --faces or --ratio instead");
+        "--prune: cannot be combined with --max-error, because a removed part may be further than "
+        "that from the result; give --faces or --ratio instead");
   }
   if (!arguments.max_error.empty())
     options.max_error = parse_max_error(arguments.max_error, diagonal);
@@ -139,7 +139,7 @@ SimplifyOutcome simplify_model(LoadedModel& loaded, SimplifyOptions options,
     ProgressLine line(!common.quiet);
     begin_stage(line.progress(), "simplifying");
     options.progress = line.progress();
-    Array<Vertex> origins;  // what attributes need of the input
+    Array<Vertex> origins;  // of the input; needed to carry attributes over
     if (!model.attributes.is_empty()) {
       origins.assign(model.mesh.origins().begin(), model.mesh.origins().end());
     }
@@ -168,7 +168,7 @@ std::string pruned_words(const SimplifyOutcome& outcome) {
 
 void run_simplify(const InputOptions& input, const std::string& output,
                   const SimplifyArguments& arguments, const CommonOptions& common) {
-  simplify_options(arguments, 1, 1.0);  // refuse before the work, not after it
+  simplify_options(arguments, 1, 1.0);  // reject bad arguments before the work starts
   check_output(output);
   LoadedModel loaded = load(input, common);
   Mesh& mesh = loaded.model.mesh;

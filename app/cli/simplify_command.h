@@ -14,7 +14,7 @@ namespace mesher::app {
 struct SimplifyArguments {
   std::optional<std::uint32_t> faces;
   std::optional<double> ratio;
-  std::string max_error;  ///< "0.02" in model units, or "0.5%" of the diagonal
+  std::string max_error;  ///< "0.02" (model units) or "0.5%" (of the diagonal)
   SimplifyOptions rules;  ///< those of kSimplifyRules
   bool measure = false;
   bool bound = false;  ///< print a certified bound on the distance from the input
@@ -35,8 +35,8 @@ SimplifyOutcome simplify_model(LoadedModel& loaded, SimplifyOptions options,
 /// "pruned 14 parts (312 faces), the largest 0.25 % of the diagonal in size; ...".
 std::string pruned_words(const SimplifyOutcome& outcome);
 
-/// Reads a model, simplifies it, writes it, and reports. Missing the target is no failure: the
-/// result is written, and the report says why.
+/// Reads a model, simplifies it, writes it, and reports. If the target cannot be reached, the
+/// result is written all the same, and the report says why.
 void run_simplify(const InputOptions& input, const std::string& output,
                   const SimplifyArguments& arguments, const CommonOptions& common);
 

@@ -23,7 +23,7 @@ void check_memory(const Model& model, const SubdivideOptions& options) {
   if (!refusal.empty()) throw DeviceError(refusal);
 }
 
-/// In place; returns the seconds it took.
+/// Subdivides in place; returns the time in seconds.
 double subdivide_model(Model& model, SubdivideOptions options, const CommonOptions& common) {
   ProgressLine line(!common.quiet);
   options.progress = line.progress();
@@ -57,7 +57,7 @@ void run_subdivide(const InputOptions& input, const std::string& output,
   if (!common.quiet) {
     say("subdivided " + std::to_string(options.levels) + "x (" + std::string(key(options.scheme)) +
         ") in " + short_number(seconds) + " s");
-    if (drops_normals) say("dropped normals (they were those of the coarse surface)");
+    if (drops_normals) say("dropped normals (they belong to the coarse surface)");
     if (options.limit && !traits(options.scheme).has_limit) {
       say("--limit has no effect: the vertices of this scheme are on their limit surface");
     }

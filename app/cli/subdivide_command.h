@@ -8,7 +8,7 @@
 namespace mesher::app {
 
 /// Reads a model, subdivides it and its attributes, writes it, and reports. Throws DeviceError if
-/// that needs more memory than is free.
+/// the result needs more memory than is free.
 void run_subdivide(const InputOptions& input, const std::string& output,
                    const SubdivideOptions& options, const CommonOptions& common);
 

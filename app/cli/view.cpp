@@ -27,7 +27,7 @@ void print_state(const Session& session, const std::string& output) {
   std::cout << to_text(json) << '\n';
 }
 
-/// A script's picture: keys pressed, no window.
+/// Presses the keys without a window and returns the picture.
 Image scripted_picture(Session& session, const std::vector<KeyPress>& keys, const LookOptions& look,
                        const ViewOptions& view) {
   StateLog log(view.state_log);
@@ -44,7 +44,7 @@ Image scripted_picture(Session& session, const std::vector<KeyPress>& keys, cons
   return picture;
 }
 
-// `mesher simplfy` means a command, not a file of that name.
+// `mesher simplfy` is a mistyped command, not a model of that name.
 void refuse_mistyped_command(const std::string& model) {
   const std::filesystem::path file = find_model(model);
   std::error_code ignored;
@@ -54,25 +54,25 @@ void refuse_mistyped_command(const std::string& model) {
   throw UsageError("'" + model + "' is neither a command nor a model (see mesher --help)");
 }
 
-// Before the model is read: a wrong word should not cost the time that a large file takes.
+// Called before the model is read, so that a typing error is reported at once.
 std::vector<KeyPress> checked_keys(const std::string& text) {
   std::vector<KeyPress> keys = parse_keys(text);
   for (const KeyPress& key : keys) {
     if (command_for(key) == nullptr)
-      throw UsageError("--keys: '" + to_text(key) + "' does nothing");
+      throw UsageError("--keys: '" + to_text(key) + "' is not bound to a command");
   }
   return keys;
 }
 
-/// Without a window to show it in, what is damaged is said here.
+/// Loads the rest. Prints what is damaged, as there is no window that shows it.
 void finish(Session& session, PmArrival& arrival) {
   arrival.finish(session);
   if (!session.error.empty()) say("DAMAGED: " + session.error);
   run_waiting_edits(session);
 }
 
-/// Shows the model, or the base of a progressive mesh; returns what the rest arrives by, or null.
-/// A script has no time to wait for the rest in, so it comes first.
+/// Shows the model, or the base of a progressive mesh. Returns the arrival that loads the rest, or
+/// null. A script gets the complete mesh at once.
 std::unique_ptr<PmArrival> open_model(Session& session, const InputOptions& input,
                                       const ViewOptions& view, const CommonOptions& common) {
   const std::filesystem::path file = find_model(input.model);
@@ -82,7 +82,10 @@ std::unique_ptr<PmArrival> open_model(Session& session, const InputOptions& inpu
     return nullptr;
   }
   if (input.tag_creases_deg) {
-    throw UsageError("--tag-creases: a progressive mesh has the creases that it was made with");
+    throw UsageError(
+        "--tag-creases: cannot be used with a progressive mesh, which keeps the creases that it "
+        "was "
+        "built with");
   }
   auto arrival = std::make_unique<PmArrival>(file);
   if (view.screenshot.empty()) {
@@ -128,7 +131,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
       const Image picture = scripted_picture(session, keys, look, view);
       output = free_picture_name("", session.file.stem().string()).string();
       write_png(output, picture);
-      std::cerr << "mesher: " << no_display.what() << "; drew a picture instead: " << output
+      std::cerr << "mesher: " << no_display.what() << "; wrote a picture instead: " << output
                 << '\n';
     }
   }

@@ -14,8 +14,8 @@ struct ViewOptions {
   std::string state_log;   ///< see StateLog
 };
 
-/// Shows a model in a window. With `screenshot`, runs the keys without a window and writes the
-/// picture; without a display, says so and writes one beside the current folder's files.
+/// Shows a model in a window. With `screenshot`, presses the keys without a window and writes the
+/// picture. Without a display, says so and writes a picture to the current folder.
 void run_view(const InputOptions& input, const LookOptions& look, const ViewOptions& view,
               const CommonOptions& common);
 

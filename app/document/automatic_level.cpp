@@ -6,8 +6,9 @@
 namespace mesher::app {
 namespace {
 
+// A coarser level is chosen only if its error is below this share of the tolerance.
 constexpr double kCoarserBelow = 0.8;
-// The least distance that counts, as a share of the diagonal.
+// The minimum distance, as a share of the diagonal.
 constexpr double kNearest = 0.05;
 
 }  // namespace

@@ -12,11 +12,11 @@ struct CreaseMode {
   bool is_on = false;
   std::vector<Edge> selected;     ///< ascending
   Edge hovered;                   ///< under the cursor; none: no edge is
-  float finite_sharpness = 2.0F;  ///< for edges that are to be infinitely sharp no longer
+  float finite_sharpness = 2.0F;  ///< for edges that stop being infinitely sharp
   float tag_angle_deg = 40.0F;    ///< of the command that marks creases by angle
   std::uint64_t drags = 0;        ///< number of the last drag of the sharpness slider
 
-  /// Clears the selection: the mesh has other edges now.
+  /// Clears the selection. Call when the edges of the mesh have changed.
   void forget_edges() {
     selected.clear();
     hovered = {};

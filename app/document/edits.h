@@ -16,8 +16,8 @@ namespace mesher::app {
 /// The edits of the shown model: those done, and those requested.
 struct Edits {
   History history;
-  /// The model as it was opened, with the creases it got at that level of detail; null: the model
-  /// is shown as it was opened.
+  /// The model as it was opened, with the creases that were added at that level of detail; null:
+  /// the model is shown as it was opened.
   std::shared_ptr<const Shape> opened;
   std::uint32_t opened_faces = 0;
   std::optional<SimplifyOutcome> last;
@@ -27,7 +27,7 @@ struct Edits {
   /// Requested edits, which the viewer or the script runs in this order.
   std::deque<std::unique_ptr<EditTask>> waiting;
   bool was_undone = false;  ///< the last change was an undo
-  /// Grows with every change of the model, so that everything derived from it can be checked.
+  /// Increases with every change of the model, so that data derived from it can be checked.
   std::uint64_t revision = 0;
 };
 

@@ -7,7 +7,8 @@
 namespace mesher::app {
 namespace {
 
-// All or nothing: attributes go first since the names of their groups still need memory.
+// Attributes go first, because the names of their groups still need memory: if that fails, nothing
+// has changed.
 void apply(const Edit& edit, Model& model, Statistics& statistics) {
   make_room(model.mesh, edit.mesh);
   mesher::apply(model.attributes, edit.attributes);
@@ -22,7 +23,7 @@ void revert(const Edit& edit, Model& model, Statistics& statistics) {
   statistics = edit.before;
 }
 
-/// Adds an edit once `change` is made. Where that fails, or there is no room, nothing is added.
+/// Makes `change`, then adds the edit. If the change fails or memory runs out, nothing is added.
 template <class Change>
 void add_after(std::deque<Edit>& edits, Edit& edit, Change&& change) {
   edits.emplace_back();

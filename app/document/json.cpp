@@ -43,7 +43,7 @@ Json to_json(const CreaseMode& creases, const SelectedSharpness& sharpness) {
           {"tag_angle_deg", creases.tag_angle_deg}};
 }
 
-/// Null where nothing was pruned.
+/// Null if nothing was pruned.
 Json pruned_json(const SimplifyOutcome& outcome) {
   const SimplifyReport& r = outcome.report;
   if (r.pruned_parts == 0) return {};
@@ -60,7 +60,7 @@ Json to_json(const ProgressiveView& view) {
   const auto if_any = [mesh](auto value) { return mesh != nullptr ? Json(value()) : Json(); };
   Json json{{"on", view.is_on()}};
   json.update(options_json(kProgressiveOptions, view.settings()));
-  if (view.settings().base_faces == 0) json["base_faces"] = nullptr;  // chosen
+  if (view.settings().base_faces == 0) json["base_faces"] = nullptr;  // chosen by size and error
   json.update({
       {"arriving", view.is_arriving()},
       {"ready", view.has_geomorph()},

@@ -9,9 +9,9 @@
 namespace mesher::app {
 namespace {
 
-// On its way to an automatic level it comes nearer by a factor of e in so many seconds.
+// The distance to the automatic level decreases by a factor of e in this time.
 constexpr double kTravelSeconds = 0.15;
-// Nearer than this, in positions of the slider, it has arrived.
+// The level counts as reached within this distance, in positions of the slider.
 constexpr double kArrived = 5e-4;
 
 }  // namespace
@@ -137,7 +137,7 @@ bool ProgressiveView::advance(double seconds, double pixels_per_unit) {
 }
 
 bool ProgressiveView::swing(double seconds) {
-  // A whole turn leads back to where it began.
+  // One period goes up and down again: 0 to 1 rises, 1 to 2 falls.
   const double from = is_rising_ ? position() : 2.0 - position();
   const double to = std::fmod(from + seconds / std::max(double(settings_.seconds), 0.1), 2.0);
   is_rising_ = to < 1.0;
@@ -157,7 +157,7 @@ bool ProgressiveView::travel(double seconds, double pixels_per_unit) {
   const double way = range.position_of(goal) - position;
   if (std::abs(way) <= kArrived) {
     set_time(goal);
-    return true;  // to be drawn
+    return true;  // this frame must still be drawn
   }
   set_time(range.time_at(position + way * -std::expm1(-seconds / kTravelSeconds)));
   return true;

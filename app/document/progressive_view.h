@@ -72,39 +72,39 @@ inline constexpr std::array kProgressiveOptions{
                                 .most = 20.0},
 };
 
-/// A progressive mesh and all that is needed to look at it.
+/// A progressive mesh and the data that is needed to show it.
 struct DetailLevels {
   ProgressiveMesh mesh;
   Geomorph geomorph;
   LevelErrors errors;
-  /// Where vertices and faces come from, as in Progressive; empty where they were not made from a
-  /// model.
+  /// The vertices and faces of the model that those of the mesh come from, as in Progressive. Empty
+  /// if the mesh was read from a file.
   Array<Vertex> vertex_source;
   Array<Halfedge> face_source;
-  /// Of the simplification that led to the base; none where it was not made from a model.
+  /// Report of the simplification to the base; none if the mesh was read from a file.
   std::optional<SimplifyReport> report{};
 };
 
-/// All that a progressive mesh needs to be looked at. O(F). Throws Cancelled.
+/// Computes what is needed to show a progressive mesh. O(F). Throws Cancelled.
 DetailLevels detail_levels(Progressive&& progressive, Progress* progress);
 
-/// A progressive mesh as it is looked at: how far it is refined, and how that changes by itself.
-/// No window, no GPU, no clock.
+/// The state of a progressive mesh on the screen: its level of detail, and the animation of that
+/// level. It has no window, no GPU and no clock.
 class ProgressiveView {
  public:
-  // What is looked at.
+  // The mesh.
 
-  /// Shows these levels, refined as far as it was, or wholly where there was nothing.
+  /// Shows these levels, at the current level of detail, or at full detail if there was no mesh.
   void show(DetailLevels&& levels);
-  /// Shows what a reader has so far, and from now on follows what it reads until a person moves it.
-  /// Splits pop until `show` brings a geomorph. Pre: it has a base.
+  /// Shows the splits that a reader has read, and follows it until a person changes the level.
+  /// Splits are not animated until `show` provides a geomorph. Pre: the reader has the base.
   void show(std::unique_ptr<PmReader> reader);
-  /// The reader is about to be fed (which it does at full detail), or has been.
+  /// The reader, or null. It is fed at full detail; call `reader_was_fed` afterwards.
   PmReader* reader() { return reader_.get(); }
   void reader_was_fed();
-  /// The reader has read all it will: its mesh stays. Pre: there is a reader.
+  /// Keeps the mesh of the reader, which is not fed any more. Pre: there is a reader.
   void end_reading();
-  /// Nothing is looked at any more. Settings stay.
+  /// Drops the mesh. The settings stay.
   void forget();
 
   bool has_mesh() const { return has_mesh_; }
@@ -115,35 +115,37 @@ class ProgressiveView {
   const DetailLevels& levels() const { return levels_; }
   bool has_geomorph() const { return has_geomorph_; }
   bool is_on() const { return is_on_; }
-  /// Pre: has_mesh() where it is turned on.
+  /// Turns progressive mode on or off. Pre: has_mesh(), to turn it on.
   void turn(bool on);
 
-  // How far it is refined.
+  // The level of detail.
 
   double time() const { return time_; }
   DetailRange range() const;
   GeomorphTime growth() const { return range().growth(time_); }
   double position() const { return range().position_of(time_); }
   bool is_at_end() const { return time_ >= range().end(); }
-  /// Whoever moves it by hand ends what moves it by itself. Positions as in DetailRange.
+  /// Moves to a position of the slider, as in DetailRange. This and the next two functions end
+  /// playing, the automatic level, and following the reader.
   void move_to(double position);
-  /// By single splits.
+  /// Moves by single splits.
   void move_by(int splits);
-  /// To a level with all its splits grown.
+  /// Moves to a level at which all its splits are finished.
   void move_to_level(std::uint32_t level);
 
-  // By itself.
+  // Animation.
 
   const ProgressiveSettings& settings() const { return settings_; }
-  /// What has grown stays grown.
+  /// Changes the settings. Finished splits stay finished.
   void change(const ProgressiveSettings& settings);
   bool is_playing() const { return is_playing_; }
-  /// To and fro between the ends; first up, from the end down. Ends the automatic level.
+  /// Starts or stops playing back and forth between the base and full detail. It starts upwards, or
+  /// downwards at full detail. Ends the automatic level.
   void play(bool on);
-  /// So much time has passed, and the screen shows a model unit so large. Returns whether it moves
-  /// on by itself.
+  /// Advances the animation by `seconds`, with model units of this size on the screen. Returns
+  /// whether the animation continues.
   bool advance(double seconds, double pixels_per_unit);
-  /// To where it will come to rest, if it will.
+  /// Moves to the automatic level at once, if the level is automatic.
   void settle(double pixels_per_unit);
 
  private:

@@ -41,7 +41,8 @@ struct Session {
   // Requests to the viewer or the script that runs the session.
   bool wants_quit = false;
   bool wants_screenshot = false;
-  /// Grows with every model shown, so that mirrors of the mesh can tell that theirs is outdated.
+  /// Increases with every model that is shown, so that copies of the mesh can tell that they are
+  /// outdated.
   std::uint64_t model_generation = 0;
 
   double aspect() const { return window.x / window.y; }

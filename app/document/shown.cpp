@@ -8,7 +8,7 @@
 namespace mesher::app {
 namespace {
 
-/// A level in the form that carry_attributes takes.
+/// Returns a level in the form that carry_attributes expects.
 Simplified as_simplified(const ProgressiveMesh& mesh, const DetailLevels& levels,
                          std::uint32_t vertices_before) {
   Simplified result;

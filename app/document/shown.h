@@ -10,7 +10,7 @@
 
 namespace mesher::app {
 
-// What is drawn: the model or, in progressive mode, a level of its progressive mesh.
+// The drawn mesh is the model or, in progressive mode, a level of its progressive mesh.
 
 const Mesh& shown_mesh(const Session& session);
 /// For the GPU's mirror of the mesh, which clears the mesh's change log.

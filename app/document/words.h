@@ -10,16 +10,16 @@ namespace mesher::app {
 /// "1,234,567"
 std::string with_commas(std::uint64_t number);
 
-/// Six digits at most: "0.00123457".
+/// A number with at most six significant digits: "0.00123457".
 std::string short_number(double value);
 
-/// "12.3 %", three digits.
+/// "12.3 %": three significant digits.
 std::string percent_text(double percent);
 
-/// "far from the input: 12.3 % of the diagonal (RMS)", the input being `what`.
+/// "far from the input: 12.3 % of the diagonal (RMS)", for "the input" as `what`.
 std::string far_from(const std::string& what, double percent);
 
-/// Why a simplification ended, where the error that ends it is kFarFromInput of the diagonal.
+/// Why a simplification stopped, if its error limit is kFarFromInput of the diagonal.
 std::string stop_text(StopReason reason);
 
 }  // namespace mesher::app

@@ -76,7 +76,7 @@ std::string name_of(const CreaseRequest& request, std::size_t count) {
     case CreaseRequest::Kind::clear_all:
       return "clear all creases";
     case CreaseRequest::Kind::tag_by_angle:
-      return "mark " + edges + " beyond " + short_number(request.value) + " degrees";
+      return "mark " + edges + " by an angle of " + short_number(request.value) + " degrees";
     case CreaseRequest::Kind::set:
       break;
   }
@@ -92,12 +92,13 @@ std::string notice_of_nothing(const Session& session, const CreaseRequest& reque
     case CreaseRequest::Kind::clear_all:
       return "there are no creases";
     case CreaseRequest::Kind::tag_by_angle:
-      return "no more edges are beyond " + short_number(request.value) + " degrees";
+      return "no unmarked edge has face normals that differ by more than " +
+             short_number(request.value) + " degrees";
     case CreaseRequest::Kind::set:
     case CreaseRequest::Kind::change:
       break;
   }
-  if (edges > 0) return "";  // the picture shows that they have that sharpness already
+  if (edges > 0) return "";  // the edges already have that sharpness, as the picture shows
   return session.creases.selected.empty() ? "no edge is selected" : kBoundaryNotice;
 }
 

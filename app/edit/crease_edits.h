@@ -9,7 +9,7 @@ namespace mesher::app {
 struct Session;
 
 /// A change of the sharpness of edges. It applies to the edges that are selected when it runs,
-/// since the edits before it may change the mesh.
+/// because earlier edits may change the mesh.
 struct CreaseRequest {
   enum class Kind : std::uint8_t {
     set,           ///< the selected edges get the sharpness `value`
@@ -33,7 +33,7 @@ struct EdgeClick {
 
 /// Turns crease editing on or off. While it is on, creases and boundaries are drawn.
 void set_crease_mode(Session& session, bool is_on);
-/// Handles a click at a point of the window. A click beside all edges clears the selection, unless
+/// Handles a click at a point of the window. A click that hits no edge clears the selection, unless
 /// it toggles.
 void click_edge(Session& session, const glm::dvec2& at, const EdgeClick& click);
 /// Call when the cursor has moved (none: it is not over the model). Returns whether the edge under
@@ -42,8 +42,8 @@ bool hover_edge(Session& session, const std::optional<glm::dvec2>& at);
 /// Selects all creases.
 void select_sharp_edges(Session& session);
 
-/// Changes the sharpness of edges, as an edit that can be undone. Where it changes nothing, the
-/// notice says why. O(changed edges) for the selected edges; O(E) for the others.
+/// Changes the sharpness of edges, as an edit that can be undone. If nothing changes, the notice
+/// says why. O(selected edges) for `set` and `change`; O(E) for the other kinds.
 void edit_creases(Session& session, const CreaseRequest& request);
 
 /// The largest finite sharpness that the slider and the keys reach.

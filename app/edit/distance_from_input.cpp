@@ -16,7 +16,7 @@ constexpr std::uint32_t kPoints = 4096;
 double distance_from_input(const Mesh& input, const Mesh& result) {
   if (input.face_count() == 0 || result.face_count() == 0) return 0.0;
   const TriangleTree tree(result);
-  // Rounded up: no more than that many points.
+  // Rounded up, so that there are at most kPoints points.
   const std::uint32_t stride = (input.face_count() + kPoints - 1) / kPoints;
   double sum = 0.0;
   double area_sum = 0.0;

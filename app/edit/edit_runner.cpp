@@ -49,10 +49,11 @@ void EditRunner::take() {
   const std::unique_ptr<EditJob> job = std::move(job_);
   try {
     const std::shared_ptr<EditTask> task = job->take();
-    if (job->progress().is_cancelled()) throw Cancelled();  // the work had ended already
+    if (job->progress().is_cancelled())
+      throw Cancelled();  // it was canceled when the work had already ended
     task->finish(session_);
   } catch (const Cancelled&) {
-    session_.notice = "cancelled";
+    session_.notice = "canceled";
   } catch (const std::bad_alloc&) {
     session_.edits.waiting.clear();
     session_.error = kNoMemory;

@@ -8,8 +8,8 @@
 
 namespace mesher::app {
 
-/// Runs the requested edits of a session one after the other, the long ones on another thread.
-/// Edits requested meanwhile are queued.
+/// Runs the requested edits of a session in order, and long ones on another thread. Edits that are
+/// requested meanwhile are queued.
 class EditRunner {
  public:
   /// `wake` as for Job.
@@ -23,10 +23,10 @@ class EditRunner {
   const Job* job() const { return job_.get(); }
   /// Cancels the running edit, with a notice, and drops the requested ones.
   void cancel();
-  /// As `cancel`, without a notice, and returns when the edit has ended: its model goes away.
+  /// As `cancel`, without a notice. Returns when the edit has ended. Call before the model goes.
   void stop();
-  /// Ends the running edit without a notice: its model is gone. The requested edits are kept, as
-  /// they are meant for the next model.
+  /// Ends the running edit without a notice. Call after its model was replaced. The requested edits
+  /// are kept, because they are meant for the new model.
   void drop() { job_.reset(); }
   /// Returns when no edit is running or requested.
   void finish();

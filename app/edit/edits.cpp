@@ -9,7 +9,7 @@
 namespace mesher::app {
 namespace {
 
-/// An edit that costs no more than what it changes, so that it needs no other thread.
+/// An edit that is fast enough to run on the main thread.
 class InstantEdit final : public ModelEdit {
  public:
   explicit InstantEdit(std::function<void(Session&)> change) : change_(std::move(change)) {}

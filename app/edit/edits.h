@@ -9,29 +9,29 @@
 
 namespace mesher::app {
 
-/// Adds an edit to those that the viewer or the script runs next. It takes the rules that hold now:
-/// the session's may change before it runs.
+/// Adds an edit to those that the viewer or the script runs next. The edit keeps the current rules,
+/// because those of the session may change before it runs.
 void request(Session& session, std::unique_ptr<EditTask> task);
 
 /// Removes about 10 % of the faces, and at least one edge.
 void request_remove_tenth(Session& session);
 /// Collapses one edge.
 void request_collapse_edge(Session& session);
-/// Simplifies the model as it was opened, so that detail can come back as well.
+/// Simplifies the model as it was opened, so that detail can also be restored.
 void request_simplify_to(Session& session, std::uint32_t faces);
 /// Subdivides once more.
 void request_subdivide(Session& session);
 /// Returns to the previous level, down to the model that was subdivided.
 void request_previous_level(Session& session);
-/// Rebuilds the shown level by the rules that hold now.
+/// Rebuilds the shown level by the current rules.
 void request_same_level(Session& session);
 /// Changes the sharpness of edges.
 void request_crease_edit(Session& session, const CreaseRequest& crease_request);
 void request_undo(Session& session);
 void request_redo(Session& session);
 
-/// Starts the first requested edit. Returns it if there is something to perform; none if it is
-/// finished or refused. Pre: an edit is waiting.
+/// Starts the first requested edit. Returns it if there is something to perform; null if it is
+/// finished or refused. Pre: an edit is requested.
 std::unique_ptr<EditTask> start_next_edit(Session& session);
 
 /// Runs all requested edits, on this thread.

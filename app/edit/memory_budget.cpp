@@ -10,7 +10,7 @@ std::string bytes_text(std::uint64_t bytes) {
   constexpr const char* kUnits[] = {"B", "kB", "MB", "GB", "TB"};
   auto value = static_cast<double>(bytes);
   std::size_t unit = 0;
-  // What rounds to a thousand is one of the next.
+  // A value that rounds to 1000 is shown as 1 of the next unit.
   while (value >= 999.5 && unit + 1 < std::size(kUnits)) {
     value /= 1000.0;
     ++unit;
@@ -29,8 +29,8 @@ std::string subdivision_refusal(const SubdivisionSize& size, std::uint32_t level
   const std::uint64_t needed = budget.held + size.peak_bytes + budget.beside +
                                (budget.copies - 1) * (size.result_bytes + budget.beside);
   if (needed <= budget.available / 5 * 4) return "";
-  return what + with_commas(size.faces) + " faces and take " + bytes_text(needed) + " of memory; " +
-         bytes_text(budget.available) + " are free";
+  return what + with_commas(size.faces) + " faces and need " + bytes_text(needed) + " of memory; " +
+         bytes_text(budget.available) + " is free";
 }
 
 }  // namespace mesher::app

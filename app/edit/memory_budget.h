@@ -10,16 +10,16 @@ namespace mesher::app {
 /// "1.5 GB"
 std::string bytes_text(std::uint64_t bytes);
 
-/// What there is to fill.
+/// The free memory, and what is needed besides the mesh of the result.
 struct MemoryBudget {
   std::uint64_t available = 0;  ///< bytes
-  unsigned copies = 1;          ///< how often the result is held at the end
-  std::uint64_t beside = 0;     ///< bytes that the result takes beside its mesh, once
-  std::uint64_t held = 0;       ///< bytes that are taken whatever the result
+  unsigned copies = 1;          ///< number of copies of the result at the end
+  std::uint64_t beside = 0;     ///< bytes per copy of the result besides its mesh
+  std::uint64_t held = 0;       ///< bytes that are needed for any result
 };
 
-/// Why a subdivision cannot be done here, in a person's words, with what it would take; empty where
-/// it can. A fifth of what is available is left alone.
+/// Returns why a subdivision does not fit into memory, as a message with the memory that it needs;
+/// empty if it fits. A fifth of the available memory is left free.
 std::string subdivision_refusal(const SubdivisionSize& size, std::uint32_t levels,
                                 const MemoryBudget& budget);
 

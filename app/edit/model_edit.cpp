@@ -95,7 +95,7 @@ bool take_back_last_edit(Session& session) {
   History& history = session.edits.history;
   if (session.edits.was_undone && history.redo_depth() > 0) {
     redo(session);
-    session.edits.was_undone = true;  // further undos before it are redone next
+    session.edits.was_undone = true;  // the next call redoes the undo before this one
     return true;
   }
   if (history.undo_depth() == 0) return false;

@@ -38,16 +38,16 @@ class ModelEdit : public EditTask {
 };
 
 /// Applies an edit to the model and keeps it in the history. An edit without `subdivision_after`
-/// ends the levels of subdivision, because its result is no level of anything. O(difference).
+/// ends the subdivision, because its result is not a level of it. O(difference).
 void record_edit(Session& session, Edit&& edit);
 
 /// Undoes or redoes an edit of the history, and says so in the notice. O(difference).
 void undo(Session& session);
 void redo(Session& session);
 
-/// Reverts the last change for good, because its result cannot be shown: an edit is removed from
-/// the history, and an undo is redone. Returns false where there is none. Pre: no edit is running,
-/// as it would have started from that result. O(difference).
+/// Reverts the last change, whose result cannot be shown: an edit is removed from the history, and
+/// an undo is redone. Returns false if there is no change to revert. Pre: no edit is running, since
+/// it would have started from that result. O(difference).
 bool take_back_last_edit(Session& session);
 
 /// Call after the model has changed. Clears the selection of edges unless the edit
@@ -55,8 +55,8 @@ bool take_back_last_edit(Session& session);
 /// simplifications start from the model as it is now. O(1); O(V + F) after a simplification.
 void note_model_changed(Session& session, bool keeps_topology);
 
-/// Returns whether progressive mode is on, in which the model cannot be edited; if so, the notice
-/// says what to do about it.
+/// Returns whether progressive mode is on, in which the model cannot be edited. If so, the notice
+/// says what to do.
 bool refuse_in_progressive(Session& session);
 
 /// A copy of the model that other threads can share. O(V + F).

@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* kArriving = "the file is still loading; press Esc to stop loading";
 
-/// A remark on the base: "; ...", or nothing.
+/// Returns a remark on the base ("; ..."), or an empty string.
 std::string remark_on_base(const Session& session) {
   const std::optional<SimplifyReport>& report = session.progressive.levels().report;
   if (!report) return {};
@@ -30,12 +30,12 @@ std::string remark_on_base(const Session& session) {
   return "; the base: " + stop_text(report->reason);
 }
 
-/// Shows the levels. The first ones turn the mode on, unless creases are edited by now.
+/// Shows the levels. The first ones turn the mode on, unless creases are being edited.
 void show_levels(Session& session, DetailLevels&& levels) {
   ProgressiveView& view = session.progressive;
   const bool is_new = !view.has_mesh();
   view.show(std::move(levels));
-  // A person who has left the mode meanwhile, or edits creases, stays where he is.
+  // If the mode was left meanwhile, or creases are being edited, the mode does not change.
   if (!view.is_on() && (!is_new || session.creases.is_on)) return;
   enter_progressive(session);
   if (!is_new) return;
@@ -45,7 +45,7 @@ void show_levels(Session& session, DetailLevels&& levels) {
                    " faces: Space plays, PageUp and PageDown refine" + remark_on_base(session);
 }
 
-/// Makes a progressive mesh of the model.
+/// Builds the progressive mesh of the model.
 class BuildProgressive final : public EditTask {
  public:
   BuildProgressive(const SimplifySettings& settings, bool rebuilds)
@@ -86,7 +86,7 @@ class BuildProgressive final : public EditTask {
   DetailLevels levels_;
 };
 
-/// Computes what a progressive mesh from a file lacks.
+/// Computes the geomorphs and level errors, which a file does not contain.
 class BuildGeomorph final : public EditTask {
  public:
   bool start(Session& session) override {
@@ -108,7 +108,7 @@ class BuildGeomorph final : public EditTask {
   DetailLevels levels_;
 };
 
-/// Makes the shown level the model.
+/// Uses the shown level as the model.
 class KeepLevel final : public ModelEdit {
  public:
   bool start(Session& session) override {
@@ -126,8 +126,8 @@ class KeepLevel final : public ModelEdit {
     take_shown(session);
     kept_ = shown_shape(session);
     const std::string faces = with_commas(kept_.mesh.face_count()) + " faces";
-    title_ = "Keeping " + faces;
-    edit_.name = "keep a level of " + faces;
+    title_ = "Using the level of " + faces;
+    edit_.name = "use the level of " + faces + " as the model";
     return true;
   }
 
@@ -152,9 +152,9 @@ void toggle_progressive(Session& session) {
   } else if (view.has_mesh()) {
     enter_progressive(session);
   } else if (session.model.mesh.face_count() == 0) {
-    session.notice = "there is nothing to refine";
+    session.notice = "the model has no faces to build a progressive mesh from";
   } else {
-    // Now, not when it is built: a person who edits creases meanwhile wants to see them.
+    // Not when the mesh is built: if creases are edited meanwhile, their mode stays on.
     if (session.creases.is_on) set_crease_mode(session, false);
     request(session, std::make_unique<BuildProgressive>(session.simplify, false));
   }

@@ -12,14 +12,14 @@ void toggle_progressive(Session& session);
 /// Turns the mode on, and requests missing geomorphs. Pre: there is a progressive mesh.
 void enter_progressive(Session& session);
 void leave_progressive(Session& session);
-/// Drops the progressive mesh: the model has changed.
+/// Drops the progressive mesh. Call when the model has changed.
 void forget_progressive(Session& session);
 
-/// Builds the progressive mesh again, by the rules that hold now.
+/// Rebuilds the progressive mesh by the current rules.
 void request_rebuilt_progressive(Session& session);
 /// Requests the geomorphs that a progressive mesh from a file lacks.
 void request_geomorph(Session& session);
-/// Makes the shown level the model, as an edit that can be undone.
+/// Uses the shown level as the model. This is an edit that can be undone.
 void request_keep_level(Session& session);
 
 }  // namespace mesher::app

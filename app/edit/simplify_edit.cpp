@@ -13,7 +13,7 @@
 namespace mesher::app {
 namespace {
 
-/// Facts that the picture does not show.
+/// Returns a notice of facts that the picture does not show.
 std::string notice_for(const SimplifyOutcome& outcome) {
   std::string notice;
   const SimplifyReport& report = outcome.report;
@@ -24,7 +24,7 @@ std::string notice_for(const SimplifyOutcome& outcome) {
   for (const std::string& dropped : outcome.dropped)
     notice += (notice.empty() ? "dropped " : "; dropped ") + dropped;
   if (outcome.is_far()) {
-    notice += (notice.empty() ? "" : "; ") + far_from("what was opened", outcome.error_percent());
+    notice += (notice.empty() ? "" : "; ") + far_from("the opened model", outcome.error_percent());
   }
   return notice;
 }
@@ -77,7 +77,7 @@ class SimplifyEdit final : public ModelEdit {
   std::uint32_t target_faces(std::uint32_t faces) const {
     switch (target_) {
       case Target::tenth_less:
-        return faces - (faces / 10 + (faces % 10 == 0 ? 0 : 1));  // at least one face goes
+        return faces - (faces / 10 + (faces % 10 == 0 ? 0 : 1));  // at least one face is removed
       case Target::one_edge:
         return faces - 1;
       case Target::faces:

@@ -15,13 +15,13 @@
 namespace mesher::app {
 namespace {
 
-// Of the model that will be shown: that, the result, its arrays in the history, and the GPU's
-// mirror.
+// Copies of the result: the shown model, the result of the task, the arrays in the history, and the
+// GPU's mirror.
 constexpr unsigned kCopies = 4;
-// Of the model that is shown: the task's copy, and its arrays in the history.
+// Copies of the shown model: the task's copy, and the arrays in the history.
 constexpr unsigned kCopiesBefore = 2;
 
-/// What is shown, as a level; without a base where nothing is subdivided.
+/// Returns the shown model as a level. It has no base if the model is not subdivided.
 SubdivisionLevel shown_as_level(const Session& session) {
   return session.edits.subdivision.value_or(SubdivisionLevel{});
 }
@@ -47,7 +47,7 @@ std::string rules_text(const SubdivideOptions& rules) {
 std::string name_of(std::uint32_t level_before, std::uint32_t level) {
   const std::string text = std::to_string(level);
   if (level < level_before) return "back to level " + text;
-  if (level == level_before) return "other rules at level " + text;
+  if (level == level_before) return "change the rules at level " + text;
   return "subdivide to level " + text;
 }
 
@@ -101,7 +101,7 @@ class SubdivideEdit final : public ModelEdit {
 
   void report(Session& session) override {
     session.edits.last_subdivision = outcome_;
-    // Other rules may give the same surface, which is no edit.
+    // Other rules may give the same surface: that is not an edit.
     if (!edit_.changes_anything()) session.edits.subdivision = std::move(edit_.subdivision_after);
   }
 
@@ -119,12 +119,12 @@ std::unique_ptr<EditTask> subdivide_edit(const SubdivideOptions& rules, LevelSte
 
 std::string level_refusal(const Session& session, std::uint32_t level,
                           const SubdivideOptions& rules) {
-  if (level == 0) return "";  // needs no memory, and is the way out when memory runs out
+  if (level == 0) return "";  // needs no memory, so it stays possible when memory runs out
   const SubdivisionLevel shown = shown_as_level(session);
   const Mesh& base = shown.base ? shown.base->mesh : session.model.mesh;
   const Attributes& attributes = shown.base ? shown.base->attributes : session.model.attributes;
   if (base.face_count() == 0) return "there is nothing to subdivide";
-  if (level > kMaxLevel) return "this is the finest level";
+  if (level > kMaxLevel) return "already at the finest level";
   return subdivision_refusal(subdivision_size(base, at_level(rules, level)), level,
                              {.available = available_memory_bytes(),
                               .copies = kCopies,

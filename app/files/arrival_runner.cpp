@@ -54,7 +54,7 @@ void ArrivalRunner::stop() {
   try {
     if (arrival_->has_base() && !arrival_->is_done()) arrival_->stop(session_);
   } catch (const std::exception& error) {
-    // There is no memory to keep it in; the base stays.
+    // Out of memory: the loaded levels are dropped, and the base stays.
     forget_progressive(session_);
     session_.error = error.what();
   }

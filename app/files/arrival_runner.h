@@ -9,28 +9,29 @@
 
 namespace mesher::app {
 
-/// Lets progressive meshes arrive in a session while it is looked at, one at a time. What goes
-/// wrong is the session's error; what has come stays.
+/// Loads progressive meshes into a session while it is shown, one at a time. Failures become the
+/// session's error; the part that was loaded stays.
 class ArrivalRunner {
  public:
-  /// `wake` as for ByteStream. `edits`: the session's, which end when their model goes.
+  /// `wake` as for ByteStream. `edits`: those of the session, which end when their model is
+  /// replaced.
   ArrivalRunner(Session& session, EditRunner& edits, void (*wake)())
       : session_(session), edits_(edits), wake_(wake) {}
 
-  /// Goes on with one that has begun elsewhere.
+  /// Continues an arrival that was started elsewhere; may be null.
   void take_over(std::unique_ptr<PmArrival> arrival);
-  /// What is shown stays until the base has arrived. Never waits. Returns whether it begins; where
-  /// it does not, all is as it was.
+  /// Starts to load a file. The shown model stays until the base is loaded. Never blocks. Returns
+  /// whether the file could be opened; if not, only the session's error changes.
   bool open(const std::filesystem::path& file);
-  /// Reads on for about so many seconds. Returns whether there is anything new to see.
+  /// Reads for about `seconds`. Returns whether the picture changes.
   bool advance(double seconds);
-  /// Returns when all has arrived. Throws as PmArrival::finish.
+  /// Returns when everything is loaded. Throws as PmArrival::finish.
   void finish();
-  /// What has arrived is all that comes.
+  /// Stops loading; the part that was loaded becomes the whole mesh.
   void stop();
 
   bool is_running() const { return arrival_ != nullptr; }
-  /// There is something for `advance` to do.
+  /// Returns whether `advance` has something to do.
   bool has_news() const;
 
  private:

@@ -10,19 +10,19 @@
 
 namespace mesher::app {
 
-/// A model with what was computed about it on the way.
+/// A model with its statistics.
 struct LoadedModel {
   Model model;
   Statistics statistics;
   std::filesystem::path file;
-  std::optional<PmSummary> pm;  ///< where the file holds a progressive mesh
+  std::optional<PmSummary> pm;  ///< if the file holds a progressive mesh
 };
 
-/// Reads any model, a progressive mesh in full detail included (see is_pm_file); statistics are
-/// not there yet. Throws as read_model and read_pm_file.
+/// Reads a model, or a progressive mesh (see is_pm_file) at full detail. Does not compute the
+/// statistics. Throws as read_model and read_pm_file.
 LoadedModel open_model(const std::filesystem::path& file, const ReadOptions& options);
 
-/// Reads a model in the background. Its result throws what the reader throws (InputError).
+/// Reads a model in the background. `take` throws what the reader throws (InputError).
 class LoadJob : public JobOf<LoadedModel> {
  public:
   LoadJob(const std::filesystem::path& file, const ReadOptions& options, void (*wake)());

@@ -5,27 +5,28 @@
 
 namespace mesher::app {
 
-/// The file that a person means: the path as given; else the name in the assets folder, also
-/// without its ".obj". Returns the path as given where neither is there, so that the reader says
-/// what is wrong with it.
+/// Returns the file that a name refers to: the path as given, or a file in the assets folder, whose
+/// ".obj" may be omitted. If neither exists, returns the path as given, so that the reader reports
+/// the error.
 std::filesystem::path find_model(const std::string& name);
 
-/// `folder`/`stem``extension`, or with a number ("bunny-2.png") where that is taken: nothing is
-/// overwritten that nobody asked to write.
+/// Returns a name that no file has: `folder`/`stem``extension` or, if that exists, the same with a
+/// number ("bunny-2.png").
 std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem,
                                 const std::string& extension);
-/// The same with ".png".
+/// As above, with ".png".
 std::filesystem::path free_picture_name(const std::filesystem::path& folder,
                                         const std::string& stem);
 
-/// Where the next screenshot goes: XDG_PICTURES_DIR, else ~/Pictures where there is one, else the
-/// current folder; "mesher-bunny.png", or the next free number.
+/// Returns the file of the next screenshot: "mesher-bunny.png", or with the next free number. The
+/// folder is XDG_PICTURES_DIR, ~/Pictures or the current folder: the first that exists.
 std::filesystem::path next_screenshot(const std::string& model_name);
 
-/// Whether a name ends in .png, in any case.
+/// Returns whether a name ends in .png, in upper or lower case.
 bool is_png_name(const std::filesystem::path& file);
 
-/// A path as a person types or pastes it: blanks and quotes around it go, a leading ~ is the home.
+/// Returns a path that was typed or pasted, without blanks and quotes around it. A leading ~ is
+/// replaced by the home folder.
 std::filesystem::path typed_path(std::string text);
 
 }  // namespace mesher::app

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Below full detail: between two times of reading on, and how long each takes at least.
+// Below full detail: time between two readings, and minimum time of each.
 constexpr double kSecondsBetween = 0.15;
 constexpr double kBiteSeconds = 0.1;
 
@@ -36,7 +36,7 @@ bool PmArrival::advance(Session& session, double seconds) {
   return is_new;
 }
 
-/// What lies behind damage is of no use, and may go on for ever.
+/// Data after damage cannot be used, and a pipe may never end: damage ends the reading.
 bool PmArrival::is_over(Session& session) const {
   return stream_.is_at_end() || (has_base_ && !session.progressive.reader()->damage().empty());
 }
@@ -47,8 +47,8 @@ bool PmArrival::has_news(const Session& session) const {
   return is_at_rest || now_s() - last_fed_s_ >= kSecondsBetween;
 }
 
-/// To full detail, where reading goes on; returns for how many seconds it should, at least, so that
-/// the way up and back does not take most of the time.
+/// Goes to full detail, where splits are appended. Returns the minimum time to read, in seconds, so
+/// that going to full detail and back does not take most of the time.
 double PmArrival::climb(Session& session) const {
   if (!has_base_ || session.progressive.is_at_end()) return 0.0;
   const double begin = now_s();
@@ -87,8 +87,9 @@ void PmArrival::show_base(Session& session) {
 void PmArrival::end(Session& session) {
   is_done_ = true;
   if (!has_base_) {
-    reader_->finish();  // says what is missing
-    if (!reader_->has_base()) throw InputError(file_.string(), 0, "ends before the base mesh");
+    reader_->finish();  // throws, and says what is missing
+    if (!reader_->has_base())
+      throw InputError(file_.string(), 0, "ends before the base mesh is complete");
     show_base(session);
   } else {
     session.progressive.reader()->finish();
@@ -108,7 +109,7 @@ void PmArrival::stop(Session& session) {
   ProgressiveMesh& mesh = view.mesh();
   const std::uint32_t level = mesh.level();
   mesh.go_to(mesh.split_count());
-  // All that may want memory first: the model is never half of one and half of another.
+  // Everything that needs memory comes first, so that a failure leaves the model unchanged.
   Mesh whole = mesh.mesh();
   mesh.go_to(level);
   session.statistics = statistics(whole);

@@ -33,10 +33,10 @@ fs::path suggested(const Session& session) {
   return free_name(session.file.parent_path(), session.file.stem().string() + "-edited", extension);
 }
 
-/// Why a file cannot be written as it is asked for; empty: it can.
+/// Returns why the requested file cannot be written; empty if it can.
 std::string objection(Session& session, const fs::path& file) {
   if (session.statistics.faces == 0) return "there is nothing to save";
-  if (file.empty()) return "a name is needed";
+  if (file.empty()) return "enter a file name";
   if (!is_writable(file)) return "the name must end in " + writable_formats();
   if (!is_there(file) || session.saving.asked == file) return "";
   session.saving.asked = file;

@@ -12,14 +12,14 @@ namespace mesher::app {
 struct Session;
 struct Shape;
 
-/// Opens the save dialog with a new name beside the opened file, such as "bunny-edited.obj": in the
-/// file's own format, or in OBJ if only that can hold the creases.
+/// Opens the save dialog with a new name in the folder of the opened file, such as
+/// "bunny-edited.obj". The format is that of the file, or OBJ if only that can hold the creases.
 void open_save_dialog(Session& session);
 /// Handles the dialog's button: requests the file and closes the dialog, or sets the remark to the
-/// reason why not. An existing file is overwritten only if the same path is submitted twice.
+/// reason why it cannot. An existing file is overwritten only if its path is submitted twice.
 void submit_save(Session& session);
 
-/// Everything that writing needs, so that another thread can write.
+/// A copy of everything that is written, so that another thread can write it.
 struct SaveTask {
   std::filesystem::path file;
   std::shared_ptr<const Shape> shape;
@@ -30,7 +30,7 @@ struct Saved {
   std::vector<std::string> losses;  ///< what the format cannot hold
 };
 
-/// Takes the requested file, if there is one. O(V + F): the model is copied.
+/// Takes the requested file, if there is one. O(V + F), because the model is copied.
 std::optional<SaveTask> begin_save(Session& session);
 /// Writes the file; touches no session. Throws OutputError.
 Saved perform(const SaveTask& task);

@@ -48,7 +48,7 @@ void toggle_surface(Session& session) {
     s.shading = render::Shading::flat;
   } else {
     s.shading = render::Shading::none;
-    s.wireframe = true;  // with neither there would be nothing to see
+    s.wireframe = true;  // without both the picture would be empty
   }
 }
 

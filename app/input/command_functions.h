@@ -4,10 +4,11 @@
 
 namespace mesher::app {
 
-// What the rows of app/input/commands.cpp run, unless it is a function of app/edit or app/files.
+// The functions that the rows of app/input/commands.cpp call, besides those of app/edit and
+// app/files.
 
 void toggle_wireframe(Session& session);
-/// Hides the surface, or shows it again. Without it the wireframe is shown.
+/// Hides the surface, or shows it again. While it is hidden, the wireframe is shown.
 void toggle_surface(Session& session);
 void toggle_gouraud(Session& session);
 void toggle_background(Session& session);
@@ -29,7 +30,7 @@ void sharpen_fully(Session& session);
 void make_smooth(Session& session);
 void mark_creases_by_angle(Session& session);
 
-/// Why commands of progressive mode cannot run: it is off. Null: they can.
+/// Returns why commands of progressive mode cannot run: the mode is off. Null: they can run.
 const char* need_progressive(const Session& session);
 void play(Session& session);
 void detail_up(Session& session);
@@ -48,7 +49,7 @@ void toggle_help(Session& session);
 void toggle_open_dialog(Session& session);
 void show_save_dialog(Session& session);
 void request_screenshot(Session& session);
-/// Closes the innermost thing that is open; quits when nothing is.
+/// Closes the innermost dialog, message, selection or mode; quits if none is open.
 void escape(Session& session);
 void quit(Session& session);
 

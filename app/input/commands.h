@@ -29,12 +29,12 @@ constexpr const auto& choices(CommandGroup) {
 /// scripts take everything from its row. To add a command, write its function and add its row.
 struct Command {
   const char* id;    ///< "toggle_wireframe": for scripts; never changes
-  const char* keys;  ///< between spaces, the first is the one to show: "f1 h shift+/"
+  const char* keys;  ///< separated by spaces: "f1 h shift+/"
   CommandGroup group;
   const char* help;  ///< "show or hide the wireframe"
   void (*function)(Session& session);
-  /// Why the command cannot run now, to be shown to a person; null: it can. A null pointer: it
-  /// always can.
+  /// Returns why the command cannot run now, as a notice; null: it can run. A null pointer: the
+  /// command can always run.
   const char* (*blocked)(const Session& session) = nullptr;
 };
 

@@ -15,11 +15,11 @@ struct Modifiers {
   bool control = false;
 };
 
-/// Turns what the mouse does into camera moves. Left drag orbits; right or middle drag, or left
-/// with shift, pans; the wheel zooms toward the cursor; a double click recentres on what is under
-/// it. While creases are edited, a click (a press of the left button that lets go where it was)
-/// picks the edge under it, a double click its chain. Positions are in pixels from the top left
-/// corner; times in seconds.
+/// Turns mouse events into camera moves. A left drag orbits. A right or middle drag, or a left drag
+/// with Shift, pans. The wheel zooms toward the cursor. A double click makes the point under the
+/// cursor the center of rotation. While creases are edited, a click (the left button is pressed and
+/// released at one point) selects the edge under the cursor, and a double click its chain.
+/// Positions are in pixels from the top left corner, times in seconds.
 class Gestures {
  public:
   static constexpr double kDoubleClickSeconds = 0.35;
@@ -30,7 +30,7 @@ class Gestures {
   explicit Gestures(Session& session) : session_(session) {}
 
   void press(MouseButton button, Modifiers modifiers, const glm::dvec2& at, double time);
-  /// Any button.
+  /// Call for any button.
   void release();
   bool is_dragging() const { return drag_ != Drag::none; }
   /// Returns whether the picture changed.
@@ -44,7 +44,7 @@ class Gestures {
 
   Session& session_;
   Drag drag_ = Drag::none;
-  std::optional<EdgeClick> click_;  ///< what letting go now does: while a press may be a click yet
+  std::optional<EdgeClick> click_;  ///< the click that a release makes; none: the press is a drag
   glm::dvec2 at_{0.0};
   glm::dvec2 last_press_at_{-1e9};
   double last_press_time_ = -1e9;

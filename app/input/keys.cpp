@@ -48,7 +48,7 @@ std::vector<KeyPress> parse_keys(std::string_view text) {
   std::istringstream words{std::string(text)};
   for (std::string word; words >> word;) {
     const auto key = parse_key(word);
-    if (!key) throw UsageError("--keys: cannot read '" + word + "'");
+    if (!key) throw UsageError("--keys: '" + word + "' is not a key");
     keys.push_back(*key);
   }
   return keys;

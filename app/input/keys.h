@@ -7,7 +7,7 @@
 
 namespace mesher::app {
 
-/// A key with its modifiers, independent of any window library. `name` is what is printed on the
+/// A key with its modifiers, independent of any window library. `name` is the text printed on the
 /// key, in lower case: "w", "1", "f12", "escape", "/".
 struct KeyPress {
   std::string name;
@@ -16,15 +16,15 @@ struct KeyPress {
   friend bool operator==(const KeyPress&, const KeyPress&) = default;
 };
 
-/// Reads "w", "F12", "shift+d", "ctrl+shift+z" (any case; "esc" and "?" work too). None where a
+/// Parses "w", "F12", "shift+d", "ctrl+shift+z", in any case; "esc" and "?" also work. None if a
 /// modifier is unknown or the key is missing.
 std::optional<KeyPress> parse_key(std::string_view text);
 
-/// Reads a list of keys between spaces, as `--keys` takes it. Throws UsageError that names the one
-/// it cannot read.
+/// Parses a list of keys that are separated by spaces, as `--keys` takes it. Throws UsageError that
+/// names the key that cannot be parsed.
 std::vector<KeyPress> parse_keys(std::string_view text);
 
-/// "Ctrl+Shift+Z": as help shows it.
+/// Returns the key as help shows it: "Ctrl+Shift+Z".
 std::string to_text(const KeyPress& key);
 
 }  // namespace mesher::app

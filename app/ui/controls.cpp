@@ -13,7 +13,7 @@ namespace mesher::app {
 namespace {
 
 constexpr float kWidth = 290.0F;
-// In narrower windows panels start collapsed: the model needs the room.
+// In narrower windows panels start collapsed, so that they do not hide the model.
 constexpr float kFitsWidth = 1000.0F;
 constexpr float kTooltipWidth = 480.0F;
 
@@ -30,7 +30,7 @@ void wrapped_tooltip(const char* text) {
   ImGui::EndTooltip();
 }
 
-/// As ImGui takes it: "%.0f deg", or words for a special value.
+/// Returns the format for ImGui: "%.0f deg", or the words for a special value.
 std::string number_format(double value, const NumberRange& range) {
   if (value == range.special) return range.special_label;
   const std::string_view unit = range.unit;

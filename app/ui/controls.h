@@ -24,7 +24,7 @@ float end_side_panel(PanelAreas& areas);
 inline constexpr float kFieldX = 112.0F;
 /// Writes a label into the first column; the next widget fills the second.
 void label(const char* text);
-/// Adds a tooltip to the last widget, also where it is disabled.
+/// Adds a tooltip to the last widget, even if that is disabled.
 void tooltip(const char* text);
 /// A row of a two-column table.
 void row(const char* name, const std::string& value);
@@ -62,7 +62,7 @@ bool edit_number(const char* what, float& value, const NumberRange& range);
 bool edit_number(const char* what, std::uint32_t& value, const NumberRange& range);
 bool edit_number(const char* what, std::uint64_t& value, const NumberRange& range);
 
-/// Draws an option of a table with its tooltip. Grayed out where it does not apply. Returns whether
+/// Draws an option of a table with its tooltip, grayed out if it does not apply. Returns whether
 /// the value changed.
 template <class S>
 bool edit_option(const Option<S>& option, S& options) {

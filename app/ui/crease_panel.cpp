@@ -30,11 +30,11 @@ void draw_counts(const Session& session) {
   }
   tooltip(
       "Click selects an edge; Shift+click or double click selects its chain of edges.\n"
-      "Ctrl+click adds or removes an edge. A click beside all edges clears the selection.\n"
+      "Ctrl+click adds or removes an edge. A click beside the edges clears the selection.\n"
       "Ctrl+A selects all creases.");
 }
 
-/// Applies while it is dragged. One drag is one step of the history.
+/// Applies the sharpness while the slider is dragged. One drag is one step of the history.
 void draw_slider(Session& session, const SelectedSharpness& sharpness) {
   const char* format = "%.1f";
   if (sharpness.edges == 0) {
@@ -64,7 +64,7 @@ void draw_infinite(Session& session, const SelectedSharpness& sharpness) {
     const float value = is_infinite ? kInfinitelySharp : session.creases.finite_sharpness;
     ask(session, {.kind = CreaseRequest::Kind::set, .value = value});
   }
-  tooltip("Always sharp (I).");
+  tooltip("I: make the selected edges infinitely sharp.");
 }
 
 void draw_clear_buttons(Session& session, const SelectedSharpness& sharpness) {
@@ -96,7 +96,7 @@ void draw_tagging(Session& session, TagCount& last) {
   label("angle");
   ImGui::SliderFloat("##tag angle", &session.creases.tag_angle_deg, 0.0F, 180.0F, "%.0f deg",
                      ImGuiSliderFlags_AlwaysClamp);
-  tooltip("Edges whose face normals differ by more.");
+  tooltip("Minimum angle between the face normals of the edges to mark.");
   const std::uint32_t edges = count_untagged(session, last);
   ImGui::BeginDisabled(edges == 0);
   const std::string text =
@@ -106,7 +106,7 @@ void draw_tagging(Session& session, TagCount& last) {
         {.kind = CreaseRequest::Kind::tag_by_angle, .value = session.creases.tag_angle_deg});
   }
   ImGui::EndDisabled();
-  tooltip("Mark them as infinitely sharp (Shift+C).");
+  tooltip("Shift+C: mark these edges as infinitely sharp.");
 }
 
 }  // namespace
@@ -117,7 +117,7 @@ float draw_crease_panel(Session& session, const PanelFacts& facts, float top, Ta
   if (begin_side_panel("Edit creases", top, &is_open)) {
     draw_counts(session);
     const SelectedSharpness sharpness = selected_sharpness(session.model.mesh, session.creases);
-    ImGui::BeginDisabled(facts.job != nullptr);  // it may leave other edges
+    ImGui::BeginDisabled(facts.job != nullptr);  // the job may change the edges
     ImGui::BeginDisabled(sharpness.edges == 0);
     draw_slider(session, sharpness);
     draw_infinite(session, sharpness);

@@ -69,7 +69,7 @@ void draw_rows(const char* name, std::span<const Row> rows) {
   ImGui::EndTable();
 }
 
-/// Side by side where the window is wide enough.
+/// Draws the rows in two columns if the window is wide enough.
 void draw_all_rows(float window_width) {
   constexpr float kFitsTwo = 1100.0F;
   constexpr float kColumn = 460.0F;

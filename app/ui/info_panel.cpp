@@ -86,7 +86,7 @@ void draw_shading_choice(render::Settings& settings) {
     if (ImGui::RadioButton(text.label, settings.shading == shading)) settings.shading = shading;
     tooltip(text.help);
   }
-  // Without a surface and without edges there would be nothing to see.
+  // Without surface and wireframe the picture would be empty.
   if (settings.shading == Shading::none) settings.wireframe = true;
 }
 
@@ -137,7 +137,7 @@ void draw_gpu(const PanelFacts& facts) {
   if (!begin_section("GPU") || !begin_table("gpu")) return;
   if (facts.frame_ms > 0.0) row("frame", "%.1f ms", facts.frame_ms);
   row("uploaded", "%s", size_text(facts.upload.uploaded_bytes).c_str());
-  row("of", "%s", size_text(facts.upload.total_bytes).c_str());
+  row("in total", "%s", size_text(facts.upload.total_bytes).c_str());
   ImGui::EndTable();
   ImGui::PushTextWrapPos();
   ImGui::TextDisabled("%s", facts.device.c_str());

@@ -5,7 +5,7 @@
 namespace mesher::app {
 namespace {
 
-// Shorter jobs show no progress bar, which would only flicker.
+// Shorter jobs show no progress bar, because it would flicker.
 constexpr double kMomentSeconds = 0.25;
 
 void draw_progress(const Job& job, bool can_cancel, PanelActions& actions) {

@@ -43,7 +43,7 @@ Overlay::~Overlay() {
   try {
     device_.wait_idle();
   } catch (const DeviceError&) {
-    // A lost device uses nothing any more.
+    // A lost device does no more work.
   }
   ImGui_ImplVulkan_Shutdown();
   if (has_window_) ImGui_ImplGlfw_Shutdown();
@@ -66,7 +66,7 @@ void Overlay::create_render_pass(VkFormat format) {
   subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
   subpass.colorAttachmentCount = 1;
   subpass.pColorAttachments = &reference;
-  // What wrote the image before, a copy, has already been waited for by its barrier.
+  // The barrier of the copy that wrote the image already waits for that copy.
   const VkSubpassDependency after_scene{
       .srcSubpass = VK_SUBPASS_EXTERNAL,
       .dstSubpass = 0,
@@ -111,7 +111,7 @@ void Overlay::start_backends(const gpu::Instance& instance, GLFWwindow* window) 
   info.QueueFamily = device_.queue_family();
   info.Queue = device_.queue();
   info.DescriptorPool = descriptor_pool_.get();
-  // ImGui cycles through this many vertex buffers: more than there can be frames in flight.
+  // Number of vertex buffers of ImGui: more than there can be frames in flight.
   info.MinImageCount = 3;
   info.ImageCount = 3;
   info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;

@@ -11,12 +11,12 @@ struct ImGuiContext;
 
 namespace mesher::app {
 
-/// ImGui over a finished picture: in a window, or (without one) over any image, for pictures of the
-/// whole program. One at a time. Between `begin` and `end` panels may be drawn.
+/// Draws ImGui over a finished picture: in a window or, without one, over any image, for pictures
+/// of the whole program. There can be one at a time. Draw panels between `begin` and `end`.
 class Overlay {
  public:
-  /// `window` null: no window; time and size are then what `begin` is told. With a window, its own
-  /// event callbacks must be set before; ImGui's pass events on to them.
+  /// `window` null: there is no window; `begin` then sets the size, and time advances by a constant
+  /// step. With a window, set its event callbacks first: those of ImGui pass events on to them.
   Overlay(const gpu::Instance& instance, gpu::Device& device, VkFormat format, GLFWwindow* window);
   ~Overlay();
   Overlay(const Overlay&) = delete;
@@ -24,13 +24,13 @@ class Overlay {
 
   void begin(const glm::dvec2& size);
   void end();
-  /// Records the panels into an image that is in COLOR_ATTACHMENT_OPTIMAL, and leaves it there.
+  /// Records the panels into an image. The image is in COLOR_ATTACHMENT_OPTIMAL before and after.
   void draw(VkCommandBuffer commands, VkImageView view, VkExtent2D extent);
-  /// The views given to `draw` so far are gone.
+  /// Call when the views that were given to `draw` no longer exist.
   void forget_images() { framebuffers_.clear(); }
-  /// A text field has the keyboard.
+  /// Returns whether a text field has the keyboard focus.
   bool wants_text() const;
-  /// Closes color pickers and the like; false where none is open.
+  /// Closes popups such as color pickers. Returns whether one was open.
   bool close_popups();
 
  private:

@@ -50,7 +50,7 @@ bool Panels::covers(const glm::dvec2& at) const {
 void note_area(PanelAreas& areas) {
   const ImVec2 at = ImGui::GetWindowPos();
   const ImVec2 size = ImGui::GetWindowSize();
-  // ImGui counts in the window's units, the mouse in pixels: they differ on scaled displays.
+  // ImGui uses the window's units, and mouse events use pixels. They differ on scaled displays.
   const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
   areas.emplace_back(at.x * scale.x, at.y * scale.y, (at.x + size.x) * scale.x,
                      (at.y + size.y) * scale.y);

@@ -14,10 +14,10 @@ namespace mesher::app {
 
 /// Facts that panels show and the session does not hold.
 struct PanelFacts {
-  const Job* job = nullptr;    ///< runs in the background
+  const Job* job = nullptr;    ///< the background job, or null
   bool can_cancel = true;      ///< the job can be canceled
   render::UploadStats upload;  ///< the last upload that was not empty
-  double frame_ms = 0.0;       ///< how long the last frame took; 0: not known
+  double frame_ms = 0.0;       ///< time of the last frame; 0: unknown
   std::string device;
 };
 
@@ -28,7 +28,7 @@ struct PanelActions {
   bool wants_frames = false;  ///< something is animated: draw again
 };
 
-/// The areas of the panels, so that clicks on them do not turn the model.
+/// The areas of the panels, so that clicks on them do not rotate the model.
 using PanelAreas = std::vector<glm::vec4>;  ///< x0, y0, x1, y1 in pixels
 
 /// The number of edges that marking by angle would mark, and the state it was counted for.

@@ -24,10 +24,10 @@ void draw_arrival(ProgressiveView& view) {
   const std::string text = of_text(splits, announced) + " splits";
   ImGui::ProgressBar(announced > 0 ? float(splits) / float(announced) : 1.0F, {-FLT_MIN, 0.0F},
                      text.c_str());
-  tooltip("Part of the file that is loaded. Esc: stop loading.");
+  tooltip("Loaded part of the file. Esc: stop loading.");
 }
 
-/// Applies while it is dragged.
+/// Applies the level while the slider is dragged.
 void draw_slider(ProgressiveView& view) {
   auto position = static_cast<float>(view.position());
   const std::string text = with_commas(view.mesh().mesh().face_count()) + " faces";
@@ -159,7 +159,7 @@ float draw_progressive_panel(Session& session, const PanelFacts& facts, float to
     ImGui::TextUnformatted(
         (size_text(facts.upload.uploaded_bytes) + " of " + size_text(facts.upload.total_bytes))
             .c_str());
-    tooltip("Bytes that the last step sent to the GPU, of all bytes that it holds.");
+    tooltip("Bytes that the last step uploaded to the GPU, of all bytes of the mesh there.");
     draw_base(session, settings, is_busy);
     view.change(settings);
   }

@@ -16,8 +16,8 @@ void draw_rules(SimplifySettings& settings) {
   edit_options(kSimplifyLimits, settings);
 }
 
-/// Simplifies when the slider is released. Where the model has more faces than it was opened with,
-/// the slider is at its right end.
+/// Simplifies when the slider is released. If the model has more faces than it was opened with, the
+/// slider is at its right end.
 void draw_target(Session& session, bool is_busy, int& slider_faces) {
   const auto most = static_cast<int>(session.edits.opened_faces);
   const int fewest = std::min(session.statistics.is_closed() ? 4 : 1, most);
@@ -25,9 +25,8 @@ void draw_target(Session& session, bool is_busy, int& slider_faces) {
   ImGui::SliderInt("##faces", &slider_faces, fewest, std::max(most, fewest + 1), "%d faces",
                    ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
   tooltip(
-      "Release to simplify the model as it was opened to this number of faces. Drag to the right\n"
-      "to get detail back, up to the model as it was opened. Detail that a subdivision added is\n"
-      "not kept.");
+      "Release to simplify the opened model to this number of faces. Drag to the right to restore\n"
+      "detail, up to that of the opened model. Detail that a subdivision added is lost.");
   if (ImGui::IsItemDeactivatedAfterEdit()) {
     request_simplify_to(session, static_cast<std::uint32_t>(slider_faces));
   } else if (!ImGui::IsItemActive() && !is_busy && session.edits.waiting.empty()) {
@@ -79,16 +78,16 @@ void draw_report(const SimplifyOutcome& outcome) {
   }
   if (outcome.error_from_opened) {
     row("error, total", error_text(outcome, *outcome.error_from_opened));
-    tooltip("RMS distance from the model as it was opened, measured at sample points.");
+    tooltip("RMS distance from the opened model, measured at sample points.");
   }
   if (outcome.is_far()) {
-    row("warning", "far from what was opened");
+    row("warning", "far from the opened model");
     tooltip(
         "The error is more than 5 % of the diagonal. To keep the shape, undo or ask for more\n"
         "faces.");
   }
   row("preparation", seconds_text(report.seconds.prepare));
-  row("collapses in", seconds_text(report.seconds.collapse));
+  row("collapsing", seconds_text(report.seconds.collapse));
   row("completion", seconds_text(report.seconds.finish));
   if (report.measured_error >= 0.0) row("measurement", seconds_text(report.seconds.measure));
   for (const std::string& dropped : outcome.dropped)

@@ -15,7 +15,7 @@ constexpr float kFontPixels = 15.0F;
 void apply_style() {
   ImGuiIO& io = ImGui::GetIO();
   std::error_code ignored;
-  // Without the font ImGui's own bitmap font serves.
+  // If the font is missing, ImGui uses its own bitmap font.
   if (std::filesystem::exists(kFont, ignored)) io.Fonts->AddFontFromFileTTF(kFont, kFontPixels);
   ImGui::StyleColorsDark();
   ImGuiStyle& style = ImGui::GetStyle();

@@ -2,7 +2,7 @@
 
 namespace mesher::app {
 
-/// Font and colors of the panels. Call once after the ImGui context is made.
+/// Sets the font and the colors of the panels. Call once, after the ImGui context is created.
 void apply_style();
 
 }  // namespace mesher::app

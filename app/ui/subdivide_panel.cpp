@@ -33,8 +33,9 @@ void draw_levels(Session& session) {
   label("level");
   ImGui::Text("%u", level);
   tooltip(
-      "The subdivided model is kept: you can change the level and the rules at any time without\n"
-      "loss.");
+      "The model before subdivision is kept, so you can change the level and the rules at any "
+      "time\n"
+      "without loss.");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace mesher::app {
 namespace {
 
-// Seconds of each frame in which a progressive mesh that arrives may be read.
+// Time per frame for reading a progressive mesh that is loading.
 constexpr double kArrivalSeconds = 0.008;
 
 }  // namespace

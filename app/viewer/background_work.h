@@ -12,8 +12,8 @@
 
 namespace mesher::app {
 
-/// The work that a window does while it stays responsive: edits, loading, progressive meshes that
-/// arrive, saving. Failures become the session's error.
+/// The work that a window does while it stays responsive: edits, loading models and progressive
+/// meshes, saving. Failures become the session's error.
 class BackgroundWork {
  public:
   /// `show` receives a model that has been loaded. `wake` as for Job.
@@ -28,7 +28,7 @@ class BackgroundWork {
   /// Takes finished work into the session and starts what comes next. Returns whether anything has
   /// changed that a person can see.
   bool advance();
-  /// Stops what works on the shown model, without a notice, and returns when it has ended.
+  /// Stops the work on the shown model, without a notice. Returns when it has ended.
   void stop();
   void stop_edits() { edits_.stop(); }
   void stop_arrival() { arrivals_.stop(); }
@@ -36,12 +36,13 @@ class BackgroundWork {
   bool cancel();
   /// Returns when no edit is running or requested.
   void finish_edits() { edits_.finish(); }
-  /// Returns when a progressive mesh that arrives is complete. Throws InputError.
+  /// Returns when a progressive mesh that is loading is complete. Throws InputError.
   void finish_arrival() { arrivals_.finish(); }
-  /// Returns when all requested files are written. Throws OutputError: no window shows it any more.
+  /// Returns when all requested files are written. Throws OutputError, because no window is left to
+  /// show the error.
   void finish_saves();
 
-  /// The job whose progress a person should see; null: none.
+  /// The job whose progress is shown; null: none.
   const Job* visible_job() const;
   bool can_cancel() const { return load_ != nullptr || edits_.is_running(); }
   /// Returns whether `advance` has something to do at once.

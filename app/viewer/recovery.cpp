@@ -55,11 +55,12 @@ bool Recovery::revert_settings() {
 
 bool Recovery::revert_edit() {
   if (!good_revision_ || *good_revision_ == session_.edits.revision) return false;
-  work_.stop_edits();  // they started from a model that cannot be shown
+  work_.stop_edits();  // they started from the model that cannot be shown
   return take_back_last_edit(session_);
 }
 
-// A progressive mesh from a file has never been shown as a whole: half of it may still fit.
+// A progressive mesh from a file may never have been shown at full detail: half of its splits may
+// fit.
 bool Recovery::revert_mode() {
   ProgressiveView& view = session_.progressive;
   if (!view.is_on()) return false;

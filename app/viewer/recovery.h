@@ -10,8 +10,8 @@
 
 namespace mesher::app {
 
-/// Keeps the window usable when the GPU cannot hold what the session wants to show: the last change
-/// is reverted, and the session's error says so.
+/// Keeps the window usable when the GPU runs out of memory: the last change is reverted, and the
+/// session's error says so.
 class Recovery {
  public:
   Recovery(Session& session, SceneMirror& mirror, BackgroundWork& work)

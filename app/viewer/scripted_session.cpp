@@ -15,7 +15,7 @@
 namespace mesher::app {
 namespace {
 
-// ImGui lays a window out by the sizes of the last frame.
+// ImGui lays out a window by its sizes in the last frame.
 constexpr int kFramesToSettle = 3;
 
 }  // namespace
@@ -49,7 +49,8 @@ ScriptedSession::~ScriptedSession() = default;
 void ScriptedSession::press(std::span<const KeyPress> keys) {
   for (const KeyPress& key : keys) {
     const Command* command = command_for(key);
-    if (command == nullptr) throw UsageError("--keys: '" + to_text(key) + "' does nothing");
+    if (command == nullptr)
+      throw UsageError("--keys: '" + to_text(key) + "' is not bound to a command");
     run(session_, *command);
     run_waiting_edits(session_);
     session_.progressive.settle(shown_pixels_per_unit(session_));

@@ -18,8 +18,8 @@ struct ScriptOptions {
   bool panels = false;      ///< pictures show the panels too, as a window would
 };
 
-/// Drives a session without a window: keys in, pictures out. The GPU is set up when the first
-/// picture is asked for.
+/// Drives a session without a window: it presses keys and draws pictures. The GPU is set up for the
+/// first picture.
 class ScriptedSession {
  public:
   ScriptedSession(Session& session, const ScriptOptions& options);
@@ -27,12 +27,12 @@ class ScriptedSession {
   ScriptedSession(const ScriptedSession&) = delete;
   ScriptedSession& operator=(const ScriptedSession&) = delete;
 
-  /// Presses keys one after the other, until one quits. A screenshot key writes next_screenshot().
-  /// Throws UsageError for a key that does nothing.
+  /// Presses keys in order, until one quits. A screenshot key writes next_screenshot(). Throws
+  /// UsageError for a key that is not bound to a command.
   void press(std::span<const KeyPress> keys);
-  /// The model as the session shows it, at session.window's size. Throws DeviceError.
+  /// Draws the model as the session shows it, at the size of session.window. Throws DeviceError.
   Image picture();
-  /// Throws DeviceError with the first validation message, where there is one.
+  /// Throws DeviceError with the first validation message, if there is one.
   void expect_no_messages() const;
 
  private:

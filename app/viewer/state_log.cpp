@@ -20,7 +20,7 @@ void StateLog::note(const Session& session, const Pointer* pointer) {
   }
   std::string line = to_text(state, -1);
   if (line == last_) return;
-  out_ << line << std::endl;  // at once: somebody may be waiting for it
+  out_ << line << std::endl;  // flushed, because a test may be waiting for the line
   if (!out_) throw OutputError(file_.string(), "cannot be written");
   last_ = std::move(line);
 }

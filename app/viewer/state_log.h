@@ -9,19 +9,19 @@
 
 namespace mesher::app {
 
-/// Where a window last saw the pointer, in pixels, and whether a button of it is down.
+/// The last position of the pointer in a window, in pixels, and whether a button is pressed.
 struct Pointer {
   glm::dvec2 at{0.0};
   bool is_pressed = false;
 };
 
-/// Writes the session's state as one line of JSON whenever it differs from the line before: how
-/// scripts and window tests see what a key or a gesture did.
+/// Writes the session's state as one line of JSON whenever it differs from the line before. Scripts
+/// and window tests read from it the effect of a key or a gesture.
 class StateLog {
  public:
-  /// An empty path: writes nothing. Throws OutputError where the file cannot be made.
+  /// An empty path: writes nothing. Throws OutputError if the file cannot be created.
   explicit StateLog(const std::filesystem::path& file);
-  /// `pointer`: null where there is no window. Throws OutputError where the line cannot be written.
+  /// `pointer`: null if there is no window. Throws OutputError if the line cannot be written.
   void note(const Session& session, const Pointer* pointer = nullptr);
 
  private:

@@ -27,16 +27,16 @@ namespace {
 
 constexpr double kJobPollSeconds = 0.1;
 constexpr double kCaretBlinkSeconds = 0.4;
-// After longer frames edges are not smoothed while the picture changes.
+// After longer frames there is one sample per pixel while the picture changes.
 constexpr double kLongFrameMs = 40.0;
-// A longer frame does not make an animation jump.
+// The longest time step of an animation, so that a long frame does not make it jump.
 constexpr double kLongestStepSeconds = 0.1;
 // ImGui settles its layout within a few frames of an event.
 constexpr int kFramesAfterEvent = 3;
 
-/// Chooses the number of samples per pixel. While the picture changes from frame to frame and
-/// frames take long, low latency counts for more than smooth edges: those come with the first frame
-/// that shows nothing new.
+/// Chooses the number of samples per pixel. While the picture changes in every frame and frames
+/// take long, there is one, because latency matters more than antialiasing. The first frame that
+/// shows nothing new is antialiased.
 class SampleChooser {
  public:
   unsigned choose(unsigned wanted, bool is_changed, double last_frame_ms) {
@@ -146,13 +146,13 @@ class Viewer {
     want_frames();
   }
 
-  // A change of the picture may change the edge under the cursor as well.
+  // A change of the picture may also change the edge under the cursor.
   void want_frames() {
     frames_wanted_ = kFramesAfterEvent;
     is_hover_outdated_ = true;
   }
 
-  // A move without a drag, beside all panels, changes nothing but the edge under the cursor.
+  // A move without a drag, outside the panels, only changes the edge under the cursor.
   void move(const glm::dvec2& at) {
     const bool touches_panel = panels_.covers(at) || panels_.covers(pointer_.at);
     pointer_.at = at;
@@ -160,7 +160,7 @@ class Viewer {
     if (gestures_.move(at) || touches_panel) want_frames();
   }
 
-  // Once for all moves since the last frame, because it visits every face.
+  // Called once per frame instead of once per move, because it visits every face.
   void update_hover() {
     if (!is_hover_outdated_ || !session_.creases.is_on) return;
     const bool is_over_model = !gestures_.is_dragging() && !panels_.covers(pointer_.at);
@@ -171,14 +171,14 @@ class Viewer {
 
   void press_key(const KeyPress& key) {
     want_frames();
-    // A dialog takes the keyboard at once; ImGui's field takes it only after it was drawn.
+    // A dialog takes the keyboard at once; its text field takes it only after it was drawn.
     const bool has_dialog = session_.shows_open_dialog || session_.saving.shows_dialog;
     const bool is_typing = has_dialog || overlay_->wants_text();
     if (key.name == "escape") {
       if (overlay_->close_popups() || work_.cancel()) return;
-      if (is_typing && !has_dialog) return;  // ImGui ends the typing
+      if (is_typing && !has_dialog) return;  // ImGui takes the focus from the text field
     } else if (is_typing) {
-      // ImGui polls keys once per frame, and misses one that was released by then.
+      // ImGui polls keys once per frame, and misses a key that was released before.
       if (key.name == "enter") submit_dialog();
       return;
     }
@@ -190,7 +190,7 @@ class Viewer {
     if (session_.saving.shows_dialog) panels_.submit_save();
   }
 
-  /// Advances what is animated by the time since the last frame, if it was animated then as well.
+  /// Advances the animation by the time since the last frame, if there was an animation then.
   void animate() {
     const double now = Window::time();
     const double step = is_moving_ ? std::min(now - moved_at_s_, kLongestStepSeconds) : 0.0;
@@ -212,8 +212,8 @@ class Viewer {
     Window::wait_events(work_.is_arriving() ? kJobPollSeconds : -1.0);
   }
 
-  /// Updates the GPU's copy of the model before a frame begins. Returns whether there is something
-  /// to draw: a change that the GPU could not hold is reverted first.
+  /// Updates the GPU's copy of the model before a frame begins. Returns false if the GPU could not
+  /// hold a change, which is then reverted: draw in the next frame.
   bool update_scene() {
     const Recovery::Outcome outcome = recovery_.update();
     if (outcome != Recovery::Outcome::unchanged) drawn_.reset();
@@ -264,7 +264,7 @@ class Viewer {
       target_.emplace(device_, frame.extent, samples, presenter_.format());
       drawn_.reset();
     }
-    // Panels may just have changed the settings; the mirror follows before the next frame.
+    // If panels have just changed the settings, the mirror is updated before the next frame.
     if (session_.settings != drawable_settings_) want_frames();
     if (drawn_ == now) return;  // only the panels changed
     renderer_.draw(frame.commands, *target_, mirror_.mesh(), now.camera, now.settings);

@@ -19,11 +19,11 @@ struct ViewerOptions {
   ReadOptions read;  ///< for files opened later
 };
 
-/// Shows the session in a window of its size until the person quits. Draws when something changed,
-/// and sleeps otherwise. `keys` are pressed first. What goes wrong with a file is shown in the
-/// window. `arrival`: by what the session's model still comes, or null; taken once there is a
-/// window. Throws NoDisplay where there is nowhere to open a window, DeviceError where there is no
-/// usable Vulkan device or the validation layer had something to say.
+/// Shows the session in a window of its size until the person quits. Presses `keys` first. Draws
+/// when something has changed, and sleeps otherwise. Errors of files are shown in the window.
+/// `arrival`: loads the rest of the session's model, or null; it is taken once there is a window.
+/// Throws NoDisplay if no window can be opened. Throws DeviceError if there is no usable Vulkan
+/// device, or if the validation layer reports a message.
 void run_viewer(Session& session, const std::vector<KeyPress>& keys, const ViewerOptions& options,
                 std::unique_ptr<PmArrival>& arrival);
 

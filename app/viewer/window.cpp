@@ -18,7 +18,7 @@ std::string glfw_error() {
   return description == nullptr ? "unknown reason" : description;
 }
 
-/// The name of a key by its place, or empty where it has none that a shortcut could use.
+/// Returns the name of a key by its position on the keyboard; empty if shortcuts cannot use it.
 std::string key_name(int key) {
   if ((key >= GLFW_KEY_A && key <= GLFW_KEY_Z) || (key >= GLFW_KEY_0 && key <= GLFW_KEY_9)) {
     std::string name(1, static_cast<char>(key));
@@ -55,13 +55,13 @@ MouseButton button_of(int button) {
   return button == GLFW_MOUSE_BUTTON_MIDDLE ? MouseButton::middle : MouseButton::right;
 }
 
-/// What was pressed, as shortcuts know it. Letters, plus and minus go by what is printed on the
-/// key, so that w is w on every keyboard layout.
+/// Returns the key that was pressed, for shortcuts. Letters, plus and minus are taken from the text
+/// printed on the key, so that w is w on every keyboard layout.
 std::optional<KeyPress> key_press(int key, Modifiers modifiers) {
   const char* text = glfwGetKeyName(key, 0);
   const std::string printed = text == nullptr ? "" : text;
   const bool is_letter = key >= GLFW_KEY_A && key <= GLFW_KEY_Z;
-  // Where plus is the upper half of a key, its lower half will do.
+  // On layouts where plus is Shift and "=", "=" alone also works.
   if (printed == "+" || printed == "=") return KeyPress{"+", false, modifiers.control};
   if (printed == "-") return KeyPress{"-", false, modifiers.control};
   const std::string name = is_letter && printed.size() == 1 ? printed : key_name(key);
@@ -76,7 +76,7 @@ struct Window::Callbacks {
     return *static_cast<Window*>(glfwGetWindowUserPointer(window));
   }
   static void key(GLFWwindow* window, int key, int, int action, int modifiers) {
-    if (action != GLFW_PRESS) return;  // a key held down toggles once
+    if (action != GLFW_PRESS) return;  // ignore repeats of a key that is held down
     const std::optional<KeyPress> press = key_press(key, modifiers_of(modifiers));
     Window& self = of(window);
     if (press && self.events_.key) self.events_.key(*press);
@@ -115,7 +115,7 @@ Window::Window(const glm::ivec2& size, const std::string& title) {
   if (glfwVulkanSupported() != GLFW_TRUE) {
     glfwTerminate();
     throw DeviceError(
-        "no Vulkan: install a Vulkan loader and a driver (Debian: libvulkan1, "
+        "no Vulkan found: install a Vulkan loader and a driver (Debian: libvulkan1, "
         "mesa-vulkan-drivers)");
   }
   glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
@@ -123,7 +123,7 @@ Window::Window(const glm::ivec2& size, const std::string& title) {
   if (window_ == nullptr) {
     const std::string reason = glfw_error();
     glfwTerminate();
-    throw NoDisplay("no window (" + reason + ")");
+    throw NoDisplay("cannot open a window (" + reason + ")");
   }
   glfwSetWindowUserPointer(window_, this);
 }
@@ -154,7 +154,7 @@ glm::dvec2 Window::to_pixels(double x, double y) const {
   return {x * pixels.x / std::max(width, 1), y * pixels.y / std::max(height, 1)};
 }
 
-// As events come, in their order: where the pointer is by now may be farther on.
+// The position at the current event. By now the pointer may have moved on.
 glm::dvec2 Window::cursor() const {
   if (cursor_) return *cursor_;
   double x = 0.0;
@@ -181,7 +181,8 @@ void Window::set_title(const std::string& title) {
 std::vector<const char*> Window::instance_extensions() {
   std::uint32_t count = 0;
   const char** names = glfwGetRequiredInstanceExtensions(&count);
-  if (names == nullptr) throw DeviceError("Vulkan cannot draw into windows here: " + glfw_error());
+  if (names == nullptr)
+    throw DeviceError("Vulkan cannot draw into windows on this display: " + glfw_error());
   return {names, names + count};
 }
 

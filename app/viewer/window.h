@@ -17,16 +17,16 @@ struct GLFWwindow;
 
 namespace mesher::app {
 
-/// There is nowhere to open a window.
+/// There is no display on which a window can be opened.
 class NoDisplay : public DeviceError {
  public:
   using DeviceError::DeviceError;
 };
 
-/// A window and what happens in it. One at a time.
+/// A window and its events. There can be one at a time.
 class Window {
  public:
-  /// What the window tells; each may be empty. Positions are in pixels of the framebuffer.
+  /// Event handlers; each may be empty. Positions are in pixels of the framebuffer.
   struct Events {
     std::function<void(const KeyPress&)> key;
     std::function<void(MouseButton, Modifiers, glm::dvec2 at)> press;
@@ -43,17 +43,19 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// Set before anything else hooks into the window's callbacks (ImGui does, and passes on).
+  /// Call before ImGui installs its own callbacks, which pass events on to these.
   void set_events(Events events);
   GLFWwindow* handle() const { return window_; }
   glm::uvec2 framebuffer_size() const;
   bool should_close() const;
   void set_title(const std::string& title);
-  /// What a Vulkan instance needs to present to it. Throws DeviceError where Vulkan cannot.
+  /// The extensions that a Vulkan instance needs to present to a window. Throws DeviceError if
+  /// Vulkan cannot present to windows.
   static std::vector<const char*> instance_extensions();
   VkSurfaceKHR create_surface(VkInstance instance) const;
 
-  /// Handles events; sleeps until there is one, at most `timeout_s` seconds (negative: for ever).
+  /// Sleeps until there are events, for at most `timeout_s` seconds (negative: without limit), and
+  /// handles them.
   static void wait_events(double timeout_s);
   static void poll_events();
   /// Ends a wait, from any thread.
