@@ -1,4 +1,4 @@
-// The committed bunnies are what the program makes of the full one.
+// Checks that the program makes the committed bunnies from the full one.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -24,15 +24,15 @@ void expect_made_by_the_program(const std::string& name, const std::string& face
                                     "-o", (folder / name).string(), "--quiet"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(read_bytes(folder / name) == read_bytes(kAssets / name))
-      << name << " is not what the program makes; if simplification is meant to have changed, run "
-      << "scripts/make_bunnies";
+      << name << " differs from the program's output; if simplification was changed on purpose, "
+      << "run scripts/make_bunnies";
 }
 
-TEST(Assets, TheBunnyOfAThousandFacesIsMadeByTheProgram) {
+TEST(Assets, Bunny1kMatchesSimplifyOutput) {
   expect_made_by_the_program("bunny_1k.obj", "1000");
 }
 
-TEST(Assets, TheBunnyOfTwoHundredFacesIsMadeByTheProgram) {
+TEST(Assets, Bunny200MatchesSimplifyOutput) {
   expect_made_by_the_program("bunny_200.obj", "200");
 }
 

@@ -11,8 +11,8 @@
 
 namespace mesher::test {
 
-/// The program as a whole, run as a person runs it. No display unless a test makes one; files go
-/// into the test's own folder.
+/// Runs the whole program from the command line, without a display. Files go into the test's own
+/// folder.
 class ProgramTest : public testing::Test {
  protected:
   Finished mesher(std::vector<std::string> arguments, std::vector<std::string> environment = {}) {
@@ -22,7 +22,7 @@ class ProgramTest : public testing::Test {
     return run_program(arguments, environment);
   }
 
-  /// The same with `--json` and what that gives; fails the test where the program does.
+  /// As above, with `--json`; returns the JSON. Fails the test if the program fails.
   nlohmann::json mesher_json(std::vector<std::string> arguments) {
     arguments.emplace_back("--json");
     const Finished run = mesher(std::move(arguments));
@@ -30,7 +30,7 @@ class ProgramTest : public testing::Test {
     return nlohmann::json::parse(run.out, nullptr, false);
   }
 
-  /// A line for the shell, in the test's folder; "mesher" is the program.
+  /// Runs a shell command in the test's folder; "mesher" is the program.
   Finished shell(const std::string& line) {
     return run_program({"sh", "-c",
                         "mesher() { " MESHER_PROGRAM " \"$@\"; }; cd '" + folder_.path().string() +

@@ -54,10 +54,10 @@ const Layers& layers() {
   return table;
 }
 
-/// The one definition of what C++ and GLSL share; plain declarations that belong to no layer.
+/// Declarations that C++ and GLSL share. They belong to no layer.
 constexpr std::string_view kSharedWithShaders = "shaders/shared/";
 
-/// "engine/mesh/build.cpp" -> "mesh", "app/ui/panel.h" -> "ui"; empty: it is in no layer.
+/// "engine/mesh/build.cpp" -> "mesh", "app/ui/panel.h" -> "ui"; empty: the file is in no layer.
 std::string layer(std::string_view path) {
   for (const std::string_view root : {"engine/", "app/"}) {
     if (!path.starts_with(root)) continue;
@@ -68,7 +68,7 @@ std::string layer(std::string_view path) {
   return {};
 }
 
-/// Why `path` may not hold this line, if it may not.
+/// Returns why `path` may not contain this line, or none if it may.
 std::optional<std::string> objection(std::string_view path, std::string_view line) {
   const std::string include = included(line);
   if (!include.starts_with('"')) return std::nullopt;
@@ -79,9 +79,9 @@ std::optional<std::string> objection(std::string_view path, std::string_view lin
   if (target.starts_with(kSharedWithShaders)) {
     const std::string from = layer(path);
     if (from == "gpu" || from == "render" || path.starts_with("app/")) return std::nullopt;
-    return "only gpu, render and app know of shaders";
+    return "only gpu, render and app may include shader headers";
   }
-  if (path == "app/main.cpp") return std::nullopt;  // above all layers
+  if (path == "app/main.cpp") return std::nullopt;  // is above all layers
   const auto rule = layers().find(layer(path));
   if (rule == layers().end()) return "its folder is not in the table of layers";
   const std::string to = layer(target);
@@ -97,7 +97,7 @@ const std::vector<SourceFile>& sources() {
   return files;
 }
 
-TEST(Layering, IncludesPointOnlyToLayersBelow) {
+TEST(Layering, FilesIncludeOnlyLowerLayers) {
   ASSERT_GT(sources().size(), 20U);
   for (const SourceFile& file : sources()) {
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
@@ -107,7 +107,7 @@ TEST(Layering, IncludesPointOnlyToLayersBelow) {
   }
 }
 
-TEST(Layering, EveryFolderIsInTheTable) {
+TEST(Layering, EveryFolderIsInTable) {
   std::set<std::string> folders;
   for (const SourceFile& file : sources())
     folders.insert(layer(file.path));
@@ -118,7 +118,7 @@ TEST(Layering, EveryFolderIsInTheTable) {
   EXPECT_EQ(folders, listed);
 }
 
-TEST(Layering, TheCheckItselfRefusesWhatItShould) {
+TEST(Layering, CheckRejectsForbiddenIncludes) {
   EXPECT_TRUE(objection("app/document/x.h", "#include \"app/ui/panels.h\""));
   EXPECT_TRUE(objection("engine/io/x.h", "#include \"app/document/session.h\""));
   EXPECT_TRUE(objection("engine/core/error.h", "#include \"engine/mesh/mesh.h\""));
@@ -131,7 +131,7 @@ TEST(Layering, TheCheckItselfRefusesWhatItShould) {
   EXPECT_TRUE(objection("engine/misc/x.h", "#include \"engine/core/error.h\""));
 }
 
-TEST(Layering, TheCheckItselfAllowsWhatItShould) {
+TEST(Layering, CheckAcceptsAllowedIncludes) {
   EXPECT_FALSE(objection("engine/mesh/mesh.h", "#include \"engine/core/error.h\""));
   EXPECT_FALSE(objection("engine/mesh/mesh.h", "#include \"engine/mesh/ids.h\""));
   EXPECT_FALSE(objection("engine/mesh/mesh.h", "#include <vector>"));
@@ -141,7 +141,7 @@ TEST(Layering, TheCheckItselfAllowsWhatItShould) {
 
 using Graph = std::map<std::string, std::vector<std::string>>;
 
-/// Depth-first; the path that comes back to where it has been, or nothing.
+/// Searches depth-first for a path that returns to one of its files.
 std::optional<std::string> find_cycle(const Graph& graph, const std::string& at,
                                       std::vector<std::string>& path, std::set<std::string>& done) {
   if (std::ranges::find(path, at) != path.end()) {
@@ -169,7 +169,7 @@ std::optional<std::string> find_cycle(const Graph& graph) {
   return std::nullopt;
 }
 
-TEST(Layering, HeadersIncludeNoCycle) {
+TEST(Layering, IncludesHaveNoCycle) {
   Graph graph;
   for (const SourceFile& file : sources()) {
     for (const std::string& line : file.lines) {
@@ -183,7 +183,7 @@ TEST(Layering, HeadersIncludeNoCycle) {
   EXPECT_FALSE(cycle) << *cycle;
 }
 
-TEST(Layering, TheCheckItselfFindsCycles) {
+TEST(Layering, CheckFindsCycles) {
   EXPECT_TRUE(find_cycle({{"a", {"b", "c"}}, {"b", {"c"}}, {"c", {"d"}}, {"d", {"b"}}}));
   EXPECT_FALSE(find_cycle({{"a", {"b", "c"}}, {"b", {"c"}}, {"c", {"d"}}}));
 }

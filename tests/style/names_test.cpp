@@ -11,8 +11,8 @@
 namespace mesher {
 namespace {
 
-/// The types that a file defines directly in a named namespace, as "mesher::app::Window". Reads
-/// what clang-format writes: what is directly in a namespace is not indented.
+/// Returns the types that a file defines directly in a named namespace, as "mesher::app::Window".
+/// Relies on clang-format: definitions directly in a namespace are not indented.
 std::vector<std::string> types_of(const SourceFile& file) {
   static const std::regex kNamespace(R"(^(inline )?namespace ([\w:]+) \{$)");
   static const std::regex kType(
@@ -41,7 +41,7 @@ std::map<std::string, std::set<std::string>> files_by_type(const std::vector<Sou
   return result;
 }
 
-// Two types of one name in one namespace are the same type for the linker, which says nothing where
+// The linker treats two types with one name in one namespace as one type, and does not report if
 // they differ.
 TEST(Names, NoTypeIsDefinedTwice) {
   const auto files = files_by_type(source_files({"engine", "app"}, {".h", ".cpp"}));
@@ -52,7 +52,7 @@ TEST(Names, NoTypeIsDefinedTwice) {
     EXPECT_EQ(paths.size(), 1U) << type << ": " << *paths.begin() << ", " << *paths.rbegin();
 }
 
-TEST(Names, TheCheckItselfTellsTypesFromOtherThings) {
+TEST(Names, CheckFindsTypeDefinitions) {
   const SourceFile file{
       "engine/x.h",
       {"namespace mesher {", "namespace {", "struct Hidden {", "};", "}  // namespace",

@@ -18,7 +18,8 @@ struct SourceFile {
 std::vector<SourceFile> source_files(const std::vector<std::string_view>& folders,
                                      const std::vector<std::string_view>& extensions);
 
-/// What a line includes, with its quotes or brackets: "\"engine/mesh/mesh.h\"". Empty: nothing.
+/// Returns the file that a line includes, with its quotes or brackets: "\"engine/mesh/mesh.h\"".
+/// Empty: the line is no include.
 std::string included(std::string_view line);
 
 }  // namespace mesher

@@ -18,7 +18,7 @@ std::vector<SourceFile> everything() {
                       {".h", ".cpp", ".txt", ".md", ".glsl", ".vert", ".frag", ".comp", ""});
 }
 
-/// First line of the file that holds `word`, from 1; 0: none does.
+/// Returns the number of the first line that contains `word`, from 1; 0: none does.
 std::size_t find_line(const SourceFile& file, std::string_view word) {
   for (std::size_t i = 0; i < file.lines.size(); ++i) {
     if (file.lines[i].find(word) != std::string::npos) return i + 1;
@@ -26,7 +26,7 @@ std::size_t find_line(const SourceFile& file, std::string_view word) {
   return 0;
 }
 
-// The words are put together here, so that this file does not hold them.
+// The words are put together here, so that this file does not contain them.
 std::vector<std::string> words(std::string_view prefix, const std::vector<std::string>& rest) {
   std::vector<std::string> result;
   for (const std::string& word : rest)
@@ -40,23 +40,23 @@ void expect_none_holds(const std::vector<std::string>& unwanted) {
   for (const SourceFile& file : files) {
     for (const std::string& word : unwanted) {
       const std::size_t line = find_line(file, word);
-      EXPECT_EQ(line, 0U) << file.path << ":" << line << ": holds " << word;
+      EXPECT_EQ(line, 0U) << file.path << ":" << line << ": contains " << word;
     }
   }
 }
 
-TEST(Text, NoPathsOfOneMachine) {
+TEST(Text, FilesContainNoMachinePaths) {
   expect_none_holds(words("/", {"home/", "root/", "work/"}));
 }
 
-TEST(Text, NothingIsPutOffOrSilenced) {
+TEST(Text, FilesContainNoDeferredWorkOrSilencedWarnings) {
   expect_none_holds(words("TO", {"DO"}));
   expect_none_holds(words("FIX", {"ME"}));
   expect_none_holds(words("NO", {"LINT"}));
 }
 
-/// Returns whether a line is the label of an enumerator of ours: "case Scheme::loop:". Vulkan's and
-/// other libraries' have no scope.
+/// Returns whether a line is the label of one of our enumerators: "case Scheme::loop:". Enumerators
+/// of Vulkan and of other libraries have no scope.
 bool is_own_label(std::string_view line) {
   const std::size_t at = line.find_first_not_of(' ');
   if (at == std::string_view::npos || !line.substr(at).starts_with("case ")) return false;
@@ -65,10 +65,10 @@ bool is_own_label(std::string_view line) {
          std::isalpha(static_cast<unsigned char>(label.front())) != 0;
 }
 
-// The compiler names the enumerator that a switch misses only where there is no default.
+// The compiler reports an enumerator that a switch misses only if there is no default.
 TEST(Text, SwitchesOverOwnEnumsListEveryCase) {
   for (const SourceFile& file : source_files({"engine", "app"}, {".h", ".cpp"})) {
-    std::set<std::size_t> columns;  // of labels of ours in the switches that are open
+    std::set<std::size_t> columns;  // of our labels in the enclosing switches
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
       const std::string& line = file.lines[i];
       const std::size_t column = line.find_first_not_of(' ');
@@ -77,19 +77,19 @@ TEST(Text, SwitchesOverOwnEnumsListEveryCase) {
       if (line.substr(column).starts_with("switch (")) columns.erase(column + 2);
       const bool is_default = line.substr(column).starts_with("default:");
       EXPECT_FALSE(is_default && columns.contains(column))
-          << file.path << ":" << i + 1 << ": lists no case of its own for some enumerator";
+          << file.path << ":" << i + 1 << ": a default hides enumerators without a case";
     }
   }
 }
 
-TEST(Text, HeadersAreIncludedOnce) {
+TEST(Text, HeadersStartWithPragmaOnce) {
   for (const SourceFile& file : source_files({"engine", "app", "tests"}, {".h"})) {
     ASSERT_FALSE(file.lines.empty()) << file.path;
     EXPECT_EQ(file.lines.front(), "#pragma once") << file.path;
   }
 }
 
-TEST(Text, FilesStayReadable) {
+TEST(Text, FilesStayBelowLineLimit) {
   for (const SourceFile& file : source_files({"engine", "app"}, {".h", ".cpp"})) {
     const std::size_t limit = file.path.ends_with(".h") ? 300 : 500;
     EXPECT_LE(file.lines.size(), limit) << file.path << " is longer than " << limit << " lines";
@@ -128,7 +128,7 @@ std::set<std::string> packages_explained() {
   return names;
 }
 
-TEST(Text, EveryPackageThatIsInstalledHasItsReasonInTheReadme) {
+TEST(Text, ReadmeExplainsEveryInstalledPackage) {
   const std::set<std::string> explained = packages_explained();
   const std::vector<std::string> installed = packages_installed();
   EXPECT_GT(installed.size(), 20U);
@@ -136,7 +136,7 @@ TEST(Text, EveryPackageThatIsInstalledHasItsReasonInTheReadme) {
     EXPECT_TRUE(explained.contains(name)) << name;
 }
 
-TEST(Text, TheSearchItselfFinds) {
+TEST(Text, SearchFindsWords) {
   const SourceFile file{"a.cpp", {"one", "two three"}};
   EXPECT_EQ(find_line(file, "three"), 2U);
   EXPECT_EQ(find_line(file, "four"), 0U);

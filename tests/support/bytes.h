@@ -8,7 +8,7 @@
 
 namespace mesher::test {
 
-/// The bytes of values one after another, in the machine's order.
+/// Returns the bytes of the values in order, in the machine's byte order.
 template <class T>
 std::string bytes_of(const std::vector<T>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
@@ -19,7 +19,7 @@ struct StringSink {
   void write(std::string_view bytes) { text += bytes; }
 };
 
-/// As Base64Writer gives it, fed byte by byte.
+/// Encodes bytes with Base64Writer, one byte at a time.
 inline std::string base64(const std::string& bytes) {
   StringSink sink;
   Base64Writer<StringSink> writer(sink);

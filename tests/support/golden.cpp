@@ -30,8 +30,8 @@ std::string driver_of(const gpu::Device& device) {
   return device.name() + ", " + driver.driverInfo;
 }
 
-/// Llvmpipe divides and normalises by the processor's approximate reciprocals, whose last bits each
-/// maker chooses: a fingerprint of them, or "none" where there are no such instructions.
+/// Returns a fingerprint of the processor's approximate reciprocals, or "none" if there are no such
+/// instructions. Llvmpipe divides and normalizes by them, and their last bits differ by vendor.
 std::string reciprocals_of_processor() {
 #if defined(__SSE__)
   std::uint64_t hash = 14695981039346656037U;
@@ -116,10 +116,11 @@ void expect_golden(const gpu::Device& device, const std::string& name, const Ima
   write_png(shown, difference.picture);
   FAIL() << difference.pixels << " pixels differ, by " << difference.mean << " on average and "
          << difference.largest << " at most, " << 100.0 * difference.share_visible
-         << " % of them visibly ("
-         << (expected == Agreement::exact         ? "same driver and processor: none may"
-             : expected == Agreement::same_driver ? "same driver: 0.05 on average, 12 at most"
-                                                  : "another driver: 0.25 and 0.5 % may")
+         << " % of them visibly (allowed: "
+         << (expected == Agreement::exact ? "none, on the same driver and processor"
+             : expected == Agreement::same_driver
+                 ? "0.05 on average, 12 at most, on the same driver"
+                 : "0.25 on average, 0.5 % visibly, on another driver")
          << "); see " << candidate << " and " << shown << " (this is " << driver_of(device) << ", "
          << reciprocals_of_processor() << ")";
 }

@@ -9,8 +9,8 @@
 
 namespace mesher::test {
 
-/// A test with a Vulkan device under the validation layer, synchronization checks included. Any
-/// message, be it as late as the destruction of the device, fails the test.
+/// A test with a Vulkan device and the validation layer, including synchronization checks. Any
+/// message fails the test, even during the destruction of the device.
 class GpuTest : public ::testing::Test {
  protected:
   GpuTest()

@@ -108,7 +108,7 @@ inline Soup moebius(std::uint32_t n) {
   return soup;
 }
 
-/// The disjoint union; `second` is moved by `offset`.
+/// Returns the disjoint union; `second` is moved by `offset`.
 inline Soup join(Soup first, const Soup& second, const glm::vec3& offset = glm::vec3(0.0F)) {
   const auto base = static_cast<std::uint32_t>(first.positions.size());
   for (const glm::vec3& p : second.positions)
@@ -135,8 +135,9 @@ inline Soup torus_with_specks(std::uint32_t specks, float size) {
   return soup;
 }
 
-/// Up to four soups that touch in a bow-tie vertex, at the origin: the first vertex of each. Every
-/// part is turned into octants of its own if it lies in the octant beyond its first vertex.
+/// Joins up to four soups at a bow-tie vertex at the origin, which is the first vertex of each.
+/// Each part is rotated into a different octant, so that parts do not overlap if each lies in the
+/// positive octant of its first vertex.
 inline Soup bow_tie(const std::vector<Soup>& parts) {
   constexpr glm::vec3 kTurns[] = {{1, 1, 1}, {-1, -1, 1}, {1, -1, -1}, {-1, 1, -1}};
   Soup soup = soup_of({{0, 0, 0}}, {});
@@ -151,7 +152,7 @@ inline Soup bow_tie(const std::vector<Soup>& parts) {
   return soup;
 }
 
-/// Random triangles over a few points, of which every defect may come.
+/// Random triangles over a few points, with every kind of defect.
 inline Soup random_soup(std::uint32_t seed) {
   std::mt19937 random(seed);
   Soup soup;
@@ -165,7 +166,7 @@ inline Soup random_soup(std::uint32_t seed) {
   return soup;
 }
 
-/// Components, Euler characteristic and boundary loops: what a collapse must not change.
+/// Components, Euler characteristic and boundary loops, which a collapse must not change.
 struct Topology {
   std::int64_t euler = 0;
   std::uint32_t components = 0;
@@ -178,21 +179,21 @@ inline Topology topology(const Mesh& mesh) {
   return {s.euler_characteristic, s.components, s.boundary_loops};
 }
 
-/// Fails the test with the first violations where `mesh` breaks an invariant.
+/// Fails the test with the first violations if `mesh` breaks an invariant.
 inline void expect_valid(const Mesh& mesh) {
   for (const Violation& v : validate(mesh)) {
     ADD_FAILURE() << "invariant " << v.invariant << ": " << v.what;
   }
 }
 
-/// Bit by bit.
+/// Compares bit by bit.
 template <class T>
 bool is_equal(std::span<const T> a, std::span<const T> b) {
   return a.size() == b.size() &&
          (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
 }
 
-/// Whether two meshes are equal array by array, bit by bit.
+/// Returns whether all arrays of two meshes are equal, bit by bit.
 inline bool is_identical(const Mesh& a, const Mesh& b) {
   return is_equal(a.positions(), b.positions()) && is_equal(a.origins(), b.origins()) &&
          is_equal(a.twins(), b.twins()) && is_equal(a.outgoings(), b.outgoings()) &&
@@ -201,14 +202,14 @@ inline bool is_identical(const Mesh& a, const Mesh& b) {
          is_equal(a.bow_tie_copies(), b.bow_tie_copies());
 }
 
-/// Builds and validates.
+/// Builds a mesh and validates it.
 inline BuildResult built(Soup soup, const BuildOptions& options = {}) {
   BuildResult result = build_mesh(std::move(soup), options);
   expect_valid(result.mesh);
   return result;
 }
 
-/// Fails where a repair was counted that `expected` does not list.
+/// Fails if the repairs differ from `expected`, which lists all that are not zero.
 inline void expect_report(const BuildReport& report,
                           std::initializer_list<std::pair<Repair, std::uint64_t>> expected) {
   BuildReport wanted;

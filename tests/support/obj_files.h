@@ -10,7 +10,7 @@
 
 namespace mesher::test {
 
-/// The OBJ files of a folder, by name; none where there is no such folder.
+/// Returns the OBJ files of a folder, sorted by name; none if the folder does not exist.
 inline std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   if (!std::filesystem::is_directory(folder)) return files;
@@ -21,7 +21,7 @@ inline std::vector<std::filesystem::path> files_in(const std::filesystem::path& 
   return files;
 }
 
-/// The text of an OBJ file.
+/// Returns the soup as the text of an OBJ file.
 inline std::string obj_of(const Soup& soup) {
   std::ostringstream text;
   text.precision(9);

@@ -28,7 +28,8 @@ void apply(const std::vector<std::string>& environment) {
 
 [[noreturn]] void become(const std::vector<std::string>& arguments,
                          const std::vector<std::string>& environment) {
-  // A test that dies takes its programs with it: they hold the pipe that its runner reads.
+  // If the test dies, its programs must end as well, because they hold the pipe that the test's
+  // runner reads.
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   apply(environment);
   std::vector<char*> pointers;

@@ -8,17 +8,17 @@
 namespace mesher::test {
 
 struct Finished {
-  int exit_code = -1;  ///< 128 + signal where a signal ended it
+  int exit_code = -1;  ///< 128 + signal if a signal ended it
   std::string out;
   std::string err;
 };
 
-/// Runs a program to its end; arguments are passed as they are, no shell between. `environment`
-/// lists "NAME=value" to set and "NAME" to unset.
+/// Runs a program to its end. Arguments are passed unchanged, without a shell. `environment` lists
+/// "NAME=value" to set and "NAME" to unset.
 Finished run_program(const std::vector<std::string>& arguments,
                      const std::vector<std::string>& environment = {});
 
-/// A program that runs beside the test; killed with the object if it has not ended by then.
+/// A program that runs in parallel to the test. The destructor kills it if it has not ended.
 class BackgroundProgram {
  public:
   explicit BackgroundProgram(const std::vector<std::string>& arguments,
@@ -29,7 +29,7 @@ class BackgroundProgram {
   BackgroundProgram& operator=(const BackgroundProgram&) = delete;
 
   bool is_running();
-  /// Waits up to `seconds` for it to end; its exit code, or -1 where it still runs.
+  /// Waits up to `seconds` for its end. Returns its exit code, or -1 if it still runs.
   int wait(double seconds);
 
  private:

@@ -24,7 +24,7 @@ std::size_t TempFolder::count_files() const {
 }
 
 std::filesystem::path TempFolder::write(std::string_view name, std::string_view bytes) const {
-  // Some file systems wait for the disk when a file is overwritten, but not for a new one.
+  // Some file systems wait for the disk when a file is overwritten, but not when it is new.
   std::filesystem::remove(path_ / name);
   std::ofstream out(path_ / name, std::ios::binary);
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));

@@ -6,7 +6,7 @@
 
 namespace mesher::test {
 
-/// A folder of its own for one test, gone with everything in it when the object goes.
+/// A temporary folder for one test. The destructor deletes it with everything in it.
 class TempFolder {
  public:
   TempFolder();
@@ -16,16 +16,16 @@ class TempFolder {
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
-  /// Number of files in it.
+  /// Returns the number of files in the folder.
   std::size_t count_files() const;
-  /// Writes a file into it and returns its path.
+  /// Writes a file into the folder and returns its path.
   std::filesystem::path write(std::string_view name, std::string_view bytes) const;
 
  private:
   std::filesystem::path path_;
 };
 
-/// All bytes of a file.
+/// Returns all bytes of a file.
 std::string read_bytes(const std::filesystem::path& file);
 
 }  // namespace mesher::test

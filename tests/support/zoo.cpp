@@ -186,7 +186,7 @@ void add_stl_and_off(std::vector<Specimen>& zoo) {
   std::string binary = binary_stl(kFacets, 2);
   binary.replace(0, 5, "solid");
   stl("binary that begins like text", binary, Fate::read);
-  zoo.push_back({"STL of one place",
+  zoo.push_back({"STL of one position",
                  ".stl",
                  binary_stl(std::vector<float>(900, 1.0F), 100),
                  Fate::read,
@@ -209,7 +209,7 @@ void add_stl_and_off(std::vector<Specimen>& zoo) {
   off("with letters", "OFF\n4 1 0\nzero 0 0\n");
   off("of four dimensions", "4OFF\n1 0 0\n0 0 0 1\n");
   off("in binary", "OFF BINARY\n\1\2\3\4");
-  off("without colours that it promises", "COFF\n4 0 0\n" + kTextCorners);
+  off("without the colors that it announces", "COFF\n4 0 0\n" + kTextCorners);
 }
 
 std::vector<Specimen> zoo() {

@@ -10,18 +10,18 @@
 
 namespace mesher::test {
 
-/// What reading a specimen must lead to. Whatever it is: a mesh whose invariants hold, or an
-/// InputError of one line that names the file; never anything else.
+/// The expected result of reading a specimen. `read`: a mesh whose invariants hold. `refused`: an
+/// InputError of one line that names the file.
 enum class Fate { read, refused };
 
-/// A file as strangers send them.
+/// A file that is broken or unusual.
 struct Specimen {
   std::string name;
   std::string extension;  ///< with the dot
   std::string bytes;
   Fate fate = Fate::refused;
-  std::optional<std::uint32_t> faces = std::nullopt;  ///< of the mesh, where it is read and known
-  /// Repairs that must have been counted, and how often.
+  std::optional<std::uint32_t> faces = std::nullopt;  ///< of the mesh, if it is read and known
+  /// The repairs that must be reported, with their counts.
   std::vector<std::pair<Repair, std::uint64_t>> repairs = {};
 };
 
@@ -45,19 +45,20 @@ class Enclosure {
   std::string extension_;
 };
 
-/// Broken and odd files of every format, made here: truncated, miscounted, not finite, not
-/// manifold, far too large, and every pattern that parsers of this kind have stumbled over. About
+/// Generates broken and unusual files of every format: truncated, with wrong counts, not finite,
+/// not manifold, far too large, and with every pattern that has broken parsers of this kind. About
 /// 60 MB.
 std::vector<Specimen> zoo();
 
-// Parts of it, by format.
+// The specimens of one format.
 void add_obj_text(std::vector<Specimen>& zoo);
 void add_obj_shapes(std::vector<Specimen>& zoo);
 void add_ply(std::vector<Specimen>& zoo);
 void add_stl_and_off(std::vector<Specimen>& zoo);
 void add_gltf(std::vector<Specimen>& zoo);
 
-/// One small sound file of each format and encoding: what truncations and mutations start from.
+/// One small valid file of each format and encoding, from which tests make truncated and mutated
+/// files.
 std::vector<Specimen> sound_files();
 
 }  // namespace mesher::test

@@ -29,7 +29,7 @@ std::string document(const std::string& nodes = "", const std::string& meshes = 
   return R"({"asset":{"version":"2.0"},)" + kBuffer + kViews + kAccessors + nodes + meshes + "}";
 }
 
-/// The sound document with one piece of text replaced.
+/// The valid document with one piece of text replaced.
 std::string altered(const std::string& what, const std::string& with) {
   std::string text = document();
   text.replace(text.find(what), what.size(), with);
@@ -101,7 +101,7 @@ void add_nodes(const Enclosure& pen) {
   pen.refused("mesh out of range", document(R"("nodes":[{"mesh":4294967296}],)"));
   pen.refused("scaled to infinity", document(R"("nodes":[{"mesh":0,"scale":[1e300,1e300]}],)"));
   pen.read(
-      "placed beyond all numbers",
+      "translated beyond the largest float",
       document(R"("nodes":[{"mesh":0,"scale":[1e300,1e300,1e300],"translation":[1e300,0,0]}],)"), 0,
       {{Repair::non_finite_vertices_dropped, 3}});
 }
@@ -136,8 +136,8 @@ void add_data(const Enclosure& pen) {
 }
 
 void add_primitives(const Enclosure& pen) {
-  pen.refused("primitives that are none", document("", R"("meshes":[{"primitives":[1,2]}])"));
-  pen.refused("meshes that are no array", document("", R"("meshes":7)"));
+  pen.refused("primitives that are numbers", document("", R"("meshes":[{"primitives":[1,2]}])"));
+  pen.refused("meshes that are not an array", document("", R"("meshes":7)"));
   pen.refused(
       "points alone",
       document("", R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":0}]}])"));

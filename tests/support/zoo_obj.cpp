@@ -33,7 +33,7 @@ std::string garbage(std::size_t size) {
   return bytes;
 }
 
-/// A closed polygon of `corners` corners on a circle, as one face.
+/// A polygon of `corners` corners on a circle, as one face.
 std::string disc(int corners) {
   std::string text;
   std::string polygon = "f";
@@ -172,17 +172,17 @@ void add_obj_shapes(std::vector<Specimen>& zoo) {
       {{R::non_manifold_edges_cut, 1}});
   add("two fans at a vertex", kTriangle + "v -1 0 0\nv 0 -1 0\nf 1 2 3\nf 1 4 5\n", 2,
       {{R::non_manifold_vertices_cut, 1}});
-  add("a face turned over", kTriangle + "v 1 1 0\nv 2 1 0\nf 1 2 3\nf 2 4 3\nf 2 4 5\n", 3,
-      {{R::faces_flipped, 1}});
+  add("a face with reversed orientation",
+      kTriangle + "v 1 1 0\nv 2 1 0\nf 1 2 3\nf 2 4 3\nf 2 4 5\n", 3, {{R::faces_flipped, 1}});
   add("Moebius strip", moebius(20), 40, {});
   add("isolated vertices", kTriangle + "v 9 9 9\nv 8 8 8\nf 1 2 3\n", 1,
       {{R::isolated_vertices_dropped, 2}});
-  add("creases between strangers and without sense",
+  add("creases on missing edges and of invalid sharpness",
       kTriangle + "v 1 1 0\nf 1 2 3\nf 2 4 3\ne 0 3 1\ne 1 2 nan\ne 0 1 -1\n", 2,
       {{R::creases_on_missing_edges, 1}, {R::invalid_sharpness_ignored, 2}});
   add("polygon of a million corners", disc(1000000), 999998, {{R::polygons_triangulated, 1}});
   add("polygon that crosses itself everywhere", tangle(3000), std::nullopt, {});
-  add("polygon of one place",
+  add("polygon of one position",
       repeated("v 1 1 1\n", 1000) + disc(3) +
           [] {
             std::string polygon = "f";
@@ -191,7 +191,7 @@ void add_obj_shapes(std::vector<Specimen>& zoo) {
             return polygon + "\n";
           }(),
       std::nullopt, {});
-  add("polygon that goes to and fro", kTriangle + "f " + repeated("1 2 3 ", 2000) + "\n",
+  add("polygon that goes back and forth", kTriangle + "f " + repeated("1 2 3 ", 2000) + "\n",
       std::nullopt, {});
 
   std::string fan = "v 0 0 0\n";

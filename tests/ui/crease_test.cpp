@@ -1,5 +1,5 @@
-// Creases in a real window: edges are clicked, keys and the panel change them, the mouse still
-// turns the model, and what comes of it is saved.
+// Tests crease editing in a real window: selecting edges, changing them by keys and the panel,
+// orbiting, and saving.
 #include <cmath>
 #include <fstream>
 
@@ -10,7 +10,7 @@ namespace {
 
 class CreaseTest : public WindowTest {
  protected:
-  /// The front of the cube: its diagonal crosses the middle of the window.
+  /// Shows the front of the cube: its diagonal crosses the middle of the window.
   static std::unique_ptr<ViewerProcess> open_front() {
     auto viewer = open({"cube", "--size", "1280x800", "--view", "front"});
     viewer->key("c");
@@ -26,7 +26,7 @@ class CreaseTest : public WindowTest {
 
   static constexpr int kMiddleX = 640;
   static constexpr int kMiddleY = 400;
-  // The panel's places in a window of 1280 x 800.
+  // Positions in the panel, for a window of 1280 x 800.
   static constexpr int kSliderY = 103;
   static constexpr int kInfiniteX = 1102;
   static constexpr int kInfiniteY = 129;
@@ -36,7 +36,7 @@ class CreaseTest : public WindowTest {
   static constexpr int kTagY = 212;
 };
 
-TEST_F(CreaseTest, AnEdgeIsClickedAndSharpenedByKeys) {
+TEST_F(CreaseTest, ClickedEdgeIsSharpenedByKeys) {
   const auto v = open_front();
   const json start = v->state();
   v->move(kMiddleX + 60, kMiddleY);
@@ -46,7 +46,7 @@ TEST_F(CreaseTest, AnEdgeIsClickedAndSharpenedByKeys) {
   v->move(kMiddleX, kMiddleY);
   EXPECT_REACHES(*v, !s["creases"]["hovered"].is_null());
   v->settle();
-  EXPECT_NE(v->screenshot(), before) << "the edge under the cursor lights up";
+  EXPECT_NE(v->screenshot(), before) << "the edge under the cursor is highlighted";
   click(*v, kMiddleX, kMiddleY);
   EXPECT_REACHES(*v, s["creases"]["selected"] == 1 && s["creases"]["sharpness"] == 0.0);
   v->key("plus");
@@ -69,7 +69,7 @@ TEST_F(CreaseTest, AnEdgeIsClickedAndSharpenedByKeys) {
   quit(*v);
 }
 
-TEST_F(CreaseTest, CtrlClickAddsDragsTurnAndAClickBesideEndsTheSelection) {
+TEST_F(CreaseTest, CtrlClickAddsDragOrbitsAndClickBesideClearsSelection) {
   const auto v = open_front();
   click(*v, kMiddleX, kMiddleY);
   EXPECT_REACHES(*v, s["creases"]["selected"] == 1);
@@ -88,7 +88,7 @@ TEST_F(CreaseTest, CtrlClickAddsDragsTurnAndAClickBesideEndsTheSelection) {
   quit(*v);
 }
 
-TEST_F(CreaseTest, ThePanelsSliderIsOneStepADrag) {
+TEST_F(CreaseTest, SliderDragIsOneUndoStep) {
   const auto v = open_front();
   click(*v, kMiddleX, kMiddleY);
   EXPECT_REACHES(*v, s["creases"]["selected"] == 1);
@@ -107,12 +107,12 @@ TEST_F(CreaseTest, ThePanelsSliderIsOneStepADrag) {
   quit(*v);
 }
 
-TEST_F(CreaseTest, ADoubleClickPicksAChain) {
+TEST_F(CreaseTest, DoubleClickSelectsChain) {
   const auto v = open({"hypersheet", "--size", "1280x800", "--view", "top"});
   v->key("c");
   EXPECT_REACHES(*v, s["creases"]["mode"] == true);
   v->settle();
-  v->move(kMiddleX + 44, kMiddleY);  // half a square beside a vertex
+  v->move(kMiddleX + 44, kMiddleY);  // half a square away from a vertex
   EXPECT_REACHES(*v, !s["creases"]["hovered"].is_null());
   server_->xdotool({"click", "--repeat", "2", "--delay", "80", "1"});
   EXPECT_REACHES(*v, s["creases"]["selected"] > 1);
@@ -120,7 +120,7 @@ TEST_F(CreaseTest, ADoubleClickPicksAChain) {
   quit(*v);
 }
 
-TEST_F(CreaseTest, CtrlSSavesAndAsksBeforeItOverwrites) {
+TEST_F(CreaseTest, CtrlSSavesAndConfirmsOverwrite) {
   const auto v = open({"cube", "--size", "600x400"});
   v->key("shift+c");
   EXPECT_REACHES(*v, s["crease_edges"] == 12);

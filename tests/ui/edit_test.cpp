@@ -1,5 +1,5 @@
-// Live simplification in a real window: keys, buttons and the slider reach the states wanted, and
-// the camera does not move.
+// Tests simplification in a real window: keys, buttons and the slider change the model, and the
+// camera does not move.
 #include "tests/ui/window_fixture.h"
 
 namespace mesher::test {
@@ -7,9 +7,9 @@ namespace {
 
 class EditTest : public WindowTest {
  protected:
-  // The panel's places in a window of 1280 x 800.
+  // Positions in the panel, for a window of 1280 x 800.
   static constexpr int kSliderY = 284;
-  // How the last subdivision went, which the panel above says once there was one.
+  // Height of the line that the Subdivide panel shows after a subdivision.
   static constexpr int kOutcomeLine = 21;
   static constexpr int kButtonsY = 311;
   static constexpr int kUndoY = 337;
@@ -17,7 +17,7 @@ class EditTest : public WindowTest {
   static constexpr int kRightButtonX = 1193;
 };
 
-TEST_F(EditTest, DAndShiftDSimplifyAndUndoBringsBack) {
+TEST_F(EditTest, DAndShiftDSimplifyAndCanBeUndone) {
   const auto v = open({"knot", "--size", "800x600"});
   v->settle();
   const json start = v->state();
@@ -42,7 +42,7 @@ TEST_F(EditTest, DAndShiftDSimplifyAndUndoBringsBack) {
   quit(*v);
 }
 
-TEST_F(EditTest, KeysPressedQuicklyQueueUp) {
+TEST_F(EditTest, QuickKeyPressesAreQueued) {
   const auto v = open({"knot", "--size", "400x300"});
   server_->xdotool({"key", "--delay", "1", "d", "d", "d"});
   EXPECT_REACHES(*v, s["undo_depth"] == 3);
@@ -50,14 +50,14 @@ TEST_F(EditTest, KeysPressedQuicklyQueueUp) {
   quit(*v);
 }
 
-TEST_F(EditTest, SaysWhenNoLegalCollapseIsLeft) {
+TEST_F(EditTest, LastLegalCollapseGivesNotice) {
   const auto v = open({"cube", "--size", "400x300", "--gouraud"});
   server_->xdotool({"key", "--repeat", "12", "--delay", "20", "d"});
   EXPECT_REACHES(*v, s["notice"].get<std::string>().find("no legal collapse is left") == 0);
   quit(*v);
 }
 
-TEST_F(EditTest, TheSliderAppliesOnReleaseAndBringsDetailBack) {
+TEST_F(EditTest, SliderAppliesOnReleaseAndRestoresDetail) {
   const auto v = open({"knot", "--size", "1280x800"});
   v->settle();
   slide(*v, 1245, 1180, kSliderY);
@@ -71,7 +71,7 @@ TEST_F(EditTest, TheSliderAppliesOnReleaseAndBringsDetailBack) {
   quit(*v);
 }
 
-TEST_F(EditTest, TheSliderEndsAtWhatWasOpenedWhereMoreIsShown) {
+TEST_F(EditTest, SliderEndsAtOpenedFaceCount) {
   const auto v = open({"knot", "--size", "1280x800"});
   v->key("s");
   EXPECT_REACHES(*v, s["faces"] == 4 * 2880);
@@ -81,7 +81,7 @@ TEST_F(EditTest, TheSliderEndsAtWhatWasOpenedWhereMoreIsShown) {
   quit(*v);
 }
 
-TEST_F(EditTest, ThePanelsButtonsWork) {
+TEST_F(EditTest, PanelButtonsWork) {
   const auto v = open({"knot", "--size", "1280x800"});
   v->settle();
   const json start = v->state();
@@ -100,7 +100,7 @@ TEST_F(EditTest, ThePanelsButtonsWork) {
   quit(*v);
 }
 
-TEST_F(EditTest, AnotherFileForgetsTheEditsOfTheOneBefore) {
+TEST_F(EditTest, OpeningFileClearsHistory) {
   const auto v = open({"knot", "--size", "800x600"});
   v->key("d");
   EXPECT_REACHES(*v, s["undo_depth"] == 1);
@@ -116,7 +116,7 @@ TEST_F(EditTest, AnotherFileForgetsTheEditsOfTheOneBefore) {
   quit(*v);
 }
 
-TEST_F(EditTest, KeysOnTheCommandLineGiveWhatAScriptGives) {
+TEST_F(EditTest, CommandLineKeysActAsInScript) {
   const auto v = open({"knot", "--size", "400x300", "--keys", "d shift+d ctrl+z"});
   EXPECT_REACHES(*v, s["faces"] == 2592 && s["redo_depth"] == 1);
   quit(*v);

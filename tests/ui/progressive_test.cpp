@@ -1,5 +1,4 @@
-// Progressive meshes in a real window: the mode, its panel and keys, and a file that arrives by a
-// pipe.
+// Tests progressive meshes in a real window: the mode, its panel and keys, and loading from a pipe.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -18,14 +17,14 @@ namespace {
 
 class ProgressiveTest : public WindowTest {
  protected:
-  // The panel's places in a window of 1280 x 800.
+  // Positions in the panel, for a window of 1280 x 800.
   static constexpr int kSliderY = 51;
   static constexpr int kButtonsY = 78;
   static constexpr int kPlayX = 1056;
   static constexpr int kKeepX = 1193;
   static constexpr int kBoxX = 1102;
   static constexpr int kGeomorphsY = 160;
-  static constexpr int kBirthsY = 239;
+  static constexpr int kSplitColorsY = 239;
   static constexpr int kAutomaticY = 270;
 
   static std::string knot_bytes() {
@@ -40,7 +39,7 @@ class ProgressiveTest : public WindowTest {
   static json shown(const ViewerProcess& viewer) { return viewer.state()["progressive"]; }
 };
 
-TEST_F(ProgressiveTest, PGoesInAndOutAndThePictureComesBack) {
+TEST_F(ProgressiveTest, PEntersAndLeavesMode) {
   const auto v = open({"knot", "--size", "800x600"});
   v->key("Tab");  // without panels
   v->settle();
@@ -59,7 +58,7 @@ TEST_F(ProgressiveTest, PGoesInAndOutAndThePictureComesBack) {
   EXPECT_REACHES(*v, s["progressive"]["level"] == 1);
   v->key("comma");
   EXPECT_REACHES(*v, s["progressive"]["level"] == 0);
-  v->key("Next");  // page down: there is nothing below
+  v->key("Next");  // page down: the base is the coarsest level
   v->key("Prior");
   EXPECT_REACHES(*v, s["progressive"]["level"] > 1);
   v->key("d");
@@ -74,7 +73,7 @@ TEST_F(ProgressiveTest, PGoesInAndOutAndThePictureComesBack) {
   quit(*v);
 }
 
-TEST_F(ProgressiveTest, TheSliderAppliesWhileItIsDragged) {
+TEST_F(ProgressiveTest, SliderAppliesWhileDragged) {
   const auto v = open({"knot", "--size", "1280x800", "--keys", "p g"});
   EXPECT_REACHES(*v, s["progressive"]["ready"] == true);
   v->settle();
@@ -95,7 +94,7 @@ TEST_F(ProgressiveTest, TheSliderAppliesWhileItIsDragged) {
   EXPECT_EQ(v->state()["undo_depth"], 0);
   click(*v, kBoxX, kGeomorphsY);
   EXPECT_REACHES(*v, s["progressive"]["geomorphs"] == false);
-  click(*v, kBoxX, kBirthsY);
+  click(*v, kBoxX, kSplitColorsY);
   EXPECT_REACHES(*v, s["progressive"]["split_colors"] == true);
   click(*v, kKeepX, kButtonsY);
   EXPECT_REACHES(*v, s["progressive"]["on"] == false && s["undo_depth"] == 1);
@@ -105,7 +104,7 @@ TEST_F(ProgressiveTest, TheSliderAppliesWhileItIsDragged) {
   quit(*v);
 }
 
-TEST_F(ProgressiveTest, PlaysUntilPausedAndThenSleeps) {
+TEST_F(ProgressiveTest, PlaysUntilPausedThenSleeps) {
   const auto v = open({"knot", "--size", "1280x800", "--keys", "p home"});
   EXPECT_REACHES(*v, s["progressive"]["ready"] == true);
   v->move(kPlayX, kButtonsY);
@@ -123,7 +122,7 @@ TEST_F(ProgressiveTest, PlaysUntilPausedAndThenSleeps) {
   quit(*v);
 }
 
-TEST_F(ProgressiveTest, TheAutomaticLevelFollowsTheWheel) {
+TEST_F(ProgressiveTest, AutomaticLevelFollowsZoom) {
   const auto v = open({"knot", "--size", "1280x800", "--keys", "p"});
   EXPECT_REACHES(*v, s["progressive"]["ready"] == true);
   v->settle();
@@ -144,7 +143,7 @@ TEST_F(ProgressiveTest, TheAutomaticLevelFollowsTheWheel) {
   quit(*v);
 }
 
-TEST_F(ProgressiveTest, WhatArrivesIsShownAsItComes) {
+TEST_F(ProgressiveTest, PipeIsShownWhileItLoads) {
   const TempFolder folder;
   const std::string pipe = folder / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -165,7 +164,7 @@ TEST_F(ProgressiveTest, WhatArrivesIsShownAsItComes) {
   quit(*v);
 }
 
-TEST_F(ProgressiveTest, APipeThatNobodyWritesToFreezesNothing) {
+TEST_F(ProgressiveTest, PipeWithoutWriterDoesNotBlock) {
   const TempFolder folder;
   const std::string pipe = folder / "pipe.pm";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -174,7 +173,7 @@ TEST_F(ProgressiveTest, APipeThatNobodyWritesToFreezesNothing) {
   v->settle();
   v->key("c");
   EXPECT_REACHES(*v, s["notice"].get<std::string>().starts_with("creases"));
-  EXPECT_EQ(v->state()["faces"], 12) << "what was shown stays";
+  EXPECT_EQ(v->state()["faces"], 12) << "the shown model stays";
   const int out = ::open(pipe.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
   ASSERT_GE(out, 0) << "the viewer has it open";
   const std::string bytes = knot_bytes();

@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Sanitizers and a busy machine make the first frame slow; nothing waits so long when all is well.
+// Sanitizers and a busy machine make the first frame slow. A test that passes never waits so long.
 constexpr auto kPatience = 60s;
 
 bool becomes_true(const std::function<bool()>& condition) {

@@ -12,36 +12,36 @@
 
 namespace mesher::test {
 
-/// A mesher with a window, under validation, and what its state log says.
+/// A viewer that runs with the validation layer, and its state log.
 class ViewerProcess {
  public:
-  /// Waits until the first state is there. `model` and more arguments as on the command line.
+  /// Waits for the first state. `arguments` as on the command line.
   ViewerProcess(const XServer& server, std::vector<std::string> arguments);
 
   const TempFolder& folder() const { return folder_; }
   /// The last line of the state log.
   nlohmann::json state() const;
-  /// Waits until the state meets `condition`; false after a while, then `state()` is where it
-  /// stuck.
+  /// Waits until the state meets `condition`. Returns false after a timeout; `state()` then returns
+  /// the last state.
   bool reaches(const std::function<bool(const nlohmann::json&)>& condition) const;
-  /// Waits until the picture has come to rest.
+  /// Waits until the picture no longer changes.
   void settle() const;
   void key(const std::string& keysym) const;
   /// Moves the pointer to a point of the window. This, `press` and `release` return when the viewer
-  /// has seen it: what comes in one frame with what follows, ImGui may take for something else.
+  /// has seen the event, because ImGui may misinterpret several events in one frame.
   void move(int x, int y) const;
   void press(int button) const;
   void release(int button) const;
-  /// Steps of the wheel; up is to come nearer.
+  /// Turns the wheel by steps; up zooms in.
   void scroll_up(int steps) const { scroll(4, steps); }
   void scroll_down(int steps) const { scroll(5, steps); }
-  /// Press, move in steps, release.
+  /// Presses the button, moves in steps, and releases it.
   void drag(int button, int x0, int y0, int x1, int y1) const;
   const std::string& window() const { return window_; }
-  /// What is on the window, as a PNG file's pixels (RGBA).
+  /// Returns the pixels of the window, as X11 stores them.
   std::vector<std::uint8_t> screenshot() const;
   bool is_running() { return program_->is_running(); }
-  /// Exit code once it has ended by itself; -1 where it does not.
+  /// Waits until the program ends. Returns its exit code, or -1 after a timeout.
   int wait_for_end() { return program_->wait(60.0); }
 
  private:

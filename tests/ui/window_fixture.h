@@ -14,7 +14,7 @@ namespace mesher::test {
 
 using nlohmann::json;
 
-/// A test with a display of its own, on which it opens viewers.
+/// A test suite with its own display, on which the tests open viewers.
 class WindowTest : public testing::Test {
  protected:
   static void SetUpTestSuite() { server_ = std::make_unique<XServer>(); }
@@ -34,7 +34,7 @@ class WindowTest : public testing::Test {
     viewer.release(1);
     viewer.settle();
   }
-  /// A drag along a slider.
+  /// Drags along a slider.
   static void slide(const ViewerProcess& viewer, int x0, int x1, int y) {
     viewer.move(x0, y);
     viewer.settle();
@@ -51,7 +51,7 @@ class WindowTest : public testing::Test {
   inline static std::unique_ptr<XServer> server_;
 };
 
-/// Waits until the state of `viewer`, called `s`, meets a condition.
+/// Expects that the state of `viewer`, called `s`, meets a condition before a timeout.
 #define EXPECT_REACHES(viewer, condition)                                       \
   EXPECT_TRUE((viewer).reaches([&](const json& s) { return bool(condition); })) \
       << #condition << "\n"                                                     \

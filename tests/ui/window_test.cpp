@@ -1,5 +1,5 @@
-// Every key and every gesture, in a real window, under the validation layer: what it should change
-// changes, and the program ends with 0 (a validation message would end it with 3).
+// Tests keys and gestures in a real window, with the validation layer. The program must exit with
+// 0; after a validation message it exits with 3.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::size_t differing_bytes(const std::vector<std::uint8_t>& a,
   return count;
 }
 
-TEST_F(WindowTest, TheAssignmentsCommandLineOpensAWindowOfThatSize) {
+TEST_F(WindowTest, SingleDashOptionsOpenWindowOfGivenSize) {
   const auto v = open({"-input", "bunny.obj", "-size", "500", "-gouraud"});
   EXPECT_REACHES(*v, s["shading"] == "gouraud" && s["window"] == json::array({500.0, 500.0}));
   quit(*v);
@@ -58,7 +58,7 @@ TEST_F(WindowTest, ShadingKeysChangeStateAndPicture) {
   quit(*v);
 }
 
-TEST_F(WindowTest, ViewKeysTurnTheCamera) {
+TEST_F(WindowTest, ViewKeysRotateCamera) {
   const auto v = open({"knot", "--size", "800x600"});
   v->key("1");
   EXPECT_REACHES(*v,
@@ -90,11 +90,11 @@ TEST_F(WindowTest, HelpPanelAndEscape) {
   EXPECT_REACHES(*v, s["info"] == false);
   v->settle();
   EXPECT_NE(v->screenshot(), before);
-  v->key("Escape");  // nothing is open any more
+  v->key("Escape");  // nothing is open, so Escape quits
   EXPECT_EQ(v->wait_for_end(), 0);
 }
 
-TEST_F(WindowTest, DragsTurnAndMoveTheModel) {
+TEST_F(WindowTest, DragsOrbitAndPan) {
   const auto v = open({"cube", "--size", "800x600"});
   const json start = v->state();
   v->drag(1, 500, 300, 560, 330);
@@ -118,7 +118,7 @@ TEST_F(WindowTest, DragsTurnAndMoveTheModel) {
   quit(*v);
 }
 
-TEST_F(WindowTest, TheWheelZoomsAtTheCursorAndADoubleClickRecentres) {
+TEST_F(WindowTest, WheelZoomsAtCursorAndDoubleClickRecenters) {
   const auto v = open({"cube", "--size", "800x600"});
   v->key("1");
   EXPECT_REACHES(*v, number(s, "yaw_rad") == 0.0);
@@ -138,7 +138,7 @@ TEST_F(WindowTest, TheWheelZoomsAtTheCursorAndADoubleClickRecentres) {
   quit(*v);
 }
 
-TEST_F(WindowTest, DraggingOnThePanelDoesNotTurnTheModel) {
+TEST_F(WindowTest, DragOnPanelDoesNotOrbit) {
   const auto v = open({"cube", "--size", "800x600"});
   v->settle();
   const json start = v->state();
@@ -148,7 +148,7 @@ TEST_F(WindowTest, DraggingOnThePanelDoesNotTurnTheModel) {
   quit(*v);
 }
 
-TEST_F(WindowTest, F12SavesThePicture) {
+TEST_F(WindowTest, F12SavesPicture) {
   const auto v = open({"open_box", "--size", "400x300"});
   v->key("F12");
   EXPECT_REACHES(*v,
@@ -159,7 +159,7 @@ TEST_F(WindowTest, F12SavesThePicture) {
   quit(*v);
 }
 
-TEST_F(WindowTest, ADroppedFileIsOpenedAndABadOneLeavesTheProgramAlive) {
+TEST_F(WindowTest, DroppedFileIsOpenedAndBadFileGivesError) {
   const auto v = open({"cube", "--size", "800x600"});
   const unsigned long window = std::stoul(v->window());
   ASSERT_TRUE(drop_file(server_->display(), window, MESHER_SOURCE_DIR "/assets/knot.obj"));
@@ -167,13 +167,14 @@ TEST_F(WindowTest, ADroppedFileIsOpenedAndABadOneLeavesTheProgramAlive) {
   const auto bad = v->folder().write("bad.obj", "v 0 0 0\nf 1 2 3\n");
   ASSERT_TRUE(drop_file(server_->display(), window, bad.string()));
   EXPECT_REACHES(*v, s["error"].get<std::string>().find("bad.obj:2") != std::string::npos);
-  EXPECT_TRUE(v->state()["file"].get<std::string>().ends_with("knot.obj"));  // still shown
+  EXPECT_TRUE(
+      v->state()["file"].get<std::string>().ends_with("knot.obj"));  // the previous model stays
   v->key("Escape");
   EXPECT_REACHES(*v, s["error"] == "");
   quit(*v);
 }
 
-TEST_F(WindowTest, CtrlOOpensATypedPath) {
+TEST_F(WindowTest, CtrlOOpensTypedPath) {
   const auto v = open({"cube", "--size", "800x600"});
   v->key("ctrl+o");
   EXPECT_REACHES(*v, s["open_dialog"] == true);
@@ -187,7 +188,7 @@ TEST_F(WindowTest, CtrlOOpensATypedPath) {
   quit(*v);
 }
 
-TEST_F(WindowTest, KeysTypedTheMomentTheDialogOpensAreText) {
+TEST_F(WindowTest, KeysTypedRightAfterDialogOpensAreText) {
   const auto v = open({"cube", "--size", "800x600"});
   server_->xdotool({"key", "ctrl+o", "b", "w", "q"});
   EXPECT_REACHES(*v, s["open_dialog"] == true);
@@ -200,7 +201,7 @@ TEST_F(WindowTest, KeysTypedTheMomentTheDialogOpensAreText) {
   quit(*v);
 }
 
-TEST_F(WindowTest, EscapeClosesAColorPickerAndNotTheProgram) {
+TEST_F(WindowTest, EscapeClosesColorPickerBeforeQuitting) {
   const auto v = open({"cube", "--size", "800x800"});
   v->settle();
   const auto before = v->screenshot();
@@ -211,12 +212,12 @@ TEST_F(WindowTest, EscapeClosesAColorPickerAndNotTheProgram) {
   v->key("Escape");
   v->settle();
   EXPECT_TRUE(v->is_running());
-  EXPECT_LT(differing_bytes(v->screenshot(), before), 5'000U);  // but for the frame time
+  EXPECT_LT(differing_bytes(v->screenshot(), before), 5'000U);  // all but the frame time
   v->key("Escape");
   EXPECT_EQ(v->wait_for_end(), 0);
 }
 
-TEST_F(WindowTest, ThePanelsControlsWork) {
+TEST_F(WindowTest, PanelControlsWork) {
   const auto v = open({"cube", "--size", "800x800"});
   v->settle();
   click(*v, 88, 364);
@@ -230,7 +231,7 @@ TEST_F(WindowTest, ThePanelsControlsWork) {
   quit(*v);
 }
 
-TEST_F(WindowTest, KeysOnTheCommandLineActAsInAScript) {
+TEST_F(WindowTest, CommandLineKeysActAsInScript) {
   const auto v = open({"cube", "--size", "200", "--keys", "f12 w f12"});
   v->settle();
   const auto first = read_png(v->folder() / "mesher-cube.png");
@@ -239,7 +240,7 @@ TEST_F(WindowTest, KeysOnTheCommandLineActAsInAScript) {
   quit(*v);
 }
 
-TEST_F(WindowTest, SurvivesResizeAndMinimise) {
+TEST_F(WindowTest, HandlesResizeAndMinimize) {
   const auto v = open({"cube", "--size", "800x600"});
   for (const glm::ivec2 size : {glm::ivec2(300, 200), {1000, 700}, {64, 64}, {640, 480}}) {
     server_->xdotool(
@@ -254,7 +255,7 @@ TEST_F(WindowTest, SurvivesResizeAndMinimise) {
   quit(*v);
 }
 
-TEST_F(WindowTest, SleepsWhileNothingHappens) {
+TEST_F(WindowTest, SleepsWithoutEvents) {
   const auto v = open({"cube", "--size", "400x300"});
   v->settle();
   const auto cpu_ticks = [&] {

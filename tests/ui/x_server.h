@@ -8,8 +8,7 @@
 
 namespace mesher::test {
 
-/// An Xvfb on a display number of its own choice. Throws std::runtime_error where it does not
-/// start.
+/// An Xvfb server on a free display number. Throws std::runtime_error if it does not start.
 class XServer {
  public:
   XServer();
@@ -17,7 +16,7 @@ class XServer {
   /// "DISPLAY=:N"
   const std::string& environment() const { return environment_; }
   std::string display() const { return environment_.substr(environment_.find('=') + 1); }
-  /// Runs xdotool on it; returns what it prints. Throws where it fails.
+  /// Runs xdotool on the display. Returns its output. Throws std::runtime_error if it fails.
   std::string xdotool(std::vector<std::string> arguments) const;
 
  private:

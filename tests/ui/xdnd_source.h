@@ -4,8 +4,8 @@
 
 namespace mesher::test {
 
-/// Drops a file on a window as a file manager does: the XDND protocol, version 5
-/// (freedesktop.org/wiki/Specifications/XDND). Returns whether the window took it.
+/// Drops a file on a window as a file manager does, by the XDND protocol, version 5
+/// (freedesktop.org/wiki/Specifications/XDND). Returns whether the window accepted it.
 bool drop_file(const std::string& display_name, unsigned long target, const std::string& path);
 
 }  // namespace mesher::test

@@ -12,29 +12,29 @@ Words normalized(Words words) {
                               {"input", "size", "gouraud", "camera", "output"});
 }
 
-TEST(Arguments, TheAssignmentsSpellingsGetTheirSecondDash) {
+TEST(Arguments, SingleDashLongOptionsGetSecondDash) {
   EXPECT_EQ(normalized({"-input", "bunny.obj", "-size", "500", "-gouraud"}),
             (Words{"view", "--input", "bunny.obj", "--size", "500", "--gouraud"}));
 }
 
-TEST(Arguments, ShortOptionsAndNegativeValuesStay) {
+TEST(Arguments, ShortOptionsAndNegativeValuesAreUnchanged) {
   EXPECT_EQ(normalized({"render", "a.obj", "-o", "b.png", "--camera", "-30,20"}),
             (Words{"render", "a.obj", "-o", "b.png", "--camera", "-30,20"}));
 }
 
-TEST(Arguments, OnlyNamesOfOptionsGetASecondDash) {
+TEST(Arguments, OnlyKnownOptionNamesGetSecondDash) {
   EXPECT_EQ(normalized({"info", "-x.obj", "-oy.obj", "-size=5"}),
             (Words{"info", "-x.obj", "-oy.obj", "--size=5"}));
 }
 
-TEST(Arguments, WithoutACommandViewIsMeant) {
+TEST(Arguments, ViewIsDefaultCommand) {
   EXPECT_EQ(normalized({"bunny.obj"}), (Words{"view", "bunny.obj"}));
   EXPECT_EQ(normalized({}), (Words{"view"}));
   EXPECT_EQ(normalized({"info", "bunny.obj"}), (Words{"info", "bunny.obj"}));
   EXPECT_EQ(normalized({"--help"}), (Words{"--help"}));
 }
 
-TEST(Arguments, AfterTwoDashesNothingIsAnOption) {
+TEST(Arguments, ArgumentsAfterDoubleDashAreUnchanged) {
   EXPECT_EQ(normalized({"info", "--", "-odd-name.obj"}), (Words{"info", "--", "-odd-name.obj"}));
 }
 

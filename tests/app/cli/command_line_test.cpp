@@ -1,4 +1,4 @@
-// The program as a whole, run as a person runs it: output, files and exit codes.
+// Tests the whole program from the command line: output, files and exit codes.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -15,7 +15,7 @@ constexpr const char* kAssets = MESHER_SOURCE_DIR "/assets/";
 
 class CommandLine : public ProgramTest {};
 
-TEST_F(CommandLine, InfoCountsABunny) {
+TEST_F(CommandLine, InfoPrintsBunnyStatistics) {
   const Finished run = mesher({"info", "bunny", "--json"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const auto json = nlohmann::json::parse(run.out);
@@ -26,7 +26,7 @@ TEST_F(CommandLine, InfoCountsABunny) {
   EXPECT_NE(words.out.find("boundary loops     1"), std::string::npos) << words.out;
 }
 
-TEST_F(CommandLine, RenderWritesAPictureOfTheSizeAskedFor) {
+TEST_F(CommandLine, RenderWritesPictureOfRequestedSize) {
   const Finished run =
       mesher({"render", "cube.obj", "-o", "cube.png", "--size", "120x80", "--wireframe",
               "--shading", "gouraud", "--camera", "-30,20,1.2", "--validation", "--json"});
@@ -38,7 +38,7 @@ TEST_F(CommandLine, RenderWritesAPictureOfTheSizeAskedFor) {
   EXPECT_NE(std::memcmp(image.pixel(60, 40), image.pixel(0, 0), 4), 0);  // something is there
 }
 
-TEST_F(CommandLine, TagCreasesMarksThemOnTheWayIn) {
+TEST_F(CommandLine, TagCreasesOptionMarksCreases) {
   const Finished run =
       mesher({"convert", "cube.obj", "creased.obj", "--tag-creases", "45", "--json"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -48,7 +48,7 @@ TEST_F(CommandLine, TagCreasesMarksThemOnTheWayIn) {
   EXPECT_EQ(mesher({"info", "cube", "--tag-creases", "200"}).exit_code, 1);
 }
 
-TEST_F(CommandLine, KeysEditCreasesInAScript) {
+TEST_F(CommandLine, KeysEditCreasesWithoutWindow) {
   const Finished run = mesher({"view", "cube", "--keys", "c shift+c ctrl+a - -", "--size", "100",
                                "--screenshot", "cube.png", "--validation", "--json"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -60,7 +60,7 @@ TEST_F(CommandLine, KeysEditCreasesInAScript) {
   EXPECT_EQ(state["undo_depth"], 3);
 }
 
-TEST_F(CommandLine, TheAssignmentsSpellingWithoutADisplayDrawsAPictureAndSaysSo) {
+TEST_F(CommandLine, MissingDisplayWritesPictureAndMessage) {
   const Finished run =
       mesher({"-input", "bunny.obj", "-size", "200", "-gouraud", "-wireframe", "--validation"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -68,7 +68,7 @@ TEST_F(CommandLine, TheAssignmentsSpellingWithoutADisplayDrawsAPictureAndSaysSo)
   EXPECT_EQ(read_png(folder_ / "bunny.png").width, 200U);
 }
 
-TEST_F(CommandLine, WithoutADisplayNothingIsOverwritten) {
+TEST_F(CommandLine, MissingDisplayOverwritesNoFile) {
   folder_.write("cube.png", "somebody's texture");
   const Finished run = mesher({"cube", "--size", "50"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -76,7 +76,7 @@ TEST_F(CommandLine, WithoutADisplayNothingIsOverwritten) {
   EXPECT_EQ(read_png(folder_ / "cube-2.png").width, 50U);
 }
 
-TEST_F(CommandLine, WithoutDisplayAndVulkanItSaysOneThing) {
+TEST_F(CommandLine, MissingDisplayAndVulkanPrintOneError) {
   const Finished run =
       mesher({"cube"}, {"VK_ICD_FILENAMES=/nonexistent.json", "VK_DRIVER_FILES=/nonexistent.json",
                         // GLFW and Mesa print a line of their own where it is not set.
@@ -86,14 +86,14 @@ TEST_F(CommandLine, WithoutDisplayAndVulkanItSaysOneThing) {
   EXPECT_EQ(folder_.count_files(), 0U);
 }
 
-TEST_F(CommandLine, ADeviceIsChosenByNumberOrName) {
+TEST_F(CommandLine, DeviceIsSelectedByNumberOrName) {
   EXPECT_EQ(mesher({"render", "cube", "-o", "a.png", "--size", "50", "--device", "0"}).exit_code,
             0);
   EXPECT_EQ(mesher({"render", "cube", "-o", "b.png", "--size", "50", "--device", "99"}).exit_code,
             3);
 }
 
-TEST_F(CommandLine, NamesThatAreNotUtf8DoNotHurt) {
+TEST_F(CommandLine, NonUtf8FileNamesAreAccepted) {
   const std::string odd = "b\xff.obj";
   folder_.write(odd, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const Finished run = mesher({"info", odd, "--json"});
@@ -101,7 +101,7 @@ TEST_F(CommandLine, NamesThatAreNotUtf8DoNotHurt) {
   EXPECT_EQ(nlohmann::json::parse(run.out)["statistics"]["faces"], 1);
 }
 
-TEST_F(CommandLine, KeysAndScreenshotRunWithoutAWindow) {
+TEST_F(CommandLine, KeysAndScreenshotRunWithoutWindow) {
   const Finished run = mesher({"view", "cube", "--size", "100", "--keys", "w g 3 5 f",
                                "--screenshot", "out.png", "--json", "--validation"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -110,7 +110,7 @@ TEST_F(CommandLine, KeysAndScreenshotRunWithoutAWindow) {
   EXPECT_EQ(json["shading"], "gouraud");
   EXPECT_EQ(json["camera"]["orthographic"], true);
   EXPECT_EQ(read_png(folder_ / "out.png").height, 100U);
-  // The same state by words gives the same picture.
+  // The same state, set by options, gives the same picture.
   EXPECT_EQ(mesher({"render", "cube", "-o", "words.png", "--size", "100", "--wireframe",
                     "--gouraud", "--view", "right", "--orthographic"})
                 .exit_code,
@@ -118,7 +118,7 @@ TEST_F(CommandLine, KeysAndScreenshotRunWithoutAWindow) {
   EXPECT_TRUE(read_png(folder_ / "out.png").rgba == read_png(folder_ / "words.png").rgba);
 }
 
-TEST_F(CommandLine, ConvertKeepsPositionsBitForBitThroughEveryFormatThatCan) {
+TEST_F(CommandLine, ConvertPreservesPositionsExactly) {
   ASSERT_EQ(mesher({"convert", "bunny", "a.ply"}).exit_code, 0);
   ASSERT_EQ(mesher({"convert", "a.ply", "b.off"}).exit_code, 0);
   ASSERT_EQ(mesher({"convert", "b.off", "c.obj"}).exit_code, 0);
@@ -126,7 +126,7 @@ TEST_F(CommandLine, ConvertKeepsPositionsBitForBitThroughEveryFormatThatCan) {
   EXPECT_EQ(read_bytes(folder_ / "c.obj"), read_bytes(folder_ / "direct.obj"));
 }
 
-TEST_F(CommandLine, ConvertSaysWhatAFormatCannotHold) {
+TEST_F(CommandLine, ConvertReportsWhatFormatCannotHold) {
   const Finished run = mesher({"convert", "creased_cube", "c.ply", "--json"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(nlohmann::json::parse(run.out)["lost"], nlohmann::json::array({"5 creases"}));
@@ -195,7 +195,7 @@ TEST_F(CommandLine, SimplifyPrunesPartsSmallerThanTheError) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "x.obj"));
 }
 
-TEST_F(CommandLine, SimplifyTakesARatioOrTheLimitOfWhatIsLegal) {
+TEST_F(CommandLine, SimplifyReachesRatioOrLastLegalCollapse) {
   const Finished half =
       mesher({"simplify", "knot", "half.ply", "--ratio", "0.5", "--json", "--quiet", "--measure",
               "--cost", "qem", "--placement", "midpoint", "--boundary", "lock"});
@@ -211,7 +211,7 @@ TEST_F(CommandLine, SimplifyTakesARatioOrTheLimitOfWhatIsLegal) {
   EXPECT_NE(cube.err.find("no legal collapse is left"), std::string::npos) << cube.err;
 }
 
-TEST_F(CommandLine, SimplifyMakesNoIntersectionsWhereAsked) {
+TEST_F(CommandLine, SimplifyAvoidsIntersectionsOnRequest) {
   const Finished run = mesher({"simplify", "knot", "-o", "k.obj", "--faces", "4",
                                "--no-intersections", "--measure", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -222,8 +222,8 @@ TEST_F(CommandLine, SimplifyMakesNoIntersectionsWhereAsked) {
   EXPECT_NE(run.err.find("by self-intersection"), std::string::npos) << run.err;
 }
 
-TEST_F(CommandLine, SimplifyKeepsWhatItCanOfAttributesAndSaysTheRest) {
-  // A bumpy sheet whose faces have texture coordinates of their own: seams everywhere.
+TEST_F(CommandLine, SimplifyReportsDroppedAttributes) {
+  // A bumpy sheet with different texture coordinates for each face: every edge is a seam.
   std::string text = "vt 0 0\nvt 1 1\n";
   constexpr int kSide = 4;
   for (int i = 0; i < (kSide + 1) * (kSide + 1); ++i) {
@@ -250,14 +250,14 @@ TEST_F(CommandLine, SimplifyKeepsWhatItCanOfAttributesAndSaysTheRest) {
   EXPECT_TRUE(nlohmann::json::parse(all.out)["dropped"].empty()) << all.out;
 }
 
-TEST_F(CommandLine, RenderSimplifiesFirstWhereAsked) {
+TEST_F(CommandLine, RenderSimplifiesOnRequest) {
   const Finished run =
       mesher({"render", "knot", "-o", "k.png", "--size", "60", "--faces", "2000", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(nlohmann::json::parse(run.out)["faces"], 2000);
 }
 
-TEST_F(CommandLine, CompareMeasuresBothWays) {
+TEST_F(CommandLine, CompareMeasuresBothDirections) {
   const Finished run = mesher({"compare", "cube", "open_box", "--json", "--samples", "20000"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto json = nlohmann::json::parse(run.out);
@@ -269,7 +269,7 @@ TEST_F(CommandLine, CompareMeasuresBothWays) {
   EXPECT_EQ(mesher({"compare", "cube"}).exit_code, 1);
 }
 
-TEST_F(CommandLine, ConvertRefusesAMeshWithoutFaces) {
+TEST_F(CommandLine, ConvertRejectsMeshWithoutFaces) {
   folder_.write("points.obj", "v 0 0 0\nv 1 0 0\n");
   for (const char* output : {"o.obj", "o.ply", "o.stl", "o.off", "o.glb"}) {
     EXPECT_EQ(mesher({"convert", "points.obj", output}).exit_code, 2);
@@ -278,7 +278,7 @@ TEST_F(CommandLine, ConvertRefusesAMeshWithoutFaces) {
   EXPECT_EQ(folder_.count_files(), 1U);
 }
 
-TEST_F(CommandLine, AFileSizeLimitIsAnErrorThatLeavesNothing) {
+TEST_F(CommandLine, FileSizeLimitExitsWithFourAndLeavesNoFile) {
   const Finished run =
       run_program({"sh", "-c",
                    "cd '" + folder_.path().string() +
@@ -287,8 +287,8 @@ TEST_F(CommandLine, AFileSizeLimitIsAnErrorThatLeavesNothing) {
   EXPECT_EQ(folder_.count_files(), 0U);
 }
 
-TEST_F(CommandLine, TheSameBytesForAnyNumberOfThreads) {
-  // Large enough to be read, built and written in many pieces; quads, so that it is triangulated.
+TEST_F(CommandLine, OutputIsIndependentOfThreadCount) {
+  // Large enough to be read, built and written in many chunks; quads, so that it is triangulated.
   std::string text;
   constexpr int kSide = 300;
   for (int y = 0; y <= kSide; ++y) {
@@ -346,7 +346,7 @@ TEST_F(CommandLine, UsageErrorsExitWithOne) {
   EXPECT_EQ(folder_.count_files(), 0U);
 }
 
-TEST_F(CommandLine, BadInputIsOneLineWithFileLineAndReason) {
+TEST_F(CommandLine, BadInputPrintsFileLineAndReason) {
   folder_.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
   for (const auto& arguments : std::vector<std::vector<std::string>>{
            {"info", "bad.obj"}, {"convert", "bad.obj", "out.ply"}, {"-input", "bad.obj"}}) {
@@ -359,7 +359,7 @@ TEST_F(CommandLine, BadInputIsOneLineWithFileLineAndReason) {
   EXPECT_EQ(folder_.count_files(), 1U);
 }
 
-TEST_F(CommandLine, AStdoutThatIsFullIsAFailure) {
+TEST_F(CommandLine, FullStdoutExitsWithFour) {
   for (const char* form : {"", " --json"}) {
     const Finished run = run_program(
         {"sh", "-c", std::string(MESHER_PROGRAM) + " info cube" + form + " >/dev/full"});
@@ -367,13 +367,13 @@ TEST_F(CommandLine, AStdoutThatIsFullIsAFailure) {
   }
 }
 
-TEST_F(CommandLine, OutputThatCannotBeWrittenExitsWithFour) {
+TEST_F(CommandLine, UnwritableOutputExitsWithFour) {
   EXPECT_EQ(mesher({"convert", "cube", "no/such/folder/x.obj"}).exit_code, 4);
   EXPECT_EQ(mesher({"render", "cube", "-o", "no/such/folder/x.png"}).exit_code, 4);
   EXPECT_EQ(folder_.count_files(), 0U);
 }
 
-TEST_F(CommandLine, WithoutVulkanItSaysSoInOneLineAndExitsWithThree) {
+TEST_F(CommandLine, MissingVulkanExitsWithThreeAndOneLine) {
   const std::vector<std::string> no_driver{"VK_ICD_FILENAMES=/nonexistent.json",
                                            "VK_DRIVER_FILES=/nonexistent.json"};
   const Finished run = mesher({"render", "cube", "-o", "x.png"}, no_driver);
@@ -382,7 +382,7 @@ TEST_F(CommandLine, WithoutVulkanItSaysSoInOneLineAndExitsWithThree) {
   EXPECT_EQ(folder_.count_files(), 0U);
 }
 
-TEST_F(CommandLine, AnUnknownDeviceIsNamedWithThoseThereAre) {
+TEST_F(CommandLine, UnknownDeviceIsNamedInError) {
   const Finished run = mesher({"render", "cube", "-o", "x.png", "--device", "voodoo"});
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_NE(run.err.find("voodoo"), std::string::npos) << run.err;
@@ -399,7 +399,7 @@ TEST_F(CommandLine, HelpAndVersionGoToStdout) {
   EXPECT_NE(mesher({"--version"}).out.find("mesher"), std::string::npos);
 }
 
-TEST_F(CommandLine, CreasesSurviveAConversion) {
+TEST_F(CommandLine, ConvertPreservesCreases) {
   ASSERT_EQ(mesher({"convert", "creased_cube", "c.obj"}).exit_code, 0);
   const auto before = nlohmann::json::parse(
       mesher({"info", std::string(kAssets) + "creased_cube.obj", "--json"}).out);

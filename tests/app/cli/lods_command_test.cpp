@@ -1,4 +1,4 @@
-// Chains of levels of detail from the command line.
+// Tests `mesher lods`, which writes several levels of detail.
 #include "app/cli/lods_command.h"
 
 #include <assimp/scene.h>
@@ -20,7 +20,7 @@ using app::parse_coverage;
 using app::parse_ratios;
 using Numbers = std::vector<double>;
 
-TEST(LodArguments, RatiosFall) {
+TEST(LodArguments, RatiosMustDecrease) {
   EXPECT_EQ(parse_ratios("1,0.5,0.25"), (Numbers{1.0, 0.5, 0.25}));
   EXPECT_EQ(parse_ratios("0.1"), (Numbers{0.1}));
   for (const char* bad : {"", ",", "1,", "0", "1,0", "-1", "1.5,1", "0.5,0.5", "0.25,0.5", "nan",
@@ -28,7 +28,7 @@ TEST(LodArguments, RatiosFall) {
     EXPECT_THROW((void)parse_ratios(bad), UsageError) << bad;
 }
 
-TEST(LodArguments, CoveragesFallAndAreOneALevel) {
+TEST(LodArguments, CoveragesMustDecreaseOnePerLevel) {
   EXPECT_EQ(parse_coverage("0.5,0.2,0", 3), (Numbers{0.5, 0.2, 0.0}));
   for (const char* bad : {"", "0.5", "0.5,0.2,0.1,0", "0.1,0.2,0.3", "0.5,0.5,0.1", "2,1,0",
                           "0.5,0.2,-0.1", "nan,nan,nan", "a,b,c"})
@@ -53,7 +53,7 @@ class LodsCommand : public ProgramTest {
   }
 };
 
-TEST_F(LodsCommand, OneGlbHoldsThemAll) {
+TEST_F(LodsCommand, GlbHoldsAllLevels) {
   const Finished run = mesher({"lods", "bunny", "-o", "b.glb", "--ratios", "1,0.5,0.25",
                                "--coverage", "0.5,0.2,0.05", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -80,7 +80,7 @@ TEST_F(LodsCommand, OneGlbHoldsThemAll) {
     EXPECT_EQ(positions["count"], json["levels"][i]["vertices"]);
     EXPECT_TRUE(positions.contains("min"));
   }
-  // Who does not know of levels sees the finest.
+  // A reader without MSFT_lod sees the finest level.
   EXPECT_EQ(mesher_json({"info", "b.glb"})["statistics"]["faces"], 3674);
   Assimp::Importer importer;
   const aiScene* const scene = importer.ReadFile((folder_ / "b.glb").string(), 0);
@@ -89,7 +89,7 @@ TEST_F(LodsCommand, OneGlbHoldsThemAll) {
   EXPECT_EQ(scene->mMeshes[0]->mNumFaces, 3674U);
 }
 
-TEST_F(LodsCommand, CoverageFollowsTheRatios) {
+TEST_F(LodsCommand, DefaultCoverageFollowsRatios) {
   const auto json = mesher_json({"lods", "bunny", "-o", "b.gltf"});
   ASSERT_EQ(json["levels"].size(), 3U);
   const auto gltf = nlohmann::json::parse(read_bytes(folder_ / "b.gltf"));
@@ -97,7 +97,7 @@ TEST_F(LodsCommand, CoverageFollowsTheRatios) {
   EXPECT_EQ(json["levels"][1]["coverage"], 0.25);
 }
 
-TEST_F(LodsCommand, OtherFormatsGetAFileEach) {
+TEST_F(LodsCommand, OtherFormatsGetOneFilePerLevel) {
   const Finished run = mesher({"lods", "cactus", "-o", "c.obj", "--ratios", "1,0.6", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(nlohmann::json::parse(run.out)["files"], nlohmann::json({"c_lod0.obj", "c_lod1.obj"}));
@@ -112,7 +112,7 @@ TEST_F(LodsCommand, OtherFormatsGetAFileEach) {
   EXPECT_TRUE(holds(ply.err, "c.ply cannot hold ")) << ply.err;
 }
 
-/// A bumpy sheet. Texture coordinates have seams everywhere or nowhere.
+/// A bumpy sheet. Its texture coordinates have seams at every edge, or no seams.
 std::string sheet(bool has_seams) {
   constexpr int kSide = 6;
   std::string text = "vn 0 0 1\n";
@@ -135,7 +135,7 @@ std::string sheet(bool has_seams) {
   return text;
 }
 
-TEST_F(LodsCommand, AttributesAreCarriedWhereThatIsPlain) {
+TEST_F(LodsCommand, AttributesWithoutSeamsAreCarriedOver) {
   folder_.write("s.obj", sheet(false));
   const auto json = mesher_json({"lods", "s.obj", "-o", "o.obj", "--ratios", "1,0.5"});
   EXPECT_TRUE(json["levels"][1]["dropped"].empty());
@@ -152,7 +152,7 @@ TEST_F(LodsCommand, AttributesAreCarriedWhereThatIsPlain) {
   EXPECT_TRUE(fine.attributes.texcoord == input.attributes.texcoord);
 }
 
-TEST_F(LodsCommand, AttributesWithSeamsStayAtTheFinestLevel) {
+TEST_F(LodsCommand, AttributesWithSeamsAreKeptOnlyAtFullDetail) {
   folder_.write("s.obj", sheet(true));
   const Finished run = mesher({"lods", "s.obj", "-o", "o.glb", "--ratios", "1,0.5", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -166,9 +166,9 @@ TEST_F(LodsCommand, AttributesWithSeamsStayAtTheFinestLevel) {
   EXPECT_TRUE(glb["meshes"][1]["primitives"][0]["attributes"].contains("NORMAL"));
 }
 
-TEST_F(LodsCommand, NormalsThatCannotBeCarriedAreComputed) {
+TEST_F(LodsCommand, NormalsThatCannotBeCarriedOverAreComputed) {
   std::string text = sheet(false) + "vn 0 1 0\n";
-  // One corner of every second face says something else.
+  // One corner of every second face has another normal.
   std::size_t faces = 0;
   for (std::size_t at = text.find("\nf "); at != std::string::npos;
        at = text.find("\nf ", at + 1)) {
@@ -181,7 +181,7 @@ TEST_F(LodsCommand, NormalsThatCannotBeCarriedAreComputed) {
   EXPECT_TRUE(document("o.glb")["meshes"][1]["primitives"][0]["attributes"].contains("NORMAL"));
 }
 
-TEST_F(LodsCommand, TakesTheLevelsOfAProgressiveMesh) {
+TEST_F(LodsCommand, UsesLevelsOfProgressiveMesh) {
   ASSERT_EQ(mesher({"progressive", "bunny", "-o", "p.pm", "--base-faces", "1000"}).exit_code, 0);
   const Finished run = mesher({"lods", "p.pm", "-o", "l.ply", "--ratios", "0.5,0.1", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -194,13 +194,13 @@ TEST_F(LodsCommand, TakesTheLevelsOfAProgressiveMesh) {
   EXPECT_TRUE(read_bytes(folder_ / "e.ply") == read_bytes(folder_ / "l_lod0.ply"));
 }
 
-TEST_F(LodsCommand, SaysWhyALevelIsNotReached) {
+TEST_F(LodsCommand, ReportsWhyTargetIsNotReached) {
   const Finished run = mesher({"lods", "cube", "-o", "c.stl", "--ratios", "1,0.1"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_TRUE(holds(run.err, "asked for 1 faces: no legal collapse is left")) << run.err;
 }
 
-TEST_F(LodsCommand, ItsOwnLevelsStopBeforeTheyAreFarFromTheModel) {
+TEST_F(LodsCommand, DefaultLevelsStopBeforeErrorLimit) {
   const Finished run = mesher({"lods", "cube", "-o", "c.stl", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto json = nlohmann::json::parse(run.out);
@@ -215,7 +215,7 @@ TEST_F(LodsCommand, ItsOwnLevelsStopBeforeTheyAreFarFromTheModel) {
   EXPECT_FALSE(holds(run.err, "warning")) << run.err;
 }
 
-TEST_F(LodsCommand, LevelsOfAPersonsChoiceAreMadeWithAWarning) {
+TEST_F(LodsCommand, RequestedLevelsBeyondErrorLimitGiveWarning) {
   const Finished run = mesher({"lods", "cactus", "-o", "c.ply", "--ratios", "1,0.5,0.1", "--json"});
   const auto levels = nlohmann::json::parse(run.out)["levels"];
   EXPECT_EQ(levels[2]["faces"], 26);
@@ -223,13 +223,13 @@ TEST_F(LodsCommand, LevelsOfAPersonsChoiceAreMadeWithAWarning) {
   EXPECT_EQ(levels[2]["far_from_input"], true);
   EXPECT_TRUE(holds(run.err, "warning: level 2 is far from the input: ")) << run.err;
   EXPECT_FALSE(holds(run.err, "warning: level 1")) << run.err;
-  // Of a file, too.
+  // The same for a progressive mesh from a file.
   ASSERT_EQ(mesher({"progressive", "cactus", "-o", "p.pm", "--base-faces", "24"}).exit_code, 0);
   const Finished read = mesher({"lods", "p.pm", "-o", "c.ply", "--ratios", "1,0.1"});
   EXPECT_TRUE(holds(read.err, "warning: level 1 is far from the input: ")) << read.err;
 }
 
-TEST_F(LodsCommand, EachLevelIsPrunedByItsOwnError) {
+TEST_F(LodsCommand, PruningUsesErrorOfEachLevel) {
   folder_.write("s.obj", obj_of(torus_with_specks(40, 0.02F)));
   const auto json =
       mesher_json({"lods", "s.obj", "-o", "l.ply", "--ratios", "1,0.5,0.04,0.03", "--prune"});
@@ -238,23 +238,23 @@ TEST_F(LodsCommand, EachLevelIsPrunedByItsOwnError) {
   EXPECT_TRUE(levels[0]["pruned"].is_null());
   EXPECT_TRUE(levels[1]["pruned"].is_null());
   EXPECT_EQ(levels[2]["pruned"]["parts"], 40);
-  EXPECT_EQ(levels[2]["faces"], 210);  // 0.04 of 5,280, one less: the rest is closed
+  EXPECT_EQ(levels[2]["faces"], 210);  // 0.04 of 5,280 is 211; a closed mesh has an even number
   EXPECT_EQ(levels[3]["pruned"]["faces"], 480);
   EXPECT_EQ(levels[3]["repeats_previous"], false);
   EXPECT_EQ(json["faces_before"], 5280);
   EXPECT_EQ(json["stop_reason"], "target_reached");
   EXPECT_EQ(mesher_json({"info", "l_lod2.ply"})["statistics"]["components"], 1);
-  // Where nothing is pruned, the levels are simply those of simplification.
+  // If nothing is pruned, the levels equal those of plain simplification.
   ASSERT_EQ(mesher({"simplify", "s.obj", "-o", "d.ply", "--ratio", "0.5"}).exit_code, 0);
   EXPECT_TRUE(read_bytes(folder_ / "d.ply") == read_bytes(folder_ / "l_lod1.ply"));
-  // A progressive mesh is taken in full detail.
+  // Pruning starts from the full detail of a progressive mesh.
   ASSERT_EQ(mesher({"progressive", "s.obj", "-o", "s.pm"}).exit_code, 0);
   EXPECT_EQ(mesher_json({"lods", "s.pm", "-o", "p.ply", "--ratios", "0.04",
                          "--prune"})["levels"][0]["pruned"]["parts"],
             40);
 }
 
-TEST_F(LodsCommand, SaysWhichLevelIsTheOneBefore) {
+TEST_F(LodsCommand, ReportsRepeatedLevels) {
   const Finished run =
       mesher({"lods", "bunny", "-o", "b.glb", "--ratios", "1,0.0001,0.00001", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -266,7 +266,7 @@ TEST_F(LodsCommand, SaysWhichLevelIsTheOneBefore) {
   EXPECT_EQ(levels[2]["repeats_previous"], true);
 }
 
-TEST_F(LodsCommand, RefusalsLeaveNothing) {
+TEST_F(LodsCommand, ErrorsLeaveNoFiles) {
   const std::vector<std::vector<std::string>> bad{
       {"lods", "cube"},
       {"lods", "cube", "-o", "x.unknown"},
@@ -285,7 +285,7 @@ TEST_F(LodsCommand, RefusalsLeaveNothing) {
   EXPECT_EQ(mesher({"lods", "missing.obj", "-o", "x.glb"}).exit_code, 2);
   EXPECT_EQ(mesher({"lods", "missing.obj", "-o", "no/such/x.glb"}).exit_code, 4);
   EXPECT_EQ(folder_.count_files(), 0U);
-  // One of the files cannot be: none is written.
+  // If one file cannot be written, none is.
   std::filesystem::create_directory(folder_ / "x_lod1.obj");
   EXPECT_EQ(mesher({"lods", "cube", "-o", "x.obj"}).exit_code, 4);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "x_lod0.obj"));

@@ -17,13 +17,13 @@ S parsed(const std::array<Option<S>, N>& table, std::vector<std::string> words) 
   CLI::App command;
   S options{};
   add_options(command, table, options);
-  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  std::reverse(words.begin(), words.end());  // as CLI11 expects them
   command.parse(std::move(words));
   return options;
 }
 
-/// Every choice of every enumeration in the table is parsed into its value and printed as its key;
-/// no other word is taken.
+/// Expects that every choice of every enumeration in the table is parsed into its value and printed
+/// as its key, and that other words are rejected.
 template <class S, std::size_t N>
 void expect_choices_parsed(const std::array<Option<S>, N>& table) {
   for (const Option<S>& option : table) {
@@ -50,7 +50,7 @@ TEST(OptionParsing, EveryChoiceIsParsedAndPrinted) {
   EXPECT_EQ(parsed(kSimplifyRules, {"--cost", "qem"}).cost, CostPolicy::quadric);
 }
 
-TEST(OptionParsing, NothingGivenMeansTheDefaults) {
+TEST(OptionParsing, NoArgumentsGiveDefaults) {
   EXPECT_EQ(parsed(kSimplifyRules, {}), SimplifyOptions{});
   EXPECT_EQ(parsed(kSubdivideRules, {}), SubdivideOptions{});
   EXPECT_EQ(parsed(render::kRenderOptions, {}), render::Settings{});
@@ -65,7 +65,7 @@ TEST(OptionParsing, NumbersAndFlagsReachTheirMembers) {
   EXPECT_TRUE(parsed(kSubdivideRules, {"--limit"}).limit);
 }
 
-TEST(OptionParsing, NumbersOutOfRangeAreRefused) {
+TEST(OptionParsing, NumbersOutOfRangeAreRejected) {
   for (const char* angle : {"-1", "180.5", "nan", "inf", "x", "", "30x"})
     EXPECT_THROW((void)parsed(kSimplifyRules, {"--crease-angle", angle}), CLI::ParseError) << angle;
   for (const char* seed : {"-1", "1.5", "x", "18446744073709551616"})
@@ -80,7 +80,7 @@ TEST(OptionParsing, HelpNamesUnitAndDefault) {
             "(default: 180: tagged only)");
 }
 
-TEST(OptionParsing, JsonKeysCarryTheUnit) {
+TEST(OptionParsing, JsonKeysContainUnit) {
   const Json json = options_json(kSimplifyRules, SimplifyOptions{});
   EXPECT_EQ(json["crease_angle_deg"], 180.0F);
   EXPECT_EQ(json["no_intersections"], false);

@@ -8,7 +8,7 @@
 namespace mesher::app {
 namespace {
 
-TEST(Options, SizeIsASideOrTwo) {
+TEST(Options, SizeIsOneOrTwoNumbers) {
   EXPECT_EQ(parse_size("500").width, 500U);
   EXPECT_EQ(parse_size("500").height, 500U);
   EXPECT_EQ(parse_size("640x480").height, 480U);
@@ -17,7 +17,7 @@ TEST(Options, SizeIsASideOrTwo) {
   }
 }
 
-TEST(Options, CameraIsTwoAnglesAndAFactor) {
+TEST(Options, CameraIsTwoAnglesAndOptionalZoom) {
   EXPECT_NEAR(parse_camera("90,-45").yaw_rad, 1.5707963, 1e-6);
   EXPECT_NEAR(parse_camera("90,-45").pitch_rad, -0.7853982, 1e-6);
   EXPECT_EQ(parse_camera("0,0,2.5").zoom, 2.5);
@@ -27,7 +27,7 @@ TEST(Options, CameraIsTwoAnglesAndAFactor) {
   }
 }
 
-TEST(Options, WordsBecomeSettingsAndCamera) {
+TEST(Options, LookOptionsSetSettingsAndCamera) {
   Session session;
   Model model;
   model.mesh = build_mesh(test::cube()).mesh;
@@ -48,7 +48,7 @@ TEST(Options, WordsBecomeSettingsAndCamera) {
   EXPECT_NEAR(session.camera.distance(), 2.0 * distance, 1e-9);
 }
 
-TEST(Options, NoShadingMeansLines) {
+TEST(Options, NoShadingTurnsWireframeOn) {
   Session session;
   apply_look(session, {.settings = {.shading = render::Shading::none}});
   EXPECT_EQ(session.settings.shading, render::Shading::none);

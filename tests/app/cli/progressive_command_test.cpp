@@ -1,4 +1,4 @@
-// Progressive meshes from the command line.
+// Tests progressive meshes on the command line.
 #include "app/cli/progressive_command.h"
 
 #include <algorithm>
@@ -15,14 +15,14 @@ namespace {
 
 class ProgressiveCommand : public ProgramTest {
  protected:
-  /// "p.pm" of an asset.
+  /// Writes the progressive mesh of an asset to "p.pm".
   void make(const std::string& model, std::vector<std::string> more = {}) {
     std::vector<std::string> arguments{"progressive", model, "-o", "p.pm"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Finished run = mesher(arguments);
     ASSERT_EQ(run.exit_code, 0) << run.err;
   }
-  /// "damaged.pm": the same with a bit of one byte turned.
+  /// Writes a copy of "p.pm" with one flipped bit to "damaged.pm".
   void damage(double where) {
     std::string bytes = read_bytes(folder_ / "p.pm");
     bytes[static_cast<std::size_t>(where * double(bytes.size()))] ^= 0x10;
@@ -32,7 +32,8 @@ class ProgressiveCommand : public ProgramTest {
 
 using Triangle = std::array<std::array<float, 3>, 3>;
 
-/// The faces by the positions of their corners, turned so that the least comes first, sorted.
+/// Returns the positions of the corners of each face, sorted. Each face starts at its smallest
+/// corner.
 std::vector<Triangle> surface(const std::filesystem::path& file) {
   const Model model = read_model(file);
   std::vector<Triangle> faces;
@@ -79,14 +80,14 @@ TEST_F(ProgressiveCommand, WritesAndReports) {
   EXPECT_TRUE(json["dropped"].empty());
   EXPECT_EQ(json["repairs"]["faces_flipped"], 0);
   EXPECT_TRUE(holds(run.err,
-                    "base of 200 of 3,674 faces, chosen by size and error: target "
+                    "base: 200 of 3,674 faces, chosen by size and error: target "
                     "reached; 1,737 splits"))
       << run.err;
-  EXPECT_TRUE(holds(run.err, "a vertex (lossless)")) << run.err;
+  EXPECT_TRUE(holds(run.err, "per vertex (lossless)")) << run.err;
   EXPECT_TRUE(mesher({"progressive", "bunny", "-o", "b.pm", "--quiet"}).err.empty());
 }
 
-TEST_F(ProgressiveCommand, ChoosesABaseThatLeavesSomethingToRefine) {
+TEST_F(ProgressiveCommand, DefaultBaseIsSmallerThanModel) {
   const auto json = mesher_json({"progressive", "cube", "-o", "c.pm"});
   EXPECT_EQ(json["faces_reached"], 4);
   EXPECT_EQ(json["far_from_input"], true);
@@ -95,24 +96,24 @@ TEST_F(ProgressiveCommand, ChoosesABaseThatLeavesSomethingToRefine) {
   const Finished box = mesher({"progressive", "open_box", "-o", "c.pm", "--json"});
   EXPECT_EQ(nlohmann::json::parse(box.out)["stop_reason"], "far_from_input");
   EXPECT_TRUE(holds(box.err,
-                    "base of 3 of 10 faces, chosen by size and error: fewer faces would be "
+                    "base: 3 of 10 faces, chosen by size and error: fewer faces would be "
                     "further than 5 % of the diagonal from the input"))
       << box.err;
   EXPECT_TRUE(holds(box.err, "warning: the base is far from the input")) << box.err;
 }
 
-TEST_F(ProgressiveCommand, ABaseThatIsAskedForIsMadeWhateverItsError) {
+TEST_F(ProgressiveCommand, RequestedBaseIsBuiltAtAnyError) {
   const Finished run = mesher({"progressive", "cactus", "-o", "c.pm", "--base-faces", "24"});
-  EXPECT_TRUE(holds(run.err, "base of 24 of 256 faces, asked for 24: target reached")) << run.err;
+  EXPECT_TRUE(holds(run.err, "base: 24 of 256 faces, asked for 24: target reached")) << run.err;
   EXPECT_TRUE(holds(run.err, "give a larger --base-faces")) << run.err;
   const Finished fine = mesher({"progressive", "cactus", "-o", "c.pm", "--base-faces", "64"});
   EXPECT_FALSE(holds(fine.err, "warning")) << fine.err;
   EXPECT_EQ(mesher({"progressive", "cactus", "-o", "c.pm", "--base-faces", "0"}).exit_code, 1);
   EXPECT_EQ(mesher({"progressive", "cactus", "-o", "c.pm", "--prune"}).exit_code, 1)
-      << "no split makes a part";
+      << "a vertex split cannot add a part";
 }
 
-TEST_F(ProgressiveCommand, ExtractSaysWhereALevelIsFarFromTheFullDetail) {
+TEST_F(ProgressiveCommand, ExtractWarnsWhenLevelIsFarFromFullDetail) {
   make("cactus", {"--base-faces", "24"});
   const Finished run = mesher({"extract", "p.pm", "-o", "e.obj", "--lod", "0", "--json"});
   EXPECT_EQ(nlohmann::json::parse(run.out)["far_from_input"], true);
@@ -122,13 +123,13 @@ TEST_F(ProgressiveCommand, ExtractSaysWhereALevelIsFarFromTheFullDetail) {
   EXPECT_FALSE(holds(fine.err, "warning")) << fine.err;
 }
 
-TEST_F(ProgressiveCommand, SaysWhyABaseIsNotReached) {
+TEST_F(ProgressiveCommand, ReportsWhyBaseIsNotReached) {
   const Finished run = mesher({"progressive", "cube", "-o", "c.pm", "--base-faces", "2"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_TRUE(holds(run.err, "asked for 2: no legal collapse is left")) << run.err;
 }
 
-TEST_F(ProgressiveCommand, AllDetailIsTheInput) {
+TEST_F(ProgressiveCommand, FullDetailEqualsInput) {
   for (const char* model : {"bunny", "open_box", "cactus", "hypersheet", "knot", "cube"}) {
     make(model, {"--base-faces", "20"});
     ASSERT_EQ(mesher({"extract", "p.pm", "-o", "e.obj", "--lod", "1"}).exit_code, 0);
@@ -140,7 +141,7 @@ TEST_F(ProgressiveCommand, AllDetailIsTheInput) {
   }
 }
 
-TEST_F(ProgressiveCommand, ExtractReachesTheFacesAskedFor) {
+TEST_F(ProgressiveCommand, ExtractReachesRequestedFaces) {
   make("bunny");
   for (const int faces : {200, 201, 999, 1000, 2345, 3673, 3674}) {
     const auto json =
@@ -154,18 +155,18 @@ TEST_F(ProgressiveCommand, ExtractReachesTheFacesAskedFor) {
   }
 }
 
-TEST_F(ProgressiveCommand, ExtractSaysWhereThereIsNoSuchLevel) {
+TEST_F(ProgressiveCommand, ExtractReportsMissingLevel) {
   make("bunny");
   const Finished few = mesher({"extract", "p.pm", "-o", "e.obj", "--faces", "7", "--json"});
   EXPECT_EQ(few.exit_code, 0);
   EXPECT_EQ(nlohmann::json::parse(few.out)["faces"], 200);
-  EXPECT_TRUE(holds(few.err, "the base: there is nothing coarser")) << few.err;
+  EXPECT_TRUE(holds(few.err, "the base: no level is coarser")) << few.err;
   const Finished many = mesher({"extract", "p.pm", "-o", "e.obj", "--faces", "9999", "--json"});
   EXPECT_EQ(nlohmann::json::parse(many.out)["faces"], 3674);
-  EXPECT_TRUE(holds(many.err, "there are no more faces")) << many.err;
+  EXPECT_TRUE(holds(many.err, "full detail: the mesh has no more faces")) << many.err;
 }
 
-TEST_F(ProgressiveCommand, ExtractTakesAShareOfTheSplits) {
+TEST_F(ProgressiveCommand, ExtractAcceptsShareOfSplits) {
   make("bunny");
   EXPECT_EQ(mesher_json({"extract", "p.pm", "e.obj", "--lod", "0"})["faces"], 200);
   const auto half = mesher_json({"extract", "p.pm", "e.obj", "--lod", "0.5"});
@@ -176,7 +177,7 @@ TEST_F(ProgressiveCommand, ExtractTakesAShareOfTheSplits) {
     EXPECT_EQ(mesher_json({"extract", "p.pm", file, "--lod", "0.5"})["faces"], half["faces"]);
 }
 
-TEST_F(ProgressiveCommand, CreasesAreKeptAtEveryLevel) {
+TEST_F(ProgressiveCommand, EveryLevelKeepsCreases) {
   make("cactus", {"--base-faces", "100"});
   const auto full = mesher_json({"info", "p.pm"});
   EXPECT_EQ(full["statistics"]["crease_edges"],
@@ -187,7 +188,7 @@ TEST_F(ProgressiveCommand, CreasesAreKeptAtEveryLevel) {
   EXPECT_TRUE(holds(ply.err, "base.ply cannot hold ")) << ply.err;
 }
 
-TEST_F(ProgressiveCommand, WhatIsNotKeptIsSaid) {
+TEST_F(ProgressiveCommand, DroppedAttributesAreReported) {
   folder_.write("t.obj",
                 "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
                 "f 1/1/1 2/1/1 3/1/1\nf 1/1/1 3/1/1 4/1/1\n");
@@ -195,10 +196,10 @@ TEST_F(ProgressiveCommand, WhatIsNotKeptIsSaid) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(nlohmann::json::parse(run.out)["dropped"],
             nlohmann::json({"texture coordinates", "normals"}));
-  EXPECT_TRUE(holds(run.err, "texture coordinates are not kept")) << run.err;
+  EXPECT_TRUE(holds(run.err, "texture coordinates are not preserved")) << run.err;
 }
 
-TEST_F(ProgressiveCommand, FewerBitsMakeASmallerFileNearby) {
+TEST_F(ProgressiveCommand, QuantizedFileIsSmallerAndClose) {
   make("bunny");
   const auto json = mesher_json({"progressive", "bunny", "-o", "q.pm", "--bits", "12"});
   EXPECT_EQ(json["pm"]["mode"], "quantized");
@@ -211,7 +212,7 @@ TEST_F(ProgressiveCommand, FewerBitsMakeASmallerFileNearby) {
   EXPECT_EQ(distance["second_pm"]["coordinate_bits"], 12);
 }
 
-TEST_F(ProgressiveCommand, EveryCommandTakesOne) {
+TEST_F(ProgressiveCommand, EveryCommandReadsProgressiveMesh) {
   make("bunny");
   const Finished words = mesher({"info", "p.pm"});
   EXPECT_TRUE(holds(words.out, "splits             1737")) << words.out;
@@ -224,14 +225,14 @@ TEST_F(ProgressiveCommand, EveryCommandTakesOne) {
   EXPECT_EQ(mesher_json({"compare", "p.pm", "bunny", "--samples", "100"})["first_pm"]["splits"],
             1737);
   EXPECT_EQ(mesher_json({"render", "p.pm", "-o", "r.png", "--size", "50"})["faces"], 3674);
-  // One made of one, with another base.
+  // A progressive mesh built from a progressive mesh, with another base.
   const auto again = mesher_json({"progressive", "p.pm", "-o", "p.pm", "--base-faces", "1000"});
   EXPECT_EQ(again["pm"]["base_faces"], 1000);
   EXPECT_EQ(again["input_pm"]["base_faces"], 200);
   EXPECT_EQ(mesher_json({"info", "p.pm"})["pm"]["base_faces"], 1000);
 }
 
-TEST_F(ProgressiveCommand, IsKnownByWhatItHolds) {
+TEST_F(ProgressiveCommand, FormatIsDetectedByContents) {
   make("cube");
   for (const char* name : {"c.bin", "c", "c.obj", "c.PM"}) {
     folder_.write(name, read_bytes(folder_ / "p.pm"));
@@ -241,7 +242,7 @@ TEST_F(ProgressiveCommand, IsKnownByWhatItHolds) {
   EXPECT_EQ(mesher({"info", "no.pm"}).exit_code, 2);
 }
 
-TEST_F(ProgressiveCommand, GoesThroughPipes) {
+TEST_F(ProgressiveCommand, PipesAreReadAndWritten) {
   const Finished info =
       shell("mesher progressive bunny -o /dev/stdout --quiet | mesher info /dev/stdin --json");
   ASSERT_EQ(info.exit_code, 0) << info.err;
@@ -262,7 +263,8 @@ TEST_F(ProgressiveCommand, GoesThroughPipes) {
   }
 }
 
-/// Discs with two hubs each, close together: where those become one, so do thousands of corners.
+/// Discs with two hubs each that are close together. A collapse of the hubs moves thousands of
+/// corners.
 std::string hubs(int discs, int rim) {
   std::string text;
   std::string faces;
@@ -290,7 +292,7 @@ std::string hubs(int discs, int rim) {
   return text + faces;
 }
 
-TEST_F(ProgressiveCommand, WhatTheFormatCannotHoldIsRefusedByTheNameOfTheFile) {
+TEST_F(ProgressiveCommand, FormatLimitErrorNamesFile) {
   folder_.write("hubs.obj", hubs(60, 3000));
   const Finished run = mesher({"progressive", "hubs.obj", "-o", "h.pm", "--base-faces", "180000",
                                "--boundary", "lock", "--cost", "length"});
@@ -299,14 +301,14 @@ TEST_F(ProgressiveCommand, WhatTheFormatCannotHoldIsRefusedByTheNameOfTheFile) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "h.pm"));
 }
 
-TEST_F(ProgressiveCommand, GoesToWhatAShellHasOpened) {
+TEST_F(ProgressiveCommand, WritesToFileDescriptors) {
   make("bunny");
   const std::string bytes = read_bytes(folder_ / "p.pm");
   EXPECT_EQ(shell("mesher progressive bunny -o /dev/stdout > a.out").exit_code, 0);
   EXPECT_TRUE(read_bytes(folder_ / "a.out") == bytes);
   EXPECT_EQ(shell("mesher progressive bunny -o /dev/fd/3 3> b.out").exit_code, 0);
   EXPECT_TRUE(read_bytes(folder_ / "b.out") == bytes);
-  // What was there stays, as with everything that writes so.
+  // Appending keeps the contents of the file.
   EXPECT_EQ(
       shell("printf head > c.out; mesher progressive bunny -o /dev/stdout >> c.out").exit_code, 0);
   EXPECT_TRUE(read_bytes(folder_ / "c.out") == "head" + bytes);
@@ -316,9 +318,9 @@ TEST_F(ProgressiveCommand, GoesToWhatAShellHasOpened) {
   EXPECT_EQ(shell("mesher progressive bunny -o /dev/fd/3 3< p.pm").exit_code, 4);
 }
 
-TEST_F(ProgressiveCommand, NoMoreOfAPipeIsReadThanIsNeeded) {
+TEST_F(ProgressiveCommand, ReadsNoMoreOfPipeThanNeeded) {
   make("bunny");
-  // "all" says that the reader took what was offered instead of going away.
+  // The file "all" appears if mesher has read all bytes instead of closing the pipe.
   const std::string tail = "head -c 100M /dev/zero && echo x >all";
   const Finished after = shell("(cat p.pm; " + tail + ") | mesher info /dev/stdin --json");
   ASSERT_EQ(after.exit_code, 0) << after.err;
@@ -334,7 +336,7 @@ TEST_F(ProgressiveCommand, NoMoreOfAPipeIsReadThanIsNeeded) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "all"));
 }
 
-TEST_F(ProgressiveCommand, AWholeMeshDoesNotWaitForTheEndOfItsPipe) {
+TEST_F(ProgressiveCommand, CompleteMeshDoesNotWaitForEndOfPipe) {
   make("bunny");
   const Finished run = shell(
       "mkfifo f.pm; (cat p.pm; exec sleep 60) >f.pm 2>/dev/null & "
@@ -345,9 +347,9 @@ TEST_F(ProgressiveCommand, AWholeMeshDoesNotWaitForTheEndOfItsPipe) {
   EXPECT_EQ(pm["bytes"], std::filesystem::file_size(folder_ / "p.pm"));
 }
 
-TEST_F(ProgressiveCommand, BytesAfterTheEndThatAreThereAreSaid) {
+TEST_F(ProgressiveCommand, BytesAfterEndAreReported) {
   make("bunny");
-  // In one piece, so that they are there for certain.
+  // Small enough for the buffer of the pipe, so that all bytes arrive at once.
   const std::string bytes = read_bytes(folder_ / "p.pm");
   ASSERT_LT(bytes.size(), 65536U);
   folder_.write("longer.pm", bytes + "more");
@@ -358,7 +360,7 @@ TEST_F(ProgressiveCommand, BytesAfterTheEndThatAreThereAreSaid) {
   EXPECT_EQ(pm["bytes"], bytes.size() + 4);
 }
 
-TEST_F(ProgressiveCommand, APipeThatEndsEarlyGivesWhatCame) {
+TEST_F(ProgressiveCommand, TruncatedPipeGivesReceivedPart) {
   make("bunny");
   const std::size_t bytes = std::filesystem::file_size(folder_ / "p.pm");
   const Finished run = shell("head -c " + std::to_string(bytes / 2) +
@@ -377,7 +379,7 @@ TEST_F(ProgressiveCommand, APipeThatEndsEarlyGivesWhatCame) {
   EXPECT_EQ(std::count(nothing.err.begin(), nothing.err.end(), '\n'), 1) << nothing.err;
 }
 
-TEST_F(ProgressiveCommand, DamageIsSaidByWhateverReadsIt) {
+TEST_F(ProgressiveCommand, EveryCommandReportsDamage) {
   make("bunny");
   damage(0.7);
   const std::vector<std::vector<std::string>> commands{
@@ -407,7 +409,7 @@ TEST_F(ProgressiveCommand, DamageIsSaidByWhateverReadsIt) {
   EXPECT_EQ(nlohmann::json::parse(compare.out)["first_pm"]["complete"], false);
 }
 
-TEST_F(ProgressiveCommand, WithoutABaseThereIsNothing) {
+TEST_F(ProgressiveCommand, MissingBaseIsAnError) {
   make("bunny");
   damage(0.0);
   for (const std::string& bytes : {read_bytes(folder_ / "damaged.pm"), std::string(),
@@ -424,7 +426,7 @@ TEST_F(ProgressiveCommand, WithoutABaseThereIsNothing) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "o.obj"));
 }
 
-TEST_F(ProgressiveCommand, TheSameBytesForAnyNumberOfThreads) {
+TEST_F(ProgressiveCommand, OutputIsIndependentOfThreadCount) {
   make("knot", {"--threads", "1", "--base-faces", "300"});
   const std::string one = read_bytes(folder_ / "p.pm");
   make("knot", {"--threads", "2", "--base-faces", "300"});
@@ -462,9 +464,9 @@ TEST_F(ProgressiveCommand, UsageErrorsExitWithOne) {
   EXPECT_EQ(folder_.count_files(), 1U);
 }
 
-TEST_F(ProgressiveCommand, OutputsThatCannotBeWrittenAreRefusedBeforeTheWork) {
+TEST_F(ProgressiveCommand, UnwritableOutputIsRejectedBeforeReading) {
   folder_.write("points.obj", "v 0 0 0\nv 1 0 0\n");
-  // No input is read that far.
+  // The output is checked before the input is read.
   EXPECT_EQ(mesher({"progressive", "missing.obj", "-o", "no/such/x.pm"}).exit_code, 4);
   EXPECT_EQ(mesher({"extract", "missing.pm", "no/such/x.obj", "--lod", "1"}).exit_code, 4);
   EXPECT_EQ(mesher({"simplify", "missing.obj", "no/such/x.obj", "--faces", "9"}).exit_code, 4);

@@ -1,4 +1,4 @@
-// Pictures of models in less detail.
+// Tests pictures of models at less than full detail.
 #include "app/cli/render_command.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 using app::detail_moment;
 using app::DetailMoment;
 
-TEST(DetailMoment, GoesFromTheBaseToAllDetail) {
+TEST(DetailMoment, RunsFromBaseToFullDetail) {
   const DetailMoment base = detail_moment(0.0, 80, 1600);
   EXPECT_EQ(base.level, 0U);
   EXPECT_EQ(base.time, 0.0);
@@ -24,7 +24,7 @@ TEST(DetailMoment, GoesFromTheBaseToAllDetail) {
     for (std::uint32_t i = 0; i < moment.level; ++i)
       now += double(growth(moment.growth, i));
     EXPECT_GT(now, grown);
-    EXPECT_NEAR(now, lod * 1600, 130);  // within half the widest window
+    EXPECT_NEAR(now, lod * 1600, 130);  // half the largest number of splits that grow at a time
     grown = now;
   }
   const DetailMoment full = detail_moment(1.0, 80, 1600);
@@ -32,7 +32,7 @@ TEST(DetailMoment, GoesFromTheBaseToAllDetail) {
   EXPECT_EQ(full.growth, GeomorphTime::done());
 }
 
-TEST(DetailMoment, OfAMeshWithoutSplitsIsTheMesh) {
+TEST(DetailMoment, MeshWithoutSplitsHasOneLevel) {
   for (const double lod : {0.0, 0.5, 1.0}) {
     EXPECT_EQ(detail_moment(lod, 80, 0).level, 0U);
     EXPECT_GT(detail_moment(lod, 80, 0).window, 0.0);
@@ -59,7 +59,7 @@ double difference(const Image& a, const Image& b) {
   return sum / double(a.rgba.size());
 }
 
-TEST_F(RenderCommand, AllDetailIsTheModel) {
+TEST_F(RenderCommand, FullDetailEqualsModel) {
   const Image full = picture({"bunny"});
   EXPECT_LT(difference(picture({"bunny", "--lod", "1"}), full), 0.05);
   EXPECT_GT(difference(picture({"bunny", "--lod", "0"}), full), 0.5);
@@ -68,14 +68,14 @@ TEST_F(RenderCommand, AllDetailIsTheModel) {
       0.5);
 }
 
-TEST_F(RenderCommand, DetailComesLittleByLittle) {
+TEST_F(RenderCommand, PictureChangesContinuouslyWithLod) {
   const Image at = picture({"bunny", "--lod", "0.2"});
-  const Image near = picture({"bunny", "--lod", "0.2003"});  // half a split on
+  const Image near = picture({"bunny", "--lod", "0.2003"});  // half a split further
   const Image far = picture({"bunny", "--lod", "0.6"});
   EXPECT_LT(difference(at, near), 0.2 * difference(at, far));
 }
 
-TEST_F(RenderCommand, AFileOfLevelsGivesTheSamePicture) {
+TEST_F(RenderCommand, ProgressiveFileGivesSamePicture) {
   ASSERT_EQ(mesher({"progressive", "bunny", "-o", "b.pm"}).exit_code, 0);
   EXPECT_TRUE(picture({"b.pm", "--lod", "0.37"}).rgba == picture({"bunny", "--lod", "0.37"}).rgba);
   EXPECT_EQ(
@@ -83,7 +83,7 @@ TEST_F(RenderCommand, AFileOfLevelsGivesTheSamePicture) {
       1000);
 }
 
-TEST_F(RenderCommand, TheMomentIsReported) {
+TEST_F(RenderCommand, JsonReportsDetailMoment) {
   const auto json = mesher_json({"render", "bunny", "-o", "r.png", "--size", "20", "--lod", "0.5"});
   const DetailMoment moment = detail_moment(0.5, 102, 1737);
   EXPECT_EQ(json["detail"]["lod"], 0.5);
@@ -95,12 +95,12 @@ TEST_F(RenderCommand, TheMomentIsReported) {
   EXPECT_FALSE(json.contains("pm"));
 }
 
-TEST_F(RenderCommand, SmallModelsHaveLevelsToo) {
+TEST_F(RenderCommand, SmallModelsHaveLevels) {
   EXPECT_LT(difference(picture({"cube", "--lod", "1"}), picture({"cube"})), 0.05);
   EXPECT_GT(difference(picture({"cube", "--lod", "0"}), picture({"cube"})), 1.0);
 }
 
-TEST_F(RenderCommand, RefusesWhatMakesNoSense) {
+TEST_F(RenderCommand, InvalidDetailIsRejected) {
   for (const char* lod : {"-0.1", "1.1", "nan", "inf", "", "x", "0.5x"})
     EXPECT_EQ(mesher({"render", "cube", "-o", "x.png", "--lod", lod}).exit_code, 1) << lod;
   EXPECT_EQ(mesher({"render", "cube", "-o", "x.png", "--lod", "1", "--faces", "6"}).exit_code, 1);

@@ -9,7 +9,7 @@
 namespace mesher::app {
 namespace {
 
-TEST(SimplifyArguments, TargetsAreFacesARatioOrAnError) {
+TEST(SimplifyArguments, TargetIsFacesRatioOrError) {
   EXPECT_EQ(simplify_options({.faces = 50}, 1000, 10.0).target_faces, 50U);
   EXPECT_EQ(simplify_options({.ratio = 0.25}, 1000, 10.0).target_faces, 250U);
   EXPECT_EQ(simplify_options({.ratio = 1e-9}, 1000, 10.0).target_faces, 1U);
@@ -23,7 +23,7 @@ TEST(SimplifyArguments, TargetsAreFacesARatioOrAnError) {
   EXPECT_TRUE(std::isinf(simplify_options({.faces = 9}, 1000, 10.0).max_error));
 }
 
-TEST(SimplifyArguments, RulesReachTheSimplifier) {
+TEST(SimplifyArguments, RulesArePassedOn) {
   const SimplifyOptions rules{.cost = CostPolicy::shape,
                               .placement = Placement::endpoint,
                               .boundary = BoundaryRule::lock,
@@ -39,14 +39,14 @@ TEST(SimplifyArguments, RulesReachTheSimplifier) {
   EXPECT_TRUE(o.no_intersections);
 }
 
-TEST(SimplifyArguments, PruningUnderABoundIsRefused) {
+TEST(SimplifyArguments, PruningWithErrorBoundIsRejected) {
   EXPECT_THROW((void)simplify_options({.max_error = "1%", .prune = true}, 9, 1.0), UsageError);
   EXPECT_THROW((void)simplify_options({.faces = 4, .max_error = "1", .prune = true}, 9, 1.0),
                UsageError);
   EXPECT_EQ(simplify_options({.faces = 4, .prune = true}, 9, 1.0).target_faces, 4U);
 }
 
-TEST(SimplifyArguments, WithoutMeaningAreRefused) {
+TEST(SimplifyArguments, InvalidTargetsAreRejected) {
   EXPECT_THROW((void)simplify_options({}, 9, 1.0), UsageError);
   for (const double ratio : {0.0, -0.5, 1.01, std::nan("")})
     EXPECT_THROW((void)simplify_options({.ratio = ratio}, 9, 1.0), UsageError) << ratio;

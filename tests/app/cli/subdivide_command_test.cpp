@@ -19,7 +19,7 @@ namespace {
 using test::Finished;
 using Json = nlohmann::json;
 
-/// The program, run as a person runs it, in a folder of the test's own.
+/// Runs the program from the command line, in a folder of the test.
 class SubdivideCommand : public testing::Test {
  protected:
   Finished subdivide(std::vector<std::string> arguments) {
@@ -37,7 +37,7 @@ bool is_said(const Finished& run, std::string_view words) {
   return run.err.find(words) != std::string::npos;
 }
 
-TEST_F(SubdivideCommand, WritesFourFacesForEachAndReports) {
+TEST_F(SubdivideCommand, WritesFourTimesTheFacesAndReports) {
   const Finished run = subdivide({"cube", "-o", "c.obj", "--levels", "2", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Json json = Json::parse(run.out);
@@ -59,7 +59,7 @@ TEST_F(SubdivideCommand, WritesFourFacesForEachAndReports) {
   EXPECT_TRUE(validate(model.mesh).empty());
 }
 
-TEST_F(SubdivideCommand, BowTiesStayTogetherAndGetNoTags) {
+TEST_F(SubdivideCommand, BowTiesKeepPositionAndGetNoTags) {
   folder_.write("touching.obj",
                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv -1 0 0\nv 0 -1 0\nv 0 0 -1\n"
                 "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\nf 1 5 6\nf 1 7 5\nf 5 7 6\nf 6 7 1\n");
@@ -68,7 +68,7 @@ TEST_F(SubdivideCommand, BowTiesStayTogetherAndGetNoTags) {
         {"touching.obj", "-o", "fine.obj", "--levels", "3", "--limit", "--scheme", scheme});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const Model fine = read("fine.obj");
-    // The file has the copies as plain vertices: the first, and the last of the old ones.
+    // The file contains the copies as ordinary vertices: the first and the last of the old ones.
     EXPECT_EQ(fine.mesh.position(Vertex(0)), glm::vec3(0.0F)) << scheme;
     EXPECT_EQ(fine.mesh.position(Vertex(7)), glm::vec3(0.0F)) << scheme;
     const std::string text = test::read_bytes(folder_ / "fine.obj");
@@ -77,14 +77,14 @@ TEST_F(SubdivideCommand, BowTiesStayTogetherAndGetNoTags) {
   }
 }
 
-TEST_F(SubdivideCommand, QuietSaysNothing) {
+TEST_F(SubdivideCommand, QuietPrintsNothing) {
   const Finished run = subdivide({"cube", "c.ply", "--quiet"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(run.err, "");
   EXPECT_EQ(run.out, "");
 }
 
-TEST_F(SubdivideCommand, TakesTheAssignmentsSpelling) {
+TEST_F(SubdivideCommand, AcceptsSingleDashOptions) {
   const Finished run = subdivide({"-input", "cube", "-o", "c.obj", "-levels", "3", "-scheme",
                                   "butterfly", "-crease-decay", "chaikin", "-json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -94,29 +94,29 @@ TEST_F(SubdivideCommand, TakesTheAssignmentsSpelling) {
   EXPECT_EQ(json["after"]["faces"], 12 * 64);
 }
 
-TEST_F(SubdivideCommand, RefusesWhatHasNoIdsAndSaysHowMuch) {
+TEST_F(SubdivideCommand, IndexOverflowIsRejectedWithSize) {
   const Finished run = subdivide({"bunny", "-o", "b.obj", "--levels", "14"});
   EXPECT_EQ(run.exit_code, 3);
-  // 3,674 faces: the eleventh level has 15,410 million, four times what has ids.
+  // 3,674 faces: the eleventh level has 15,410 million, four times as many as indices allow.
   EXPECT_TRUE(is_said(run, "subdividing 14 times would make ")) << run.err;
   EXPECT_TRUE(is_said(run, " faces or more: too many for 32-bit indices")) << run.err;
   EXPECT_EQ(folder_.count_files(), 0U);
 }
 
-TEST_F(SubdivideCommand, RefusesWhatMemoryCannotHoldAndSaysHowMuch) {
+TEST_F(SubdivideCommand, OutOfMemoryIsRejectedWithSize) {
   const MemoryLimit limit(1'000'000'000);
   const std::string output = (folder_ / "c.obj").string();
   const std::array arguments{"mesher", "subdivide", "cube", "-o", output.c_str(), "--levels", "13"};
   testing::internal::CaptureStderr();
   EXPECT_EQ(app::run(static_cast<int>(arguments.size()), arguments.data()), 3);
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE(said.find("would make 805,306,368 faces and take "), std::string::npos) << said;
+  EXPECT_NE(said.find("would make 805,306,368 faces and need "), std::string::npos) << said;
   EXPECT_NE(said.find(" of memory; "), std::string::npos) << said;
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
   EXPECT_EQ(folder_.count_files(), 0U);
 }
 
-TEST_F(SubdivideCommand, RefusesWordsItDoesNotKnow) {
+TEST_F(SubdivideCommand, UnknownValuesAreRejected) {
   const std::vector<std::vector<std::string>> wrong{
       {"--scheme", "doo-sabin"},  {"--creases", "hoppe"}, {"--boundary", "none"},
       {"--crease-decay", "fast"}, {"--levels", "17"},     {"--levels", "-1"},
@@ -130,14 +130,14 @@ TEST_F(SubdivideCommand, RefusesWordsItDoesNotKnow) {
   EXPECT_EQ(folder_.count_files(), 0U);
 }
 
-TEST_F(SubdivideCommand, RefusesAnUnknownEndingBeforeTheWork) {
-  // The input does not exist either: what comes first is said.
+TEST_F(SubdivideCommand, UnknownExtensionIsRejectedBeforeReading) {
+  // The input does not exist either, but the first error is reported.
   const Finished run = subdivide({"no_such_model", "-o", "b.docx", "--levels", "2"});
   EXPECT_EQ(run.exit_code, 1) << run.err;
   EXPECT_TRUE(is_said(run, "docx")) << run.err;
 }
 
-TEST_F(SubdivideCommand, RefusesAModelWithoutFaces) {
+TEST_F(SubdivideCommand, ModelWithoutFacesIsRejected) {
   folder_.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
   for (const bool keeps : {false, true}) {
     std::vector<std::string> arguments{"points.obj", "-o", "o.obj"};
@@ -149,11 +149,11 @@ TEST_F(SubdivideCommand, RefusesAModelWithoutFaces) {
   EXPECT_EQ(subdivide({"no_such_model.obj", "-o", "o.obj"}).exit_code, 2);
 }
 
-TEST_F(SubdivideCommand, CannotWriteIntoAFolderThatIsNotThere) {
+TEST_F(SubdivideCommand, MissingOutputFolderExitsWithFour) {
   EXPECT_EQ(subdivide({"cube", "-o", "nowhere/c.obj"}).exit_code, 4);
 }
 
-TEST_F(SubdivideCommand, CreasesSurviveInTheFile) {
+TEST_F(SubdivideCommand, OutputKeepsInfinitelySharpCreases) {
   ASSERT_EQ(subdivide({"creased_cube", "-o", "c.obj", "--levels", "2"}).exit_code, 0);
   const Mesh mesh = read("c.obj").mesh;
   const auto sharp = [](float s) { return s == kInfinitelySharp; };
@@ -161,14 +161,14 @@ TEST_F(SubdivideCommand, CreasesSurviveInTheFile) {
             2 * 5 * 4);  // half-edges of five creases in four pieces each
 }
 
-TEST_F(SubdivideCommand, SemiSharpCreasesWearDownInTheFile) {
+TEST_F(SubdivideCommand, OutputDecaysSemiSharpCreases) {
   folder_.write("soft.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.5\nf 1 2 3\nf 2 4 3\ne 1 2 2.5\n");
   ASSERT_EQ(subdivide({"soft.obj", "-o", "s.obj"}).exit_code, 0);
   const Mesh mesh = read("s.obj").mesh;
   EXPECT_EQ(std::count(mesh.sharpnesses().begin(), mesh.sharpnesses().end(), 1.5F), 4);
 }
 
-TEST_F(SubdivideCommand, TheLimitWritesUnitNormals) {
+TEST_F(SubdivideCommand, LimitWritesUnitNormals) {
   const Finished run = subdivide({"cube", "-o", "c.obj", "--limit", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(Json::parse(run.out)["limit"], true);
@@ -183,7 +183,7 @@ TEST_F(SubdivideCommand, TheLimitWritesUnitNormals) {
   EXPECT_TRUE(read("plain.obj").attributes.normal.empty());
 }
 
-TEST_F(SubdivideCommand, TheLimitOfOtherSchemesIsWhatTheyMakeAndItSaysSo) {
+TEST_F(SubdivideCommand, LimitOfInterpolatingSchemesHasNoEffect) {
   const Finished run = subdivide({"cube", "-o", "b.obj", "--scheme", "butterfly", "--limit"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_TRUE(
@@ -212,7 +212,7 @@ TEST_F(SubdivideCommand, CarriesAttributesAndDropsNormals) {
   EXPECT_EQ(attributes.group[4], 1U);
 }
 
-TEST_F(SubdivideCommand, NoLevelsKeepEverything) {
+TEST_F(SubdivideCommand, ZeroLevelsLeaveModelUnchanged) {
   folder_.write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n");
   const Finished run = subdivide({"t.obj", "-o", "o.obj", "--levels", "0", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -222,7 +222,7 @@ TEST_F(SubdivideCommand, NoLevelsKeepEverything) {
   EXPECT_EQ(model.attributes.normal.size(), 3U);
 }
 
-TEST_F(SubdivideCommand, TheSameFileOnAnyNumberOfThreads) {
+TEST_F(SubdivideCommand, OutputIsIndependentOfThreadCount) {
   for (const char* scheme : {"loop", "butterfly", "midpoint"}) {
     const auto run = [&](const char* threads, const char* file) {
       ASSERT_EQ(subdivide({"creased_cube", "-o", file, "--levels", "5", "--scheme", scheme,

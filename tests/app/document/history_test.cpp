@@ -10,7 +10,7 @@
 namespace mesher::app {
 namespace {
 
-/// A model, and edits of it that each move a vertex.
+/// A model with edits that move one vertex each.
 struct Document {
   Document() {
     model.mesh = build_mesh(test::grid(4)).mesh;
@@ -34,7 +34,7 @@ struct Document {
   Statistics stats;
 };
 
-TEST(History, GoesBackAndForth) {
+TEST(History, UndoAndRedoRestoreModel) {
   Document d;
   History history;
   d.move(history, 0, 5.0F);
@@ -55,7 +55,7 @@ TEST(History, GoesBackAndForth) {
   EXPECT_EQ(d.stats.box.max.z, 6.0F);
 }
 
-TEST(History, WhatIsTakenBackIsGone) {
+TEST(History, TakenBackEditCannotBeRedone) {
   Document d;
   History history;
   d.move(history, 0, 5.0F);
@@ -68,7 +68,7 @@ TEST(History, WhatIsTakenBackIsGone) {
   EXPECT_EQ(history.memory_bytes(), bytes);
 }
 
-TEST(History, WhatWasUndoneStartsFromWhatIsTakenBackAndGoesToo) {
+TEST(History, TakeBackDropsUndoneEdits) {
   Document d;
   History history;
   d.move(history, 0, 5.0F);
@@ -80,7 +80,7 @@ TEST(History, WhatWasUndoneStartsFromWhatIsTakenBackAndGoesToo) {
   EXPECT_EQ(history.memory_bytes(), 0U);
 }
 
-/// The model becomes a large one, of which the texture coordinates take their share.
+/// An edit that replaces the model by a large one with texture coordinates.
 Edit growth(const Document& d) {
   const Mesh large = build_mesh(test::torus(500, 400)).mesh;
   Attributes attributes;
@@ -92,7 +92,7 @@ Edit growth(const Document& d) {
           .after = statistics(large)};
 }
 
-TEST(History, WantOfMemoryChangesNothing) {
+TEST(History, OutOfMemoryLeavesModelUnchanged) {
   int failures = 0;
   for (std::uint64_t bytes = 0;; bytes += 2'000'000) {
     Document d;
@@ -115,7 +115,7 @@ TEST(History, WantOfMemoryChangesNothing) {
   EXPECT_GT(failures, 5);
 }
 
-TEST(History, ANewEditForgetsWhatWasUndone) {
+TEST(History, NewEditDropsUndoneEdits) {
   Document d;
   History history;
   d.move(history, 0, 5.0F);
@@ -125,7 +125,7 @@ TEST(History, ANewEditForgetsWhatWasUndone) {
   EXPECT_EQ(history.undo_depth(), 1U);
 }
 
-TEST(History, ForgetsTheOldestPastItsBudgetButNeverTheLast) {
+TEST(History, BudgetDropsOldestEditsButNotLast) {
   Document d;
   const std::size_t one = d.moved(0, 1.0F).memory_bytes();
   ASSERT_GT(one, 0U);
@@ -141,7 +141,7 @@ TEST(History, ForgetsTheOldestPastItsBudgetButNeverTheLast) {
   EXPECT_EQ(tiny.undo_name(), "move 8");
 }
 
-TEST(History, CountsItsMemory) {
+TEST(History, MemoryIsCounted) {
   Document d;
   History history;
   d.move(history, 0, 5.0F);

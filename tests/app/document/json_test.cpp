@@ -7,7 +7,7 @@
 namespace mesher::app {
 namespace {
 
-TEST(Json, OfAModelHasCountsAndEveryKindOfRepair) {
+TEST(Json, ModelHasCountsAndEveryKindOfRepair) {
   Model model;
   Soup soup = test::cube();
   soup.corners.insert(soup.corners.end(), {1U, 1U, 2U});
@@ -25,11 +25,11 @@ TEST(Json, OfAModelHasCountsAndEveryKindOfRepair) {
   EXPECT_EQ(json["repairs"]["duplicate_faces_dropped"], 0);
 }
 
-TEST(Json, OfNothingHasNoBox) {
+TEST(Json, EmptyModelHasNoBox) {
   EXPECT_TRUE(to_json(Statistics{})["box"].is_null());
 }
 
-TEST(Json, OfASessionNamesItsState) {
+TEST(Json, SessionContainsItsState) {
   Session session;
   session.settings.shading = render::Shading::gouraud;
   session.settings.background = render::Background::dark;

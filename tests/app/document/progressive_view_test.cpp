@@ -51,7 +51,7 @@ class ProgressiveViewTest : public testing::Test {
   Session session_;
 };
 
-TEST_F(ProgressiveViewTest, PShowsTheModelInItsFullDetailAndAgainAsItWas) {
+TEST_F(ProgressiveViewTest, PEntersAtFullDetailAndRestoresModelOnLeaving) {
   const Mesh before = session_.model.mesh;
   press(session_, "p");
   ASSERT_TRUE(view().is_on());
@@ -71,18 +71,18 @@ TEST_F(ProgressiveViewTest, PShowsTheModelInItsFullDetailAndAgainAsItWas) {
   EXPECT_EQ(shown_settings(session_), session_.settings);
 }
 
-TEST_F(ProgressiveViewTest, WhatWasMadeIsKeptUntilTheModelChanges) {
+TEST_F(ProgressiveViewTest, ProgressiveMeshIsKeptUntilModelChanges) {
   press(session_, "p home p");
   EXPECT_TRUE(view().has_mesh());
   press(session_, "p");
-  EXPECT_EQ(faces(), view().mesh().base_face_count()) << "where it was";
+  EXPECT_EQ(faces(), view().mesh().base_face_count()) << "the level is kept";
   press(session_, "p d");
   EXPECT_FALSE(view().has_mesh());
   press(session_, "p");
   EXPECT_EQ(faces(), session_.statistics.faces);
 }
 
-TEST_F(ProgressiveViewTest, EscapeLeavesTheModeFirst) {
+TEST_F(ProgressiveViewTest, EscapeLeavesModeBeforeQuitting) {
   press(session_, "p esc");
   EXPECT_FALSE(view().is_on());
   EXPECT_FALSE(session_.wants_quit);
@@ -108,7 +108,7 @@ TEST_F(ProgressiveViewTest, KeysReachEveryLevel) {
   EXPECT_EQ(view().position(), 1.0);
 }
 
-TEST_F(ProgressiveViewTest, GrowthIsContinuousAndNothingJumpsWhenItIsTurnedOnOrOff) {
+TEST_F(ProgressiveViewTest, TogglingGeomorphsKeepsLevel) {
   press(session_, "p");
   view().move_to_level(500);
   EXPECT_GE(view().mesh().level(), 500U);
@@ -131,7 +131,7 @@ TEST_F(ProgressiveViewTest, GrowthIsContinuousAndNothingJumpsWhenItIsTurnedOnOrO
   EXPECT_EQ(view().time(), 0.0);
 }
 
-TEST_F(ProgressiveViewTest, PlaysToAndFro) {
+TEST_F(ProgressiveViewTest, PlaysBackAndForth) {
   press(session_, "p home");
   change([](ProgressiveSettings& s) { s.seconds = 2.0F; });
   EXPECT_FALSE(view().advance(0.5, 100.0)) << "nothing moves yet";
@@ -148,17 +148,17 @@ TEST_F(ProgressiveViewTest, PlaysToAndFro) {
   view().advance(1.5, 100.0);  // and at the base
   EXPECT_NEAR(view().position(), 0.25, 1e-6);
   view().advance(4.0 * 7, 100.0);
-  EXPECT_NEAR(view().position(), 0.25, 1e-6) << "whole turns";
+  EXPECT_NEAR(view().position(), 0.25, 1e-6) << "whole periods";
   press(session_, "space");
   EXPECT_FALSE(view().advance(1.0, 100.0));
   press(session_, "end space");
   view().advance(0.5, 100.0);
-  EXPECT_NEAR(view().position(), 0.75, 1e-6) << "from the end down";
+  EXPECT_NEAR(view().position(), 0.75, 1e-6) << "downwards from full detail";
   press(session_, "[");
-  EXPECT_FALSE(view().is_playing()) << "a hand on it";
+  EXPECT_FALSE(view().is_playing()) << "moving by hand ends playing";
 }
 
-TEST_F(ProgressiveViewTest, ErrorsFallFromTheBaseToNothing) {
+TEST_F(ProgressiveViewTest, LevelErrorsDecreaseToZero) {
   press(session_, "p");
   const LevelErrors& errors = view().levels().errors;
   const std::uint32_t splits = view().mesh().split_count();
@@ -174,21 +174,21 @@ TEST_F(ProgressiveViewTest, ErrorsFallFromTheBaseToNothing) {
   EXPECT_EQ(errors.level_within(-1.0), splits);
 }
 
-TEST_F(ProgressiveViewTest, TheAutomaticLevelFollowsTheSizeWithSomeReluctance) {
+TEST_F(ProgressiveViewTest, AutomaticLevelHasHysteresis) {
   press(session_, "p");
   const LevelErrors& errors = view().levels().errors;
-  const double unit = 0.5 / errors.error(300);  // level 300 is off by half a pixel
+  const double unit = 0.5 / errors.error(300);  // screen-space error of level 300: half a pixel
   const std::uint32_t level = automatic_level(errors, 0, 0.5, unit);
   EXPECT_LE(level, 300U);
   EXPECT_LE(errors.error(level) * unit, 0.5 * (1.0 + 1e-6));
   EXPECT_EQ(automatic_level(errors, level, 0.5, unit), level);
-  EXPECT_EQ(automatic_level(errors, level, 0.5, 0.9 * unit), level) << "a little farther off";
+  EXPECT_EQ(automatic_level(errors, level, 0.5, 0.9 * unit), level) << "a slightly larger distance";
   EXPECT_LT(automatic_level(errors, level, 0.5, 0.3 * unit), level);
   EXPECT_GT(automatic_level(errors, level, 0.5, 3.0 * unit), level);
   EXPECT_EQ(automatic_level(errors, 7, 0.5, 1e12), view().mesh().split_count());
 }
 
-TEST_F(ProgressiveViewTest, ItTravelsToTheAutomaticLevelAndComesToRest) {
+TEST_F(ProgressiveViewTest, AutomaticLevelIsReachedSmoothlyAndStops) {
   press(session_, "p");
   press(session_, "home");
   change([](ProgressiveSettings& s) {
@@ -203,7 +203,7 @@ TEST_F(ProgressiveViewTest, ItTravelsToTheAutomaticLevelAndComesToRest) {
     EXPECT_GE(view().position(), last);
     last = view().position();
   }
-  EXPECT_GT(frames, 10) << "not at a bound";
+  EXPECT_GT(frames, 10) << "not in one jump";
   EXPECT_LT(frames, 120);
   EXPECT_NEAR(view().range().grown(view().time()), goal, 1e-6);
   EXPECT_FALSE(view().advance(1.0 / 60, 0.9 * unit));
@@ -211,10 +211,10 @@ TEST_F(ProgressiveViewTest, ItTravelsToTheAutomaticLevelAndComesToRest) {
   view().settle(0.1 * unit);
   EXPECT_LT(view().range().grown(view().time()), goal);
   view().move_by(1);
-  EXPECT_FALSE(view().settings().is_automatic) << "a hand on it";
+  EXPECT_FALSE(view().settings().is_automatic) << "moving by hand ends the automatic level";
 }
 
-TEST_F(ProgressiveViewTest, NearerIsFiner) {
+TEST_F(ProgressiveViewTest, CloserCameraGivesFinerLevel) {
   press(session_, "p a");
   session_.camera.zoom(0.02);
   view().settle(shown_pixels_per_unit(session_));
@@ -227,7 +227,7 @@ TEST_F(ProgressiveViewTest, NearerIsFiner) {
   EXPECT_LT(shown_pixels_per_unit(session_), 1e9) << "inside the model";
 }
 
-TEST_F(ProgressiveViewTest, EditsAreRefusedAndTheNoticeSaysWhatToDo) {
+TEST_F(ProgressiveViewTest, EditsAreRefusedWithNotice) {
   press(session_, "d d ctrl+z p");
   const std::uint32_t faces_before = session_.statistics.faces;
   for (const char* key :
@@ -242,7 +242,7 @@ TEST_F(ProgressiveViewTest, EditsAreRefusedAndTheNoticeSaysWhatToDo) {
   }
 }
 
-TEST_F(ProgressiveViewTest, WithoutAProgressiveMeshItsKeysSayHowToGetOne) {
+TEST_F(ProgressiveViewTest, KeysOutsideModeGiveNotice) {
   for (const char* key :
        {"space", "[", "]", "home", "end", "pageup", "shift+g", "a", "shift+b", "k"}) {
     press(session_, key);
@@ -251,14 +251,14 @@ TEST_F(ProgressiveViewTest, WithoutAProgressiveMeshItsKeysSayHowToGetOne) {
   EXPECT_EQ(view().settings(), ProgressiveSettings());
 }
 
-TEST_F(ProgressiveViewTest, TheModeEndsThatOfCreases) {
+TEST_F(ProgressiveViewTest, EnteringModeEndsCreaseMode) {
   press(session_, "c ctrl+a p");
   EXPECT_TRUE(view().is_on());
   EXPECT_FALSE(session_.creases.is_on);
   EXPECT_TRUE(marked_edges(session_).selected.empty());
 }
 
-TEST_F(ProgressiveViewTest, AKeptLevelIsAModelThatCanBeTakenBack) {
+TEST_F(ProgressiveViewTest, UsedLevelCanBeEditedAndUndone) {
   const Mesh before = session_.model.mesh;
   press(session_, "p");
   view().move_to_level(view().mesh().split_count() / 2);
@@ -269,8 +269,8 @@ TEST_F(ProgressiveViewTest, AKeptLevelIsAModelThatCanBeTakenBack) {
   EXPECT_EQ(session_.statistics.faces, level.face_count());
   EXPECT_TRUE(validate(session_.model.mesh).empty());
   EXPECT_EQ(session_.edits.history.undo_name(),
-            "keep a level of " + std::to_string(level.face_count() / 1000) + "," +
-                std::to_string(level.face_count() % 1000 + 1000).substr(1) + " faces");
+            "use the level of " + std::to_string(level.face_count() / 1000) + "," +
+                std::to_string(level.face_count() % 1000 + 1000).substr(1) + " faces as the model");
   press(session_, "d");  // it can be edited
   EXPECT_LT(session_.statistics.faces, level.face_count());
   press(session_, "ctrl+z ctrl+z");
@@ -279,7 +279,7 @@ TEST_F(ProgressiveViewTest, AKeptLevelIsAModelThatCanBeTakenBack) {
   EXPECT_TRUE(has_same_arrays(session_.model.mesh, level));
 }
 
-TEST_F(ProgressiveViewTest, AKeptLevelCarriesWhatItsVerticesSay) {
+TEST_F(ProgressiveViewTest, UsedLevelCarriesAttributesOver) {
   Attributes& attributes = session_.model.attributes;
   const Mesh& mesh = session_.model.mesh;
   attributes.color.resize(mesh.halfedge_count());
@@ -304,7 +304,7 @@ TEST_F(ProgressiveViewTest, AKeptLevelCarriesWhatItsVerticesSay) {
   EXPECT_EQ(session_.model.attributes.group.size(), session_.model.mesh.face_count());
 }
 
-TEST_F(ProgressiveViewTest, SavingTakesTheLevelThatIsShown) {
+TEST_F(ProgressiveViewTest, SavingWritesShownLevel) {
   press(session_, "p pagedown pagedown");
   session_.saving.waiting = "somewhere.obj";
   const auto task = begin_save(session_);
@@ -312,7 +312,7 @@ TEST_F(ProgressiveViewTest, SavingTakesTheLevelThatIsShown) {
   EXPECT_EQ(task->shape->mesh.face_count(), faces());
 }
 
-TEST_F(ProgressiveViewTest, AnotherBaseIsMadeOnRequest) {
+TEST_F(ProgressiveViewTest, RebuildUsesRequestedBase) {
   press(session_, "p home");
   const std::uint32_t coarse = view().mesh().base_face_count();
   change([](ProgressiveSettings& s) { s.base_faces = 1000; });
@@ -329,7 +329,7 @@ TEST_F(ProgressiveViewTest, AnotherBaseIsMadeOnRequest) {
   EXPECT_TRUE(to_json(session_)["progressive"]["base_faces"].is_null());
 }
 
-TEST_F(ProgressiveViewTest, TheNoticeSaysWhatIsToBeKnownOfTheBase) {
+TEST_F(ProgressiveViewTest, NoticeDescribesBase) {
   press(session_, "p");
   EXPECT_EQ(session_.notice, "200 to 2,400 faces: Space plays, PageUp and PageDown refine");
   ASSERT_TRUE(view().levels().report.has_value());
@@ -340,7 +340,7 @@ TEST_F(ProgressiveViewTest, TheNoticeSaysWhatIsToBeKnownOfTheBase) {
   EXPECT_TRUE(session_.notice.starts_with("4 to 12 faces: ") &&
               session_.notice.find("; the base is far from the model: ") != std::string::npos)
       << session_.notice;
-  // A base that a person asks for, however far.
+  // A requested base is built at any error.
   show(test::cube());
   change([](ProgressiveSettings& s) { s.base_faces = 4; });
   press(session_, "p");
@@ -348,7 +348,7 @@ TEST_F(ProgressiveViewTest, TheNoticeSaysWhatIsToBeKnownOfTheBase) {
   EXPECT_NE(session_.notice.find("far from the model"), std::string::npos) << session_.notice;
 }
 
-TEST_F(ProgressiveViewTest, KeepingALevelFarFromTheModelIsSaid) {
+TEST_F(ProgressiveViewTest, UsingLevelFarFromModelGivesNotice) {
   show(test::cube());
   press(session_, "p home k");
   EXPECT_EQ(session_.model.mesh.face_count(), 4U);
@@ -359,20 +359,20 @@ TEST_F(ProgressiveViewTest, KeepingALevelFarFromTheModelIsSaid) {
   EXPECT_EQ(session_.notice.find("far from"), std::string::npos) << session_.notice;
 }
 
-TEST_F(ProgressiveViewTest, AnotherModelEndsIt) {
+TEST_F(ProgressiveViewTest, OpeningModelEndsMode) {
   press(session_, "p shift+b");
   show(test::cube());
   EXPECT_FALSE(view().is_on());
   EXPECT_FALSE(view().has_mesh());
-  EXPECT_TRUE(view().settings().colors_by_split_order) << "tastes stay";
+  EXPECT_TRUE(view().settings().colors_by_split_order) << "settings stay";
   press(session_, "p");
-  EXPECT_TRUE(view().is_on()) << "of a base alone, too";
+  EXPECT_TRUE(view().is_on()) << "even if the mesh has only a base";
   press(session_, "home ] [ end pageup a space");
   view().advance(1.0, 100.0);
   EXPECT_LE(faces(), 12U);
 }
 
-TEST_F(ProgressiveViewTest, SettingsSayWhatIsDrawn) {
+TEST_F(ProgressiveViewTest, ShownSettingsDescribeGeomorph) {
   press(session_, "p");
   view().move_to(0.5);
   press(session_, "shift+b");
@@ -393,7 +393,7 @@ std::vector<std::string> keys_of(const Json& json) {
   return keys;
 }
 
-TEST_F(ProgressiveViewTest, TheStateSaysWhereItIs) {
+TEST_F(ProgressiveViewTest, JsonContainsLevel) {
   const Json off = to_json(session_)["progressive"];
   EXPECT_EQ(off["on"], false);
   EXPECT_EQ(off["ready"], false);
@@ -404,7 +404,7 @@ TEST_F(ProgressiveViewTest, TheStateSaysWhereItIs) {
   EXPECT_EQ(json["level"], 1U);
   EXPECT_EQ(json["faces"], view().mesh().face_count(1));
   EXPECT_EQ(json["time"], 1.0);
-  EXPECT_EQ(keys_of(json), keys_of(off)) << "whoever waits for a value finds its name";
+  EXPECT_EQ(keys_of(json), keys_of(off)) << "the keys are always present";
   EXPECT_EQ(to_json(session_)["faces"], 2400U) << "the model's";
 }
 

@@ -5,7 +5,7 @@
 namespace mesher::app {
 namespace {
 
-TEST(Words, LongNumbersGetCommas) {
+TEST(Words, LongNumbersHaveCommas) {
   EXPECT_EQ(with_commas(0), "0");
   EXPECT_EQ(with_commas(999), "999");
   EXPECT_EQ(with_commas(1000), "1,000");
@@ -13,7 +13,7 @@ TEST(Words, LongNumbersGetCommas) {
   EXPECT_EQ(with_commas(1234567), "1,234,567");
 }
 
-TEST(Words, DistancesFromTheInputAreInPercentOfTheDiagonal) {
+TEST(Words, DistancesAreInPercentOfDiagonal) {
   EXPECT_EQ(percent_text(12.3456), "12.3 %");
   EXPECT_EQ(far_from("the input", 5.25), "far from the input: 5.25 % of the diagonal (RMS)");
   EXPECT_EQ(stop_text(StopReason::target_reached), "target reached");

@@ -16,7 +16,7 @@ namespace {
 
 using Kind = CreaseRequest::Kind;
 
-/// A session in whose window edges are clicked by their ends.
+/// A session with helpers that click edges, which are given by their two vertices.
 class CreaseEdits : public testing::Test {
  protected:
   void show(Soup soup) {
@@ -39,7 +39,7 @@ class CreaseEdits : public testing::Test {
   Edge edge(std::uint32_t a, std::uint32_t b) const {
     return s_.model.mesh.find_edge(Vertex(a), Vertex(b));
   }
-  /// A little off the middle of the edge.
+  /// A point of the window near the middle of the edge.
   glm::dvec2 at(std::uint32_t a, std::uint32_t b) const {
     const Mesh& mesh = s_.model.mesh;
     const glm::dvec3 p =
@@ -62,7 +62,7 @@ class CreaseEdits : public testing::Test {
   Session s_;
 };
 
-TEST_F(CreaseEdits, CStartsAndEndsTheMode) {
+TEST_F(CreaseEdits, CTogglesCreaseMode) {
   show(test::cube());
   press("c");
   EXPECT_TRUE(s_.creases.is_on);
@@ -75,7 +75,7 @@ TEST_F(CreaseEdits, CStartsAndEndsTheMode) {
   EXPECT_TRUE(selected().empty());
 }
 
-TEST_F(CreaseEdits, EscapeEndsTheSelectionThenTheModeThenTheProgram) {
+TEST_F(CreaseEdits, EscapeClearsSelectionThenLeavesModeThenQuits) {
   show(test::cube());
   press("c");
   click(6, 7);
@@ -90,7 +90,7 @@ TEST_F(CreaseEdits, EscapeEndsTheSelectionThenTheModeThenTheProgram) {
   EXPECT_TRUE(s_.wants_quit);
 }
 
-TEST_F(CreaseEdits, AClickReplacesAndCtrlAddsAndRemoves) {
+TEST_F(CreaseEdits, ClickReplacesAndCtrlClickTogglesSelection) {
   show(test::cube());
   press("c");
   click(6, 7);
@@ -102,12 +102,12 @@ TEST_F(CreaseEdits, AClickReplacesAndCtrlAddsAndRemoves) {
   click(4, 6, {.toggles = true});
   EXPECT_EQ(selected(), std::vector<Edge>{edge(6, 7)});
   click_edge(s_, {2, 2}, {.toggles = true});
-  EXPECT_EQ(selected().size(), 1U) << "a miss with Ctrl keeps what there is";
+  EXPECT_EQ(selected().size(), 1U) << "Ctrl+click beside the edges keeps the selection";
   click_edge(s_, {2, 2}, {});
   EXPECT_TRUE(selected().empty());
 }
 
-TEST_F(CreaseEdits, ShiftAndDoubleClicksPickTheChain) {
+TEST_F(CreaseEdits, ShiftClickAndDoubleClickSelectChain) {
   show(test::grid(6));
   s_.camera.set_view(render::View::front);
   press("c");
@@ -131,7 +131,7 @@ TEST_F(CreaseEdits, ShiftAndDoubleClicksPickTheChain) {
   EXPECT_EQ(selected().size(), 6U);
 }
 
-TEST_F(CreaseEdits, KeysChangeWhatIsSelectedAndEachIsAStep) {
+TEST_F(CreaseEdits, KeysChangeSharpnessInUndoableSteps) {
   show(test::cube());
   press("c");
   click(6, 7);
@@ -163,7 +163,7 @@ TEST_F(CreaseEdits, KeysChangeWhatIsSelectedAndEachIsAStep) {
   expect_consistent();
 }
 
-TEST_F(CreaseEdits, OnlyWhatChangesIsNotedForTheMirror) {
+TEST_F(CreaseEdits, ChangeLogHoldsOnlyChangedEdges) {
   show(test::torus(40, 20));
   press("c");
   s_.creases.selected = {s_.model.mesh.edge(Halfedge(100)), s_.model.mesh.edge(Halfedge(500))};
@@ -178,7 +178,7 @@ TEST_F(CreaseEdits, OnlyWhatChangesIsNotedForTheMirror) {
   EXPECT_TRUE(changes.merged(GpuArray::position).empty());
 }
 
-TEST_F(CreaseEdits, ADragIsOneStep) {
+TEST_F(CreaseEdits, DragIsOneUndoStep) {
   show(test::cube());
   press("c");
   click(6, 7);
@@ -198,7 +198,7 @@ TEST_F(CreaseEdits, ADragIsOneStep) {
   expect_consistent();
 }
 
-TEST_F(CreaseEdits, ADragBackToWhereItBeganLeavesNoStep) {
+TEST_F(CreaseEdits, DragBackToStartLeavesNoUndoStep) {
   show(test::cube());
   press("c");
   click(6, 7);
@@ -211,7 +211,7 @@ TEST_F(CreaseEdits, ADragBackToWhereItBeganLeavesNoStep) {
   expect_consistent();
 }
 
-TEST_F(CreaseEdits, AnUndoInTheMiddleOfADragIsNotUndone) {
+TEST_F(CreaseEdits, UndoDuringDragKeepsEarlierStep) {
   show(test::cube());
   press("c");
   click(6, 7);
@@ -228,9 +228,9 @@ TEST_F(CreaseEdits, TagByAngleAndClearAll) {
   show(test::cube());
   press("shift+c");
   EXPECT_EQ(s_.statistics.crease_edges, 12U);
-  EXPECT_EQ(history().undo_name(), "mark 12 edges beyond 40 degrees");
+  EXPECT_EQ(history().undo_name(), "mark 12 edges by an angle of 40 degrees");
   press("shift+c");
-  EXPECT_EQ(s_.notice, "no more edges are beyond 40 degrees");
+  EXPECT_EQ(s_.notice, "no unmarked edge has face normals that differ by more than 40 degrees");
   press("ctrl+a");
   EXPECT_TRUE(s_.creases.is_on);
   EXPECT_EQ(selected().size(), 12U);
@@ -247,7 +247,7 @@ TEST_F(CreaseEdits, TagByAngleAndClearAll) {
   EXPECT_EQ(s_.notice, "there are no creases");
 }
 
-TEST_F(CreaseEdits, WithoutASelectionSaySo) {
+TEST_F(CreaseEdits, EmptySelectionGivesNotice) {
   show(test::cube());
   for (const char* key : {"+", "-", "i", "x", "delete"}) {
     press(key);
@@ -256,7 +256,7 @@ TEST_F(CreaseEdits, WithoutASelectionSaySo) {
   EXPECT_EQ(history().undo_depth(), 0U);
 }
 
-TEST_F(CreaseEdits, ABoundaryEdgeCanBePickedButNotSharpened) {
+TEST_F(CreaseEdits, BoundaryEdgeCanBeSelectedButNotSharpened) {
   show(test::grid(4));
   s_.camera.set_view(render::View::front);
   press("c");
@@ -273,7 +273,7 @@ TEST_F(CreaseEdits, ABoundaryEdgeCanBePickedButNotSharpened) {
   EXPECT_EQ(history().undo_name(), "make 1 edge sharper");
 }
 
-TEST_F(CreaseEdits, ASimplificationForgetsThePickedEdgesAndSoDoesItsUndo) {
+TEST_F(CreaseEdits, SimplifyAndUndoClearSelection) {
   show(test::torus(12, 10));
   press("c");
   s_.creases.selected = {s_.model.mesh.edge(Halfedge(7))};
@@ -290,7 +290,7 @@ TEST_F(CreaseEdits, ASimplificationForgetsThePickedEdgesAndSoDoesItsUndo) {
   EXPECT_TRUE(selected().empty());
 }
 
-TEST_F(CreaseEdits, ARequestIsAboutWhatIsSelectedWhenItsTurnComes) {
+TEST_F(CreaseEdits, RequestAppliesToSelectionWhenItRuns) {
   show(test::torus(12, 10));
   press("c");
   s_.creases.selected = {s_.model.mesh.edge(Halfedge(7))};
@@ -301,7 +301,7 @@ TEST_F(CreaseEdits, ARequestIsAboutWhatIsSelectedWhenItsTurnComes) {
   expect_consistent();
 }
 
-TEST_F(CreaseEdits, SimplifyingFromWhatWasOpenedKeepsTheCreasesOfThatDetail) {
+TEST_F(CreaseEdits, SimplifyFromOpenedModelKeepsItsCreases) {
   show(test::torus(12, 10));
   const auto simplify_to = [&](std::uint32_t faces) {
     request_simplify_to(s_, faces);
@@ -323,10 +323,10 @@ TEST_F(CreaseEdits, SimplifyingFromWhatWasOpenedKeepsTheCreasesOfThatDetail) {
   EXPECT_EQ(s_.statistics.crease_edges, 0U);
   simplify_to(239);
   simplify_to(240);
-  EXPECT_EQ(s_.statistics.crease_edges, 0U) << "what is undone does not come back";
+  EXPECT_EQ(s_.statistics.crease_edges, 0U) << "undone creases are not restored";
 }
 
-TEST_F(CreaseEdits, AttributesStay) {
+TEST_F(CreaseEdits, AttributesAreUnchanged) {
   show(test::cube());
   s_.model.attributes.texcoord.assign(36, glm::vec2(0.5F));
   press("shift+c");
@@ -335,7 +335,7 @@ TEST_F(CreaseEdits, AttributesStay) {
   EXPECT_EQ(s_.model.attributes.texcoord.size(), 36U);
 }
 
-TEST_F(CreaseEdits, HoveringTellsWhetherTheEdgeIsAnother) {
+TEST_F(CreaseEdits, HoverReportsChangeOfEdge) {
   show(test::cube());
   EXPECT_FALSE(hover_edge(s_, at(6, 7))) << "not while the mode is off";
   press("c");
@@ -347,7 +347,7 @@ TEST_F(CreaseEdits, HoveringTellsWhetherTheEdgeIsAnother) {
   EXPECT_FALSE(s_.creases.hovered.is_valid());
 }
 
-TEST_F(CreaseEdits, SelectedSharpnessLeavesOutTheBoundary) {
+TEST_F(CreaseEdits, SelectedSharpnessIgnoresBoundaryEdges) {
   show(test::grid(4));
   Mesh& mesh = s_.model.mesh;
   mesh.set_sharpness(edge(6, 7), 2.0F);
@@ -363,7 +363,7 @@ TEST_F(CreaseEdits, SelectedSharpnessLeavesOutTheBoundary) {
   EXPECT_EQ(selected_sharpness(s_.model.mesh, s_.creases).edges, 0U);
 }
 
-TEST(ChangedSharpness, GoesFromSmoothOverTenToForEverAndBack) {
+TEST(ChangedSharpness, RangesFromZeroOverTenToInfinity) {
   EXPECT_EQ(changed_sharpness(0.0F, -1.0F), 0.0F);
   EXPECT_EQ(changed_sharpness(0.5F, -1.0F), 0.0F);
   EXPECT_EQ(changed_sharpness(0.0F, 1.0F), 1.0F);

@@ -27,7 +27,7 @@ class EditRunnerTest : public testing::Test {
   EditRunner runner_{session_, nullptr};
 };
 
-TEST_F(EditRunnerTest, DoesInOrderWhatWaits) {
+TEST_F(EditRunnerTest, RunsRequestedEditsInOrder) {
   EXPECT_FALSE(runner_.advance());
   for (const Request request :
        {request_collapse_edge, request_collapse_edge, request_undo, request_collapse_edge})
@@ -43,7 +43,7 @@ TEST_F(EditRunnerTest, DoesInOrderWhatWaits) {
   test::expect_valid(session_.model.mesh);
 }
 
-TEST_F(EditRunnerTest, GivesTheSameAsAScript) {
+TEST_F(EditRunnerTest, ResultEqualsThatOfScript) {
   Session script;
   show_torus(script);
   for (const Request request :
@@ -56,7 +56,7 @@ TEST_F(EditRunnerTest, GivesTheSameAsAScript) {
   EXPECT_TRUE(difference(session_.model.mesh, script.model.mesh).is_empty());
 }
 
-TEST_F(EditRunnerTest, CancellingForgetsWhatWaitsToo) {
+TEST_F(EditRunnerTest, CancelDropsRequestedEdits) {
   for (int i = 0; i < 50; ++i)
     ask(request_remove_tenth);
   runner_.advance();
@@ -66,7 +66,7 @@ TEST_F(EditRunnerTest, CancellingForgetsWhatWaitsToo) {
   EXPECT_EQ(session_.edits.history.undo_depth(), 0U);
 }
 
-TEST_F(EditRunnerTest, WhatIsDoneButCancelledIsDropped) {
+TEST_F(EditRunnerTest, CancelDropsFinishedEdit) {
   ask(request_remove_tenth);
   runner_.advance();
   while (!runner_.job()->is_done())
@@ -74,10 +74,10 @@ TEST_F(EditRunnerTest, WhatIsDoneButCancelledIsDropped) {
   runner_.cancel();
   EXPECT_TRUE(runner_.advance());
   EXPECT_EQ(session_.statistics.faces, 240U);
-  EXPECT_EQ(session_.notice, "cancelled");
+  EXPECT_EQ(session_.notice, "canceled");
 }
 
-TEST_F(EditRunnerTest, CancellingTakesTheRulesBackToThoseOfTheLevelShown) {
+TEST_F(EditRunnerTest, CancelRestoresRulesOfShownLevel) {
   ask(request_subdivide);
   runner_.finish();
   ask(request_subdivide);
@@ -90,7 +90,7 @@ TEST_F(EditRunnerTest, CancellingTakesTheRulesBackToThoseOfTheLevelShown) {
   EXPECT_EQ(session_.subdivide.scheme, Scheme::loop);
 }
 
-TEST_F(EditRunnerTest, StoppingLeavesTheModelAlone) {
+TEST_F(EditRunnerTest, StopLeavesModelUnchanged) {
   ask(request_remove_tenth);
   ask(request_remove_tenth);
   runner_.advance();
@@ -101,7 +101,7 @@ TEST_F(EditRunnerTest, StoppingLeavesTheModelAlone) {
   EXPECT_EQ(session_.notice, "");
 }
 
-TEST_F(EditRunnerTest, NothingToUndoIsSaidAtOnce) {
+TEST_F(EditRunnerTest, UndoWithoutEditsGivesNotice) {
   ask(request_undo);
   EXPECT_TRUE(runner_.advance());
   EXPECT_FALSE(runner_.is_running());

@@ -46,7 +46,7 @@ bool is_same(const Mesh& a, const Mesh& b) {
   return difference(a, b).is_empty();
 }
 
-/// Counts are those of the mesh, which is sound.
+/// Expects a valid mesh, and statistics that match it.
 void expect_consistent(const Session& session) {
   test::expect_valid(session.model.mesh);
   const Statistics fresh = statistics(session.model.mesh);
@@ -56,7 +56,7 @@ void expect_consistent(const Session& session) {
   EXPECT_EQ(session.statistics.area, fresh.area);
 }
 
-TEST(Edits, DRemovesATenthAndTheCameraStays) {
+TEST(Edits, DRemovesTenPercentAndKeepsCamera) {
   Session s = session_with(test::torus(12, 10));
   const render::Camera camera = s.camera;
   press(s, "d");
@@ -78,7 +78,7 @@ TEST(Edits, ShiftDCollapsesOneEdge) {
   EXPECT_EQ(s.statistics.faces, 238U);
   EXPECT_EQ(s.edits.last->report.collapses, 1U);
   expect_consistent(s);
-  // Only what changed is noted for the mirror.
+  // The change log, which the GPU's mirror reads, holds only the changed elements.
   EXPECT_FALSE(s.model.mesh.changes().is_whole(GpuArray::origin));
   std::uint32_t noted = 0;
   for (const ChangedRange r : s.model.mesh.changes().merged(GpuArray::origin))
@@ -86,7 +86,7 @@ TEST(Edits, ShiftDCollapsesOneEdge) {
   EXPECT_LT(noted, 60U);
 }
 
-TEST(Edits, DGoesOnToTheLastLegalCollapseAndSaysSo) {
+TEST(Edits, DStopsAtLastLegalCollapseWithNotice) {
   Session s = session_with(test::cube());
   const auto is_at_end = [&] { return s.notice.starts_with("no legal collapse is left: "); };
   for (int i = 0; i < 20 && !is_at_end(); ++i)
@@ -98,13 +98,13 @@ TEST(Edits, DGoesOnToTheLastLegalCollapseAndSaysSo) {
   const std::size_t depth = s.edits.history.undo_depth();
   press(s, "d");
   EXPECT_TRUE(s.notice.starts_with(notice)) << s.notice;
-  EXPECT_EQ(s.edits.history.undo_depth(), depth) << "nothing was done";
+  EXPECT_EQ(s.edits.history.undo_depth(), depth) << "nothing has changed";
   press(s, "shift+d");
   EXPECT_TRUE(s.notice.starts_with(notice)) << s.notice;
   expect_consistent(s);
 }
 
-TEST(Edits, UndoAndRedoRestoreTheVeryArrays) {
+TEST(Edits, UndoAndRedoRestoreArraysExactly) {
   Session s = session_with(test::join(test::torus(12, 10), test::grid(6), {0, 0, 5}));
   std::vector<Mesh> states{s.model.mesh};
   for (const char* key : {"d", "shift+d", "d", "d"}) {
@@ -127,7 +127,7 @@ TEST(Edits, UndoAndRedoRestoreTheVeryArrays) {
   EXPECT_EQ(s.notice, "nothing to redo");
 }
 
-TEST(Edits, TheSliderBringsDetailBack) {
+TEST(Edits, SliderRestoresDetail) {
   Session s = session_with(test::torus(12, 10));
   const Mesh opened = s.model.mesh;
   simplify_to(s, 120);
@@ -146,21 +146,21 @@ TEST(Edits, TheSliderBringsDetailBack) {
   EXPECT_TRUE(is_same(s.model.mesh, opened));
 }
 
-TEST(Edits, FarFromWhatWasOpenedIsSaid) {
+TEST(Edits, ResultFarFromOpenedModelGivesNotice) {
   Session s = session_with_cactus();
   simplify_to(s, 100);
   EXPECT_FALSE(s.edits.last->is_far());
   EXPECT_EQ(s.notice, "");
   simplify_to(s, 24);
   EXPECT_TRUE(s.edits.last->is_far());
-  EXPECT_NE(s.notice.find("far from what was opened: "), std::string::npos) << s.notice;
+  EXPECT_NE(s.notice.find("far from the opened model: "), std::string::npos) << s.notice;
 }
 
-/// No single step is far from the one before it.
-TEST(Edits, DAddsUpTheDistanceFromWhatWasOpened) {
+/// No single step is far from the previous one.
+TEST(Edits, DMeasuresDistanceFromOpenedModel) {
   Session s = session_with_cactus();
   press(s, "d");
-  EXPECT_FALSE(s.edits.last->error_from_opened.has_value()) << "it starts from what was opened";
+  EXPECT_FALSE(s.edits.last->error_from_opened.has_value()) << "it starts from the opened model";
   bool was_near = false;
   for (int i = 0; i < 60 && s.notice.empty(); ++i) {
     was_near = !s.edits.last->is_far();
@@ -170,10 +170,10 @@ TEST(Edits, DAddsUpTheDistanceFromWhatWasOpened) {
   ASSERT_TRUE(s.edits.last->error_from_opened.has_value());
   EXPECT_TRUE(s.edits.last->is_far());
   EXPECT_LT(s.edits.last->percent(s.edits.last->report.estimated_error), 5.0);
-  EXPECT_TRUE(s.notice.starts_with("far from what was opened: ")) << s.notice;
+  EXPECT_TRUE(s.notice.starts_with("far from the opened model: ")) << s.notice;
 }
 
-TEST(Edits, TheSliderStartsFromWhatWasOpenedNotFromWhatIsShown) {
+TEST(Edits, SliderStartsFromOpenedModel) {
   Session by_detour = session_with(test::torus(12, 10));
   press(by_detour, "d d shift+d");
   simplify_to(by_detour, 100);
@@ -182,7 +182,7 @@ TEST(Edits, TheSliderStartsFromWhatWasOpenedNotFromWhatIsShown) {
   EXPECT_TRUE(is_same(by_detour.model.mesh, direct.model.mesh));
 }
 
-TEST(Edits, SettingsReachTheSimplifier) {
+TEST(Edits, SettingsArePassedToSimplifier) {
   const SimplifySettings settings{.rules = {.cost = CostPolicy::random,
                                             .placement = Placement::midpoint,
                                             .boundary = BoundaryRule::lock,
@@ -211,7 +211,7 @@ TEST(Edits, SettingsReachTheSimplifier) {
   EXPECT_TRUE(is_same(s.model.mesh, simplify(build_mesh(test::grid(6)).mesh, same).mesh));
 }
 
-TEST(Edits, SettingsAreThoseThatHeldWhenTheEditWasRequested) {
+TEST(Edits, EditUsesSettingsAtTimeOfRequest) {
   Session early = session_with(test::grid(6));
   early.simplify.rules.cost = CostPolicy::random;
   request_remove_tenth(early);
@@ -228,7 +228,7 @@ TEST(Edits, SettingsAreThoseThatHeldWhenTheEditWasRequested) {
   EXPECT_FALSE(is_same(early.model.mesh, other.model.mesh));
 }
 
-TEST(Edits, AttributesFollowOrAreDroppedWithANoticeAndComeBack) {
+TEST(Edits, DroppedAttributesGiveNoticeAndUndoRestoresThem) {
   Session s = session_with(test::grid(6));
   Attributes& a = s.model.attributes;
   const Mesh& mesh = s.model.mesh;
@@ -245,13 +245,13 @@ TEST(Edits, AttributesFollowOrAreDroppedWithANoticeAndComeBack) {
   EXPECT_EQ(a.texcoord[17].x, 17.0F);
 }
 
-TEST(Edits, OfNothingSaySo) {
+TEST(Edits, EmptyModelGivesANotice) {
   Session s = session_with({});
   press(s, "d shift+d");
   EXPECT_EQ(s.notice, "there is nothing to simplify");
 }
 
-TEST(Edits, AnotherModelForgetsThem) {
+TEST(Edits, OpeningModelClearsHistory) {
   Session s = session_with(test::torus(12, 10));
   press(s, "d");
   Model model;
@@ -263,7 +263,7 @@ TEST(Edits, AnotherModelForgetsThem) {
   EXPECT_FALSE(s.edits.last);
 }
 
-TEST(Edits, StopWhenCancelled) {
+TEST(Edits, CanceledEditThrows) {
   Session s = session_with(test::torus(12, 10));
   request_remove_tenth(s);
   const auto task = start_next_edit(s);

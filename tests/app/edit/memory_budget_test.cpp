@@ -7,7 +7,7 @@
 namespace mesher::app {
 namespace {
 
-TEST(BytesText, TakesTheUnitThatReadsWell) {
+TEST(BytesText, ChoosesReadableUnit) {
   EXPECT_EQ(bytes_text(0), "0 B");
   EXPECT_EQ(bytes_text(999), "999 B");
   EXPECT_EQ(bytes_text(1000), "1 kB");
@@ -20,7 +20,7 @@ TEST(BytesText, TakesTheUnitThatReadsWell) {
 
 constexpr SubdivisionSize kSize{.faces = 4'000'000, .result_bytes = 100'000, .peak_bytes = 160'000};
 
-TEST(SubdivisionRefusal, IsNoneWhereItFitsWithAFifthToSpare) {
+TEST(SubdivisionRefusal, IsEmptyIfAFifthOfMemoryStaysFree) {
   EXPECT_EQ(subdivision_refusal(kSize, 2, {.available = 200'000, .copies = 1}), "");
   EXPECT_NE(subdivision_refusal(kSize, 2, {.available = 199'990, .copies = 1}), "");
   EXPECT_EQ(subdivision_refusal(
@@ -28,23 +28,23 @@ TEST(SubdivisionRefusal, IsNoneWhereItFitsWithAFifthToSpare) {
             "");
 }
 
-TEST(SubdivisionRefusal, CountsEveryCopyThatIsHeld) {
+TEST(SubdivisionRefusal, CountsEveryCopy) {
   EXPECT_EQ(subdivision_refusal(kSize, 2, {.available = 325'000, .copies = 2}), "");
   EXPECT_NE(subdivision_refusal(kSize, 2, {.available = 324'990, .copies = 2}), "");
 }
 
-TEST(SubdivisionRefusal, SaysHowMuchItWouldTakeAndHowMuchThereIs) {
+TEST(SubdivisionRefusal, NamesNeededAndFreeMemory) {
   EXPECT_EQ(subdivision_refusal(kSize, 2, {.available = 40'000, .copies = 1}),
-            "subdividing 2 times would make 4,000,000 faces and take 160 kB of memory; 40 kB are "
+            "subdividing 2 times would make 4,000,000 faces and need 160 kB of memory; 40 kB is "
             "free");
   EXPECT_NE(subdivision_refusal(kSize, 1, {.available = 40'000, .copies = 1})
                 .find("subdividing 1 time would"),
             std::string::npos);
-  EXPECT_NE(subdivision_refusal(kSize, 2, {.available = 40'000, .copies = 2}).find("take 260 kB"),
+  EXPECT_NE(subdivision_refusal(kSize, 2, {.available = 40'000, .copies = 2}).find("need 260 kB"),
             std::string::npos);
 }
 
-TEST(SubdivisionRefusal, OfTooManyFacesDoesNotDependOnMemory) {
+TEST(SubdivisionRefusal, IndexOverflowDoesNotDependOnMemory) {
   SubdivisionSize size = kSize;
   size.has_ids = false;
   EXPECT_EQ(subdivision_refusal(
@@ -52,19 +52,19 @@ TEST(SubdivisionRefusal, OfTooManyFacesDoesNotDependOnMemory) {
             "subdividing 9 times would make 4,000,000 faces or more: too many for 32-bit indices");
 }
 
-TEST(MemoryBudget, CountsWhatIsBesideTheMesh) {
+TEST(MemoryBudget, CountsMemoryBesidesMesh) {
   EXPECT_EQ(subdivision_refusal(kSize, 2, {.available = 200'000}), "");
   EXPECT_NE(subdivision_refusal(kSize, 2, {.available = 200'000, .beside = 100}), "");
 }
 
-TEST(MemoryBudget, CountsWhatIsTakenWhateverTheResult) {
+TEST(MemoryBudget, CountsMemoryOfShownModel) {
   EXPECT_EQ(subdivision_refusal(kSize, 2, {.available = 325'000, .copies = 1, .held = 100'000}),
             "");
   EXPECT_NE(subdivision_refusal(kSize, 2, {.available = 324'990, .copies = 1, .held = 100'000}),
             "");
 }
 
-TEST(MemoryBudget, TextHasThreeDigitsAtMost) {
+TEST(MemoryBudget, TextHasAtMostThreeDigits) {
   EXPECT_EQ(bytes_text(999), "999 B");
   EXPECT_EQ(bytes_text(999'400), "999 kB");
   EXPECT_EQ(bytes_text(999'999), "1 MB");

@@ -45,7 +45,7 @@ bool is_same(const Mesh& a, const Mesh& b) {
   return difference(a, b).is_empty();
 }
 
-TEST(Subdivision, SMakesFourFacesOfEachAndTheCameraStays) {
+TEST(Subdivision, SSplitsFacesIntoFourAndKeepsCamera) {
   Session s = session_with(test::cube());
   const Mesh coarse = s.model.mesh;
   const render::Camera camera = s.camera;
@@ -57,7 +57,7 @@ TEST(Subdivision, SMakesFourFacesOfEachAndTheCameraStays) {
   EXPECT_EQ(s.statistics.boundary_edges, 0U);
 }
 
-TEST(Subdivision, BowTiesStayTogetherThroughEditsAndUndo) {
+TEST(Subdivision, BowTiesKeepPositionThroughEditsAndUndo) {
   Session s = session_with(test::bow_tie({test::torus(8, 6), test::cube(), test::grid(6)}));
   const Mesh coarse = s.model.mesh;
   ASSERT_EQ(coarse.bow_tie_copies().size(), 3U);
@@ -73,7 +73,7 @@ TEST(Subdivision, BowTiesStayTogetherThroughEditsAndUndo) {
   EXPECT_TRUE(is_same(s.model.mesh, coarse));
 }
 
-TEST(Subdivision, TwiceOnceIsOnceTwice) {
+TEST(Subdivision, RepeatedStepsEqualOneSubdivisionOfSeveralLevels) {
   Session s = session_with(creased_cube());
   const Mesh coarse = s.model.mesh;
   press(s, "s s s");
@@ -98,7 +98,7 @@ TEST(Subdivision, LevelsGoUpAndDownWithoutLoss) {
   EXPECT_TRUE(is_same(s.model.mesh, levels[2]));
 }
 
-TEST(Subdivision, UndoAndRedoKnowTheLevels) {
+TEST(Subdivision, UndoAndRedoRestoreLevel) {
   Session s = session_with(creased_cube());
   const Mesh coarse = s.model.mesh;
   press(s, "s s");
@@ -115,10 +115,10 @@ TEST(Subdivision, UndoAndRedoKnowTheLevels) {
   EXPECT_TRUE(is_same(s.model.mesh, coarse));
 }
 
-TEST(Subdivision, GoesInAnyOrderWithSimplification) {
+TEST(Subdivision, CombinesWithSimplificationInAnyOrder) {
   Session s = session_with(creased_cube());
   press(s, "s s s d d");
-  EXPECT_EQ(shown_level(s), 0U);  // that is no level of anything
+  EXPECT_EQ(shown_level(s), 0U);  // the simplified model is not a level
   EXPECT_GT(s.statistics.crease_edges, 0U);
   const Mesh simplified = s.model.mesh;
   press(s, "s");
@@ -132,7 +132,7 @@ TEST(Subdivision, GoesInAnyOrderWithSimplification) {
   EXPECT_EQ(shown_level(s), 2U);
 }
 
-TEST(Subdivision, ACreaseEditStartsFromWhatIsShown) {
+TEST(Subdivision, CreaseEditStartsFromShownLevel) {
   Session s = session_with(test::cube());
   press(s, "s");
   const Mesh level = s.model.mesh;
@@ -148,7 +148,7 @@ TEST(Subdivision, ACreaseEditStartsFromWhatIsShown) {
   EXPECT_EQ(s.statistics.faces, 12U);
 }
 
-TEST(Subdivision, OtherRulesMakeTheLevelAnew) {
+TEST(Subdivision, ChangedRulesRebuildLevel) {
   Session s = session_with(creased_cube());
   const Mesh coarse = s.model.mesh;
   press(s, "s s r");
@@ -165,7 +165,7 @@ TEST(Subdivision, OtherRulesMakeTheLevelAnew) {
   EXPECT_EQ(shown_level(s), 2U);
 }
 
-TEST(Subdivision, RulesOfNothingAreKeptForLater) {
+TEST(Subdivision, RulesChangedAtLevelZeroAreKept) {
   Session s = session_with(test::cube());
   const Mesh coarse = s.model.mesh;
   press(s, "r");
@@ -174,7 +174,7 @@ TEST(Subdivision, RulesOfNothingAreKeptForLater) {
   EXPECT_EQ(s.notice, "subdivision: loop, derose98");
 }
 
-TEST(Subdivision, TheLimitComesWithItsNormals) {
+TEST(Subdivision, LimitSurfaceHasItsNormals) {
   Session s = session_with(creased_cube());
   const Mesh coarse = s.model.mesh;
   press(s, "s s");
@@ -188,18 +188,18 @@ TEST(Subdivision, TheLimitComesWithItsNormals) {
   EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.levels = 2}).mesh));
 }
 
-TEST(Subdivision, ALevelIsMadeByTheRulesThatHeldWhenItWasAskedFor) {
+TEST(Subdivision, LevelUsesRulesAtTimeOfRequest) {
   Session s = session_with(creased_cube());
   const Mesh coarse = s.model.mesh;
   run(s, "subdivide");
-  run(s, "next_scheme");  // while the first still waits
+  run(s, "next_scheme");  // while the first edit is still queued
   run_waiting_edits(s);
   EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.scheme = Scheme::butterfly}).mesh));
   press(s, "ctrl+z");
   EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {}).mesh));
 }
 
-TEST(Subdivision, TheRulesShownAreThoseOfTheLevelShown) {
+TEST(Subdivision, ShownRulesAreThoseOfShownLevel) {
   Session s = session_with(creased_cube());
   press(s, "s s r");
   EXPECT_EQ(s.subdivide.creases, CreaseRules::derose98);
@@ -207,7 +207,7 @@ TEST(Subdivision, TheRulesShownAreThoseOfTheLevelShown) {
   EXPECT_EQ(s.subdivide.creases, CreaseRules::hoppe94);
   press(s, "ctrl+y");
   EXPECT_EQ(s.subdivide.creases, CreaseRules::derose98);
-  EXPECT_EQ(level_refusal(s, kMaxLevel + 1, {}), "this is the finest level");
+  EXPECT_EQ(level_refusal(s, kMaxLevel + 1, {}), "already at the finest level");
   s.subdivide.scheme = Scheme::butterfly;
   const MemoryLimit nothing(1);
   press(s, "s");
@@ -215,7 +215,7 @@ TEST(Subdivision, TheRulesShownAreThoseOfTheLevelShown) {
   EXPECT_EQ(s.subdivide.scheme, Scheme::loop);
 }
 
-TEST(Subdivision, AnUndoLeavesAloneTheRulesThatAreAskedForAfterIt) {
+TEST(Subdivision, UndoKeepsRulesRequestedAfterIt) {
   Session s = session_with(creased_cube());
   const Mesh coarse = s.model.mesh;
   press(s, "s s");
@@ -226,7 +226,7 @@ TEST(Subdivision, AnUndoLeavesAloneTheRulesThatAreAskedForAfterIt) {
   EXPECT_EQ(s.subdivide.scheme, Scheme::butterfly);
 }
 
-TEST(Subdivision, RulesThatChangeNothingAreNotTriedAgain) {
+TEST(Subdivision, RulesWithSameResultAreNotAppliedAgain) {
   Session s = session_with(test::cube());
   press(s, "s r");
   EXPECT_EQ(s.edits.history.undo_depth(), 1U);
@@ -235,7 +235,7 @@ TEST(Subdivision, RulesThatChangeNothingAreNotTriedAgain) {
   EXPECT_FALSE(start_next_edit(s));
 }
 
-TEST(Subdivision, WhatCannotBeShownIsTakenBackForGood) {
+TEST(Subdivision, TakenBackEditCannotBeRedone) {
   Session s = session_with(creased_cube());
   EXPECT_FALSE(take_back_last_edit(s));
   press(s, "s");
@@ -254,7 +254,7 @@ TEST(Subdivision, WhatCannotBeShownIsTakenBackForGood) {
   EXPECT_EQ(s.statistics.faces, 12U);
 }
 
-TEST(Subdivision, AnUndoThatCannotBeShownIsDoneAgain) {
+TEST(Subdivision, TakingBackUndoRedoesEdit) {
   Session s = session_with(creased_cube());
   press(s, "s s shift+s shift+s");
   const Mesh coarse = s.model.mesh;
@@ -268,7 +268,7 @@ TEST(Subdivision, AnUndoThatCannotBeShownIsDoneAgain) {
   EXPECT_EQ(s.edits.history.undo_depth(), 4U);
 }
 
-TEST(Subdivision, RefusesWhatMemoryCannotHoldAndSaysHowMuch) {
+TEST(Subdivision, OutOfMemoryIsRefusedWithSize) {
   Session s = session_with(test::torus(40, 40));
   const std::string finest = level_refusal(s, 12, {});
   EXPECT_NE(finest.find("subdividing 12 times would make"), std::string::npos) << finest;
@@ -277,11 +277,11 @@ TEST(Subdivision, RefusesWhatMemoryCannotHoldAndSaysHowMuch) {
   EXPECT_NE(fine.find(" GB of memory; "), std::string::npos) << fine;
 }
 
-TEST(Subdivision, CountsWhatIsShownButNeverRefusesToGoBack) {
+TEST(Subdivision, CountsShownModelButAllowsLevelZero) {
   Session s = session_with(test::torus(100, 100));
   press(s, "s s s");
   const std::uint64_t twice = 2 * s.model.mesh.memory_bytes();
-  const MemoryLimit scarce(twice);  // level 1 takes an eighth of that
+  const MemoryLimit scarce(twice);  // level 1 needs an eighth of that
   const std::string refusal = level_refusal(s, 1, {});
   EXPECT_NE(refusal.find("of memory; "), std::string::npos) << refusal;
   EXPECT_NE(level_refusal(s, 3, {.scheme = Scheme::butterfly}), "");
@@ -291,7 +291,7 @@ TEST(Subdivision, CountsWhatIsShownButNeverRefusesToGoBack) {
   EXPECT_EQ(shown_level(s), 3U);
 }
 
-TEST(Subdivision, TheModelIsCopiedOnce) {
+TEST(Subdivision, ModelIsCopiedOnce) {
   Session s = session_with(test::cube());
   request_subdivide(s);
   const auto task = start_next_edit(s);
@@ -301,13 +301,13 @@ TEST(Subdivision, TheModelIsCopiedOnce) {
   EXPECT_EQ(s.edits.subdivision->base, s.edits.opened);
 }
 
-TEST(Subdivision, OfNothingSaysSo) {
+TEST(Subdivision, EmptyModelGivesANotice) {
   Session s;
   press(s, "s");
   EXPECT_EQ(s.notice, "there is nothing to subdivide");
 }
 
-TEST(Subdivision, CarriesTextureCoordinates) {
+TEST(Subdivision, CarriesTextureCoordinatesOver) {
   Soup soup = test::cube();
   soup.attributes.texcoord.assign(soup.corners.size(), glm::vec2(0.25F, 0.75F));
   Session s = session_with(std::move(soup));
@@ -318,7 +318,7 @@ TEST(Subdivision, CarriesTextureCoordinates) {
   EXPECT_EQ(s.model.attributes.texcoord.size(), s.model.mesh.halfedge_count());
 }
 
-TEST(Subdivision, IsInTheStateThatScriptsSee) {
+TEST(Subdivision, JsonContainsSubdivision) {
   Session s = session_with(test::cube());
   press(s, "s s l");
   const Json json = to_json(s);
@@ -328,7 +328,7 @@ TEST(Subdivision, IsInTheStateThatScriptsSee) {
   EXPECT_EQ(json["last_subdivision"]["faces"], 192);
 }
 
-TEST(Subdivision, CancelledLeavesTheModelAlone) {
+TEST(Subdivision, CancelLeavesModelUnchanged) {
   Session s = session_with(test::torus(40, 40));
   request_subdivide(s);
   const auto task = start_next_edit(s);

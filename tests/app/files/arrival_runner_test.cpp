@@ -54,7 +54,7 @@ class ArrivalRunnerTest : public testing::Test {
   ArrivalRunner arrivals_{session_, edits_, nullptr};
 };
 
-TEST_F(ArrivalRunnerTest, WhatCannotBeOpenedEndsNoWork) {
+TEST_F(ArrivalRunnerTest, FailedOpenKeepsRunningEdits) {
   ASSERT_TRUE(arrivals_.open(torus_file()));
   arrive();
   EXPECT_EQ(edits_.job(), nullptr);
@@ -70,7 +70,7 @@ TEST_F(ArrivalRunnerTest, WhatCannotBeOpenedEndsNoWork) {
   EXPECT_EQ(session_.statistics.faces, 2400U);
 }
 
-TEST_F(ArrivalRunnerTest, TheBaseEndsWhatRunsForTheModelBefore) {
+TEST_F(ArrivalRunnerTest, BaseEndsEditsOfPreviousModel) {
   request_collapse_edge(session_);
   edits_.advance();
   ASSERT_TRUE(edits_.is_running());
@@ -80,16 +80,16 @@ TEST_F(ArrivalRunnerTest, TheBaseEndsWhatRunsForTheModelBefore) {
   edits_.finish();
   EXPECT_EQ(session_.statistics.faces, 2400U);
   EXPECT_EQ(session_.edits.history.undo_depth(), 0U);
-  EXPECT_TRUE(view().has_geomorph()) << "asked for when the last split had come";
+  EXPECT_TRUE(view().has_geomorph()) << "requested after the last split";
 }
 
-TEST_F(ArrivalRunnerTest, WithoutMemoryToKeepItInTheBaseStays) {
+TEST_F(ArrivalRunnerTest, OutOfMemoryKeepsBase) {
   ASSERT_TRUE(arrivals_.open(torus_file(120, 80)));
   for (int i = 0; i < 5000 && !view().has_mesh(); ++i) {
     arrivals_.advance(0.0);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  ASSERT_TRUE(arrivals_.is_running()) << "a block at a time";
+  ASSERT_TRUE(arrivals_.is_running()) << "each call reads one block";
   {
     const MemoryLimit limit(1);
     EXPECT_NO_THROW(arrivals_.stop());
@@ -102,7 +102,7 @@ TEST_F(ArrivalRunnerTest, WithoutMemoryToKeepItInTheBaseStays) {
   EXPECT_EQ(session_.statistics.faces, session_.model.mesh.face_count());
 }
 
-TEST_F(ArrivalRunnerTest, WhoLeavesTheModeMeanwhileIsNotTakenBack) {
+TEST_F(ArrivalRunnerTest, FinishedGeomorphsDoNotReenterMode) {
   ASSERT_TRUE(arrivals_.open(torus_file()));
   arrive();
   edits_.advance();
@@ -115,7 +115,7 @@ TEST_F(ArrivalRunnerTest, WhoLeavesTheModeMeanwhileIsNotTakenBack) {
   EXPECT_TRUE(view().has_geomorph()) << "kept for the next time";
 }
 
-TEST_F(ArrivalRunnerTest, CreasesTurnedOnWhileAMeshIsMadeStayOn) {
+TEST_F(ArrivalRunnerTest, CreaseModeStaysOnWhileMeshIsBuilt) {
   set_crease_mode(session_, true);
   run(session_, "toggle_progressive");
   EXPECT_FALSE(session_.creases.is_on);
@@ -127,7 +127,7 @@ TEST_F(ArrivalRunnerTest, CreasesTurnedOnWhileAMeshIsMadeStayOn) {
   EXPECT_TRUE(session_.creases.is_on);
 }
 
-TEST_F(ArrivalRunnerTest, GeomorphsThatWereCancelledComeWithTheNextTurn) {
+TEST_F(ArrivalRunnerTest, CanceledGeomorphsAreRequestedAgain) {
   ASSERT_TRUE(arrivals_.open(torus_file()));
   arrive();
   edits_.advance();

@@ -22,7 +22,7 @@ void wait_for(const LoadJob& job) {
   ASSERT_TRUE(job.is_done());
 }
 
-TEST(LoadJob, GivesTheModelAndItsStatisticsAndWakesOnce) {
+TEST(LoadJob, ReturnsModelWithStatisticsAndWakesOnce) {
   wakes = 0;
   {
     LoadJob job(MESHER_SOURCE_DIR "/assets/cube.obj", {}, count_wake);
@@ -34,19 +34,19 @@ TEST(LoadJob, GivesTheModelAndItsStatisticsAndWakesOnce) {
   EXPECT_EQ(wakes, 1);
 }
 
-TEST(LoadJob, ThrowsWhatTheReaderThrew) {
+TEST(LoadJob, ThrowsExceptionOfReader) {
   const test::TempFolder folder;
   LoadJob job(folder.write("bad.obj", "v 0 0 0\nv 1 0 zero\n"), {}, count_wake);
   wait_for(job);
   try {
     (void)job.take();
-    FAIL() << "a bad file was opened";
+    FAIL() << "a bad file was accepted";
   } catch (const InputError& error) {
     EXPECT_EQ(error.line(), 2U);
   }
 }
 
-TEST(LoadJob, StopsWhenCancelled) {
+TEST(LoadJob, StopsWhenCanceled) {
   const test::TempFolder folder;
   std::string big;
   for (int i = 0; i < 400'000; ++i)

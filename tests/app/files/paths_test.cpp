@@ -9,14 +9,14 @@
 namespace mesher::app {
 namespace {
 
-TEST(Paths, ABareNameIsLookedForInAssets) {
+TEST(Paths, BareNameIsSearchedForInAssets) {
   EXPECT_EQ(find_model("cube.obj").parent_path().filename(), "assets");
   EXPECT_EQ(find_model("cube").filename(), "cube.obj");
   EXPECT_EQ(find_model("no_such_model.obj"), "no_such_model.obj");
-  EXPECT_EQ(find_model("./cube.obj"), "./cube.obj");  // a folder is named: no guessing
+  EXPECT_EQ(find_model("./cube.obj"), "./cube.obj");  // names with a folder are not searched for
 }
 
-TEST(Paths, AFileThatIsThereComesFirst) {
+TEST(Paths, ExistingFileTakesPrecedenceOverAssets) {
   const test::TempFolder folder;
   const auto file = folder.write("cube.obj", "");
   EXPECT_EQ(find_model(file.string()), file);
@@ -32,7 +32,7 @@ TEST(Paths, ScreenshotsDoNotOverwriteOneAnother) {
   unsetenv("XDG_PICTURES_DIR");
 }
 
-TEST(Paths, TypedPathsLoseBlanksAndQuotes) {
+TEST(Paths, TypedPathIsStrippedOfBlanksAndQuotes) {
   EXPECT_EQ(typed_path("  'a b.obj' "), "a b.obj");
   EXPECT_EQ(typed_path(" \t"), "");
   setenv("HOME", "/somewhere", 1);

@@ -46,7 +46,7 @@ class PmArrivalTest : public testing::Test {
         .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
     return file;
   }
-  /// A named pipe; open for writing until `close`.
+  /// Makes a named pipe that is open for writing until `close`.
   std::filesystem::path pipe() {
     const std::filesystem::path file = folder_ / "pipe";
     EXPECT_EQ(mkfifo(file.c_str(), 0600), 0);
@@ -56,7 +56,7 @@ class PmArrivalTest : public testing::Test {
   void put(std::size_t begin, std::size_t end) {
     EXPECT_EQ(::write(pipe_, bytes_.data() + begin, end - begin), ssize_t(end - begin));
   }
-  /// Comes back when it has been read but for what a pipe holds.
+  /// Returns when all bytes are read or fit into the buffer of the pipe.
   void put(std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
       const ssize_t count = ::write(pipe_, bytes.data(), bytes.size());
@@ -65,7 +65,7 @@ class PmArrivalTest : public testing::Test {
     }
   }
   void close() { ::close(pipe_); }
-  /// Until what has been put is there.
+  /// Advances until `is_enough` returns true.
   void advance(PmArrival& arrival, const auto& is_enough) {
     for (int i = 0; i < 5000 && !is_enough(); ++i) {
       arrival.advance(session_, 0.01);
@@ -82,7 +82,7 @@ class PmArrivalTest : public testing::Test {
   Session session_;
 };
 
-TEST_F(PmArrivalTest, KnowsWhatArrives) {
+TEST_F(PmArrivalTest, DetectsProgressiveMeshFiles) {
   EXPECT_TRUE(is_pm_file("model.pm"));
   EXPECT_TRUE(is_pm_file("MODEL.PM"));
   EXPECT_FALSE(is_pm_file("model.obj"));
@@ -94,7 +94,7 @@ TEST_F(PmArrivalTest, KnowsWhatArrives) {
   EXPECT_THROW(PmArrival("no such file.pm"), InputError);
 }
 
-TEST_F(PmArrivalTest, AFileBecomesTheModelInProgressiveMode) {
+TEST_F(PmArrivalTest, FileBecomesModelInProgressiveMode) {
   PmArrival arrival(file_of(bytes_));
   arrival.finish(session_);
   EXPECT_TRUE(arrival.is_done());
@@ -119,8 +119,8 @@ TEST_F(PmArrivalTest, AFileBecomesTheModelInProgressiveMode) {
   EXPECT_EQ(session_.statistics.faces, 19'200U);
 }
 
-TEST_F(PmArrivalTest, APipeIsShownAsFarAsItHasCome) {
-  const std::size_t most = bytes_.size() - bytes_.size() / 20;  // but for the last block
+TEST_F(PmArrivalTest, PipeIsShownWhileItLoads) {
+  const std::size_t most = bytes_.size() - bytes_.size() / 20;  // all but the last block
   PmArrival arrival(pipe());
   put(0, bytes_.size() / 4);
   arrival.wait_for_base(session_);
@@ -129,14 +129,14 @@ TEST_F(PmArrivalTest, APipeIsShownAsFarAsItHasCome) {
   EXPECT_GE(session_.statistics.faces, mesh_.base_face_count());
   put(bytes_.size() / 4, bytes_.size() / 2);
   advance(arrival, [&] { return view().mesh().split_count() > 0; });
-  EXPECT_TRUE(view().is_at_end()) << "follows what arrives";
+  EXPECT_TRUE(view().is_at_end()) << "follows the loaded splits";
   EXPECT_EQ(view().mesh().level(), view().mesh().split_count());
-  // Neither can be left nor kept yet.
+  // While the file loads, the mode cannot be left and the level cannot be used as the model.
   run(session_, "toggle_progressive");
   EXPECT_TRUE(view().is_on());
   run(session_, "keep_level");
   EXPECT_NE(session_.notice.find("still loading"), std::string::npos);
-  // A hand on the slider: what arrives no longer moves it.
+  // After the level was changed by hand, new splits no longer change it.
   run(session_, "least_detail");
   run(session_, "one_split_up");
   const std::uint32_t splits = view().mesh().split_count();
@@ -153,7 +153,7 @@ TEST_F(PmArrivalTest, APipeIsShownAsFarAsItHasCome) {
   EXPECT_NEAR(view().range().grown(view().time()), 1.0, 1e-6);
 }
 
-TEST_F(PmArrivalTest, WhatIsCutOffIsShownAndSaid) {
+TEST_F(PmArrivalTest, TruncatedFileIsShownWithError) {
   PmArrival arrival(file_of(std::span(bytes_).first(bytes_.size() / 2)));
   arrival.finish(session_);
   EXPECT_GT(session_.statistics.faces, mesh_.base_face_count());
@@ -164,7 +164,7 @@ TEST_F(PmArrivalTest, WhatIsCutOffIsShownAndSaid) {
   test::expect_valid(session_.model.mesh);
 }
 
-TEST_F(PmArrivalTest, WithoutABaseWhatWasShownStays) {
+TEST_F(PmArrivalTest, MissingBaseKeepsShownModel) {
   for (const std::size_t size : {std::size_t{0}, std::size_t{5}, std::size_t{20}}) {
     PmArrival cut(file_of(std::span(bytes_).first(size)));
     EXPECT_THROW(cut.finish(session_), InputError) << size;
@@ -176,12 +176,12 @@ TEST_F(PmArrivalTest, WithoutABaseWhatWasShownStays) {
   EXPECT_FALSE(view().has_mesh());
 }
 
-TEST_F(PmArrivalTest, NothingIsReadBehindTheLastSplitOrDamage) {
+TEST_F(PmArrivalTest, ReadingEndsAfterLastSplitOrDamage) {
   for (const bool is_damaged : {false, true}) {
     Bytes endless = bytes_;
     if (is_damaged) endless[bytes_.size() / 2] ^= std::byte{0x10};
     endless.resize(bytes_.size() + 30'000);
-    PmArrival arrival(pipe());  // that stays open: its end never comes
+    PmArrival arrival(pipe());  // the pipe stays open, so it has no end
     put(endless);
     arrival.finish(session_);
     EXPECT_TRUE(arrival.is_done());
@@ -194,12 +194,12 @@ TEST_F(PmArrivalTest, NothingIsReadBehindTheLastSplitOrDamage) {
   }
 }
 
-TEST_F(PmArrivalTest, ReadingOnBelowFullDetailTakesLargerBites) {
+TEST_F(PmArrivalTest, ReadingBelowFullDetailUsesLargerSteps) {
   const auto bites = [&](bool follows) {
     PmArrival arrival(file_of(bytes_));
     arrival.wait_for_base(session_);
     if (!follows) view().move_to(0.0);
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));  // all of it waits now
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));  // the whole file is buffered now
     int count = 0;
     for (int i = 0; i < 5000 && !arrival.is_done(); ++i) {
       if (arrival.advance(session_, 0.0)) ++count;
@@ -208,16 +208,16 @@ TEST_F(PmArrivalTest, ReadingOnBelowFullDetailTakesLargerBites) {
     EXPECT_TRUE(arrival.is_done());
     return count;
   };
-  EXPECT_GE(bites(true), 3) << "a block each, as there is no time for more";
-  EXPECT_LE(bites(false), 2) << "each takes the way up and back";
+  EXPECT_GE(bites(true), 3) << "each call reads one block, as it has no time";
+  EXPECT_LE(bites(false), 2) << "each goes to full detail and back";
 }
 
-TEST_F(PmArrivalTest, APipeWithoutAWriterIsSilentAndKeepsNobodyWaiting) {
+TEST_F(PmArrivalTest, PipeWithoutWriterDoesNotBlock) {
   const std::filesystem::path file = folder_ / "pipe";
   ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
   PmArrival arrival(file);
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  EXPECT_FALSE(arrival.has_news(session_)) << "that is not its end";
+  EXPECT_FALSE(arrival.has_news(session_)) << "no writer does not mean end of file";
   pipe_ = ::open(file.c_str(), O_WRONLY);
   std::thread writer([this] {
     put(bytes_);
@@ -229,7 +229,7 @@ TEST_F(PmArrivalTest, APipeWithoutAWriterIsSilentAndKeepsNobodyWaiting) {
   EXPECT_EQ(session_.error, "");
 }
 
-TEST_F(PmArrivalTest, StoppingKeepsWhatHasCome) {
+TEST_F(PmArrivalTest, StopKeepsLoadedPart) {
   PmArrival arrival(pipe());
   put(0, bytes_.size() / 2);
   advance(arrival, [&] { return view().has_mesh() && view().mesh().split_count() > 0; });
@@ -242,7 +242,7 @@ TEST_F(PmArrivalTest, StoppingKeepsWhatHasCome) {
   close();
 }
 
-TEST_F(PmArrivalTest, ASilentPipeKeepsNobodyWaiting) {
+TEST_F(PmArrivalTest, SilentPipeDoesNotBlock) {
   const auto begin = std::chrono::steady_clock::now();
   {
     PmArrival arrival(pipe());
@@ -252,7 +252,7 @@ TEST_F(PmArrivalTest, ASilentPipeKeepsNobodyWaiting) {
   close();
 }
 
-TEST_F(PmArrivalTest, AStreamReadsNoFurtherAheadThanItMay) {
+TEST_F(PmArrivalTest, StreamLargerThanReadAheadIsReadCompletely) {
   Bytes large(3 * ByteStream::kMostAhead, std::byte{1});
   ByteStream stream(file_of(large, "large"));
   stream.wait();

@@ -36,14 +36,14 @@ class SaveTest : public testing::Test {
   Session s_;
 };
 
-TEST_F(SaveTest, SuggestsANewNameBesideTheOpenedFile) {
+TEST_F(SaveTest, SuggestsNewNameInFolderOfOpenedFile) {
   run(s_, "save_file");
   EXPECT_TRUE(s_.saving.shows_dialog);
   EXPECT_EQ(s_.saving.typed, (folder_ / "cube-edited.ply").string());
   run(s_, "tag_creases");
   run_waiting_edits(s_);
   run(s_, "save_file");
-  EXPECT_EQ(s_.saving.typed, (folder_ / "cube-edited.obj").string()) << "PLY holds no creases";
+  EXPECT_EQ(s_.saving.typed, (folder_ / "cube-edited.obj").string()) << "PLY cannot hold creases";
   folder_.write("cube-edited.obj", "somebody's");
   run(s_, "save_file");
   EXPECT_EQ(s_.saving.typed, (folder_ / "cube-edited-2.obj").string());
@@ -52,7 +52,7 @@ TEST_F(SaveTest, SuggestsANewNameBesideTheOpenedFile) {
   EXPECT_FALSE(s_.wants_quit);
 }
 
-TEST_F(SaveTest, WhatIsSavedComesBackWithEverySharpness) {
+TEST_F(SaveTest, SavedFileRestoresEverySharpness) {
   Mesh& mesh = s_.model.mesh;
   const float values[] = {0.5F, 1.0F / 3.0F, 10.0F, kInfinitelySharp};
   std::uint32_t vertex = 0;
@@ -68,14 +68,14 @@ TEST_F(SaveTest, WhatIsSavedComesBackWithEverySharpness) {
   EXPECT_TRUE(back.report.is_clean());
 }
 
-TEST_F(SaveTest, SaysWhatTheFormatCannotHold) {
+TEST_F(SaveTest, ReportsWhatFormatCannotHold) {
   run(s_, "tag_creases");
   run_waiting_edits(s_);
   save(folder_ / "out.stl");
   EXPECT_NE(s_.notice.find("; the format cannot hold 12 creases"), std::string::npos) << s_.notice;
 }
 
-TEST_F(SaveTest, OverwritesOnlyWhatItHasAskedAbout) {
+TEST_F(SaveTest, OverwritesOnlyAfterConfirmation) {
   const auto file = folder_.write("mine.obj", "mine");
   const auto other = folder_.write("other.obj", "other");
   run(s_, "save_file");
@@ -86,7 +86,7 @@ TEST_F(SaveTest, OverwritesOnlyWhatItHasAskedAbout) {
   submit(other);
   EXPECT_EQ(s_.saving.remark, "other.obj already exists; press Enter again to overwrite it");
   submit(file);
-  EXPECT_FALSE(s_.saving.waiting) << "another name was asked about since";
+  EXPECT_FALSE(s_.saving.waiting) << "another name was submitted since";
   EXPECT_EQ(test::read_bytes(file), "mine");
   submit(file);
   ASSERT_TRUE(s_.saving.waiting);
@@ -95,15 +95,15 @@ TEST_F(SaveTest, OverwritesOnlyWhatItHasAskedAbout) {
   EXPECT_EQ(test::read_bytes(other), "other");
   run(s_, "save_file");
   submit(file);
-  EXPECT_FALSE(s_.saving.waiting) << "it asks again the next time";
+  EXPECT_FALSE(s_.saving.waiting) << "the next save asks again";
 }
 
-TEST_F(SaveTest, RefusesWhatCannotBe) {
+TEST_F(SaveTest, InvalidNamesAreRejected) {
   run(s_, "save_file");
   submit(folder_ / "cube.xyz");
   EXPECT_EQ(s_.saving.remark, "the name must end in obj, ply, stl, off, gltf or glb");
   submit("  ");
-  EXPECT_EQ(s_.saving.remark, "a name is needed");
+  EXPECT_EQ(s_.saving.remark, "enter a file name");
   EXPECT_TRUE(s_.saving.shows_dialog);
   submit(folder_ / "no such folder" / "cube.obj");
   EXPECT_THROW(run_waiting_save(s_), OutputError);
@@ -114,7 +114,7 @@ TEST_F(SaveTest, RefusesWhatCannotBe) {
   EXPECT_EQ(s_.saving.remark, "there is nothing to save");
 }
 
-TEST_F(SaveTest, OneDialogAtATime) {
+TEST_F(SaveTest, OpeningDialogClosesOther) {
   run(s_, "open_file");
   run(s_, "save_file");
   EXPECT_FALSE(s_.shows_open_dialog);

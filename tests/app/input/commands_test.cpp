@@ -40,7 +40,7 @@ TEST(Commands, NoKeyIsBoundTwice) {
   EXPECT_EQ(command_for({"w", false, true}), nullptr);
 }
 
-TEST(Commands, EachHasItsOwnIdAndAHelpText) {
+TEST(Commands, EachHasUniqueIdAndHelpText) {
   std::set<std::string> ids;
   for (const Command& command : commands()) {
     EXPECT_TRUE(ids.insert(command.id).second) << command.id;
@@ -52,7 +52,7 @@ TEST(Commands, EachHasItsOwnIdAndAHelpText) {
   EXPECT_EQ(command_named("no_such_command"), nullptr);
 }
 
-TEST(Commands, WhatCannotRunNowSaysWhyAndChangesNothing) {
+TEST(Commands, BlockedCommandGivesNoticeAndChangesNothing) {
   Session s = session_with_cube();
   for (const Command& command : commands()) {
     if (command.blocked == nullptr) continue;
@@ -81,19 +81,19 @@ TEST(Commands, GTogglesGouraud) {
   EXPECT_EQ(s.settings.shading, Shading::flat);
 }
 
-TEST(Commands, ThereIsAlwaysSomethingToSee) {
+TEST(Commands, SurfaceOrWireframeIsAlwaysShown) {
   Session s = session_with_cube();
   press(s, "shift+w");
   EXPECT_EQ(s.settings.shading, Shading::none);
   EXPECT_TRUE(s.settings.wireframe);
-  press(s, "w");  // no lines any more: the surface comes back
+  press(s, "w");  // hides the wireframe, so the surface is shown again
   EXPECT_FALSE(s.settings.wireframe);
   EXPECT_EQ(s.settings.shading, Shading::flat);
   press(s, "shift+w shift+w");
   EXPECT_EQ(s.settings.shading, Shading::flat);
 }
 
-TEST(Commands, ViewsLookAlongTheAxes) {
+TEST(Commands, ViewKeysLookAlongAxes) {
   Session s = session_with_cube();
   press(s, "1");
   EXPECT_NEAR(s.camera.forward().z, -1.0, 1e-12);
@@ -107,7 +107,7 @@ TEST(Commands, ViewsLookAlongTheAxes) {
   EXPECT_FALSE(s.camera.is_orthographic());
 }
 
-TEST(Commands, FFramesTheModelAgain) {
+TEST(Commands, FFramesModel) {
   Session s = session_with_cube();
   const render::Camera before = s.camera;
   s.camera.zoom(7.0);
@@ -126,7 +126,7 @@ TEST(Commands, HelpHasThreeKeys) {
   }
 }
 
-TEST(Commands, EscapeClosesTheInnermostThingFirst) {
+TEST(Commands, EscapeClosesInnermostFirst) {
   Session s = session_with_cube();
   s.error = "bad file";
   press(s, "h ctrl+o");
@@ -143,7 +143,7 @@ TEST(Commands, EscapeClosesTheInnermostThingFirst) {
   EXPECT_TRUE(s.wants_quit);
 }
 
-TEST(Commands, PanelBackgroundScreenshotAndQuit) {
+TEST(Commands, PanelBackgroundScreenshotAndQuitKeysWork) {
   Session s = session_with_cube();
   press(s, "tab b f12");
   EXPECT_FALSE(s.shows_info);
@@ -176,7 +176,7 @@ TEST(Commands, EditsAreQueuedInOrder) {
   EXPECT_EQ(s.notice, "nothing to redo");
 }
 
-TEST(Session, ShowingAModelCountsAndFramesIt) {
+TEST(Session, ShowModelCountsAndFramesIt) {
   Session s = session_with_cube();
   EXPECT_EQ(s.statistics.faces, 12U);
   EXPECT_EQ(s.model_generation, 1U);

@@ -39,7 +39,7 @@ TEST_F(GesturesTest, LeftDragOrbits) {
   EXPECT_EQ(session_.camera.distance(), before_.distance());
 }
 
-TEST_F(GesturesTest, ShiftDragAndRightDragPanAlike) {
+TEST_F(GesturesTest, ShiftDragAndRightDragPanEqually) {
   drag(MouseButton::left, true, {100, 100}, {160, 130});
   const glm::dvec3 pivot = session_.camera.pivot();
   EXPECT_NE(pivot, before_.pivot());
@@ -52,14 +52,14 @@ TEST_F(GesturesTest, ShiftDragAndRightDragPanAlike) {
   EXPECT_EQ(session_.camera.pivot(), pivot);
 }
 
-TEST_F(GesturesTest, MovingWithoutAButtonDoesNothing) {
+TEST_F(GesturesTest, MoveWithoutButtonDoesNothing) {
   EXPECT_FALSE(gestures_.move({300, 300}));
   EXPECT_TRUE(session_.camera == before_);
   drag(MouseButton::left, false, {100, 100}, {100, 100});
   EXPECT_TRUE(session_.camera == before_);
 }
 
-TEST_F(GesturesTest, TheWheelZoomsTowardTheCursor) {
+TEST_F(GesturesTest, WheelZoomsTowardCursor) {
   gestures_.scroll(2.0, {300, 100});
   EXPECT_LT(session_.camera.distance(), before_.distance());
   EXPECT_GT(glm::dot(session_.camera.pivot() - before_.pivot(), before_.right()), 0.0);
@@ -69,7 +69,7 @@ TEST_F(GesturesTest, TheWheelZoomsTowardTheCursor) {
   EXPECT_NEAR(glm::distance(session_.camera.pivot(), before_.pivot()), 0.0, 1e-12);
 }
 
-TEST_F(GesturesTest, ADoubleClickRecentresOnTheSurface) {
+TEST_F(GesturesTest, DoubleClickRecentersOnSurface) {
   session_.camera.set_view(render::View::front);
   gestures_.press(MouseButton::left, {}, {230, 180}, 1.0);
   gestures_.release();
@@ -79,7 +79,7 @@ TEST_F(GesturesTest, ADoubleClickRecentresOnTheSurface) {
   EXPECT_GT(session_.camera.pivot().x, 0.0);
 }
 
-TEST_F(GesturesTest, TwoSlowOrDistantClicksAreNoDoubleClick) {
+TEST_F(GesturesTest, SlowOrDistantClicksAreNoDoubleClick) {
   gestures_.press(MouseButton::left, {}, {230, 180}, 1.0);
   gestures_.release();
   gestures_.press(MouseButton::left, {}, {230, 180}, 1.5);
@@ -89,7 +89,7 @@ TEST_F(GesturesTest, TwoSlowOrDistantClicksAreNoDoubleClick) {
   EXPECT_TRUE(session_.camera == before_);
 }
 
-TEST_F(GesturesTest, ADoubleClickBesideTheModelChangesNothing) {
+TEST_F(GesturesTest, DoubleClickBesideModelChangesNothing) {
   gestures_.press(MouseButton::left, {}, {2, 2}, 1.0);
   gestures_.release();
   gestures_.press(MouseButton::left, {}, {2, 2}, 1.1);
@@ -97,7 +97,7 @@ TEST_F(GesturesTest, ADoubleClickBesideTheModelChangesNothing) {
   EXPECT_TRUE(session_.camera == before_);
 }
 
-/// The front of the cube; its diagonal runs through the middle of the window.
+/// Shows the front of the cube; its diagonal runs through the middle of the window.
 class CreaseGesturesTest : public GesturesTest {
  protected:
   CreaseGesturesTest() {
@@ -115,10 +115,10 @@ class CreaseGesturesTest : public GesturesTest {
   static constexpr glm::dvec2 kOff{250, 200};
 };
 
-TEST_F(CreaseGesturesTest, AClickPicksOnRelease) {
+TEST_F(CreaseGesturesTest, ClickSelectsEdgeOnRelease) {
   gestures_.press(MouseButton::left, {}, kMiddle, 1.0);
   EXPECT_EQ(selected(), 0U);
-  gestures_.move(kMiddle + glm::dvec2(2, 1));  // a hand is never still
+  gestures_.move(kMiddle + glm::dvec2(2, 1));  // the pointer may move a little
   gestures_.release();
   EXPECT_EQ(selected(), 1U);
   EXPECT_TRUE(session_.camera == before_);
@@ -126,16 +126,16 @@ TEST_F(CreaseGesturesTest, AClickPicksOnRelease) {
   EXPECT_EQ(selected(), 0U);
 }
 
-TEST_F(CreaseGesturesTest, ADragTurnsAndPicksNothing) {
+TEST_F(CreaseGesturesTest, DragOrbitsAndSelectsNothing) {
   drag(MouseButton::left, false, kMiddle, {260, 230});
   EXPECT_EQ(selected(), 0U);
   render::Camera expected = before_;
   expected.orbit({60, 30}, session_.window);
-  EXPECT_TRUE(session_.camera == expected) << "all of the way counts";
+  EXPECT_TRUE(session_.camera == expected) << "the whole path counts";
   session_.camera = before_;
   drag(MouseButton::left, true, kMiddle, {260, 230});
   EXPECT_NE(session_.camera.pivot(), before_.pivot());
-  // There and back is a drag, too.
+  // Moving away and back is also a drag.
   gestures_.press(MouseButton::left, {}, kMiddle, 5.0);
   gestures_.move(kMiddle + glm::dvec2(30, 0));
   gestures_.move(kMiddle);
@@ -143,7 +143,7 @@ TEST_F(CreaseGesturesTest, ADragTurnsAndPicksNothing) {
   EXPECT_EQ(selected(), 0U);
 }
 
-TEST_F(CreaseGesturesTest, CtrlAddsAndOtherButtonsDoNotPick) {
+TEST_F(CreaseGesturesTest, CtrlClickTogglesAndOtherButtonsDoNotSelect) {
   click({}, kMiddle, 1.0);
   const glm::dvec2 top = session_.camera.places(session_.window).of({0.1, 0.5, 0.5});
   click({.control = true}, top + glm::dvec2(0, 2), 2.0);
@@ -155,7 +155,7 @@ TEST_F(CreaseGesturesTest, CtrlAddsAndOtherButtonsDoNotPick) {
   EXPECT_EQ(selected(), 1U);
 }
 
-TEST_F(CreaseGesturesTest, ADoubleClickPicksTheChainAndLeavesTheCamera) {
+TEST_F(CreaseGesturesTest, DoubleClickSelectsChainAndKeepsCamera) {
   Model model;
   model.mesh = build_mesh(test::grid(6)).mesh;
   show_model(session_, std::move(model), "grid.obj");

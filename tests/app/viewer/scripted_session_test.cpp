@@ -30,7 +30,7 @@ class ScriptedSessionTest : public testing::Test {
   ScriptedSession script_{session_, {.device = "", .validation = true}};
 };
 
-TEST_F(ScriptedSessionTest, PicturesFollowTheKeys) {
+TEST_F(ScriptedSessionTest, PicturesFollowKeys) {
   const Image flat = script_.picture();
   EXPECT_EQ(flat.width, 160U);
   EXPECT_EQ(flat.height, 120U);
@@ -42,14 +42,14 @@ TEST_F(ScriptedSessionTest, PicturesFollowTheKeys) {
   script_.expect_no_messages();
 }
 
-TEST_F(ScriptedSessionTest, AnotherModelIsAnotherPicture) {
+TEST_F(ScriptedSessionTest, AnotherModelGivesAnotherPicture) {
   const Image cube = script_.picture();
   show(test::torus(20, 10));
   EXPECT_NE(script_.picture().rgba, cube.rgba);
   script_.expect_no_messages();
 }
 
-TEST_F(ScriptedSessionTest, TheScreenshotKeyWritesWhatIsShown) {
+TEST_F(ScriptedSessionTest, ScreenshotKeyWritesShownPicture) {
   const test::TempFolder folder;
   setenv("XDG_PICTURES_DIR", folder.path().c_str(), 1);
   script_.press(parse_keys("g f12"));
@@ -58,13 +58,13 @@ TEST_F(ScriptedSessionTest, TheScreenshotKeyWritesWhatIsShown) {
   EXPECT_NE(session_.notice.find("mesher-cube.png"), std::string::npos);
 }
 
-TEST_F(ScriptedSessionTest, StopsAtQuitAndRefusesKeysThatDoNothing) {
+TEST_F(ScriptedSessionTest, StopsAtQuitAndRejectsUnboundKeys) {
   script_.press(parse_keys("q w"));
   EXPECT_FALSE(session_.settings.wireframe);
   EXPECT_THROW(script_.press(parse_keys("f9")), UsageError);
 }
 
-TEST_F(ScriptedSessionTest, EditsAreDoneBeforeTheNextKey) {
+TEST_F(ScriptedSessionTest, EditsRunBeforeNextKey) {
   show(test::torus(12, 10));
   const Image full = script_.picture();
   script_.press(parse_keys("d d"));
@@ -76,7 +76,7 @@ TEST_F(ScriptedSessionTest, EditsAreDoneBeforeTheNextKey) {
   script_.expect_no_messages();
 }
 
-TEST_F(ScriptedSessionTest, CreasesAndTheSelectionAreSeen) {
+TEST_F(ScriptedSessionTest, CreasesAndSelectionAreDrawn) {
   const Image plain = script_.picture();
   script_.press(parse_keys("shift+c"));
   EXPECT_EQ(script_.picture().rgba, plain.rgba) << "neither the mode nor the wireframe is on";
@@ -93,12 +93,12 @@ TEST_F(ScriptedSessionTest, CreasesAndTheSelectionAreSeen) {
   EXPECT_EQ(script_.picture().rgba, selection.rgba);
   script_.press(parse_keys("esc"));
   EXPECT_EQ(script_.picture().rgba, creases.rgba);
-  script_.press(parse_keys("ctrl+a d c"));  // other edges: nothing stays marked
+  script_.press(parse_keys("ctrl+a d c"));  // the edges have changed: the selection is cleared
   EXPECT_TRUE(session_.creases.selected.empty());
   script_.expect_no_messages();
 }
 
-TEST(ScriptedSession, NamesTheDevicesWhereNoneMatches) {
+TEST(ScriptedSession, UnknownDeviceThrows) {
   Session session;
   ScriptedSession script(session, {.device = "no such device", .validation = false});
   EXPECT_THROW((void)script.picture(), DeviceError);

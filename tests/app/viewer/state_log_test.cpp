@@ -13,7 +13,7 @@
 namespace mesher::app {
 namespace {
 
-TEST(StateLog, WritesALineOnlyWhenSomethingChanged) {
+TEST(StateLog, WritesLineOnlyOnChange) {
   const test::TempFolder folder;
   Session session;
   StateLog log(folder / "state");
@@ -25,7 +25,7 @@ TEST(StateLog, WritesALineOnlyWhenSomethingChanged) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
 }
 
-TEST(StateLog, SaysWhereThePointerIsIfThereIsOne) {
+TEST(StateLog, ContainsPointerIfThereIsOne) {
   const test::TempFolder folder;
   const Session session;
   StateLog log(folder / "state");
@@ -44,7 +44,7 @@ TEST(StateLog, SaysWhereThePointerIsIfThereIsOne) {
   EXPECT_EQ(Json::parse(line)["pointer"]["pressed"], true);
 }
 
-TEST(StateLog, RefusesAFolderThatIsNotThere) {
+TEST(StateLog, MissingFolderThrows) {
   EXPECT_THROW(StateLog("/no/such/folder/state"), OutputError);
 }
 
