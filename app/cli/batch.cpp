@@ -143,8 +143,7 @@ LoadedLevels load_levels(const InputOptions& input, const CommonOptions& common)
   if (input.tag_creases_deg) {
     throw UsageError(
         "--tag-creases: cannot be used with a progressive mesh, which keeps the creases of the "
-        "model "
-        "that it was built from");
+        "model that it was built from");
   }
   ProgressLine line(!common.quiet);
   PmContents contents = read_pm_file(file, line.progress());

@@ -84,8 +84,7 @@ std::unique_ptr<PmArrival> open_model(Session& session, const InputOptions& inpu
   if (input.tag_creases_deg) {
     throw UsageError(
         "--tag-creases: cannot be used with a progressive mesh, which keeps the creases of the "
-        "model "
-        "that it was built from");
+        "model that it was built from");
   }
   auto arrival = std::make_unique<PmArrival>(file);
   if (view.screenshot.empty()) {
