@@ -142,9 +142,8 @@ LoadedLevels load_levels(const InputOptions& input, const CommonOptions& common)
   if (!is_pm_file(file)) return {load(input, common), {}};
   if (input.tag_creases_deg) {
     throw UsageError(
-        "--tag-creases: cannot be used with a progressive mesh, which keeps the creases that it "
-        "was "
-        "built with");
+        "--tag-creases: cannot be used with a progressive mesh, which keeps the creases of the "
+        "model that it was built from");
   }
   ProgressLine line(!common.quiet);
   PmContents contents = read_pm_file(file, line.progress());

@@ -83,9 +83,8 @@ std::unique_ptr<PmArrival> open_model(Session& session, const InputOptions& inpu
   }
   if (input.tag_creases_deg) {
     throw UsageError(
-        "--tag-creases: cannot be used with a progressive mesh, which keeps the creases that it "
-        "was "
-        "built with");
+        "--tag-creases: cannot be used with a progressive mesh, which keeps the creases of the "
+        "model that it was built from");
   }
   auto arrival = std::make_unique<PmArrival>(file);
   if (view.screenshot.empty()) {

@@ -49,7 +49,7 @@ class History {
   void undo(Model& model, Statistics& statistics);
   /// As `undo`, but neither this edit nor those undone before it can be redone. Returns the edit.
   Edit take_back(Model& model, Statistics& statistics);
-  /// Redoes the edit that was undone last. Pre: redo_depth() > 0, and the same.
+  /// Redoes the edit that was undone last. Pre: redo_depth() > 0; the same for the model.
   void redo(Model& model, Statistics& statistics);
 
   std::size_t undo_depth() const { return done_.size(); }

@@ -23,7 +23,8 @@ class EditRunner {
   const Job* job() const { return job_.get(); }
   /// Cancels the running edit, with a notice, and drops the requested ones.
   void cancel();
-  /// As `cancel`, without a notice. Returns when the edit has ended. Call before the model goes.
+  /// As `cancel`, without a notice. Returns when the edit has ended. Call before the model is
+  /// replaced.
   void stop();
   /// Ends the running edit without a notice. Call after its model was replaced. The requested edits
   /// are kept, because they are meant for the new model.

@@ -33,9 +33,8 @@ void draw_levels(Session& session) {
   label("level");
   ImGui::Text("%u", level);
   tooltip(
-      "The model before subdivision is kept, so you can change the level and the rules at any "
-      "time\n"
-      "without loss.");
+      "The model before subdivision is kept, so you can change the level and the rules at any\n"
+      "time without loss.");
 }
 
 }  // namespace
