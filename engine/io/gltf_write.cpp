@@ -11,6 +11,7 @@
 #include "engine/core/error.h"
 #include "engine/io/base64.h"
 #include "engine/io/block_writer.h"
+#include "engine/mesh/circulators.h"
 #include "engine/mesh/statistics.h"
 
 namespace mesher {
@@ -59,12 +60,13 @@ template <class Same>
 Halfedge start_of_run(const Mesh& mesh, Vertex v, Same&& same) {
   const Halfedge start = mesh.outgoing(v);
   if (mesh.is_boundary(v)) return start;
-  Halfedge h = start;
-  do {
-    const Halfedge before = mesh.rotate_cw(h);
-    if (!same(h, before)) return h;
-    h = before;
-  } while (h != start);
+  Circulator<Mesh, Turn::cw> at(mesh, start);
+  bool has_more = true;
+  while (has_more) {
+    const Halfedge h = *at;
+    has_more = at.advance();
+    if (!same(h, *at)) return h;
+  }
   return start;
 }
 
@@ -87,14 +89,13 @@ SplitVertices split_vertices(const Mesh& mesh, const Attributes& attributes,
       add(v, Halfedge());
       continue;
     }
-    const Halfedge start = start_of_run(mesh, v, same);
+    Circulator at(mesh, start_of_run(mesh, v, same));
     Halfedge last;
-    for (Halfedge h = start; h.is_valid() && (h != start || !last.is_valid());
-         h = mesh.rotate_ccw(h)) {
-      if (!last.is_valid() || !same(h, last)) add(v, h);
-      split.index[h.index()] = static_cast<std::uint32_t>(split.vertex.size() - 1);
-      last = h;
-    }
+    do {
+      if (!last.is_valid() || !same(*at, last)) add(v, *at);
+      last = *at;
+      split.index[last.index()] = static_cast<std::uint32_t>(split.vertex.size() - 1);
+    } while (at.advance());
   }
   return split;
 }

@@ -1,17 +1,86 @@
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <iterator>
+#include <span>
 
 #include "engine/mesh/mesh.h"
 
 namespace mesher {
 
-/// A counter-clockwise sweep around a vertex, starting at outgoing(v). The projection defines the
-/// value of each step. A step is a *spoke*: an edge at the vertex. A boundary vertex has one spoke
-/// more than faces, and its last spoke has only an incoming half-edge. Projections that yield edges
-/// or neighbors include the last spoke; those that yield faces or outgoing half-edges do not. O(1)
-/// per step, O(valence) in total. Any edit of the mesh invalidates the iterators.
+/// What a walk around a vertex needs: the next half-edge out of the same vertex in either
+/// direction, or none past a boundary. A Mesh has it, and so have one level of a subdivision
+/// (LevelView), an array of twins (TwinView), and a mesh as it will be after a collapse.
+template <class C>
+concept Connectivity = requires(const C& connectivity, Halfedge h) {
+  { connectivity.rotate_ccw(h) } -> std::same_as<Halfedge>;
+  { connectivity.rotate_cw(h) } -> std::same_as<Halfedge>;
+};
+
+/// The connectivity that an array of twins gives.
+struct TwinView {
+  std::span<const Halfedge> twin;
+
+  Halfedge rotate_ccw(Halfedge h) const { return twin[Mesh::prev(h).index()]; }
+  Halfedge rotate_cw(Halfedge h) const {
+    const Halfedge t = twin[h.index()];
+    return t.is_valid() ? Mesh::next(t) : t;
+  }
+};
+
+enum class Turn { ccw, cw };
+
+/// Visits the half-edges out of a vertex one after the other:
+///
+///   Circulator at(mesh, mesh.outgoing(v));
+///   do visit(*at); while (at.advance());
+///
+/// O(1) per step. Refers to the connectivity. Pre: `start` is valid.
+template <Connectivity C, Turn direction = Turn::ccw>
+class Circulator {
+ public:
+  Circulator() = default;
+  Circulator(const C& connectivity, Halfedge start)
+      : connectivity_(&connectivity), start_(start), at_(start) {}
+
+  Halfedge operator*() const { return at_; }
+
+  /// Moves to the next half-edge. Returns false if there is none: the walk has come back to its
+  /// start, or has met the boundary.
+  bool advance() {
+    at_ = direction == Turn::ccw ? connectivity_->rotate_ccw(at_) : connectivity_->rotate_cw(at_);
+    return at_.is_valid() && at_ != start_;
+  }
+
+  /// Returns whether the walk came back to its start rather than to a boundary. Pre: `advance` has
+  /// returned false.
+  bool is_closed() const { return at_.is_valid(); }
+
+ private:
+  const C* connectivity_ = nullptr;
+  Halfedge start_;
+  Halfedge at_;
+};
+
+/// Returns the half-edge, out of the same vertex as `h`, at which a counter-clockwise walk visits
+/// all faces: the one on the boundary, or `h` itself if the faces close around the vertex.
+/// O(valence).
+template <Connectivity C>
+Halfedge first_of_fan(const C& connectivity, Halfedge h) {
+  Circulator<C, Turn::cw> at(connectivity, h);
+  Halfedge first = h;
+  while (at.advance())
+    first = *at;
+  return at.is_closed() ? h : first;
+}
+
+/// A counter-clockwise sweep around a vertex, starting at outgoing(v), as a range. The projection
+/// defines the value of each step. A step is a *spoke*: an edge at the vertex. A boundary vertex
+/// has one spoke more than faces, and its last spoke has only an incoming half-edge. Projections
+/// that yield edges or neighbors include the last spoke; those that yield faces or outgoing
+/// half-edges do not. O(1) per step, O(valence) in total. Any edit of the mesh invalidates the
+/// iterators.
 template <class Projection>
 class Around {
  public:
@@ -22,21 +91,17 @@ class Around {
     using iterator_concept = std::forward_iterator_tag;
 
     Iterator() = default;
-    Iterator(const Mesh& mesh, Halfedge start) : mesh_(&mesh), start_(start), at_(start) {}
+    Iterator(const Mesh& mesh, Halfedge start) : mesh_(&mesh), walk_(mesh, start), at_(start) {}
 
     value_type operator*() const { return Projection::value(*mesh_, at_, is_last_spoke_); }
 
     Iterator& operator++() {
-      const Halfedge incoming = Mesh::prev(at_);
-      const Halfedge onward = mesh_->twin(incoming);
-      if (is_last_spoke_ || onward == start_) {
-        at_ = Halfedge{};
-      } else if (onward.is_valid()) {
-        at_ = onward;
-      } else {
-        at_ = Projection::kYieldsLastSpoke ? incoming : Halfedge{};
-        is_last_spoke_ = true;
+      if (!is_last_spoke_ && walk_.advance()) {
+        at_ = *walk_;
+        return *this;
       }
+      is_last_spoke_ = !is_last_spoke_ && !walk_.is_closed();
+      at_ = Projection::kYieldsLastSpoke && is_last_spoke_ ? Mesh::prev(at_) : Halfedge{};
       return *this;
     }
     Iterator operator++(int) {
@@ -48,7 +113,7 @@ class Around {
 
    private:
     const Mesh* mesh_ = nullptr;
-    Halfedge start_;
+    Circulator<Mesh> walk_;
     Halfedge at_;
     bool is_last_spoke_ = false;
   };

@@ -1,4 +1,5 @@
 #include "engine/mesh/manifold_cutter.h"
+#include "engine/mesh/circulators.h"
 
 #include <algorithm>
 #include <cmath>
@@ -107,17 +108,16 @@ void ManifoldCutter::pair_crowd(std::span<const std::uint32_t> crowd) {
 }
 
 bool ManifoldCutter::has_single_fans() const {
+  const TwinView twins{mesh_.twin};
   const auto met = parallel_sum<std::uint64_t>(
       mesh_.outgoing.size(), std::size_t{1} << 14, [&](IndexRange range) {
         std::uint64_t count = 0;
         for (std::size_t v = range.begin; v < range.end; ++v) {
-          const Halfedge start = mesh_.outgoing[v];
-          Halfedge h = start;
-          while (h.is_valid()) {
+          if (!mesh_.outgoing[v].is_valid()) continue;
+          Circulator at(twins, mesh_.outgoing[v]);
+          do {
             ++count;
-            h = mesh_.twin[Mesh::prev(h).index()];
-            if (h == start) break;
-          }
+          } while (at.advance());
         }
         return count;
       });
@@ -128,13 +128,9 @@ bool ManifoldCutter::has_single_fans() const {
 void ManifoldCutter::split_vertices() {
   std::vector<bool> is_done(mesh_.origin.size(), false);
   std::vector<bool> is_taken(original_vertices_, false);
+  const TwinView twins{mesh_.twin};
   for (std::uint32_t i = 0; i < mesh_.origin.size(); ++i) {
     if (is_done[i]) continue;
-    Halfedge start(i);
-    for (Halfedge t = mesh_.twin[i]; t.is_valid(); t = mesh_.twin[start.index()]) {
-      start = Mesh::next(t);
-      if (start.index() == i) break;
-    }
     const Vertex v = mesh_.origin[i];
     Vertex name = v;
     if (is_taken[v.index()]) {
@@ -145,11 +141,11 @@ void ManifoldCutter::split_vertices() {
       split_from_.push_back(v);
     }
     is_taken[v.index()] = true;
-    for (Halfedge h = start; h.is_valid() && !is_done[h.index()];
-         h = mesh_.twin[Mesh::prev(h).index()]) {
-      is_done[h.index()] = true;
-      mesh_.origin[h.index()] = name;
-    }
+    Circulator at(twins, first_of_fan(twins, Halfedge(i)));
+    do {
+      is_done[(*at).index()] = true;
+      mesh_.origin[(*at).index()] = name;
+    } while (at.advance());
   }
 }
 

@@ -56,12 +56,7 @@ void MeshEditor::move_fan(Vertex from, Vertex to) {
 }
 
 void MeshEditor::start_fan_at_boundary(Vertex v, Halfedge spoke) {
-  Halfedge start = spoke;
-  for (Halfedge h = mesh_.rotate_cw(spoke); h.is_valid() && h != spoke; h = mesh_.rotate_cw(h)) {
-    start = h;
-  }
-  // A closed fan may start anywhere, so `spoke` will do.
-  set_outgoing(v, mesh_.is_boundary(start) ? start : spoke);
+  set_outgoing(v, first_of_fan(mesh_, spoke));
 }
 
 void MeshEditor::merge_bow_tie_copies(Vertex removed, Vertex kept, const glm::vec3& p) {

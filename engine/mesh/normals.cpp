@@ -47,7 +47,7 @@ glm::dvec3 weighted_normal(const Mesh& mesh, Halfedge h, const glm::dvec3& cross
 }
 
 /// The corners around one vertex, in order, and the edges at which its normals are split.
-class Fan {
+class CornerFan {
  public:
   void gather(const Mesh& mesh, Vertex v, const CornerNormalOptions& options) {
     corners_.clear();
@@ -165,7 +165,7 @@ Array<glm::vec3> vertex_normals(const Mesh& mesh, NormalWeight weight) {
 Array<glm::vec3> corner_normals(const Mesh& mesh, const CornerNormalOptions& options) {
   Array<glm::vec3> normals(mesh.halfedge_count());
   parallel_for(mesh.vertex_count(), kGrain, [&](IndexRange range) {
-    Fan fan;
+    CornerFan fan;
     for (std::size_t v = range.begin; v < range.end; ++v) {
       fan.gather(mesh, Vertex(static_cast<std::uint32_t>(v)), options);
       fan.write(normals);
@@ -177,7 +177,7 @@ Array<glm::vec3> corner_normals(const Mesh& mesh, const CornerNormalOptions& opt
 void update_corner_normals(const Mesh& mesh, Vertex v, const CornerNormalOptions& options,
                            Array<glm::vec3>& normals) {
   MESHER_ASSERT(normals.size() == mesh.halfedge_count());
-  Fan fan;
+  CornerFan fan;
   fan.gather(mesh, v, options);
   fan.write(normals);
 }

@@ -1,4 +1,5 @@
 #include "engine/mesh/validate.h"
+#include "engine/mesh/circulators.h"
 
 #include <algorithm>
 #include <array>
@@ -120,18 +121,15 @@ class Validator {
 
   void check_fan(Vertex v, Halfedge start, std::uint32_t degree) {
     std::uint32_t met = 0;
-    bool is_open = false;
-    Halfedge h = start;
+    Circulator at(mesh_, start);
     do {
       ++met;
-      h = mesh_.rotate_ccw(h);
-      is_open = !h.is_valid();
-    } while (!is_open && h != start && met <= degree);
+    } while (at.advance() && met <= degree);
     if (met != degree) {
       fail(8, name(v) + ": a sweep visits " + std::to_string(met) + " of " +
                   std::to_string(degree) + " half-edges");
     }
-    if (is_open && mesh_.twin(start).is_valid()) {
+    if (!at.is_closed() && mesh_.twin(start).is_valid()) {
       fail(9, name(v) + ": the sweep does not start at the boundary");
     }
   }

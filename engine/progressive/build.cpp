@@ -7,6 +7,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/mesh/bow_tie_follower.h"
+#include "engine/mesh/circulators.h"
 #include "engine/progressive/split_step.h"
 #include "engine/simplify/simplify.h"
 
@@ -372,14 +373,13 @@ class ProgressiveBuilder {
   void gather_moved(const VertexSplit& split, bool is_pair) {
     auto& moved = result_.mesh.moved_;
     const Halfedge end(is_pair ? 3 * split.first_face + 4 : kNone);
+    const TwinView twins{arrays_.twin};
     Halfedge h = split.beyond[1];
-    for (; h.is_valid() && h != end; h = twin(Mesh::prev(h)))
+    for (; h.is_valid() && h != end; h = twins.rotate_ccw(h))
       moved.push_back(h);
     if (h == end) return;
-    for (Halfedge t = split.beyond[2]; t.is_valid(); t = twin(h)) {
-      h = Mesh::next(t);
+    for (h = twins.rotate_cw(end); h.is_valid(); h = twins.rotate_cw(h))
       moved.push_back(h);
-    }
   }
 
   /// Returns outgoing(parent) before the split: by P3, or the begin of the fan at a boundary.

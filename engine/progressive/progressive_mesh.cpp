@@ -5,9 +5,9 @@
 
 #include "engine/mesh/outgoing.h"
 #include "engine/progressive/opened_arrays.h"
+#include "engine/progressive/parent_fan.h"
 #include "engine/progressive/split_appender.h"
 #include "engine/progressive/split_step.h"
-#include "engine/progressive/spokes.h"
 
 namespace mesher {
 namespace {
@@ -15,22 +15,6 @@ namespace {
 // A longer way is recorded as a change of everything: beyond about this many ranges, one large copy
 // is cheaper than many small ones.
 constexpr std::uint32_t kLongWay = 4096;
-
-/// Number of faces at a vertex, and whether they close around it.
-struct FanSize {
-  std::uint32_t faces = 0;
-  bool is_closed = false;
-
-  FanSize(const Mesh& mesh, Vertex v) {
-    const Halfedge start = mesh.outgoing(v);
-    Halfedge h = start;
-    do {
-      ++faces;
-      h = mesh.rotate_ccw(h);
-    } while (h.is_valid() && h != start);
-    is_closed = h.is_valid();
-  }
-};
 
 }  // namespace
 
@@ -103,10 +87,9 @@ bool ProgressiveMesh::can_append(Vertex parent, const SplitCut& cut) const {
   const std::uint32_t vertices = base_vertices_ + level_;
   if (parent.index() >= vertices || mesh_.is_isolated(parent)) return false;
   if (full_faces_ > kMostFaces || vertices >= kNone - 1) return false;
-  const FanSize fan(mesh_, parent);
-  const std::uint32_t slots = fan.is_closed ? fan.faces : fan.faces + 1;
+  const std::uint32_t slots = mesh_.valence(parent);
   if (cut.left >= slots) return false;
-  if (cut.right == kNone) return !fan.is_closed;
+  if (cut.right == kNone) return mesh_.is_boundary(parent);
   return cut.right < slots && cut.left != cut.right;
 }
 
@@ -131,12 +114,12 @@ void ProgressiveMesh::append(const NewSplit& split) {
 NewSplit ProgressiveMesh::next_split() const {
   const VertexSplit& s = splits_[level_];
   Array<Halfedge> memory;
-  const ParentSlots slots(gather_fan(mesh_, s.parent, memory));
+  const ParentFan fan = gather_fan(mesh_, s.parent, memory);
   NewSplit split{.parent = s.parent,
-                 .cut = {.left = slots.slot_of(s.beyond[1])},
+                 .cut = {.left = fan.slot_of(s.beyond[1])},
                  .parent_position = s.fine_position,
                  .child_position = s.child_position};
-  if (face_count(level_ + 1) - s.first_face == 2) split.cut.right = slots.slot_of(s.beyond[3]);
+  if (face_count(level_ + 1) - s.first_face == 2) split.cut.right = fan.slot_of(s.beyond[3]);
   if (!sharpness_.empty()) split.sharpness = sharpness_[level_];
   if (!corner_sharpness_.empty()) {
     split.parent_corner_sharpness = corner_sharpness_[level_].fine_parent;

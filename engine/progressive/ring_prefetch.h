@@ -6,7 +6,8 @@ namespace mesher {
 
 /// Prefetches the ring of the next parent, one step at a time, while other work is done, so that
 /// its data is in cache when read. Does not affect the result: it reads the mesh as it is before
-/// the current split.
+/// the current split. No circulator: the mesh changes between its steps, so it must not rely on
+/// coming back to its start.
 class RingPrefetch {
  public:
   /// `v` may be none, or a vertex that does not exist yet: not one of the first `vertices`.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "engine/progressive/spokes.h"
+#include "engine/progressive/parent_fan.h"
 
 namespace mesher {
 namespace {
@@ -28,37 +28,37 @@ struct Parts {
 };
 
 /// Appends the corners that move to the child, in the order of P4.
-void add_moved(const ParentSlots& slots, const Parts& parts, Array<Halfedge>& moved) {
-  const auto at = [&](std::uint32_t slot) { return slots.out.begin() + slot; };
+void add_moved(const ParentFan& fan, const Parts& parts, Array<Halfedge>& moved) {
+  const auto at = [&](std::uint32_t slot) { return fan.out.begin() + slot; };
   if (parts.is_inner_child) {
     moved.insert(moved.end(), at(parts.begin), at(parts.end));
     return;
   }
-  moved.insert(moved.end(), at(parts.end), slots.out.end());
+  moved.insert(moved.end(), at(parts.end), fan.out.end());
   moved.insert(moved.end(), at(0), at(parts.begin));
-  if (!slots.is_closed) std::reverse(moved.end() - parts.begin, moved.end());
+  if (!fan.is_closed) std::reverse(moved.end() - parts.begin, moved.end());
 }
 
 /// Fills in fine_outgoing and child_outgoing.
-void find_outgoing(const ParentSlots& slots, const Parts& parts, bool is_pair, VertexSplit& split) {
+void find_outgoing(const ParentFan& fan, const Parts& parts, bool is_pair, VertexSplit& split) {
   const std::uint32_t e = 3 * split.first_face;
   // The outer part of an open fan has the boundary. If the cut is there, its first side is a new
   // one.
   const auto start = [&](std::uint32_t opened) {
-    return parts.begin == 0 ? Halfedge(opened) : slots.out.front();
+    return parts.begin == 0 ? Halfedge(opened) : fan.out.front();
   };
   if (!is_pair) {
     split.child_outgoing = Halfedge(e);
     split.fine_outgoing = start(e + 1);
     return;
   }
-  const auto all = slots.out;
+  const auto all = fan.out;
   Halfedge outer;
-  if (!slots.is_closed) {
+  if (!fan.is_closed) {
     outer = start(parts.is_inner_child ? e + 1 : e + 4);
   } else {
     // The first spoke is the lowest of all (P3).
-    outer = parts.begin == 0 ? lowest(all.subspan(parts.end)) : slots.out.front();
+    outer = parts.begin == 0 ? lowest(all.subspan(parts.end)) : fan.out.front();
   }
   const Halfedge inner = lowest(all.subspan(parts.begin, parts.end - parts.begin));
   split.child_outgoing = parts.is_inner_child ? inner : outer;
@@ -87,12 +87,11 @@ SplitAppender::~SplitAppender() {
 }
 
 void SplitAppender::append(const NewSplit& split, const ParentFan& fan) {
-  const ParentSlots slots(fan);
   const bool is_pair = split.cut.right != kNone;
   const std::size_t moved = mesh_.moved_.size();
   try {
-    write_record(split, slots, mesh_.splits_.emplace_back());
-    add_moved(slots, Parts(split.cut, slots.size()), mesh_.moved_);
+    write_record(split, fan, mesh_.splits_.emplace_back());
+    add_moved(fan, Parts(split.cut, fan.size()), mesh_.moved_);
     add_sharpness(split);
   } catch (...) {
     mesh_.splits_.resize(mesh_.level_);
@@ -112,7 +111,7 @@ void SplitAppender::append(const NewSplit& split, const ParentFan& fan) {
 
 // Writes the record in place. Assembling it elsewhere with small stores and copying it with large
 // loads would stall on store forwarding.
-void SplitAppender::write_record(const NewSplit& split, const ParentSlots& slots,
+void SplitAppender::write_record(const NewSplit& split, const ParentFan& fan,
                                  VertexSplit& record) const {
   const auto& [left, right] = split.cut;
   const std::uint32_t parent = split.parent.index();
@@ -120,14 +119,14 @@ void SplitAppender::write_record(const NewSplit& split, const ParentSlots& slots
   record.first_face = mesh_.full_faces_;
   record.first_moved = static_cast<std::uint32_t>(mesh_.moved_.size());
   record.coarse_outgoing = at_.outgoing[parent];
-  record.beyond[0] = slots.into(left);
-  record.beyond[1] = slots.out_of(left);
-  record.beyond[2] = right != kNone ? slots.into(right) : Halfedge{};
-  record.beyond[3] = right != kNone ? slots.out_of(right) : Halfedge{};
+  record.beyond[0] = fan.into(left);
+  record.beyond[1] = fan.out_of(left);
+  record.beyond[2] = right != kNone ? fan.into(right) : Halfedge{};
+  record.beyond[3] = right != kNone ? fan.out_of(right) : Halfedge{};
   record.coarse_position = at_.position[parent];
   record.fine_position = split.parent_position;
   record.child_position = split.child_position;
-  find_outgoing(slots, Parts(split.cut, slots.size()), right != kNone, record);
+  find_outgoing(fan, Parts(split.cut, fan.size()), right != kNone, record);
 }
 
 void SplitAppender::add_sharpness(const NewSplit& split) {

@@ -3,13 +3,12 @@
 #include <cstdint>
 
 #include "engine/progressive/opened_arrays.h"
+#include "engine/progressive/parent_fan.h"
 #include "engine/progressive/progressive_mesh.h"
 #include "engine/progressive/split_step.h"
 #include "engine/progressive/vertex_split.h"
 
 namespace mesher {
-
-struct ParentSlots;
 
 /// Appends splits to a progressive mesh, with memory for all of them allocated at the start. While
 /// it exists, the mesh's arrays are longer than its level needs, and nothing else may change them.
@@ -28,7 +27,7 @@ class SplitAppender {
   void append(const NewSplit& split, const ParentFan& fan);
 
  private:
-  void write_record(const NewSplit& split, const ParentSlots& slots, VertexSplit& record) const;
+  void write_record(const NewSplit& split, const ParentFan& fan, VertexSplit& record) const;
   void add_sharpness(const NewSplit& split);
 
   ProgressiveMesh& mesh_;

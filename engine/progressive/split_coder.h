@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "engine/core/array.h"
+#include "engine/progressive/parent_fan.h"
 #include "engine/progressive/pm_format.h"
 #include "engine/progressive/progressive_mesh.h"
 #include "engine/progressive/range_coder.h"

@@ -4,7 +4,9 @@
 #include <glm/vec3.hpp>
 
 #include "engine/core/array.h"
+#include "engine/mesh/circulators.h"
 #include "engine/mesh/mesh.h"
+#include "engine/progressive/parent_fan.h"
 #include "engine/progressive/pm_format.h"
 #include "engine/progressive/vertex_split.h"
 
@@ -27,19 +29,17 @@ class SplitRing {
   template <class Position>
   bool gather(const Mesh& mesh, Vertex v, const Position& position) {
     at_ = position(v);
-    const Halfedge start = mesh.outgoing(v);
-    Halfedge h = start;
+    Circulator at(mesh, mesh.outgoing(v));
     std::uint32_t count = 0;
     do {
       if (count == kPmMostFan) return false;
       if (count + 1 >= out_.size()) resize(2 * count + 32);
-      out_[count] = h;
-      add(count++, mesh.target(h), position);
-      last_ = Mesh::prev(h);
-      h = mesh.twin(last_);
-    } while (h.is_valid() && h != start);
+      out_[count] = *at;
+      add(count++, mesh.target(*at), position);
+    } while (at.advance());
     faces_ = count;
-    is_closed_ = h.is_valid();
+    is_closed_ = at.is_closed();
+    last_ = Mesh::prev(out_[count - 1]);
     if (!is_closed_) add(count, mesh.origin(last_), position);
     return true;
   }

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <span>
 
 #include "engine/mesh/ids.h"
 
@@ -64,13 +63,6 @@ struct SplitCut {
   std::uint32_t left = 0;
   std::uint32_t right = kNone;  ///< kNone: one face
   friend bool operator==(const SplitCut&, const SplitCut&) = default;
-};
-
-/// The half-edges out of a parent, counter-clockwise from outgoing(parent), and whether their faces
-/// close around it.
-struct ParentFan {
-  std::span<const Halfedge> out;
-  bool is_closed = false;
 };
 
 /// A split as stored in a file: only what cannot be derived.

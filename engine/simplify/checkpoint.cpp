@@ -2,18 +2,17 @@
 
 #include <algorithm>
 
+#include "engine/mesh/circulators.h"
+
 namespace mesher {
 
 Checkpoint::Checkpoint(const Mesh& mesh, std::span<const Vertex> live) {
   vertices_.reserve(live.size());
   for (const Vertex v : live) {
-    const Halfedge start = mesh.outgoing(v);
-    vertices_.push_back({v, start, mesh.position(v), mesh.sharpness(v)});
-    for (Halfedge h = start; h.is_valid();) {
+    vertices_.push_back({v, mesh.outgoing(v), mesh.position(v), mesh.sharpness(v)});
+    for (const Halfedge h : halfedges_around(mesh, v)) {
       // Copy each face once, at its lowest vertex.
       if (v < std::min(mesh.target(h), mesh.origin(Mesh::prev(h)))) copy_face(mesh, Mesh::face(h));
-      h = mesh.rotate_ccw(h);
-      if (h == start) break;
     }
   }
 }

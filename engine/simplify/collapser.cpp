@@ -23,12 +23,10 @@ constexpr std::size_t kFreshSpokes = 64;
 /// Calls `visit` for the half-edges out of `v`, at most `limit` of them.
 template <class Visit>
 void visit_spokes(const Mesh& mesh, Vertex v, std::size_t limit, const Visit& visit) {
-  const Halfedge start = mesh.outgoing(v);
-  Halfedge h = start;
+  Circulator at(mesh, mesh.outgoing(v));
   do {
-    visit(h);
-    h = mesh.rotate_ccw(h);
-  } while (h.is_valid() && h != start && --limit > 0);
+    visit(*at);
+  } while (--limit > 0 && at.advance());
 }
 
 /// Computes the first costs of the edges owned by a range of vertices.

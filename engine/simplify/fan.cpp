@@ -4,6 +4,8 @@
 #include <array>
 #include <glm/geometric.hpp>
 
+#include "engine/mesh/circulators.h"
+
 namespace mesher {
 namespace {
 
@@ -29,19 +31,19 @@ float folded_area(const FaceShape& a, const FaceShape& b) {
   return glm::dot(a.normal, b.normal) < kFoldedCosine ? std::min(a.area, b.area) : 0.0F;
 }
 
-/// Rotates around the merged vertex as if the edge's faces were removed: the faces beyond them
-/// become adjacent.
-class MergedSweep {
+/// The connectivity at the merged vertex, as if the edge's faces were removed: the faces beyond
+/// them become adjacent.
+class MergedView {
  public:
-  MergedSweep(const Mesh& mesh, Halfedge h) : mesh_(mesh), h_(h), t_(mesh.twin(h)) {}
+  MergedView(const Mesh& mesh, Halfedge h) : mesh_(mesh), h_(h), t_(mesh.twin(h)) {}
 
-  Halfedge ccw(Halfedge spoke) const {
+  Halfedge rotate_ccw(Halfedge spoke) const {
     const Halfedge onward = mesh_.rotate_ccw(spoke);
     if (onward == Mesh::next(h_)) return mesh_.rotate_ccw(h_);
     if (t_.is_valid() && onward == Mesh::next(t_)) return mesh_.rotate_ccw(t_);
     return onward;
   }
-  Halfedge cw(Halfedge spoke) const {
+  Halfedge rotate_cw(Halfedge spoke) const {
     const Halfedge onward = mesh_.rotate_cw(spoke);
     if (!onward.is_valid()) return onward;
     if (onward == h_) return mesh_.rotate_cw(Mesh::next(h_));
@@ -108,8 +110,9 @@ bool Fan::gather_closed(const Mesh& mesh, std::size_t limit) {
   const Halfedge end_at_origin = Mesh::next(t);
   const Halfedge end = Mesh::next(edge_);
   const Halfedge first_at_target = mesh.rotate_ccw(t);
-  // One loop around both ends of the edge, with a branch-free jump from one to the other: the ends
-  // of two separate loops would be unpredictable.
+  // One loop around both ends of the edge, with a branch-free jump from one to the other: a
+  // circulator over MergedView tests twice per step for the edge's faces, and its ends would be
+  // unpredictable.
   const std::uint32_t jump = end_at_origin.index() ^ first_at_target.index();
   const auto onward = [&](Halfedge s) {
     return Halfedge(s.index() ^ (jump & (0U - static_cast<std::uint32_t>(s == end_at_origin))));
@@ -138,22 +141,18 @@ bool Fan::append(const Mesh& mesh, Halfedge spoke, std::size_t limit) {
 }
 
 bool Fan::gather_open(const Mesh& mesh, std::size_t limit) {
-  const MergedSweep sweep(mesh, edge_);
-  const Halfedge any = sweep.any();
-  if (!any.is_valid()) return true;
-  // Rewind to the first spoke; go all the way around if only the edge itself is on the boundary.
-  Halfedge start = any;
+  const MergedView merged(mesh, edge_);
+  Halfedge start = merged.any();
+  if (!start.is_valid()) return true;
   std::size_t steps = 0;
-  for (Halfedge s = sweep.cw(any); s.is_valid() && s != any; s = sweep.cw(s)) {
-    start = s;
+  for (Circulator<MergedView, Turn::cw> back(merged, start); back.advance(); start = *back) {
     if (++steps > limit) return false;
   }
-  Halfedge last;
-  for (Halfedge s = start; s.is_valid(); s = sweep.ccw(s)) {
-    if (!append(mesh, s, limit)) return false;
-    last = s;
-  }
-  ring_[size_] = mesh.origin(Mesh::prev(last));
+  Circulator at(merged, start);
+  do {
+    if (!append(mesh, *at, limit)) return false;
+  } while (at.advance());
+  ring_[size_] = mesh.origin(Mesh::prev(spokes_[size_ - 1]));
   return true;
 }
 

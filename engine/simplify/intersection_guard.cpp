@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "engine/mesh/circulators.h"
+
 namespace mesher {
 namespace {
 
@@ -33,10 +35,7 @@ std::vector<Face> faces_of(const Surface& surface, std::uint32_t region,
   std::vector<Face> faces;
   faces.reserve(2 * vertices.size());
   for (const Vertex v : vertices) {
-    if (mesh.is_isolated(v)) continue;
-    const Halfedge start = mesh.outgoing(v);
-    Halfedge h = start;
-    do {
+    for (const Halfedge h : halfedges_around(mesh, v)) {
       const Vertex a = mesh.target(h);
       const Vertex b = mesh.origin(Mesh::prev(h));
       // Add each face once, at its lowest corner.
@@ -44,8 +43,7 @@ std::vector<Face> faces_of(const Surface& surface, std::uint32_t region,
           surface.state(b).region == region) {
         faces.push_back(Mesh::face(h));
       }
-      h = mesh.rotate_ccw(h);
-    } while (h.is_valid() && h != start);
+    }
   }
   return faces;
 }

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "engine/core/array.h"
+#include "engine/mesh/circulators.h"
 #include "engine/mesh/ids.h"
 #include "engine/mesh/mesh.h"
 #include "engine/subdivide/point.h"
@@ -24,6 +25,9 @@ struct LevelView {
   /// Returns the position of the origin of `h`.
   Point from(Halfedge h) const { return point(origin[h.index()]); }
   Point to(Halfedge h) const { return from(Mesh::next(h)); }
+
+  Halfedge rotate_ccw(Halfedge h) const { return TwinView{twin}.rotate_ccw(h); }
+  Halfedge rotate_cw(Halfedge h) const { return TwinView{twin}.rotate_cw(h); }
 };
 
 /// The same arrays, owned. `twin` and `outgoing` are empty on a last level without connectivity.

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/core/assert.h"
+#include "engine/mesh/circulators.h"
 #include "engine/subdivide/sharp_masks.h"
 #include "engine/subdivide/sharpness.h"
 
@@ -33,16 +34,13 @@ void LocalRing::gather(const LevelView& level, const Features& features, const S
   own_ = vertex.own;
   halfedges_.clear();
   spokes_.clear();
-  const Halfedge start = level.outgoing[vertex.v.index()];
-  Halfedge h = start;
-  Halfedge incoming;
+  Circulator at(level, level.outgoing[vertex.v.index()]);
   do {
-    halfedges_.push_back(h);
-    spokes_.push_back({.end = level.position[level.origin[Mesh::next(h).index()].index()]});
-    incoming = Mesh::prev(h);
-    h = level.twin[incoming.index()];
-  } while (h.is_valid() && h != start);
-  if (!h.is_valid()) {
+    halfedges_.push_back(*at);
+    spokes_.push_back({.end = level.position[level.origin[Mesh::next(*at).index()].index()]});
+  } while (at.advance());
+  const Halfedge incoming = Mesh::prev(halfedges_.back());
+  if (!at.is_closed()) {
     spokes_.push_back({.end = level.position[level.origin[incoming.index()].index()]});
   }
   note_sharpness(level, features, vertex, incoming);

@@ -4,6 +4,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/prefetch.h"
+#include "engine/mesh/circulators.h"
 #include "engine/subdivide/refine.h"
 #include "engine/subdivide/ring_masks.h"
 
@@ -149,12 +150,10 @@ void place_hubs(const LevelView& coarse, const Rings& rings, Level& finer) {
     const std::uint32_t valence = rings.base_valence(v);
     if (valence < kHubValence) continue;
     glm::dvec3 ring(0.0);
-    const Halfedge start = coarse.outgoing[v];
-    Halfedge h = start;
+    Circulator at(coarse, coarse.outgoing[v]);
     do {
-      ring += glm::dvec3(coarse.position[coarse.origin[Mesh::next(h).index()].index()]);
-      h = coarse.twin[Mesh::prev(h).index()];
-    } while (h.is_valid() && h != start);
+      ring += glm::dvec3(coarse.position[coarse.origin[Mesh::next(*at).index()].index()]);
+    } while (at.advance());
     const RingMask mask = loop_vertex_mask(valence);
     finer.position[v] = mask.own * glm::dvec3(coarse.position[v]) + mask.each * ring;
   }

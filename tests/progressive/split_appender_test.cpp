@@ -9,7 +9,7 @@
 #include "engine/core/memory.h"
 #include "engine/mesh/outgoing.h"
 #include "engine/progressive/build.h"
-#include "engine/progressive/spokes.h"
+#include "engine/progressive/parent_fan.h"
 #include "tests/progressive/checks.h"
 #include "tests/support/meshes.h"
 
