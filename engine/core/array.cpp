@@ -11,7 +11,7 @@
 #include "engine/core/memory.h"
 
 // g++ defines a macro; clang++ has a feature test.
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(MESHER_SANITIZED)
 #define MESHER_ADDRESS_SANITIZER
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer)

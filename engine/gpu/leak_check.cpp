@@ -1,6 +1,6 @@
 #include "engine/gpu/leak_check.h"
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef MESHER_SANITIZED
 
 #include <dlfcn.h>
 

@@ -75,7 +75,9 @@ Array<Vertex> morton_order(std::span<const glm::vec3> positions, std::span<const
   const float scale = longest > 0.0F ? (0.5F * cells - 1.0F) / longest : 0.0F;
   const float shift = grid.shift * 0.5F * cells;
   const auto cell = [&](float x, float low) {
-    return spread(static_cast<std::uint32_t>((x - low) * scale + shift));
+    const float at = (x - low) * scale + shift;
+    // Not so for sizes beyond the range of float.
+    return at < cells ? spread(static_cast<std::uint32_t>(at)) : 0U;
   };
   Array<Item> items(vertices.size());
   Array<Item> sorted(vertices.size());

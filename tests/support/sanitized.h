@@ -4,7 +4,7 @@ namespace mesher::test {
 
 /// Whether the sanitizers are on. They make everything several times slower, so that tests of large
 /// sizes use smaller ones under them: the release build runs the full sizes.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef MESHER_SANITIZED
 inline constexpr bool kSanitized = true;
 #else
 inline constexpr bool kSanitized = false;
