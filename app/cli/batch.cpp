@@ -65,7 +65,7 @@ void say_damage(const LoadedModel& loaded) {
       "; using the intact part before it: " + with_commas(loaded.pm->faces) + " faces");
 }
 
-void print_pm(const PmSummary& pm) {
+void print_pm(const io::PmSummary& pm) {
   print("progressive mesh", pm.coordinate_bits == 0
                                 ? std::string("lossless")
                                 : std::to_string(pm.coordinate_bits) + "-bit positions");
@@ -89,7 +89,7 @@ void print_json(const Json& json) {
   std::cout << to_text(json) << '\n';
 }
 
-void add_pm(Json& json, const std::optional<PmSummary>& pm, const char* key) {
+void add_pm(Json& json, const std::optional<io::PmSummary>& pm, const char* key) {
   if (pm) json[key] = to_json(*pm);
 }
 
@@ -98,18 +98,19 @@ void say(const std::string& words) {
 }
 
 void check_format(const std::string& output) {
-  writable_format(output);
+  io::writable_format(output);
 }
 
 void check_output(const std::string& output) {
   check_format(output);
-  AtomicFile::check(output);
+  io::AtomicFile::check(output);
 }
 
 std::vector<std::string> write_result(const std::string& output, const Model& model,
                                       const CommonOptions& common) {
-  const std::vector<std::string> losses = losses_in_format(output, model.mesh, model.attributes);
-  write_model(output, model.mesh, model.attributes);
+  const std::vector<std::string> losses =
+      io::losses_in_format(output, model.mesh, model.attributes);
+  io::write_model(output, model.mesh, model.attributes);
   if (!common.quiet) {
     const std::string cannot_hold = output + " cannot hold ";
     for (const std::string& loss : losses)
@@ -139,14 +140,14 @@ LoadedModel load(const InputOptions& input, const CommonOptions& common) {
 
 LoadedLevels load_levels(const InputOptions& input, const CommonOptions& common) {
   const std::filesystem::path file = find_model(input.model);
-  if (!is_pm_file(file)) return {load(input, common), {}};
+  if (!io::is_pm_file(file)) return {load(input, common), {}};
   if (input.tag_creases_deg) {
     throw UsageError(
         "--tag-creases: cannot be used with a progressive mesh, which keeps the creases of the "
         "model that it was built from");
   }
   ProgressLine line(!common.quiet);
-  PmContents contents = read_pm_file(file, line.progress());
+  io::PmContents contents = io::read_pm_file(file, line.progress());
   LoadedModel loaded{{}, {}, file, std::move(contents.summary)};
   loaded.model.name = file.filename().string();
   loaded.model.mesh = contents.mesh.mesh();
@@ -171,8 +172,9 @@ void run_convert(const InputOptions& input, const std::string& output, bool asci
   const Mesh& mesh = loaded.model.mesh;
   // Most formats cannot represent an empty mesh, and their readers would reject one.
   if (mesh.face_count() == 0) throw InputError(loaded.file.string(), 0, "has no faces to convert");
-  const std::vector<std::string> losses = losses_in_format(output, mesh, loaded.model.attributes);
-  write_model(output, mesh, loaded.model.attributes, {.ascii = ascii});
+  const std::vector<std::string> losses =
+      io::losses_in_format(output, mesh, loaded.model.attributes);
+  io::write_model(output, mesh, loaded.model.attributes, {.ascii = ascii});
   if (!common.quiet) {
     for (const std::string& loss : losses) {
       std::cerr << "mesher: " << output << " cannot hold " << loss << '\n';
@@ -197,18 +199,19 @@ void run_compare(const InputOptions& first, const InputOptions& second, std::uin
       throw InputError(model->file.string(), 0, "has no faces to compare");
     }
   }
-  SurfaceDistance distance;
+  analysis::SurfaceDistance distance;
   std::uint64_t first_pairs = 0;
   std::uint64_t second_pairs = 0;
-  DistanceInterval certified;
+  analysis::DistanceInterval certified;
   {
     ProgressLine line(!common.quiet);
     certified =
-        hausdorff_bounds(a.model.mesh, b.model.mesh, {.progress = line.progress()}).two_sided();
-    distance = surface_distance(a.model.mesh, b.model.mesh,
-                                {.samples = samples, .progress = line.progress()});
-    first_pairs = count_self_intersections(a.model.mesh, line.progress());
-    second_pairs = count_self_intersections(b.model.mesh, line.progress());
+        analysis::hausdorff_bounds(a.model.mesh, b.model.mesh, {.progress = line.progress()})
+            .two_sided();
+    distance = analysis::surface_distance(a.model.mesh, b.model.mesh,
+                                          {.samples = samples, .progress = line.progress()});
+    first_pairs = analysis::count_self_intersections(a.model.mesh, line.progress());
+    second_pairs = analysis::count_self_intersections(b.model.mesh, line.progress());
   }
   if (common.json) {
     Json json = to_json(distance, certified);
@@ -221,7 +224,7 @@ void run_compare(const InputOptions& first, const InputOptions& second, std::uin
     add_pm(json, b.pm, "second_pm");
     return print_json(json);
   }
-  const auto row = [&](const char* label, const OneSidedDistance& side) {
+  const auto row = [&](const char* label, const analysis::OneSidedDistance& side) {
     print(label, "rms " + short_number(side.rms) + " (" + short_number(distance.percent(side.rms)) +
                      " %), mean " + short_number(side.mean) + ", max " + short_number(side.max) +
                      " (" + short_number(distance.percent(side.max)) + " %)");

@@ -29,7 +29,7 @@ void say(const std::string& words);
 /// Prints `json` on stdout.
 void print_json(const Json& json);
 /// Adds the summary of a progressive mesh, if one was read, under `key`.
-void add_pm(Json& json, const std::optional<PmSummary>& pm, const char* key = "pm");
+void add_pm(Json& json, const std::optional<io::PmSummary>& pm, const char* key = "pm");
 /// Throws UsageError if no writable format has the file's ending.
 void check_format(const std::string& output);
 /// As above; also throws OutputError if the file cannot be written. Call before the work starts.
@@ -47,7 +47,7 @@ LoadedModel load(const InputOptions& input, const CommonOptions& common);
 /// A model, and all its levels if its file holds a progressive mesh.
 struct LoadedLevels {
   LoadedModel loaded;  ///< in full detail
-  std::optional<ProgressiveMesh> levels;
+  std::optional<progressive::ProgressiveMesh> levels;
 };
 /// As `load`, for commands that use the levels. Also throws UsageError if creases are to be tagged
 /// on a progressive mesh.

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 struct Source {
   LoadedModel loaded;  ///< in full detail
   /// Its sources are empty if it was read from a file. It is empty if parts are pruned.
-  Progressive progressive;
+  progressive::Progressive progressive;
   double diagonal() const { return loaded.statistics.box.diagonal(); }
 };
 
@@ -57,7 +57,7 @@ std::uint32_t faces_for(double ratio, std::uint32_t faces) {
 }
 
 std::vector<fs::path> files_for(const fs::path& output, std::size_t levels) {
-  if (writable_format(output).write_levels != nullptr) return {output};
+  if (io::writable_format(output).write_levels != nullptr) return {output};
   std::vector<fs::path> files;
   for (std::size_t i = 0; i < levels; ++i)
     files.push_back(level_file(output, i));
@@ -79,17 +79,17 @@ Source read_source(const InputOptions& input, double least_ratio, const LodArgum
   }
   SimplifyArguments simplify = arguments.simplify;
   simplify.faces = faces_for(least_ratio, mesh.face_count());
-  SimplifyOptions options = simplify_options(simplify, mesh.face_count(), 1.0);
-  if (!arguments.ratios) options.stop_before_error = kFarFromInput * source.diagonal();
+  simplify::SimplifyOptions options = simplify_options(simplify, mesh.face_count(), 1.0);
+  if (!arguments.ratios) options.stop_before_error = simplify::kFarFromInput * source.diagonal();
   ProgressLine line(!common.quiet);
   begin_stage(line.progress(), "simplifying");
   options.progress = line.progress();
-  source.progressive = make_progressive(mesh, options);
+  source.progressive = progressive::make_progressive(mesh, options);
   return source;
 }
 
 /// Computes normals if the model has some and they could not be carried over.
-void complete_normals(const Model& full, const Mesh& mesh, CarriedAttributes& carried) {
+void complete_normals(const Model& full, const Mesh& mesh, simplify::CarriedAttributes& carried) {
   if (full.attributes.normal.empty() || !carried.attributes.normal.empty()) return;
   carried.attributes.normal = corner_normals(mesh, {});
   for (std::string& dropped : carried.dropped) {
@@ -98,17 +98,17 @@ void complete_normals(const Model& full, const Mesh& mesh, CarriedAttributes& ca
 }
 
 /// Returns the attributes that can be carried over to `mesh`, a level of the source.
-CarriedAttributes attributes_of(const Source& source, const Mesh& mesh) {
+simplify::CarriedAttributes attributes_of(const Source& source, const Mesh& mesh) {
   const Model& full = source.loaded.model;
   if (full.attributes.is_empty()) return {};
   Array<Face> face_source(mesh.face_count());
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
     face_source[f] = Mesh::face(source.progressive.face_source[f]);
   const std::span<const Vertex> vertex_source = source.progressive.vertex_source;
-  CarriedAttributes carried =
-      carry_attributes(full.attributes, full.mesh.origins(),
-                       Survivors{mesh, vertex_source.first(mesh.vertex_count()), face_source,
-                                 full.mesh.vertex_count()});
+  simplify::CarriedAttributes carried =
+      simplify::carry_attributes(full.attributes, full.mesh.origins(),
+                                 simplify::Survivors{mesh, vertex_source.first(mesh.vertex_count()),
+                                                     face_source, full.mesh.vertex_count()});
   complete_normals(full, mesh, carried);
   return carried;
 }
@@ -116,7 +116,7 @@ CarriedAttributes attributes_of(const Source& source, const Mesh& mesh) {
 /// Leaves the progressive mesh at the coarsest of these levels.
 std::vector<Level> make_levels(Source& source, const std::vector<double>& ratios,
                                const std::vector<double>& coverage) {
-  ProgressiveMesh& progressive = source.progressive.mesh;
+  progressive::ProgressiveMesh& progressive = source.progressive.mesh;
   std::vector<Level> levels;
   for (std::size_t i = 0; i < ratios.size(); ++i) {
     Level level{.ratio = ratios[i], .coverage = coverage[i]};
@@ -128,7 +128,7 @@ std::vector<Level> make_levels(Source& source, const std::vector<double>& ratios
     } else {
       progressive.go_to(level.level);
       level.mesh = progressive.mesh();
-      CarriedAttributes carried = attributes_of(source, level.mesh);
+      simplify::CarriedAttributes carried = attributes_of(source, level.mesh);
       level.attributes = std::move(carried.attributes);
       level.dropped = std::move(carried.dropped);
     }
@@ -153,13 +153,14 @@ std::vector<Level> make_pruned_levels(const Source& source, const std::vector<do
     Level level{.ratio = ratios[i], .coverage = coverage[i]};
     level.asked_faces = faces_for(ratios[i], full.mesh.face_count());
     simplify.faces = level.asked_faces;
-    SimplifyOptions options = simplify_options(simplify, full.mesh.face_count(), 1.0);
-    if (!arguments.ratios) options.stop_before_error = kFarFromInput * source.diagonal();
+    simplify::SimplifyOptions options = simplify_options(simplify, full.mesh.face_count(), 1.0);
+    if (!arguments.ratios) options.stop_before_error = simplify::kFarFromInput * source.diagonal();
     ProgressLine line(!common.quiet);
     begin_stage(line.progress(), "simplifying");
     options.progress = line.progress();
-    Simplified simplified = simplify_pruned(Mesh(full.mesh), options);
-    CarriedAttributes carried = carry_attributes(full.attributes, full.mesh.origins(), simplified);
+    simplify::Simplified simplified = simplify::simplify_pruned(Mesh(full.mesh), options);
+    simplify::CarriedAttributes carried =
+        simplify::carry_attributes(full.attributes, full.mesh.origins(), simplified);
     complete_normals(full, simplified.mesh, carried);
     level.pruned = SimplifyOutcome{simplified.report, source.diagonal(), {}};
     level.mesh = std::move(simplified.mesh);
@@ -176,20 +177,20 @@ std::vector<Level> make_pruned_levels(const Source& source, const std::vector<do
 void measure_coarse_levels(const Source& source, std::vector<Level>& levels) {
   for (std::size_t i = levels.size(); i-- > 0;) {
     const double error = distance_from_input(source.loaded.model.mesh, levels[i].mesh);
-    if (error <= kFarFromInput * source.diagonal()) return;
+    if (error <= simplify::kFarFromInput * source.diagonal()) return;
     levels[i].error = error;
   }
 }
 
 /// Writes either all files or none.
 void write_levels(const std::vector<fs::path>& files, const std::vector<Level>& levels) {
-  std::vector<std::unique_ptr<AtomicFile>> open;
+  std::vector<std::unique_ptr<io::AtomicFile>> open;
   open.reserve(files.size());
   for (const fs::path& file : files)
-    open.push_back(std::make_unique<AtomicFile>(file));
-  const FormatInfo& format = writable_format(files.front());
+    open.push_back(std::make_unique<io::AtomicFile>(file));
+  const io::FormatInfo& format = io::writable_format(files.front());
   if (format.write_levels != nullptr) {
-    std::vector<GltfLevel> chain;
+    std::vector<io::GltfLevel> chain;
     chain.reserve(levels.size());
     for (const Level& level : levels)
       chain.push_back({&level.mesh, &level.attributes, level.coverage});
@@ -204,11 +205,11 @@ void write_levels(const std::vector<fs::path>& files, const std::vector<Level>& 
 
 void say_levels(const Source& source, const std::vector<Level>& levels,
                 const std::vector<fs::path>& files) {
-  const SimplifyReport& report = source.progressive.report;
+  const simplify::SimplifyReport& report = source.progressive.report;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const Level& level = levels[i];
     const std::uint32_t faces = level.mesh.face_count();
-    const StopReason reason = level.pruned ? level.pruned->report.reason : report.reason;
+    const simplify::StopReason reason = level.pruned ? level.pruned->report.reason : report.reason;
     const bool is_read = source.loaded.pm && !level.pruned;
     const std::string why = is_read ? "it is the base of the progressive mesh" : stop_text(reason);
     const std::string name = "level " + std::to_string(i) + ": ";
@@ -312,7 +313,7 @@ void run_lods(const InputOptions& input, const std::string& output, const LodArg
   check_format(output);
   const std::vector<fs::path> files = files_for(output, ratios.size());
   for (const fs::path& file : files)
-    AtomicFile::check(file);
+    io::AtomicFile::check(file);
   Source source = read_source(input, ratios.back(), arguments, common);
   std::vector<Level> levels = arguments.simplify.prune
                                   ? make_pruned_levels(source, ratios, coverage, arguments, common)
@@ -320,7 +321,7 @@ void run_lods(const InputOptions& input, const std::string& output, const LodArg
   measure_coarse_levels(source, levels);
   write_levels(files, levels);
   const std::vector<std::string> losses =
-      losses_in_format(output, levels.front().mesh, levels.front().attributes);
+      io::losses_in_format(output, levels.front().mesh, levels.front().attributes);
   if (!common.quiet) {
     const std::string cannot_hold = output + " cannot hold ";
     for (const std::string& loss : losses)

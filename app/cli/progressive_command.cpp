@@ -27,10 +27,10 @@ bool is_stream(const fs::path& file) {
 }
 
 void check_pm_output(const std::string& output) {
-  if (!has_pm_ending(output) && !is_stream(output)) {
+  if (!io::has_pm_ending(output) && !is_stream(output)) {
     throw UsageError("-o: '" + output + "' does not end in .pm");
   }
-  AtomicFile::check(output);
+  io::AtomicFile::check(output);
 }
 
 std::vector<std::string> names_of(const Attributes& attributes) {
@@ -45,8 +45,8 @@ std::vector<std::string> names_of(const Attributes& attributes) {
 /// What was built and written.
 struct Written {
   SimplifyOutcome outcome;
-  PmSummary summary;
-  PmSizes sizes;
+  io::PmSummary summary;
+  progressive::PmSizes sizes;
   double build_s = 0.0;
   double write_s = 0.0;
 };
@@ -63,33 +63,35 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-Written make_and_write(const LoadedModel& loaded, const std::string& output, SimplifyOptions simple,
-                       unsigned coordinate_bits, const CommonOptions& common) {
+Written make_and_write(const LoadedModel& loaded, const std::string& output,
+                       simplify::SimplifyOptions simple, unsigned coordinate_bits,
+                       const CommonOptions& common) {
   ProgressLine line(!common.quiet);
   begin_stage(line.progress(), "simplifying");
   simple.progress = line.progress();
   Stopwatch watch;
-  Progressive made = make_progressive(loaded.model.mesh, simple);
+  progressive::Progressive made = progressive::make_progressive(loaded.model.mesh, simple);
   Written written;
   written.outcome = {made.report, loaded.statistics.box.diagonal(),
                      names_of(loaded.model.attributes)};
   written.build_s = std::max(0.0, watch.lap() - made.report.seconds.total());
-  const PmWriteOptions options{.coordinate_bits = coordinate_bits, .progress = line.progress()};
-  AtomicFile file(output);
-  written.sizes = write_pm_file(file, made.mesh, options);
+  const progressive::PmWriteOptions options{.coordinate_bits = coordinate_bits,
+                                            .progress = line.progress()};
+  io::AtomicFile file(output);
+  written.sizes = io::write_pm_file(file, made.mesh, options);
   file.commit();
   written.write_s = watch.lap();
-  written.summary = summary_of(made.mesh, options, written.sizes);
+  written.summary = io::summary_of(made.mesh, options, written.sizes);
   return written;
 }
 
-double share_of_indexed(const PmSummary& pm) {
+double share_of_indexed(const io::PmSummary& pm) {
   return pm.indexed_bytes() > 0 ? double(pm.bytes) / double(pm.indexed_bytes()) : 0.0;
 }
 
 void say_written(const std::string& output, const Written& written) {
-  const SimplifyReport& r = written.outcome.report;
-  const PmSummary& pm = written.summary;
+  const simplify::SimplifyReport& r = written.outcome.report;
+  const io::PmSummary& pm = written.summary;
   say("base: " + with_commas(pm.base_faces) + " of " + with_commas(r.faces_before) + " faces, " +
       (r.faces_asked > 0 ? "asked for " + with_commas(r.faces_asked) : "chosen by size and error") +
       ": " + stop_text(r.reason) + "; " + with_commas(pm.splits) + " splits, in " +
@@ -125,7 +127,7 @@ void print_written(const LoadedModel& loaded, const std::string& output, const W
   print_json(json);
 }
 
-void say_level(const ProgressiveMesh& mesh, const DetailArguments& arguments) {
+void say_level(const progressive::ProgressiveMesh& mesh, const DetailArguments& arguments) {
   const std::uint32_t faces = mesh.face_count(mesh.level());
   std::string why;
   if (arguments.faces && faces > *arguments.faces) why = ", the base: no level is coarser";
@@ -137,7 +139,8 @@ void say_level(const ProgressiveMesh& mesh, const DetailArguments& arguments) {
 
 }  // namespace
 
-std::uint32_t level_for(const DetailArguments& arguments, const ProgressiveMesh& mesh) {
+std::uint32_t level_for(const DetailArguments& arguments,
+                        const progressive::ProgressiveMesh& mesh) {
   if (arguments.faces) return mesh.level_for_faces(*arguments.faces);
   return static_cast<std::uint32_t>(std::llround(*arguments.lod * mesh.split_count()));
 }
@@ -152,8 +155,8 @@ void run_progressive(const InputOptions& input, const std::string& output,
   const std::uint32_t base_faces = arguments.settings.base_faces;
   simplify.faces = std::max(base_faces, 1U);
   const double diagonal = loaded.statistics.box.diagonal();
-  SimplifyOptions options = simplify_options(simplify, faces, diagonal);
-  if (base_faces == 0) choose_base(options, faces, diagonal);
+  simplify::SimplifyOptions options = simplify_options(simplify, faces, diagonal);
+  if (base_faces == 0) progressive::choose_base(options, faces, diagonal);
   Written written = make_and_write(loaded, output, options, arguments.coordinate_bits, common);
   if (base_faces == 0) written.outcome.report.faces_asked = 0;
   if (!common.quiet) say_written(output, written);

@@ -25,7 +25,7 @@ struct DetailArguments {
 /// Returns the level of a progressive mesh that the arguments ask for. `faces`: the finest level of
 /// at most that number of faces, or the base if all levels have more. `lod`: the level with that
 /// share of the splits. Pre: one is given, and `lod` is from 0 to 1.
-std::uint32_t level_for(const DetailArguments& arguments, const ProgressiveMesh& mesh);
+std::uint32_t level_for(const DetailArguments& arguments, const progressive::ProgressiveMesh& mesh);
 
 /// Reads a model, records its simplification to a base, and writes the progressive mesh.
 void run_progressive(const InputOptions& input, const std::string& output,

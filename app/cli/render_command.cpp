@@ -19,16 +19,17 @@ namespace {
 
 /// A model in all its levels.
 struct Detail {
-  ProgressiveMesh mesh;
-  Geomorph geomorph;
+  progressive::ProgressiveMesh mesh;
+  progressive::Geomorph geomorph;
   DetailMoment moment;
 };
 
-ProgressiveMesh progressive_of(const LoadedModel& loaded, Progress* progress) {
+progressive::ProgressiveMesh progressive_of(const LoadedModel& loaded, Progress* progress) {
   begin_stage(progress, "simplifying");
-  SimplifyOptions options{.progress = progress};
-  choose_base(options, loaded.model.mesh.face_count(), loaded.statistics.box.diagonal());
-  return make_progressive(loaded.model.mesh, options).mesh;
+  simplify::SimplifyOptions options{.progress = progress};
+  progressive::choose_base(options, loaded.model.mesh.face_count(),
+                           loaded.statistics.box.diagonal());
+  return progressive::make_progressive(loaded.model.mesh, options).mesh;
 }
 
 void show(Session& session, LoadedModel&& loaded, const LookOptions& look) {
@@ -48,7 +49,7 @@ Detail open_detail(Session& session, LoadedLevels&& opened, double lod, const Lo
   show(session, std::move(opened.loaded), look);
   detail.moment = detail_moment(lod, detail.mesh.base_vertex_count(), detail.mesh.split_count());
   detail.mesh.go_to(detail.moment.level);
-  detail.geomorph = Geomorph(detail.mesh, line.progress());
+  detail.geomorph = progressive::Geomorph(detail.mesh, line.progress());
   session.settings.geomorph = detail.moment.growth;
   session.statistics = statistics(detail.mesh.mesh());
   return detail;
@@ -57,7 +58,7 @@ Detail open_detail(Session& session, LoadedLevels&& opened, double lod, const Lo
 Image picture_of(Detail& detail, const Session& session, const LookOptions& look) {
   gpu::Instance instance({.extensions = {}, .validation = look.validation});
   gpu::Device device(instance, {.select = look.device});
-  const Geomorph& geomorph = detail.geomorph;
+  const progressive::Geomorph& geomorph = detail.geomorph;
   Image image = render::render_image(
       device, detail.mesh.mesh(), session.camera, session.settings,
       static_cast<std::uint32_t>(session.window.x), static_cast<std::uint32_t>(session.window.y),
@@ -72,9 +73,9 @@ Image picture_of(Detail& detail, const Session& session, const LookOptions& look
 void draw_moment(LoadedLevels&& opened, double lod, const std::string& output,
                  const LookOptions& look, const CommonOptions& common) {
   Session session;
-  const std::optional<PmSummary> pm = opened.loaded.pm;
+  const std::optional<io::PmSummary> pm = opened.loaded.pm;
   Detail detail = open_detail(session, std::move(opened), lod, look, common);
-  write_png(output, picture_of(detail, session, look));
+  io::write_png(output, picture_of(detail, session, look));
   if (!common.json) return;
   Json json = to_json(session);
   json["output"] = output;
@@ -90,10 +91,10 @@ void draw_moment(LoadedLevels&& opened, double lod, const std::string& output,
 void draw(LoadedModel&& loaded, const std::string& output, const LookOptions& look,
           const CommonOptions& common) {
   Session session;
-  const std::optional<PmSummary> pm = loaded.pm;
+  const std::optional<io::PmSummary> pm = loaded.pm;
   show(session, std::move(loaded), look);
   ScriptedSession script(session, {.device = look.device, .validation = look.validation});
-  write_png(output, script.picture());
+  io::write_png(output, script.picture());
   script.expect_no_messages();
   if (!common.json) return;
   Json json = to_json(session);
@@ -117,9 +118,9 @@ void reduce(LoadedLevels& opened, const DetailArguments& detail, const CommonOpt
 }  // namespace
 
 DetailMoment detail_moment(double lod, std::uint32_t base_vertices, std::uint32_t splits) {
-  const DetailRange range{.base_vertices = double(base_vertices),
-                          .splits = splits,
-                          .geomorph_range = ProgressiveSettings{}.geomorph_range};
+  const progressive::DetailRange range{.base_vertices = double(base_vertices),
+                                       .splits = splits,
+                                       .geomorph_range = ProgressiveSettings{}.geomorph_range};
   const double time = lod * range.end();
   return {.time = time,
           .window = range.growing(time),
@@ -133,7 +134,7 @@ void run_render(const InputOptions& input, const std::string& output, const Look
   if (!look.size.empty()) parse_size(look.size);
   if (!look.camera.empty()) parse_camera(look.camera);
   if (!is_png_name(output)) throw UsageError("-o: '" + output + "' does not end in .png");
-  AtomicFile::check(output);
+  io::AtomicFile::check(output);
   if (!detail.faces && !detail.lod) return draw(load(input, common), output, look, common);
   LoadedLevels opened = load_levels(input, common);
   if (detail.lod) return draw_moment(std::move(opened), *detail.lod, output, look, common);

@@ -100,7 +100,7 @@ class CommandLine {
         ->add_option("--tag-creases", input_.tag_creases_deg,
                      "mark edges whose face normals differ by more than this as creases [deg]")
         ->check(number_between(0.0, 180.0));
-    return command->add_option("MODEL,--input", input_.model, readable_formats());
+    return command->add_option("MODEL,--input", input_.model, io::readable_formats());
   }
 
   void add_look(CLI::App* command) {
@@ -185,7 +185,7 @@ class CommandLine {
         "--max-error", simplify_.max_error,
         "largest distance between input and result, in model units or as 0.5% of the "
         "diagonal; with --faces or --ratio, the first target reached counts");
-    add_options(*command, kSimplifyRules, simplify_.rules);
+    add_options(*command, simplify::kSimplifyRules, simplify_.rules);
     add_prune(command, simplify_);
     command->add_flag("--bound", simplify_.bound,
                       "print a certified upper bound of the distance between input and result");
@@ -213,7 +213,7 @@ class CommandLine {
                      "quantize positions to this number of bits per axis, 4 to 24; 14 is typical "
                      "(default: lossless)")
         ->check(CLI::Range(4U, 24U));
-    add_options(*command, kSimplifyRules, progressive_.simplify.rules);
+    add_options(*command, simplify::kSimplifyRules, progressive_.simplify.rules);
   }
 
   void add_extract() {
@@ -239,7 +239,7 @@ class CommandLine {
         "--coverage", lods_.coverage,
         "minimum screen coverage of each level, decreasing (default: the next level's "
         "ratio; 0 for the last)");
-    add_options(*command, kSimplifyRules, lods_.simplify.rules);
+    add_options(*command, simplify::kSimplifyRules, lods_.simplify.rules);
     add_prune(command, lods_.simplify);
   }
 
@@ -251,7 +251,7 @@ class CommandLine {
     command->add_option("OUT,-o,--output", output_, "file to write")->required();
     command->add_option("--levels", subdivide_.levels, "number of refinements (default: 1)")
         ->check(CLI::Range(0U, 16U));
-    add_options(*command, kSubdivideRules, subdivide_);
+    add_options(*command, subdivide::kSubdivideRules, subdivide_);
   }
 
   void add_compare() {
@@ -272,12 +272,12 @@ class CommandLine {
   LookOptions look_;
   ViewOptions view_;
   SimplifyArguments simplify_;
-  SubdivideOptions subdivide_;
+  subdivide::SubdivideOptions subdivide_;
   ProgressiveArguments progressive_;
   LodArguments lods_;
   DetailArguments detail_;
   InputOptions second_;
-  std::uint64_t samples_ = DistanceOptions{}.samples;
+  std::uint64_t samples_ = analysis::DistanceOptions{}.samples;
   std::string output_;
   bool ascii_ = false;
   std::function<void()> action_;

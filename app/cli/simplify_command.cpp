@@ -39,7 +39,7 @@ std::string with_percent(const SimplifyOutcome& outcome, double error) {
 }
 
 void say_outcome(const SimplifyOutcome& outcome, bool prunes) {
-  const SimplifyReport& r = outcome.report;
+  const simplify::SimplifyReport& r = outcome.report;
   say((r.faces_asked > 0 ? "asked for " + with_commas(r.faces_asked) + " faces, " : std::string()) +
       "reached " + with_commas(r.faces_reached) + " of " + with_commas(r.faces_before) + " in " +
       short_number(r.seconds.total()) + " s: " + std::string(describe(r.reason)) +
@@ -47,8 +47,8 @@ void say_outcome(const SimplifyOutcome& outcome, bool prunes) {
            ? " (inside a surface a collapse removes two faces)"
            : ""));
   std::string refused;
-  for (std::size_t i = 0; i < kRejections.size(); ++i) {
-    const auto cause = static_cast<Rejection>(i);
+  for (std::size_t i = 0; i < simplify::kRejections.size(); ++i) {
+    const auto cause = static_cast<simplify::Rejection>(i);
     if (r[cause] == 0) continue;
     refused += (refused.empty() ? "" : ", ") + with_commas(r[cause]) + " by " +
                std::string(describe(cause));
@@ -71,15 +71,15 @@ void say_outcome(const SimplifyOutcome& outcome, bool prunes) {
 
 /// The result of `--measure`.
 struct Measured {
-  SurfaceDistance sampled;
-  DistanceInterval certified;
+  analysis::SurfaceDistance sampled;
+  analysis::DistanceInterval certified;
 };
 
 void say_distance(const Measured& measured) {
   const auto text = [&](double distance) {
     return short_number(distance) + " (" + short_number(measured.sampled.percent(distance)) + " %)";
   };
-  const OneSidedDistance both = measured.sampled.two_sided();
+  const analysis::OneSidedDistance both = measured.sampled.two_sided();
   say("distance, both directions: rms " + text(both.rms) + ", max " + text(both.max) +
       ", certified at most " + text(measured.certified.upper));
 }
@@ -90,8 +90,9 @@ std::optional<Measured> measured(const Mesh& before, const Mesh& after,
   if (before.face_count() == 0 || after.face_count() == 0) return std::nullopt;
   ProgressLine line(!common.quiet);
   return Measured{
-      .sampled = surface_distance(before, after, {.progress = line.progress()}),
-      .certified = hausdorff_bounds(before, after, {.progress = line.progress()}).two_sided()};
+      .sampled = analysis::surface_distance(before, after, {.progress = line.progress()}),
+      .certified =
+          analysis::hausdorff_bounds(before, after, {.progress = line.progress()}).two_sided()};
 }
 
 /// Returns none without --measure.
@@ -99,17 +100,17 @@ std::optional<std::uint64_t> counted(const Mesh& mesh, const SimplifyArguments& 
                                      const CommonOptions& common) {
   if (!arguments.measure) return std::nullopt;
   ProgressLine line(!common.quiet);
-  return count_self_intersections(mesh, line.progress());
+  return analysis::count_self_intersections(mesh, line.progress());
 }
 
 }  // namespace
 
-SimplifyOptions simplify_options(const SimplifyArguments& arguments, std::uint32_t faces,
-                                 double diagonal) {
+simplify::SimplifyOptions simplify_options(const SimplifyArguments& arguments, std::uint32_t faces,
+                                           double diagonal) {
   if (!arguments.faces && !arguments.ratio && arguments.max_error.empty()) {
     throw UsageError("simplify: give a target: --faces N, --ratio R or --max-error E");
   }
-  SimplifyOptions options = arguments.rules;
+  simplify::SimplifyOptions options = arguments.rules;
   options.certifies = arguments.bound;
   if (arguments.faces) options.target_faces = *arguments.faces;
   if (arguments.ratio) {
@@ -130,7 +131,7 @@ SimplifyOptions simplify_options(const SimplifyArguments& arguments, std::uint32
   return options;
 }
 
-SimplifyOutcome simplify_model(LoadedModel& loaded, SimplifyOptions options,
+SimplifyOutcome simplify_model(LoadedModel& loaded, simplify::SimplifyOptions options,
                                const CommonOptions& common, bool prunes) {
   Model& model = loaded.model;
   SimplifyOutcome outcome;
@@ -143,9 +144,11 @@ SimplifyOutcome simplify_model(LoadedModel& loaded, SimplifyOptions options,
     if (!model.attributes.is_empty()) {
       origins.assign(model.mesh.origins().begin(), model.mesh.origins().end());
     }
-    Simplified simplified = prunes ? simplify_pruned(std::move(model.mesh), options)
-                                   : simplify(std::move(model.mesh), options);
-    CarriedAttributes carried = carry_attributes(model.attributes, origins, simplified);
+    simplify::Simplified simplified =
+        prunes ? simplify::simplify_pruned(std::move(model.mesh), options)
+               : simplify::simplify(std::move(model.mesh), options);
+    simplify::CarriedAttributes carried =
+        simplify::carry_attributes(model.attributes, origins, simplified);
     outcome.report = simplified.report;
     outcome.dropped = std::move(carried.dropped);
     model.attributes = std::move(carried.attributes);
@@ -157,7 +160,7 @@ SimplifyOutcome simplify_model(LoadedModel& loaded, SimplifyOptions options,
 }
 
 std::string pruned_words(const SimplifyOutcome& outcome) {
-  const SimplifyReport& r = outcome.report;
+  const simplify::SimplifyReport& r = outcome.report;
   if (r.pruned_parts == 0) return "pruned nothing: no part is smaller than the error";
   return "pruned " + with_commas(r.pruned_parts) + (r.pruned_parts == 1 ? " part (" : " parts (") +
          with_commas(r.pruned_faces) + " faces), the largest " +
@@ -174,7 +177,7 @@ void run_simplify(const InputOptions& input, const std::string& output,
   Mesh& mesh = loaded.model.mesh;
   if (mesh.face_count() == 0) throw InputError(loaded.file.string(), 0, "has no faces to simplify");
   const Mesh before = arguments.measure ? mesh : Mesh();
-  const SimplifyOptions options =
+  const simplify::SimplifyOptions options =
       simplify_options(arguments, mesh.face_count(), loaded.statistics.box.diagonal());
   const SimplifyOutcome outcome = simplify_model(loaded, options, common, arguments.prune);
   const std::vector<std::string> losses = write_result(output, loaded.model, common);

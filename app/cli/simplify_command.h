@@ -14,8 +14,8 @@ namespace mesher::app {
 struct SimplifyArguments {
   std::optional<std::uint32_t> faces;
   std::optional<double> ratio;
-  std::string max_error;  ///< "0.02" (model units) or "0.5%" (of the diagonal)
-  SimplifyOptions rules;  ///< those of kSimplifyRules
+  std::string max_error;            ///< "0.02" (model units) or "0.5%" (of the diagonal)
+  simplify::SimplifyOptions rules;  ///< those of kSimplifyRules
   bool measure = false;
   bool bound = false;  ///< print a certified bound on the distance from the input
   bool prune = false;  ///< remove parts that are smaller than the error
@@ -24,12 +24,12 @@ struct SimplifyArguments {
 /// Returns the options that the arguments mean for a mesh of `faces` faces and this diagonal.
 /// Throws UsageError if there is no target, if the ratio is not in (0, 1], if the error is not a
 /// number above 0, or if pruning is combined with an error bound.
-SimplifyOptions simplify_options(const SimplifyArguments& arguments, std::uint32_t faces,
-                                 double diagonal);
+simplify::SimplifyOptions simplify_options(const SimplifyArguments& arguments, std::uint32_t faces,
+                                           double diagonal);
 
 /// Simplifies a model and its attributes in place, with a line of progress. Reports on stderr
 /// unless `common.quiet`. `prunes`: uses `simplify_pruned`.
-SimplifyOutcome simplify_model(LoadedModel& loaded, SimplifyOptions options,
+SimplifyOutcome simplify_model(LoadedModel& loaded, simplify::SimplifyOptions options,
                                const CommonOptions& common, bool prunes = false);
 
 /// "pruned 14 parts (312 faces), the largest 0.25 % of the diagonal in size; ...".

@@ -15,22 +15,24 @@
 namespace mesher::app {
 namespace {
 
-void check_memory(const Model& model, const SubdivideOptions& options) {
-  const std::string refusal =
-      subdivision_refusal(subdivision_size(model.mesh, options), options.levels,
-                          {.available = available_memory_bytes(),
-                           .beside = subdivided_attribute_bytes(model.attributes, options.levels)});
+void check_memory(const Model& model, const subdivide::SubdivideOptions& options) {
+  const std::string refusal = subdivision_refusal(
+      subdivide::subdivision_size(model.mesh, options), options.levels,
+      {.available = available_memory_bytes(),
+       .beside = subdivide::subdivided_attribute_bytes(model.attributes, options.levels)});
   if (!refusal.empty()) throw DeviceError(refusal);
 }
 
 /// Subdivides in place; returns the time in seconds.
-double subdivide_model(Model& model, SubdivideOptions options, const CommonOptions& common) {
+double subdivide_model(Model& model, subdivide::SubdivideOptions options,
+                       const CommonOptions& common) {
   ProgressLine line(!common.quiet);
   options.progress = line.progress();
   const auto start = std::chrono::steady_clock::now();
-  Subdivided result = subdivide(model.mesh, options);
+  subdivide::Subdivided result = subdivide::subdivide(model.mesh, options);
   model.mesh = std::move(result.mesh);
-  model.attributes = subdivide_attributes(model.attributes, options.levels, options.progress);
+  model.attributes =
+      subdivide::subdivide_attributes(model.attributes, options.levels, options.progress);
   if (!result.limit_normal.empty()) model.attributes.normal = std::move(result.limit_normal);
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -42,7 +44,7 @@ Json counts(const Mesh& mesh) {
 }  // namespace
 
 void run_subdivide(const InputOptions& input, const std::string& output,
-                   const SubdivideOptions& options, const CommonOptions& common) {
+                   const subdivide::SubdivideOptions& options, const CommonOptions& common) {
   check_output(output);
   LoadedModel loaded = load(input, common);
   Model& model = loaded.model;
@@ -58,14 +60,14 @@ void run_subdivide(const InputOptions& input, const std::string& output,
     say("subdivided " + std::to_string(options.levels) + "x (" + std::string(key(options.scheme)) +
         ") in " + short_number(seconds) + " s");
     if (drops_normals) say("dropped normals (they belong to the coarse surface)");
-    if (options.limit && !traits(options.scheme).has_limit) {
+    if (options.limit && !subdivide::traits(options.scheme).has_limit) {
       say("--limit has no effect: the vertices of this scheme are on their limit surface");
     }
   }
   const std::vector<std::string> losses = write_result(output, model, common);
   if (!common.json) return;
   Json json{{"input", loaded.file.string()}, {"output", output}, {"levels", options.levels}};
-  json.update(options_json(kSubdivideRules, options));
+  json.update(options_json(subdivide::kSubdivideRules, options));
   json.update({{"before", before},
                {"after", counts(model.mesh)},
                {"seconds", seconds},

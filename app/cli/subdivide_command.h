@@ -10,6 +10,6 @@ namespace mesher::app {
 /// Reads a model, subdivides it and its attributes, writes it, and reports. Throws DeviceError if
 /// the result needs more memory than is free.
 void run_subdivide(const InputOptions& input, const std::string& output,
-                   const SubdivideOptions& options, const CommonOptions& common);
+                   const subdivide::SubdivideOptions& options, const CommonOptions& common);
 
 }  // namespace mesher::app

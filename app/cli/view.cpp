@@ -76,7 +76,7 @@ void finish(Session& session, PmArrival& arrival) {
 std::unique_ptr<PmArrival> open_model(Session& session, const InputOptions& input,
                                       const ViewOptions& view, const CommonOptions& common) {
   const std::filesystem::path file = find_model(input.model);
-  if (!is_pm_file(file)) {
+  if (!io::is_pm_file(file)) {
     LoadedModel loaded = load(input, common);
     show_model(session, std::move(loaded.model), loaded.statistics, loaded.file);
     return nullptr;
@@ -115,7 +115,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
   if (!session.shows_info) session.notice = "F1: keys   Tab: panel";
   std::string output = view.screenshot;
   if (!output.empty()) {
-    write_png(output, scripted_picture(session, keys, look, view));
+    io::write_png(output, scripted_picture(session, keys, look, view));
   } else {
     try {
       run_viewer(session, keys,
@@ -129,7 +129,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
       if (arrival) finish(session, *arrival);
       const Image picture = scripted_picture(session, keys, look, view);
       output = free_picture_name("", session.file.stem().string()).string();
-      write_png(output, picture);
+      io::write_png(output, picture);
       std::cerr << "mesher: " << no_display.what() << "; wrote a picture instead: " << output
                 << '\n';
     }

@@ -13,8 +13,8 @@ constexpr double kNearest = 0.05;
 
 }  // namespace
 
-std::uint32_t automatic_level(const LevelErrors& errors, std::uint32_t level, double tolerance,
-                              double pixels_per_unit) {
+std::uint32_t automatic_level(const progressive::LevelErrors& errors, std::uint32_t level,
+                              double tolerance, double pixels_per_unit) {
   const double allowed = tolerance / pixels_per_unit;
   const std::uint32_t finer = errors.level_within(allowed);
   if (finer >= level) return finer;

@@ -2,9 +2,7 @@
 
 #include <string>
 
-namespace mesher {
-class Progress;
-}
+#include "engine/core/progress.h"
 
 namespace mesher::app {
 

@@ -18,7 +18,7 @@ Json to_json(const render::Camera& camera) {
 }
 
 Json to_json(const SimplifySettings& settings) {
-  Json json = options_json(kSimplifyRules, settings.rules);
+  Json json = options_json(simplify::kSimplifyRules, settings.rules);
   json.update(options_json(kSimplifyLimits, settings));
   return json;
 }
@@ -45,7 +45,7 @@ Json to_json(const CreaseMode& creases, const SelectedSharpness& sharpness) {
 
 /// Null if nothing was pruned.
 Json pruned_json(const SimplifyOutcome& outcome) {
-  const SimplifyReport& r = outcome.report;
+  const simplify::SimplifyReport& r = outcome.report;
   if (r.pruned_parts == 0) return {};
   return {{"parts", r.pruned_parts},
           {"faces", r.pruned_faces},
@@ -56,7 +56,7 @@ Json pruned_json(const SimplifyOutcome& outcome) {
 }
 
 Json to_json(const ProgressiveView& view) {
-  const ProgressiveMesh* mesh = view.has_mesh() ? &view.mesh() : nullptr;
+  const progressive::ProgressiveMesh* mesh = view.has_mesh() ? &view.mesh() : nullptr;
   const auto if_any = [mesh](auto value) { return mesh != nullptr ? Json(value()) : Json(); };
   Json json{{"on", view.is_on()}};
   json.update(options_json(kProgressiveOptions, view.settings()));
@@ -117,7 +117,7 @@ Json to_json(const Model& model, const Statistics& statistics, const std::filesy
           {"repairs", to_json(model.report)}};
 }
 
-Json to_json(const PmSummary& s) {
+Json to_json(const io::PmSummary& s) {
   const bool is_complete = s.damage.empty();
   return {{"mode", s.coordinate_bits == 0 ? "lossless" : "quantized"},
           {"coordinate_bits", s.coordinate_bits > 0 ? Json(s.coordinate_bits) : Json()},
@@ -132,8 +132,8 @@ Json to_json(const PmSummary& s) {
           {"damage", is_complete ? Json() : Json(s.damage)}};
 }
 
-Json to_json(const SurfaceDistance& distance) {
-  const auto figures = [&](const OneSidedDistance& side) {
+Json to_json(const analysis::SurfaceDistance& distance) {
+  const auto figures = [&](const analysis::OneSidedDistance& side) {
     return Json{{"rms", side.rms},
                 {"mean", side.mean},
                 {"max", side.max},
@@ -147,7 +147,8 @@ Json to_json(const SurfaceDistance& distance) {
           {"backward", figures(distance.backward)}};
 }
 
-Json to_json(const SurfaceDistance& distance, const DistanceInterval& certified) {
+Json to_json(const analysis::SurfaceDistance& distance,
+             const analysis::DistanceInterval& certified) {
   Json json = to_json(distance);
   json["certified_max"] = {{"lower", certified.lower},
                            {"upper", certified.upper},
@@ -157,10 +158,10 @@ Json to_json(const SurfaceDistance& distance, const DistanceInterval& certified)
 }
 
 Json to_json(const SimplifyOutcome& outcome) {
-  const SimplifyReport& r = outcome.report;
+  const simplify::SimplifyReport& r = outcome.report;
   Json rejected = Json::object();
-  for (std::size_t i = 0; i < kRejections.size(); ++i) {
-    const auto cause = static_cast<Rejection>(i);
+  for (std::size_t i = 0; i < simplify::kRejections.size(); ++i) {
+    const auto cause = static_cast<simplify::Rejection>(i);
     rejected[std::string(key(cause))] = r[cause];
   }
   const auto if_any = [](bool is_there, double value) { return is_there ? Json(value) : Json(); };
@@ -204,8 +205,8 @@ Json to_json(const Session& session) {
             {"last_simplification", edits.last ? to_json(*edits.last) : Json()},
             {"creases",
              to_json(session.creases, selected_sharpness(session.model.mesh, session.creases))},
-            {"subdivide", options_json(kSubdivideRules, session.subdivide)},
-            {"subdivision_level", shown_level(session)},
+            {"subdivide", options_json(subdivide::kSubdivideRules, session.subdivide)},
+            {"subdivision_level", shown_level(session.edits)},
             {"last_subdivision", last_subdivision(edits)},
             {"progressive", to_json(session.progressive)}};
   json.update(options_json(render::kRenderOptions, session.settings));

@@ -38,11 +38,12 @@ Json to_json(const BuildReport& report);
 /// `{"file", "name", "statistics", "repairs"}`.
 Json to_json(const Model& model, const Statistics& statistics, const std::filesystem::path& file);
 /// The progressive mesh of a file, as `mesher info` prints it.
-Json to_json(const PmSummary& summary);
+Json to_json(const io::PmSummary& summary);
 /// Both directions and the larger of them, each in model units and percent of the diagonal.
-Json to_json(const SurfaceDistance& distance);
+Json to_json(const analysis::SurfaceDistance& distance);
 /// As above, with the interval that holds the two-sided maximum.
-Json to_json(const SurfaceDistance& distance, const DistanceInterval& certified);
+Json to_json(const analysis::SurfaceDistance& distance,
+             const analysis::DistanceInterval& certified);
 /// The report of a simplification: target, result, stop reason, refusals, errors, seconds.
 Json to_json(const SimplifyOutcome& outcome);
 /// The state of a session, for `--json` and the state log.

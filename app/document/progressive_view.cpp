@@ -16,15 +16,15 @@ constexpr double kArrived = 5e-4;
 
 }  // namespace
 
-DetailLevels detail_levels(Progressive&& progressive, Progress* progress) {
+DetailLevels detail_levels(progressive::Progressive&& progressive, Progress* progress) {
   DetailLevels levels;
   levels.mesh = std::move(progressive.mesh);
   levels.vertex_source = std::move(progressive.vertex_source);
   levels.face_source = std::move(progressive.face_source);
   begin_stage(progress, "geomorph");
-  levels.geomorph = Geomorph(levels.mesh, progress);
+  levels.geomorph = progressive::Geomorph(levels.mesh, progress);
   begin_stage(progress, "measuring levels");
-  levels.errors = LevelErrors(levels.mesh, progress);
+  levels.errors = progressive::LevelErrors(levels.mesh, progress);
   return levels;
 }
 
@@ -38,7 +38,7 @@ void ProgressiveView::show(DetailLevels&& levels) {
   set_time(was_at_end ? range().end() : range().time_of(grown));
 }
 
-void ProgressiveView::show(std::unique_ptr<PmReader> reader) {
+void ProgressiveView::show(std::unique_ptr<progressive::PmReader> reader) {
   forget();
   reader_ = std::move(reader);
   has_mesh_ = follows_reader_ = true;
@@ -68,12 +68,12 @@ void ProgressiveView::turn(bool on) {
   is_playing_ = false;
 }
 
-DetailRange ProgressiveView::range() const {
+progressive::DetailRange ProgressiveView::range() const {
   const bool morphs = settings_.geomorphs && has_geomorph_;
   return {.base_vertices = std::max(1.0, double(mesh().base_vertex_count())),
           .splits = mesh().split_count(),
           .geomorph_range = morphs ? std::clamp(double(settings_.geomorph_range), 0.0,
-                                                DetailRange::kMaxGeomorphRange)
+                                                progressive::DetailRange::kMaxGeomorphRange)
                                    : 0.0};
 }
 
@@ -146,7 +146,7 @@ bool ProgressiveView::swing(double seconds) {
 }
 
 bool ProgressiveView::travel(double seconds, double pixels_per_unit) {
-  const DetailRange range = this->range();
+  const progressive::DetailRange range = this->range();
   const auto grown =
       static_cast<std::uint32_t>(std::clamp(range.grown(time_), 0.0, double(range.splits)));
   goal_ = automatic_level(levels_.errors, goal_.value_or(grown), settings_.tolerance_px,

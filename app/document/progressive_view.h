@@ -8,10 +8,10 @@
 #include "engine/core/option.h"
 #include "engine/core/progress.h"
 #include "engine/progressive/build.h"
+#include "engine/progressive/codec/pm_read.h"
 #include "engine/progressive/detail_range.h"
 #include "engine/progressive/geomorph.h"
 #include "engine/progressive/level_errors.h"
-#include "engine/progressive/pm_read.h"
 
 namespace mesher::app {
 
@@ -46,7 +46,7 @@ inline constexpr std::array kProgressiveOptions{
         .help = "number of splits that are animated at a time, as a share of the vertices",
         .member = &ProgressiveSettings::geomorph_range,
         .least = 0.001,
-        .most = DetailRange::kMaxGeomorphRange},
+        .most = progressive::DetailRange::kMaxGeomorphRange},
     Option<ProgressiveSettings>{.key = "split-colors",
                                 .label = "split order",
                                 .help = "color faces by split order, from violet (first) to yellow",
@@ -74,19 +74,19 @@ inline constexpr std::array kProgressiveOptions{
 
 /// A progressive mesh and the data that is needed to show it.
 struct DetailLevels {
-  ProgressiveMesh mesh;
-  Geomorph geomorph;
-  LevelErrors errors;
+  progressive::ProgressiveMesh mesh;
+  progressive::Geomorph geomorph;
+  progressive::LevelErrors errors;
   /// The vertices and faces of the model that those of the mesh come from, as in Progressive. Empty
   /// if the mesh was read from a file.
   Array<Vertex> vertex_source;
   Array<Halfedge> face_source;
   /// Report of the simplification to the base; none if the mesh was read from a file.
-  std::optional<SimplifyReport> report{};
+  std::optional<simplify::SimplifyReport> report{};
 };
 
 /// Computes what is needed to show a progressive mesh. O(F). Throws Cancelled.
-DetailLevels detail_levels(Progressive&& progressive, Progress* progress);
+DetailLevels detail_levels(progressive::Progressive&& progressive, Progress* progress);
 
 /// The state of a progressive mesh on the screen: its level of detail, and the animation of that
 /// level. It has no window, no GPU and no clock.
@@ -98,9 +98,9 @@ class ProgressiveView {
   void show(DetailLevels&& levels);
   /// Shows the splits that a reader has read, and follows it until a person changes the level.
   /// Splits are not animated until `show` provides a geomorph. Pre: the reader has the base.
-  void show(std::unique_ptr<PmReader> reader);
+  void show(std::unique_ptr<progressive::PmReader> reader);
   /// The reader, or null. It is fed at full detail; call `reader_was_fed` afterwards.
-  PmReader* reader() { return reader_.get(); }
+  progressive::PmReader* reader() { return reader_.get(); }
   void reader_was_fed();
   /// Keeps the mesh of the reader, which is not fed any more. Pre: there is a reader.
   void end_reading();
@@ -110,8 +110,10 @@ class ProgressiveView {
   bool has_mesh() const { return has_mesh_; }
   bool is_arriving() const { return reader_ != nullptr; }
   /// Pre: has_mesh().
-  ProgressiveMesh& mesh() { return reader_ ? reader_->mesh() : levels_.mesh; }
-  const ProgressiveMesh& mesh() const { return reader_ ? reader_->mesh() : levels_.mesh; }
+  progressive::ProgressiveMesh& mesh() { return reader_ ? reader_->mesh() : levels_.mesh; }
+  const progressive::ProgressiveMesh& mesh() const {
+    return reader_ ? reader_->mesh() : levels_.mesh;
+  }
   const DetailLevels& levels() const { return levels_; }
   bool has_geomorph() const { return has_geomorph_; }
   bool is_on() const { return is_on_; }
@@ -121,7 +123,7 @@ class ProgressiveView {
   // The level of detail.
 
   double time() const { return time_; }
-  DetailRange range() const;
+  progressive::DetailRange range() const;
   GeomorphTime growth() const { return range().growth(time_); }
   double position() const { return range().position_of(time_); }
   bool is_at_end() const { return time_ >= range().end(); }
@@ -157,7 +159,7 @@ class ProgressiveView {
 
   ProgressiveSettings settings_;
   DetailLevels levels_;
-  std::unique_ptr<PmReader> reader_;
+  std::unique_ptr<progressive::PmReader> reader_;
   bool has_mesh_ = false;
   bool has_geomorph_ = false;
   bool is_on_ = false;

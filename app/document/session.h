@@ -25,7 +25,7 @@ struct Session {
   Edits edits;
   render::Settings settings;
   SimplifySettings simplify;
-  SubdivideOptions subdivide;  ///< those of kSubdivideRules
+  subdivide::SubdivideOptions subdivide;  ///< those of kSubdivideRules
   CreaseMode creases;
   Saving saving;
   ProgressiveView progressive;

@@ -9,9 +9,9 @@ namespace mesher::app {
 namespace {
 
 /// Returns a level in the form that carry_attributes expects.
-Simplified as_simplified(const ProgressiveMesh& mesh, const DetailLevels& levels,
-                         std::uint32_t vertices_before) {
-  Simplified result;
+simplify::Simplified as_simplified(const progressive::ProgressiveMesh& mesh,
+                                   const DetailLevels& levels, std::uint32_t vertices_before) {
+  simplify::Simplified result;
   result.mesh = mesh.mesh();
   const auto vertices = levels.vertex_source.begin();
   result.vertex_source.assign(vertices, vertices + result.mesh.vertex_count());
@@ -40,15 +40,14 @@ Shape shown_shape(const Session& session) {
   if (levels.vertex_source.empty() || model.attributes.is_empty()) {
     return {shown_mesh(session), {}};
   }
-  Simplified level = as_simplified(session.progressive.mesh(), levels, model.mesh.vertex_count());
+  simplify::Simplified level =
+      as_simplified(session.progressive.mesh(), levels, model.mesh.vertex_count());
   Attributes attributes =
-      carry_attributes(model.attributes, model.mesh.origins(), level).attributes;
+      simplify::carry_attributes(model.attributes, model.mesh.origins(), level).attributes;
   return {std::move(level.mesh), std::move(attributes)};
 }
 
-render::Settings shown_settings(const Session& session) {
-  render::Settings settings = session.settings;
-  const ProgressiveView& view = session.progressive;
+render::Settings shown_settings(render::Settings settings, const ProgressiveView& view) {
   if (!view.is_on()) return settings;
   settings.geomorph = view.growth();
   settings.colors_by_split_order = view.settings().colors_by_split_order;
@@ -58,28 +57,28 @@ render::Settings shown_settings(const Session& session) {
 
 render::Sources shown_sources(const Session& session) {
   const ProgressiveView& view = session.progressive;
-  if (!view.is_on()) return {.corner_normals = shading_normals(session)};
+  if (!view.is_on()) return {.corner_normals = shading_normals(session.model, session.edits)};
   if (!view.has_geomorph()) return {};
-  const Geomorph& geomorph = view.levels().geomorph;
+  const progressive::Geomorph& geomorph = view.levels().geomorph;
   return {.vertex_normals = geomorph.normals(),
           .morph = {.heads = geomorph.heads(), .splits = geomorph.splits()}};
 }
 
-render::MarkedEdges marked_edges(const Session& session) {
-  return {session.creases.selected, session.creases.hovered};
+render::MarkedEdges marked_edges(const CreaseMode& creases) {
+  return {creases.selected, creases.hovered};
 }
 
-std::span<const glm::vec3> shading_normals(const Session& session) {
-  const auto& level = session.edits.subdivision;
-  const Array<glm::vec3>& normals = session.model.attributes.normal;
-  const bool has_limit =
-      level && level->level > 0 && level->rules.limit && traits(level->rules.scheme).has_limit;
-  if (!has_limit || normals.size() != session.model.mesh.halfedge_count()) return {};
+std::span<const glm::vec3> shading_normals(const Model& model, const Edits& edits) {
+  const auto& level = edits.subdivision;
+  const Array<glm::vec3>& normals = model.attributes.normal;
+  const bool has_limit = level && level->level > 0 && level->rules.limit &&
+                         subdivide::traits(level->rules.scheme).has_limit;
+  if (!has_limit || normals.size() != model.mesh.halfedge_count()) return {};
   return normals;
 }
 
-std::uint32_t shown_level(const Session& session) {
-  return session.edits.subdivision ? session.edits.subdivision->level : 0;
+std::uint32_t shown_level(const Edits& edits) {
+  return edits.subdivision ? edits.subdivision->level : 0;
 }
 
 double shown_pixels_per_unit(const Session& session) {

@@ -17,16 +17,16 @@ const Mesh& shown_mesh(const Session& session);
 Mesh& shown_mesh(Session& session);
 /// That mesh with all geomorphs finished, and its attributes.
 Shape shown_shape(const Session& session);
-/// The session's settings, with the state of the geomorph.
-render::Settings shown_settings(const Session& session);
+/// The settings of the look, with the state of the geomorph.
+render::Settings shown_settings(render::Settings settings, const ProgressiveView& view);
 render::Sources shown_sources(const Session& session);
 /// The edges that the renderer highlights: the selection, and the edge under the cursor.
-render::MarkedEdges marked_edges(const Session& session);
+render::MarkedEdges marked_edges(const CreaseMode& creases);
 /// Normals to shade the model with, one per corner: those of the limit surface if it is shown;
 /// otherwise empty, and the renderer computes normals from the faces.
-std::span<const glm::vec3> shading_normals(const Session& session);
+std::span<const glm::vec3> shading_normals(const Model& model, const Edits& edits);
 /// The level of subdivision that the model shows: 0 if it is not subdivided.
-std::uint32_t shown_level(const Session& session);
+std::uint32_t shown_level(const Edits& edits);
 /// Pixels per model unit on the screen.
 double shown_pixels_per_unit(const Session& session);
 

@@ -13,8 +13,8 @@ namespace mesher::app {
 
 /// The rules of the next simplification, as the panel shows them.
 struct SimplifySettings {
-  SimplifyOptions rules;           ///< those of kSimplifyRules; targets are set per edit
-  float max_error_percent = 0.0F;  ///< of the diagonal; 0: no bound
+  simplify::SimplifyOptions rules;  ///< those of kSimplifyRules; targets are set per edit
+  float max_error_percent = 0.0F;   ///< of the diagonal; 0: no bound
 
   friend bool operator==(const SimplifySettings&, const SimplifySettings&) = default;
 };
@@ -30,7 +30,7 @@ inline constexpr std::array kSimplifyLimits{Option<SimplifySettings>{
 
 /// What a simplification did, and why it stopped.
 struct SimplifyOutcome {
-  SimplifyReport report;
+  simplify::SimplifyReport report;
   double diagonal = 0.0;             ///< of the input's bounding box: percentages refer to it
   std::vector<std::string> dropped;  ///< attributes that could not be carried over
   /// RMS distance from the model as it was opened (distance_from_input), in model units. None if
@@ -43,7 +43,7 @@ struct SimplifyOutcome {
   double error_percent() const {
     return percent(std::max(report.estimated_error, error_from_opened.value_or(0.0)));
   }
-  bool is_far() const { return error_percent() > 100.0 * kFarFromInput; }
+  bool is_far() const { return error_percent() > 100.0 * simplify::kFarFromInput; }
 };
 
 }  // namespace mesher::app

@@ -13,7 +13,7 @@ namespace mesher::app {
 struct SubdivisionLevel {
   std::shared_ptr<const Shape> base;
   std::uint32_t level = 0;
-  SubdivideOptions rules;  ///< those of kSubdivideRules
+  subdivide::SubdivideOptions rules;  ///< those of kSubdivideRules
 };
 
 /// The finest level that a person can ask for: 4^12 faces per face.

@@ -29,9 +29,9 @@ std::string far_from(const std::string& what, double percent) {
   return "far from " + what + ": " + percent_text(percent) + " of the diagonal (RMS)";
 }
 
-std::string stop_text(StopReason reason) {
-  if (reason != StopReason::far_from_input) return std::string(describe(reason));
-  return "fewer faces would be further than " + percent_text(100.0 * kFarFromInput) +
+std::string stop_text(simplify::StopReason reason) {
+  if (reason != simplify::StopReason::far_from_input) return std::string(describe(reason));
+  return "fewer faces would be further than " + percent_text(100.0 * simplify::kFarFromInput) +
          " of the diagonal from the input";
 }
 

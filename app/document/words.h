@@ -20,6 +20,6 @@ std::string percent_text(double percent);
 std::string far_from(const std::string& what, double percent);
 
 /// Why a simplification stopped, if its error limit is kFarFromInput of the diagonal.
-std::string stop_text(StopReason reason);
+std::string stop_text(simplify::StopReason reason);
 
 }  // namespace mesher::app

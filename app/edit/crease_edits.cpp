@@ -40,17 +40,18 @@ void include(std::vector<Edge>& selected, std::vector<Edge> edges, bool is_in) {
 }
 
 /// The edges that a request changes.
-std::vector<Edge> edges_of(const Session& session, const CreaseRequest& request) {
+std::vector<Edge> edges_of(const Model& model, const CreaseMode& creases,
+                           const CreaseRequest& request) {
   switch (request.kind) {
     case CreaseRequest::Kind::clear_all:
-      return sharp_edges(session.model.mesh);
+      return sharp_edges(model.mesh);
     case CreaseRequest::Kind::tag_by_angle:
-      return untagged_edges_beyond(session.model.mesh, glm::radians(request.value));
+      return untagged_edges_beyond(model.mesh, glm::radians(request.value));
     case CreaseRequest::Kind::set:
     case CreaseRequest::Kind::change:
       break;
   }
-  return session.creases.selected_inner_edges(session.model.mesh);
+  return creases.selected_inner_edges(model.mesh);
 }
 
 float wanted_sharpness(const CreaseRequest& request, float before) {
@@ -86,7 +87,7 @@ std::string name_of(const CreaseRequest& request, std::size_t count) {
 }
 
 /// Why a request changes nothing.
-std::string notice_of_nothing(const Session& session, const CreaseRequest& request,
+std::string notice_of_nothing(const CreaseMode& creases, const CreaseRequest& request,
                               std::size_t edges) {
   switch (request.kind) {
     case CreaseRequest::Kind::clear_all:
@@ -99,13 +100,14 @@ std::string notice_of_nothing(const Session& session, const CreaseRequest& reque
       break;
   }
   if (edges > 0) return "";  // the edges already have that sharpness, as the picture shows
-  return session.creases.selected.empty() ? "no edge is selected" : kBoundaryNotice;
+  return creases.selected.empty() ? "no edge is selected" : kBoundaryNotice;
 }
 
 /// Statistics after the sharpness of some edges has changed. O(edges).
-Statistics counted(const Session& session, const std::vector<EdgeSharpness>& wanted) {
-  Statistics after = session.statistics;
-  const Mesh& mesh = session.model.mesh;
+Statistics counted(const Model& model, const Statistics& statistics,
+                   const std::vector<EdgeSharpness>& wanted) {
+  Statistics after = statistics;
+  const Mesh& mesh = model.mesh;
   for (const auto& [edge, sharpness] : wanted) {
     if (mesh.is_boundary(edge)) continue;
     const bool was_sharp = mesh.sharpness(Mesh::halfedge(edge)) > 0.0F;
@@ -176,7 +178,7 @@ void edit_creases(Session& session, const CreaseRequest& request) {
   take_back_same_drag(session, request.drag);
   const Mesh& mesh = session.model.mesh;
   std::vector<EdgeSharpness> wanted;
-  for (const Edge e : edges_of(session, request)) {
+  for (const Edge e : edges_of(session.model, session.creases, request)) {
     wanted.push_back({e, wanted_sharpness(request, mesh.sharpness(Mesh::halfedge(e)))});
   }
   const Attributes& attributes = session.model.attributes;
@@ -184,10 +186,10 @@ void edit_creases(Session& session, const CreaseRequest& request) {
             .mesh = sharpness_difference(mesh, wanted),
             .attributes = difference(attributes, attributes),
             .before = session.statistics,
-            .after = counted(session, wanted),
+            .after = counted(session.model, session.statistics, wanted),
             .drag = request.drag};
   if (edit.changes_anything()) return record_edit(session, std::move(edit));
-  session.notice = notice_of_nothing(session, request, wanted.size());
+  session.notice = notice_of_nothing(session.creases, request, wanted.size());
   note_model_changed(session, true);
 }
 

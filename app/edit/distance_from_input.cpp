@@ -15,7 +15,7 @@ constexpr std::uint32_t kPoints = 4096;
 
 double distance_from_input(const Mesh& input, const Mesh& result) {
   if (input.face_count() == 0 || result.face_count() == 0) return 0.0;
-  const TriangleTree tree(result);
+  const analysis::TriangleTree tree(result);
   // Rounded up, so that there are at most kPoints points.
   const std::uint32_t stride = (input.face_count() + kPoints - 1) / kPoints;
   double sum = 0.0;
@@ -29,7 +29,7 @@ double distance_from_input(const Mesh& input, const Mesh& result) {
     const glm::dvec3 b = corner(1);
     const glm::dvec3 c = corner(2);
     const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
-    const TriangleTree::Nearest nearest = tree.nearest((a + b + c) / 3.0, hint);
+    const analysis::TriangleTree::Nearest nearest = tree.nearest((a + b + c) / 3.0, hint);
     hint = nearest.face;
     sum += area * nearest.squared_distance;
     area_sum += area;
@@ -40,7 +40,7 @@ double distance_from_input(const Mesh& input, const Mesh& result) {
 std::optional<double> far_percent(const Mesh& input, const Mesh& result, double diagonal) {
   if (result.face_count() > kManyFaces) return std::nullopt;
   const double distance = distance_from_input(input, result);
-  if (!(distance > kFarFromInput * diagonal)) return std::nullopt;
+  if (!(distance > simplify::kFarFromInput * diagonal)) return std::nullopt;
   return 100.0 * distance / diagonal;
 }
 

@@ -41,7 +41,7 @@ void EditRunner::start() {
   } catch (const std::bad_alloc&) {
     session_.edits.waiting.clear();
     session_.error = kNoMemory;
-    follow_shown_level(session_);
+    follow_shown_level(session_.edits, session_.subdivide);
   }
 }
 
@@ -61,7 +61,7 @@ void EditRunner::take() {
     session_.edits.waiting.clear();
     session_.error = error.what();
   }
-  follow_shown_level(session_);
+  follow_shown_level(session_.edits, session_.subdivide);
 }
 
 void EditRunner::cancel() {

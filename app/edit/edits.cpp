@@ -27,45 +27,45 @@ class InstantEdit final : public ModelEdit {
 
 }  // namespace
 
-void request(Session& session, std::unique_ptr<EditTask> task) {
-  session.edits.waiting.push_back(std::move(task));
+void request(Edits& edits, std::unique_ptr<EditTask> task) {
+  edits.waiting.push_back(std::move(task));
 }
 
 void request_remove_tenth(Session& session) {
-  request(session, remove_tenth_edit(session.simplify));
+  request(session.edits, remove_tenth_edit(session.simplify));
 }
 
 void request_collapse_edge(Session& session) {
-  request(session, collapse_edge_edit(session.simplify));
+  request(session.edits, collapse_edge_edit(session.simplify));
 }
 
 void request_simplify_to(Session& session, std::uint32_t faces) {
-  request(session, simplify_to_edit(session.simplify, faces));
+  request(session.edits, simplify_to_edit(session.simplify, faces));
 }
 
 void request_subdivide(Session& session) {
-  request(session, subdivide_edit(session.subdivide, LevelStep::finer));
+  request(session.edits, subdivide_edit(session.subdivide, LevelStep::finer));
 }
 
 void request_previous_level(Session& session) {
-  request(session, subdivide_edit(session.subdivide, LevelStep::coarser));
+  request(session.edits, subdivide_edit(session.subdivide, LevelStep::coarser));
 }
 
 void request_same_level(Session& session) {
-  request(session, subdivide_edit(session.subdivide, LevelStep::none));
+  request(session.edits, subdivide_edit(session.subdivide, LevelStep::none));
 }
 
 void request_crease_edit(Session& session, const CreaseRequest& crease_request) {
-  request(session, std::make_unique<InstantEdit>(
-                       [crease_request](Session& s) { edit_creases(s, crease_request); }));
+  request(session.edits, std::make_unique<InstantEdit>(
+                             [crease_request](Session& s) { edit_creases(s, crease_request); }));
 }
 
 void request_undo(Session& session) {
-  request(session, std::make_unique<InstantEdit>(undo));
+  request(session.edits, std::make_unique<InstantEdit>(undo));
 }
 
 void request_redo(Session& session) {
-  request(session, std::make_unique<InstantEdit>(redo));
+  request(session.edits, std::make_unique<InstantEdit>(redo));
 }
 
 std::unique_ptr<EditTask> start_next_edit(Session& session) {

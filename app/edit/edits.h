@@ -11,7 +11,7 @@ namespace mesher::app {
 
 /// Adds an edit to those that the viewer or the script runs next. The edit keeps the current rules,
 /// because those of the session may change before it runs.
-void request(Session& session, std::unique_ptr<EditTask> task);
+void request(Edits& edits, std::unique_ptr<EditTask> task);
 
 /// Removes about 10 % of the faces, and at least one edge.
 void request_remove_tenth(Session& session);

@@ -19,7 +19,7 @@ std::string bytes_text(std::uint64_t bytes) {
   return short_number(rounded) + " " + kUnits[unit];
 }
 
-std::string subdivision_refusal(const SubdivisionSize& size, std::uint32_t levels,
+std::string subdivision_refusal(const subdivide::SubdivisionSize& size, std::uint32_t levels,
                                 const MemoryBudget& budget) {
   const std::string what =
       "subdividing " + std::to_string(levels) + (levels == 1 ? " time" : " times") + " would make ";

@@ -20,7 +20,7 @@ struct MemoryBudget {
 
 /// Returns why a subdivision does not fit into memory, as a message with the memory that it needs;
 /// empty if it fits. A fifth of the available memory is left free.
-std::string subdivision_refusal(const SubdivisionSize& size, std::uint32_t levels,
+std::string subdivision_refusal(const subdivide::SubdivisionSize& size, std::uint32_t levels,
                                 const MemoryBudget& budget);
 
 }  // namespace mesher::app

@@ -20,7 +20,7 @@ bool has_same_surface(const Mesh& a, const Mesh& b) {
 
 bool ModelEdit::start(Session& session) {
   if (refuse_in_progressive(session)) {
-    follow_shown_level(session);
+    follow_shown_level(session.edits, session.subdivide);
     return false;
   }
   return prepare(session);
@@ -32,7 +32,7 @@ void ModelEdit::finish(Session& session) {
   report(session);
   if (edit_.changes_anything()) record_edit(session, std::move(edit_));
   if (was_progressive) leave_progressive(session);
-  follow_shown_level(session);
+  follow_shown_level(session.edits, session.subdivide);
 }
 
 void ModelEdit::take_shown(Session& session) {
@@ -72,7 +72,7 @@ void undo(Session& session) {
   session.edits.subdivision = history.redo_edit().subdivision_before;
   session.edits.was_undone = true;
   note_model_changed(session, keeps_topology);
-  follow_shown_level(session);
+  follow_shown_level(session.edits, session.subdivide);
 }
 
 void redo(Session& session) {
@@ -88,7 +88,7 @@ void redo(Session& session) {
   session.edits.subdivision = history.undo_edit().subdivision_after;
   session.edits.was_undone = false;
   note_model_changed(session, keeps_topology);
-  follow_shown_level(session);
+  follow_shown_level(session.edits, session.subdivide);
 }
 
 bool take_back_last_edit(Session& session) {
@@ -102,7 +102,7 @@ bool take_back_last_edit(Session& session) {
   const Edit taken_back = history.take_back(session.model, session.statistics);
   session.edits.subdivision = taken_back.subdivision_before;
   note_model_changed(session, taken_back.mesh.keeps_topology());
-  follow_shown_level(session);
+  follow_shown_level(session.edits, session.subdivide);
   return true;
 }
 

@@ -21,12 +21,12 @@ namespace {
 constexpr const char* kArriving = "the file is still loading; press Esc to stop loading";
 
 /// Returns a remark on the base ("; ..."), or an empty string.
-std::string remark_on_base(const Session& session) {
-  const std::optional<SimplifyReport>& report = session.progressive.levels().report;
+std::string remark_on_base(const ProgressiveView& progressive, const Statistics& statistics) {
+  const std::optional<simplify::SimplifyReport>& report = progressive.levels().report;
   if (!report) return {};
-  const SimplifyOutcome base{*report, session.statistics.box.diagonal(), {}};
+  const SimplifyOutcome base{*report, statistics.box.diagonal(), {}};
   if (base.is_far()) return "; the base is " + far_from("the model", base.error_percent());
-  if (report->reason == StopReason::target_reached) return {};
+  if (report->reason == simplify::StopReason::target_reached) return {};
   return "; the base: " + stop_text(report->reason);
 }
 
@@ -39,10 +39,11 @@ void show_levels(Session& session, DetailLevels&& levels) {
   if (!view.is_on() && (!is_new || session.creases.is_on)) return;
   enter_progressive(session);
   if (!is_new) return;
-  const ProgressiveMesh& mesh = view.mesh();
+  const progressive::ProgressiveMesh& mesh = view.mesh();
   session.notice = with_commas(mesh.base_face_count()) + " to " +
                    with_commas(mesh.full_face_count()) +
-                   " faces: Space plays, PageUp and PageDown refine" + remark_on_base(session);
+                   " faces: Space plays, PageUp and PageDown refine" +
+                   remark_on_base(session.progressive, session.statistics);
 }
 
 /// Builds the progressive mesh of the model.
@@ -61,7 +62,7 @@ class BuildProgressive final : public EditTask {
     if (base_faces > 0) {
       options_.target_faces = base_faces;
     } else {
-      choose_base(options_, start_->mesh.face_count(), diagonal);
+      progressive::choose_base(options_, start_->mesh.face_count(), diagonal);
     }
     title_ = "Building the progressive mesh";
     return true;
@@ -70,8 +71,8 @@ class BuildProgressive final : public EditTask {
   void perform(Progress* progress) override {
     begin_stage(progress, "simplifying");
     options_.progress = progress;
-    Progressive made = make_progressive(start_->mesh, options_);
-    const SimplifyReport report = made.report;
+    progressive::Progressive made = progressive::make_progressive(start_->mesh, options_);
+    const simplify::SimplifyReport report = made.report;
     levels_ = detail_levels(std::move(made), progress);
     levels_.report = report;
   }
@@ -82,7 +83,7 @@ class BuildProgressive final : public EditTask {
   SimplifySettings settings_;
   bool rebuilds_;
   std::shared_ptr<const Shape> start_;
-  SimplifyOptions options_;
+  simplify::SimplifyOptions options_;
   DetailLevels levels_;
 };
 
@@ -104,7 +105,7 @@ class BuildGeomorph final : public EditTask {
   void finish(Session& session) override { show_levels(session, std::move(levels_)); }
 
  private:
-  Progressive progressive_;
+  progressive::Progressive progressive_;
   DetailLevels levels_;
 };
 
@@ -156,7 +157,7 @@ void toggle_progressive(Session& session) {
   } else {
     // Not when the mesh is built: if creases are edited meanwhile, their mode stays on.
     if (session.creases.is_on) set_crease_mode(session, false);
-    request(session, std::make_unique<BuildProgressive>(session.simplify, false));
+    request(session.edits, std::make_unique<BuildProgressive>(session.simplify, false));
   }
 }
 
@@ -180,18 +181,18 @@ void forget_progressive(Session& session) {
 }
 
 void request_rebuilt_progressive(Session& session) {
-  request(session, std::make_unique<BuildProgressive>(session.simplify, true));
+  request(session.edits, std::make_unique<BuildProgressive>(session.simplify, true));
 }
 
 void request_geomorph(Session& session) {
-  request(session, std::make_unique<BuildGeomorph>());
+  request(session.edits, std::make_unique<BuildGeomorph>());
 }
 
 void request_keep_level(Session& session) {
   if (session.progressive.is_on() && session.progressive.is_arriving()) {
     session.notice = kArriving;
   } else if (session.progressive.is_on()) {
-    request(session, std::make_unique<KeepLevel>());
+    request(session.edits, std::make_unique<KeepLevel>());
   } else {
     session.notice = "press P first: this key works in progressive mode";
   }

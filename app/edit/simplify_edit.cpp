@@ -16,8 +16,9 @@ namespace {
 /// Returns a notice of facts that the picture does not show.
 std::string notice_for(const SimplifyOutcome& outcome) {
   std::string notice;
-  const SimplifyReport& report = outcome.report;
-  if (report.reason == StopReason::no_legal_collapse || report.reason == StopReason::error_bound) {
+  const simplify::SimplifyReport& report = outcome.report;
+  if (report.reason == simplify::StopReason::no_legal_collapse ||
+      report.reason == simplify::StopReason::error_bound) {
     notice = std::string(describe(report.reason)) + ": " + with_commas(report.faces_reached) +
              (report.faces_reached == 1 ? " face" : " faces");
   }
@@ -39,9 +40,9 @@ class SimplifyEdit final : public ModelEdit {
   void perform(Progress* progress) override {
     begin_stage(progress, "simplifying");
     options_.progress = progress;
-    Simplified simplified = simplify(Mesh(start_->mesh), options_);
-    CarriedAttributes carried =
-        carry_attributes(start_->attributes, start_->mesh.origins(), simplified);
+    simplify::Simplified simplified = simplify::simplify(Mesh(start_->mesh), options_);
+    simplify::CarriedAttributes carried =
+        simplify::carry_attributes(start_->attributes, start_->mesh.origins(), simplified);
     edit_.name = target_ == Target::one_edge
                      ? "collapse an edge"
                      : "simplify to " + with_commas(simplified.report.faces_reached) + " faces";
@@ -91,7 +92,7 @@ class SimplifyEdit final : public ModelEdit {
   std::uint32_t faces_;
   std::shared_ptr<const Shape> start_;   ///< the shown model, or `opened_`
   std::shared_ptr<const Shape> opened_;  ///< the model as it was opened
-  SimplifyOptions options_;
+  simplify::SimplifyOptions options_;
   SimplifyOutcome outcome_;
 };
 
@@ -109,9 +110,9 @@ std::unique_ptr<EditTask> simplify_to_edit(const SimplifySettings& settings, std
   return std::make_unique<SimplifyEdit>(settings, SimplifyEdit::Target::faces, faces);
 }
 
-SimplifyOptions options_of(const SimplifySettings& settings, double diagonal) {
-  SimplifyOptions options = settings.rules;
-  options.order = ResultOrder::fill_holes;
+simplify::SimplifyOptions options_of(const SimplifySettings& settings, double diagonal) {
+  simplify::SimplifyOptions options = settings.rules;
+  options.order = simplify::ResultOrder::fill_holes;
   if (settings.max_error_percent > 0.0F) {
     options.max_error = 0.01 * settings.max_error_percent * diagonal;
   }

@@ -16,6 +16,6 @@ std::unique_ptr<EditTask> collapse_edge_edit(const SimplifySettings& settings);
 std::unique_ptr<EditTask> simplify_to_edit(const SimplifySettings& settings, std::uint32_t faces);
 
 /// The engine's options for these settings. `diagonal`: of the model's bounding box.
-SimplifyOptions options_of(const SimplifySettings& settings, double diagonal);
+simplify::SimplifyOptions options_of(const SimplifySettings& settings, double diagonal);
 
 }  // namespace mesher::app

@@ -22,23 +22,23 @@ constexpr unsigned kCopies = 4;
 constexpr unsigned kCopiesBefore = 2;
 
 /// Returns the shown model as a level. It has no base if the model is not subdivided.
-SubdivisionLevel shown_as_level(const Session& session) {
-  return session.edits.subdivision.value_or(SubdivisionLevel{});
+SubdivisionLevel shown_as_level(const Edits& edits) {
+  return edits.subdivision.value_or(SubdivisionLevel{});
 }
 
-SubdivideOptions at_level(SubdivideOptions rules, std::uint32_t level) {
+subdivide::SubdivideOptions at_level(subdivide::SubdivideOptions rules, std::uint32_t level) {
   rules.levels = level;
   return rules;
 }
 
-std::uint64_t shown_bytes(const Session& session) {
-  const Attributes& a = session.model.attributes;
-  return session.model.mesh.memory_bytes() + std::span(a.texcoord).size_bytes() +
+std::uint64_t shown_bytes(const Model& model) {
+  const Attributes& a = model.attributes;
+  return model.mesh.memory_bytes() + std::span(a.texcoord).size_bytes() +
          std::span(a.normal).size_bytes() + std::span(a.color).size_bytes() +
          std::span(a.group).size_bytes();
 }
 
-std::string rules_text(const SubdivideOptions& rules) {
+std::string rules_text(const subdivide::SubdivideOptions& rules) {
   return "subdivision: " + std::string(key(rules.scheme)) + ", " + std::string(key(rules.creases)) +
          (rules.limit ? ", limit surface" : "");
 }
@@ -53,18 +53,19 @@ std::string name_of(std::uint32_t level_before, std::uint32_t level) {
 
 Shape subdivided(const SubdivisionLevel& wanted, Progress* progress) {
   if (wanted.level == 0) return *wanted.base;
-  SubdivideOptions options = at_level(wanted.rules, wanted.level);
+  subdivide::SubdivideOptions options = at_level(wanted.rules, wanted.level);
   options.progress = progress;
-  Subdivided result = subdivide(wanted.base->mesh, options);
+  subdivide::Subdivided result = subdivide::subdivide(wanted.base->mesh, options);
   Shape shape{std::move(result.mesh),
-              subdivide_attributes(wanted.base->attributes, wanted.level, progress)};
+              subdivide::subdivide_attributes(wanted.base->attributes, wanted.level, progress)};
   if (!result.limit_normal.empty()) shape.attributes.normal = std::move(result.limit_normal);
   return shape;
 }
 
 class SubdivideEdit final : public ModelEdit {
  public:
-  SubdivideEdit(const SubdivideOptions& rules, LevelStep step) : rules_(rules), step_(step) {}
+  SubdivideEdit(const subdivide::SubdivideOptions& rules, LevelStep step)
+      : rules_(rules), step_(step) {}
 
   void perform(Progress* progress) override {
     const auto start = std::chrono::steady_clock::now();
@@ -78,7 +79,7 @@ class SubdivideEdit final : public ModelEdit {
  private:
   bool prepare(Session& session) override {
     if (step_ == LevelStep::none) session.notice = rules_text(rules_);
-    const SubdivisionLevel before = shown_as_level(session);
+    const SubdivisionLevel before = shown_as_level(session.edits);
     if (step_ == LevelStep::coarser && before.level == 0) {
       session.notice = "already at the coarsest level";
       return false;
@@ -89,7 +90,7 @@ class SubdivideEdit final : public ModelEdit {
     if (level == before.level && (level == 0 || before.rules == rules_)) return false;
     if (std::string reason = level_refusal(session, level, rules_); !reason.empty()) {
       session.notice = std::move(reason);
-      follow_shown_level(session);
+      follow_shown_level(session.edits, session.subdivide);
       return false;
     }
     take_shown(session);
@@ -105,7 +106,7 @@ class SubdivideEdit final : public ModelEdit {
     if (!edit_.changes_anything()) session.edits.subdivision = std::move(edit_.subdivision_after);
   }
 
-  SubdivideOptions rules_;
+  subdivide::SubdivideOptions rules_;
   LevelStep step_;
   SubdivisionLevel wanted_;
   SubdivideOutcome outcome_;
@@ -113,29 +114,29 @@ class SubdivideEdit final : public ModelEdit {
 
 }  // namespace
 
-std::unique_ptr<EditTask> subdivide_edit(const SubdivideOptions& rules, LevelStep step) {
+std::unique_ptr<EditTask> subdivide_edit(const subdivide::SubdivideOptions& rules, LevelStep step) {
   return std::make_unique<SubdivideEdit>(rules, step);
 }
 
 std::string level_refusal(const Session& session, std::uint32_t level,
-                          const SubdivideOptions& rules) {
+                          const subdivide::SubdivideOptions& rules) {
   if (level == 0) return "";  // needs no memory, so it stays possible when memory runs out
-  const SubdivisionLevel shown = shown_as_level(session);
+  const SubdivisionLevel shown = shown_as_level(session.edits);
   const Mesh& base = shown.base ? shown.base->mesh : session.model.mesh;
   const Attributes& attributes = shown.base ? shown.base->attributes : session.model.attributes;
   if (base.face_count() == 0) return "there is nothing to subdivide";
   if (level > kMaxLevel) return "already at the finest level";
-  return subdivision_refusal(subdivision_size(base, at_level(rules, level)), level,
+  return subdivision_refusal(subdivide::subdivision_size(base, at_level(rules, level)), level,
                              {.available = available_memory_bytes(),
                               .copies = kCopies,
-                              .beside = subdivided_attribute_bytes(attributes, level),
-                              .held = kCopiesBefore * shown_bytes(session)});
+                              .beside = subdivide::subdivided_attribute_bytes(attributes, level),
+                              .held = kCopiesBefore * shown_bytes(session.model)});
 }
 
-void follow_shown_level(Session& session) {
-  const auto& level = session.edits.subdivision;
-  if (level && level->level > 0 && session.edits.waiting.empty()) {
-    session.subdivide = level->rules;
+void follow_shown_level(Edits& edits, subdivide::SubdivideOptions& subdivide) {
+  const auto& level = edits.subdivision;
+  if (level && level->level > 0 && edits.waiting.empty()) {
+    subdivide = level->rules;
   }
 }
 

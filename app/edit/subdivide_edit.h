@@ -14,17 +14,17 @@ enum class LevelStep : std::uint8_t { finer, coarser, none };
 
 /// Goes to the next finer or coarser level, or rebuilds the shown level by other rules. Refuses,
 /// with a notice, if the result would need more memory than is free.
-std::unique_ptr<EditTask> subdivide_edit(const SubdivideOptions& rules, LevelStep step);
+std::unique_ptr<EditTask> subdivide_edit(const subdivide::SubdivideOptions& rules, LevelStep step);
 
 /// Returns why the model cannot be shown at this level by these rules, with the memory that it
 /// would need; empty if it can.
 std::string level_refusal(const Session& session, std::uint32_t level,
-                          const SubdivideOptions& rules);
+                          const subdivide::SubdivideOptions& rules);
 
 /// Resets the session's rules to those of the shown level. Rules whose edit was refused or undone
 /// would otherwise stay. Does nothing at level 0, or if an edit that may change the level is
 /// requested.
-void follow_shown_level(Session& session);
+void follow_shown_level(Edits& edits, subdivide::SubdivideOptions& subdivide);
 
 /// Call after the session's rules have changed. Requests the shown level by these rules, and sets
 /// the notice to the rules.

@@ -24,7 +24,7 @@ bool ArrivalRunner::open(const std::filesystem::path& file) {
 }
 
 bool ArrivalRunner::has_news() const {
-  return arrival_ && (arrival_->is_done() || arrival_->has_news(session_));
+  return arrival_ && (arrival_->is_done() || arrival_->has_news(session_.progressive));
 }
 
 bool ArrivalRunner::advance(double seconds) {

@@ -2,9 +2,9 @@
 
 namespace mesher::app {
 
-LoadedModel open_model(const std::filesystem::path& file, const ReadOptions& options) {
-  if (!is_pm_file(file)) return {read_model(file, options), {}, file, {}};
-  PmContents contents = read_pm_file(file, options.progress);
+LoadedModel open_model(const std::filesystem::path& file, const io::ReadOptions& options) {
+  if (!io::is_pm_file(file)) return {io::read_model(file, options), {}, file, {}};
+  io::PmContents contents = io::read_pm_file(file, options.progress);
   LoadedModel loaded{{}, {}, file, std::move(contents.summary)};
   loaded.model.name = file.filename().string();
   loaded.model.mesh = std::move(contents.mesh.mesh());
@@ -13,7 +13,7 @@ LoadedModel open_model(const std::filesystem::path& file, const ReadOptions& opt
 
 namespace {
 
-LoadedModel load(const std::filesystem::path& file, ReadOptions options, Progress& progress) {
+LoadedModel load(const std::filesystem::path& file, io::ReadOptions options, Progress& progress) {
   options.progress = &progress;
   LoadedModel loaded = open_model(file, options);
   begin_stage(&progress, "counting");
@@ -23,7 +23,7 @@ LoadedModel load(const std::filesystem::path& file, ReadOptions options, Progres
 
 }  // namespace
 
-LoadJob::LoadJob(const std::filesystem::path& file, const ReadOptions& options, void (*wake)())
+LoadJob::LoadJob(const std::filesystem::path& file, const io::ReadOptions& options, void (*wake)())
     : JobOf(
           "Opening " + file.filename().string(),
           [file, options](Progress& progress) { return load(file, options, progress); }, wake),

@@ -15,17 +15,17 @@ struct LoadedModel {
   Model model;
   Statistics statistics;
   std::filesystem::path file;
-  std::optional<PmSummary> pm;  ///< if the file holds a progressive mesh
+  std::optional<io::PmSummary> pm;  ///< if the file holds a progressive mesh
 };
 
 /// Reads a model, or a progressive mesh (see is_pm_file) at full detail. Does not compute the
 /// statistics. Throws as read_model and read_pm_file.
-LoadedModel open_model(const std::filesystem::path& file, const ReadOptions& options);
+LoadedModel open_model(const std::filesystem::path& file, const io::ReadOptions& options);
 
 /// Reads a model in the background. `take` throws what the reader throws (InputError).
 class LoadJob : public JobOf<LoadedModel> {
  public:
-  LoadJob(const std::filesystem::path& file, const ReadOptions& options, void (*wake)());
+  LoadJob(const std::filesystem::path& file, const io::ReadOptions& options, void (*wake)());
 
   const std::filesystem::path& file() const { return file_; }
 

@@ -24,12 +24,12 @@ double now_s() {
 }  // namespace
 
 PmArrival::PmArrival(const fs::path& file)
-    : file_(file), reader_(std::make_unique<PmReader>(file.string())), stream_(file) {}
+    : file_(file), reader_(std::make_unique<progressive::PmReader>(file.string())), stream_(file) {}
 
 bool PmArrival::advance(Session& session, double seconds) {
-  if (is_done_ || !has_news(session)) return false;
+  if (is_done_ || !has_news(session.progressive)) return false;
   bool is_new = feed(session, seconds);
-  if (is_over(session)) {
+  if (is_over(session.progressive)) {
     end(session);
     is_new = true;
   }
@@ -37,38 +37,38 @@ bool PmArrival::advance(Session& session, double seconds) {
 }
 
 /// Data after damage cannot be used, and a pipe may never end: damage ends the reading.
-bool PmArrival::is_over(Session& session) const {
-  return stream_.is_at_end() || (has_base_ && !session.progressive.reader()->damage().empty());
+bool PmArrival::is_over(ProgressiveView& progressive) const {
+  return stream_.is_at_end() || (has_base_ && !progressive.reader()->damage().empty());
 }
 
-bool PmArrival::has_news(const Session& session) const {
+bool PmArrival::has_news(const ProgressiveView& progressive) const {
   if (!stream_.has_news()) return false;
-  const bool is_at_rest = !has_base_ || session.progressive.is_at_end() || stream_.is_at_end();
+  const bool is_at_rest = !has_base_ || progressive.is_at_end() || stream_.is_at_end();
   return is_at_rest || now_s() - last_fed_s_ >= kSecondsBetween;
 }
 
 /// Goes to full detail, where splits are appended. Returns the minimum time to read, in seconds, so
 /// that going to full detail and back does not take most of the time.
-double PmArrival::climb(Session& session) const {
-  if (!has_base_ || session.progressive.is_at_end()) return 0.0;
+double PmArrival::climb(ProgressiveView& progressive) const {
+  if (!has_base_ || progressive.is_at_end()) return 0.0;
   const double begin = now_s();
-  ProgressiveMesh& mesh = session.progressive.mesh();
+  progressive::ProgressiveMesh& mesh = progressive.mesh();
   mesh.go_to(mesh.split_count());
   return std::max(kBiteSeconds, 2.0 * (now_s() - begin));
 }
 
 bool PmArrival::feed(Session& session, double seconds) {
-  const double least = climb(session);
+  const double least = climb(session.progressive);
   const double end = now_s() + std::max(seconds, least);
   bool is_new = false;
   do {
-    const ByteStream::Block block = stream_.take();
+    const io::ByteStream::Block block = stream_.take();
     if (block.empty()) break;
-    PmReader& reader = has_base_ ? *session.progressive.reader() : *reader_;
+    progressive::PmReader& reader = has_base_ ? *session.progressive.reader() : *reader_;
     reader.feed(block);
     if (!has_base_ && reader.has_base()) show_base(session);
     is_new = is_new || has_base_;
-  } while (now_s() < end && !is_over(session));
+  } while (now_s() < end && !is_over(session.progressive));
   last_fed_s_ = now_s();
   if (is_new) session.progressive.reader_was_fed();
   return is_new;
@@ -106,7 +106,7 @@ void PmArrival::stop(Session& session) {
   is_done_ = true;
   ProgressiveView& view = session.progressive;
   view.end_reading();
-  ProgressiveMesh& mesh = view.mesh();
+  progressive::ProgressiveMesh& mesh = view.mesh();
   const std::uint32_t level = mesh.level();
   mesh.go_to(mesh.split_count());
   // Everything that needs memory comes first, so that a failure leaves the model unchanged.

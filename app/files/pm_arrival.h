@@ -4,10 +4,11 @@
 #include <memory>
 
 #include "engine/io/byte_stream.h"
-#include "engine/progressive/pm_read.h"
+#include "engine/progressive/codec/pm_read.h"
 
 namespace mesher::app {
 
+class ProgressiveView;
 struct Session;
 
 /// Loads a progressive mesh from a file or a pipe into a session, which shows the part that is
@@ -22,7 +23,7 @@ class PmArrival {
   const std::filesystem::path& file() const { return file_; }
   /// Returns whether `advance` has something to do. Below full detail it does not read in every
   /// frame, because each reading goes to full detail and back.
-  bool has_news(const Session& session) const;
+  bool has_news(const ProgressiveView& progressive) const;
   /// Reads for about `seconds`; below full detail for longer, at least as long as going to full
   /// detail and back takes. Returns whether the picture changes. When the base is loaded, it
   /// becomes the session's model, in progressive mode. At the end the full mesh becomes the model,
@@ -40,18 +41,19 @@ class PmArrival {
   bool has_base() const { return has_base_; }
 
  private:
-  bool is_over(Session& session) const;
-  double climb(Session& session) const;
+  bool is_over(ProgressiveView& progressive) const;
+  double climb(ProgressiveView& progressive) const;
   bool feed(Session& session, double seconds);
   void show_base(Session& session);
   void end(Session& session);
 
   std::filesystem::path file_;
-  std::unique_ptr<PmReader> reader_;  ///< until the base is loaded; then the session owns it
+  std::unique_ptr<progressive::PmReader>
+      reader_;  ///< until the base is loaded; then the session owns it
   bool has_base_ = false;
   bool is_done_ = false;
   double last_fed_s_ = 0.0;  ///< when the last reading ended
-  ByteStream stream_;
+  io::ByteStream stream_;
 };
 
 }  // namespace mesher::app

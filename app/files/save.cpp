@@ -19,17 +19,18 @@ bool is_there(const fs::path& file) {
 }
 
 bool is_writable(const fs::path& file) {
-  const FormatInfo* format = format_of(file);
+  const io::FormatInfo* format = io::format_of(file);
   return format != nullptr && format->write != nullptr;
 }
 
-bool has_creases(const Session& session) {
-  return session.statistics.crease_edges > 0 || !session.model.mesh.vertex_sharpnesses().empty();
+bool has_creases(const Model& model, const Statistics& statistics) {
+  return statistics.crease_edges > 0 || !model.mesh.vertex_sharpnesses().empty();
 }
 
 fs::path suggested(const Session& session) {
   const std::string own = session.file.extension().string();
-  const std::string extension = has_creases(session) || !is_writable(session.file) ? ".obj" : own;
+  const std::string extension =
+      has_creases(session.model, session.statistics) || !is_writable(session.file) ? ".obj" : own;
   return free_name(session.file.parent_path(), session.file.stem().string() + "-edited", extension);
 }
 
@@ -37,7 +38,7 @@ fs::path suggested(const Session& session) {
 std::string objection(Session& session, const fs::path& file) {
   if (session.statistics.faces == 0) return "there is nothing to save";
   if (file.empty()) return "enter a file name";
-  if (!is_writable(file)) return "the name must end in " + writable_formats();
+  if (!is_writable(file)) return "the name must end in " + io::writable_formats();
   if (!is_there(file) || session.saving.asked == file) return "";
   session.saving.asked = file;
   return file.filename().string() + " already exists; press Enter again to overwrite it";
@@ -72,8 +73,8 @@ std::optional<SaveTask> begin_save(Session& session) {
 
 Saved perform(const SaveTask& task) {
   const auto& [mesh, attributes] = *task.shape;
-  write_model(task.file, mesh, attributes);
-  return {task.file, mesh.face_count(), losses_in_format(task.file, mesh, attributes)};
+  io::write_model(task.file, mesh, attributes);
+  return {task.file, mesh.face_count(), io::losses_in_format(task.file, mesh, attributes)};
 }
 
 void finish_save(Session& session, const Saved& saved) {

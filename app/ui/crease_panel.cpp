@@ -18,11 +18,11 @@ void ask(Session& session, const CreaseRequest& request) {
   request_crease_edit(session, request);
 }
 
-void draw_counts(const Session& session) {
+void draw_counts(const CreaseMode& creases, const Statistics& statistics) {
   label("creases");
-  ImGui::Text("%s", with_commas(session.statistics.crease_edges).c_str());
+  ImGui::Text("%s", with_commas(statistics.crease_edges).c_str());
   label("selected");
-  const std::size_t selected = session.creases.selected.size();
+  const std::size_t selected = creases.selected.size();
   if (selected > 0) {
     ImGui::Text("%s", with_commas(selected).c_str());
   } else {
@@ -115,7 +115,7 @@ float draw_crease_panel(Session& session, const PanelFacts& facts, float top, Ta
                         PanelAreas& areas) {
   bool is_open = true;
   if (begin_side_panel("Edit creases", top, &is_open)) {
-    draw_counts(session);
+    draw_counts(session.creases, session.statistics);
     const SelectedSharpness sharpness = selected_sharpness(session.model.mesh, session.creases);
     ImGui::BeginDisabled(facts.job != nullptr);  // the job may change the edges
     ImGui::BeginDisabled(sharpness.edges == 0);

@@ -15,7 +15,7 @@ void draw_open_dialog(Session& session, std::string& typed, bool submits, PanelA
   constexpr ImGuiWindowFlags kFlags =
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove;
   if (ImGui::Begin("Open a model", &is_open, kFlags)) {
-    ImGui::TextDisabled("%s: a path, or a name in assets/", readable_formats().c_str());
+    ImGui::TextDisabled("%s: a path, or a name in assets/", io::readable_formats().c_str());
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(380.0F);
     // `submits` alone reports Enter: ImGui sees the key as well, and must not open the file twice.

@@ -57,7 +57,7 @@ void draw_buttons(Session& session, bool is_busy) {
 }
 
 void draw_numbers(const ProgressiveView& view) {
-  const ProgressiveMesh& mesh = view.mesh();
+  const progressive::ProgressiveMesh& mesh = view.mesh();
   label("faces");
   ImGui::TextUnformatted(of_text(mesh.mesh().face_count(), mesh.full_face_count()).c_str());
   label("splits");
@@ -91,14 +91,14 @@ void draw_automatic(const Session& session, ProgressiveSettings& settings) {
 }
 
 /// The error of the base, and why it stopped before the requested size.
-void draw_report(const Session& session) {
-  const auto& report = session.progressive.levels().report;
+void draw_report(const ProgressiveView& progressive, const Statistics& statistics) {
+  const auto& report = progressive.levels().report;
   if (!report) return;
-  const SimplifyOutcome base{*report, session.statistics.box.diagonal(), {}};
+  const SimplifyOutcome base{*report, statistics.box.diagonal(), {}};
   label("base error");
   ImGui::TextUnformatted(percent_text(base.error_percent()).c_str());
   tooltip("Estimated RMS distance from the model, in percent of the diagonal.");
-  if (report->reason == StopReason::target_reached && !base.is_far()) return;
+  if (report->reason == simplify::StopReason::target_reached && !base.is_far()) return;
   const std::string words =
       base.is_far() ? far_from("the model", base.error_percent()) : stop_text(report->reason);
   ImGui::TextWrapped("%s", words.c_str());
@@ -128,7 +128,7 @@ void draw_base(Session& session, ProgressiveSettings& settings, bool is_busy) {
   }
   ImGui::EndDisabled();
   tooltip("Number of faces of the base. The rules are those of the Simplify panel.");
-  draw_report(session);
+  draw_report(session.progressive, session.statistics);
   ImGui::BeginDisabled(is_busy);
   if (ImGui::Button("rebuild", {-FLT_MIN, 0.0F})) {
     view.change(settings);

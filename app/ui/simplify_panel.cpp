@@ -12,7 +12,7 @@ namespace mesher::app {
 namespace {
 
 void draw_rules(SimplifySettings& settings) {
-  edit_options(kSimplifyRules, settings.rules);
+  edit_options(simplify::kSimplifyRules, settings.rules);
   edit_options(kSimplifyLimits, settings);
 }
 
@@ -57,7 +57,7 @@ std::string error_text(const SimplifyOutcome& outcome, double error) {
 }
 
 void draw_report(const SimplifyOutcome& outcome) {
-  const SimplifyReport& report = outcome.report;
+  const simplify::SimplifyReport& report = outcome.report;
   if (!ImGui::BeginTable("report", 2, ImGuiTableFlags_SizingFixedFit)) return;
   ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, kFieldX - 20.0F);
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
@@ -65,8 +65,8 @@ void draw_report(const SimplifyOutcome& outcome) {
   row("result", with_commas(report.faces_reached) + " of " + with_commas(report.faces_before));
   row("why it stopped", std::string(describe(report.reason)));
   row("collapses", with_commas(report.collapses));
-  for (std::size_t i = 0; i < kRejections.size(); ++i) {
-    const auto cause = static_cast<Rejection>(i);
+  for (std::size_t i = 0; i < simplify::kRejections.size(); ++i) {
+    const auto cause = static_cast<simplify::Rejection>(i);
     if (report[cause] == 0) continue;
     row("refused", with_commas(report[cause]) + " by " + std::string(describe(cause)));
   }

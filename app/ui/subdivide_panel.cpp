@@ -19,7 +19,7 @@ std::string next_level_text(const Statistics& s) {
 }
 
 void draw_levels(Session& session) {
-  const std::uint32_t level = shown_level(session);
+  const std::uint32_t level = shown_level(session.edits);
   const bool has_faces = session.statistics.faces > 0;
   if (half_button("subdivide", has_faces && level < kMaxLevel,
                   ("S: " + next_level_text(session.statistics)).c_str())) {
@@ -43,7 +43,8 @@ float draw_subdivide_panel(Session& session, float top, PanelAreas& areas) {
   if (begin_side_panel("Subdivide", top)) {
     draw_levels(session);
     ImGui::Separator();
-    if (edit_options(kSubdivideRules, session.subdivide)) apply_subdivide_settings(session);
+    if (edit_options(subdivide::kSubdivideRules, session.subdivide))
+      apply_subdivide_settings(session);
     if (const auto& last = session.edits.last_subdivision) {
       label("last");
       ImGui::Text("%s",

@@ -14,7 +14,7 @@ constexpr double kArrivalSeconds = 0.008;
 
 }  // namespace
 
-BackgroundWork::BackgroundWork(Session& session, const ReadOptions& read,
+BackgroundWork::BackgroundWork(Session& session, const io::ReadOptions& read,
                                std::function<void(LoadedModel&&)> show, void (*wake)())
     : session_(session),
       read_(read),
@@ -27,7 +27,7 @@ void BackgroundWork::open(const std::filesystem::path& file) {
   session_.shows_open_dialog = false;
   session_.saving.shows_dialog = false;
   session_.error.clear();
-  if (is_pm_file(file)) {
+  if (io::is_pm_file(file)) {
     if (arrivals_.open(file)) load_.reset();
     return;
   }

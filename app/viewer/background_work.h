@@ -17,8 +17,8 @@ namespace mesher::app {
 class BackgroundWork {
  public:
   /// `show` receives a model that has been loaded. `wake` as for Job.
-  BackgroundWork(Session& session, const ReadOptions& read, std::function<void(LoadedModel&&)> show,
-                 void (*wake)());
+  BackgroundWork(Session& session, const io::ReadOptions& read,
+                 std::function<void(LoadedModel&&)> show, void (*wake)());
 
   /// Begins to load a file; the shown model stays until the file is read.
   void open(const std::filesystem::path& file);
@@ -55,7 +55,7 @@ class BackgroundWork {
   void start_save();
 
   Session& session_;
-  ReadOptions read_;
+  io::ReadOptions read_;
   std::function<void(LoadedModel&&)> show_;
   void (*wake_)();
   EditRunner edits_;

@@ -9,10 +9,10 @@ bool SceneMirror::update(Session& session) {
   if (is_changed) mesh_.invalidate();
   generation_ = session.model_generation;
   const std::uint32_t faces_before = mesh_.face_count();
-  const render::Settings settings = shown_settings(session);
+  const render::Settings settings = shown_settings(session.settings, session.progressive);
   const render::UploadStats upload =
       mesh_.apply(shown_mesh(session), settings, shown_sources(session));
-  if (mesh_.mark(marked_edges(session))) is_changed = true;
+  if (mesh_.mark(marked_edges(session.creases))) is_changed = true;
   if (upload.uploaded_bytes > 0) last_upload_ = upload;
   settings_ = settings;
   return is_changed || upload.uploaded_bytes > 0 || mesh_.face_count() != faces_before;

@@ -59,7 +59,7 @@ void ScriptedSession::press(std::span<const KeyPress> keys) {
     if (!session_.wants_screenshot) continue;
     session_.wants_screenshot = false;
     const std::filesystem::path file = next_screenshot(session_.model.name);
-    write_png(file, picture());
+    io::write_png(file, picture());
     session_.notice = "saved " + file.string();
   }
 }

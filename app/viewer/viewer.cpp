@@ -284,10 +284,10 @@ class Viewer {
     if (!update_scene()) return;
     const std::filesystem::path file = next_screenshot(session_.model.name);
     try {
-      write_png(file, render::render_image(device_, renderer_, mirror_.mesh(), session_.camera,
-                                           mirror_.settings(),
-                                           static_cast<std::uint32_t>(session_.window.x),
-                                           static_cast<std::uint32_t>(session_.window.y)));
+      io::write_png(file, render::render_image(device_, renderer_, mirror_.mesh(), session_.camera,
+                                               mirror_.settings(),
+                                               static_cast<std::uint32_t>(session_.window.x),
+                                               static_cast<std::uint32_t>(session_.window.y)));
       session_.notice = "saved " + file.string();
     } catch (const Error& error) {
       session_.error = error.what();

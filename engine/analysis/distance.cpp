@@ -9,7 +9,7 @@
 #include "engine/core/parallel.h"
 #include "engine/mesh/statistics.h"
 
-namespace mesher {
+namespace mesher::analysis {
 namespace {
 
 constexpr std::size_t kChunk = 2048;
@@ -135,4 +135,4 @@ SurfaceDistance surface_distance(const Mesh& a, const Mesh& b, const DistanceOpt
   return distance;
 }
 
-}  // namespace mesher
+}  // namespace mesher::analysis

@@ -5,7 +5,7 @@
 #include "engine/core/progress.h"
 #include "engine/mesh/mesh.h"
 
-namespace mesher {
+namespace mesher::analysis {
 
 /// The distance from one surface to another, in model units. Mean and RMS are weighted by area; the
 /// maximum is over the samples and the vertices.
@@ -42,4 +42,4 @@ struct DistanceOptions {
 /// Pre: both meshes have faces.
 SurfaceDistance surface_distance(const Mesh& a, const Mesh& b, const DistanceOptions& options = {});
 
-}  // namespace mesher
+}  // namespace mesher::analysis

@@ -6,7 +6,7 @@
 
 #include "engine/analysis/one_sided_bound.h"
 
-namespace mesher {
+namespace mesher::analysis {
 namespace {
 
 /// Distances below this fraction of the largest distance found so far need not be exact.
@@ -122,4 +122,4 @@ HausdorffBounds hausdorff_bounds(const Mesh& a, const Mesh& b, const HausdorffOp
   return hausdorff_bounds({a, tree_a}, {b, tree_b}, options);
 }
 
-}  // namespace mesher
+}  // namespace mesher::analysis

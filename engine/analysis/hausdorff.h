@@ -8,7 +8,7 @@
 #include "engine/core/progress.h"
 #include "engine/mesh/mesh.h"
 
-namespace mesher {
+namespace mesher::analysis {
 
 /// The lower and upper bound of a distance, in model units.
 struct DistanceInterval {
@@ -76,4 +76,4 @@ HausdorffBounds hausdorff_bounds(const HausdorffSide& a, const HausdorffSide& b,
 HausdorffBounds hausdorff_bounds(const Mesh& a, const Mesh& b,
                                  const HausdorffOptions& options = {});
 
-}  // namespace mesher
+}  // namespace mesher::analysis

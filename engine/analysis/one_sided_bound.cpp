@@ -9,7 +9,7 @@
 #include "engine/core/parallel.h"
 #include "engine/mesh/circulators.h"
 
-namespace mesher {
+namespace mesher::analysis {
 namespace {
 
 constexpr std::size_t kVerticesPerChunk = 1024;
@@ -376,4 +376,4 @@ double OneSidedBound::upper() const {
   return most;
 }
 
-}  // namespace mesher
+}  // namespace mesher::analysis

@@ -12,7 +12,7 @@
 #include "engine/analysis/skim.h"
 #include "engine/analysis/triangle_reach.h"
 
-namespace mesher {
+namespace mesher::analysis {
 
 /// A triangle that is part of a face.
 struct BoundPiece {
@@ -113,4 +113,4 @@ class OneSidedBound {
   bool is_begun_ = false;
 };
 
-}  // namespace mesher
+}  // namespace mesher::analysis

@@ -8,7 +8,7 @@
 #include "engine/analysis/triangle_tree.h"
 #include "engine/mesh/circulators.h"
 
-namespace mesher {
+namespace mesher::analysis {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -237,4 +237,4 @@ double OverlayWalk::bound(double most) {
   return highest;
 }
 
-}  // namespace mesher
+}  // namespace mesher::analysis

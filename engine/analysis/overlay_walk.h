@@ -8,7 +8,7 @@
 #include "engine/analysis/triangle_reach.h"
 #include "engine/mesh/mesh.h"
 
-namespace mesher {
+namespace mesher::analysis {
 
 /// Bounds the distance from the points of a triangle to a surface that runs alongside it, without a
 /// search tree. It projects the faces of the surface along the triangle's normal, walks over the
@@ -83,4 +83,4 @@ class OverlayWalk {
   std::uint32_t faces_ = 0;
 };
 
-}  // namespace mesher
+}  // namespace mesher::analysis

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-namespace mesher::detail {
+namespace mesher::analysis::detail {
 namespace {
 
 /// A rounded number and its rounding error: the sum is exact.
@@ -121,4 +121,4 @@ int exact_orientation(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3
   return sum.sign();
 }
 
-}  // namespace mesher::detail
+}  // namespace mesher::analysis::detail

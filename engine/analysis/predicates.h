@@ -4,7 +4,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-namespace mesher {
+namespace mesher::analysis {
 
 /// Exact signs of determinants of points (J. Shewchuk, "Adaptive precision floating-point
 /// arithmetic and fast robust geometric predicates", 1997).
@@ -63,4 +63,4 @@ inline int orientation(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec
   return detail::exact_orientation(a, b, c, d);
 }
 
-}  // namespace mesher
+}  // namespace mesher::analysis

@@ -10,7 +10,7 @@
 #include "engine/core/parallel.h"
 #include "engine/mesh/statistics.h"
 
-namespace mesher {
+namespace mesher::analysis {
 namespace {
 
 using Corners = std::array<glm::vec3, 3>;
@@ -195,4 +195,4 @@ std::vector<FacePair> self_intersections(const Mesh& mesh, Progress* progress) {
   return pairs;
 }
 
-}  // namespace mesher
+}  // namespace mesher::analysis

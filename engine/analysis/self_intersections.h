@@ -7,7 +7,7 @@
 #include "engine/core/progress.h"
 #include "engine/mesh/mesh.h"
 
-namespace mesher {
+namespace mesher::analysis {
 
 /// Two faces of a mesh, the lower id first.
 using FacePair = std::array<Face, 2>;
@@ -26,4 +26,4 @@ std::uint64_t count_self_intersections(const Mesh& mesh, Progress* progress = nu
 /// Returns the pairs that count_self_intersections counts, sorted.
 std::vector<FacePair> self_intersections(const Mesh& mesh, Progress* progress = nullptr);
 
-}  // namespace mesher
+}  // namespace mesher::analysis

@@ -10,7 +10,7 @@
 #include "engine/analysis/triangle_tree.h"
 #include "engine/core/parallel.h"
 
-namespace mesher {
+namespace mesher::analysis {
 namespace {
 
 constexpr std::size_t kFacesPerChunk = 4096;
@@ -124,4 +124,4 @@ Skimmed skim(const SkimInput& input, double allowed, Progress* progress) {
   return all;
 }
 
-}  // namespace mesher
+}  // namespace mesher::analysis

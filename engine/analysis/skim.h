@@ -8,7 +8,7 @@
 #include "engine/core/progress.h"
 #include "engine/mesh/mesh.h"
 
-namespace mesher {
+namespace mesher::analysis {
 
 /// The result of a first, cheap pass over the faces of a surface.
 struct Skimmed {
@@ -39,4 +39,4 @@ struct SkimInput {
 /// Cancelled.
 Skimmed skim(const SkimInput& input, double allowed, Progress* progress);
 
-}  // namespace mesher
+}  // namespace mesher::analysis

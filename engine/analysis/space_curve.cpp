@@ -8,7 +8,7 @@
 
 #include "engine/core/parallel.h"
 
-namespace mesher {
+namespace mesher::analysis {
 namespace {
 
 constexpr std::size_t kChunk = 1U << 13U;
@@ -196,4 +196,4 @@ Array<std::uint32_t> faces_along_curve(const Mesh& mesh) {
   return order;
 }
 
-}  // namespace mesher
+}  // namespace mesher::analysis

@@ -6,7 +6,7 @@
 
 #include "engine/analysis/predicates.h"
 
-namespace mesher {
+namespace mesher::analysis {
 namespace {
 
 using Signs = std::array<int, 3>;
@@ -183,4 +183,4 @@ bool do_intersect(const ExactTriangle& a, const ExactTriangle& b) {
   return is_folded(edge_first(a, in_a[0], in_a[1]), edge_first(b, in_b[0], in_b[1]));
 }
 
-}  // namespace mesher
+}  // namespace mesher::analysis

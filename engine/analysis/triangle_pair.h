@@ -3,7 +3,7 @@
 #include <array>
 #include <glm/vec3.hpp>
 
-namespace mesher {
+namespace mesher::analysis {
 
 /// A triangle. Each coordinate is the value of a finite float, stored as a double because the
 /// predicates compute in double.
@@ -25,4 +25,4 @@ bool is_degenerate(const ExactTriangle& t);
 /// - Three: always.
 bool do_intersect(const ExactTriangle& a, const ExactTriangle& b);
 
-}  // namespace mesher
+}  // namespace mesher::analysis

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-namespace mesher {
+namespace mesher::analysis {
 
 using Triangle = std::array<glm::dvec3, 3>;
 /// The squared lengths of the sides; side i starts at corner i.
@@ -31,4 +31,4 @@ inline double reach(const Sides& sides) {
   return std::sqrt(longest * (is_obtuse ? 0.25 : 1.0 / 3.0));
 }
 
-}  // namespace mesher
+}  // namespace mesher::analysis

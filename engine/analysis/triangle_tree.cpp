@@ -11,7 +11,7 @@
 #include "engine/analysis/space_curve.h"
 #include "engine/core/parallel.h"
 
-namespace mesher {
+namespace mesher::analysis {
 namespace {
 
 constexpr std::size_t kGrain = 1U << 12U;
@@ -243,4 +243,4 @@ TriangleTree::Nearest TriangleTree::nearest_beyond(const glm::dvec3& p, Face hin
   return {Face(order_[best]), least};
 }
 
-}  // namespace mesher
+}  // namespace mesher::analysis

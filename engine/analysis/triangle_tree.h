@@ -8,7 +8,7 @@
 #include "engine/core/array.h"
 #include "engine/mesh/mesh.h"
 
-namespace mesher {
+namespace mesher::analysis {
 
 /// Returns the squared distance from a point to a triangle. It is measured to a point of the
 /// triangle, so it is never below the true distance, apart from the rounding of a difference and
@@ -98,4 +98,4 @@ class LazyTree {
   std::optional<TriangleTree> tree_;
 };
 
-}  // namespace mesher
+}  // namespace mesher::analysis

@@ -16,15 +16,16 @@ void* allocate_array(std::size_t bytes);
 /// Frees memory from `allocate_array`. Pre: `bytes` is the size passed there.
 void free_array(void* memory, std::size_t bytes) noexcept;
 
-/// Whether `resize(n)` leaves new elements of type T uninitialized. Specialize it as true for a
-/// type with a constructor if its arrays are always written completely before they are read. The
-/// type must be trivially copyable, so that its lifetime begins without a constructor call.
+/// Whether `resize(n)` leaves new elements of type T uninitialized. A type with a constructor may
+/// declare a static member `kLeftUninitialized` if its arrays are always written completely before
+/// they are read. It must be trivially copyable: its lifetime begins without a constructor call.
 template <class T>
-inline constexpr bool kLeftUninitialized = std::is_trivially_default_constructible_v<T>;
+concept LeftUninitialized = std::is_trivially_default_constructible_v<T> || requires {
+  T::kLeftUninitialized;
+};
 
-/// An allocator whose `resize(n)` leaves trivially constructible elements, and those of types
-/// marked kLeftUninitialized, uninitialized. Filling fresh pages with values that are overwritten
-/// at once costs as much as the work itself.
+/// An allocator whose `resize(n)` leaves elements of a LeftUninitialized type uninitialized.
+/// Filling fresh pages with values that are overwritten at once costs as much as the work itself.
 template <class T>
 class DefaultInitAllocator : public std::allocator<T> {
  public:
@@ -40,7 +41,7 @@ class DefaultInitAllocator : public std::allocator<T> {
   void deallocate(T* p, std::size_t n) noexcept { free_array(p, n * sizeof(T)); }
   template <class U>
   void construct(U* p) noexcept(std::is_nothrow_default_constructible_v<U>) {
-    if constexpr (kLeftUninitialized<U>) {
+    if constexpr (LeftUninitialized<U>) {
       static_assert(std::is_trivially_copyable_v<U>);
     } else {
       ::new (static_cast<void*>(p)) U;

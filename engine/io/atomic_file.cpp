@@ -13,7 +13,7 @@
 
 #include "engine/core/error.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 /// write(2) writes at most 2 GB. Smaller pieces also let the page cache drain steadily.
@@ -158,4 +158,4 @@ void AtomicFile::fail(const char* action) {
   throw OutputError(name_, std::string(action) + ": " + std::generic_category().message(error));
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

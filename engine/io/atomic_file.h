@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace mesher {
+namespace mesher::io {
 
 /// Writes a file that appears whole or not at all.
 ///
@@ -53,4 +53,4 @@ class AtomicFile {
   std::uint64_t size_ = 0;
 };
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -1,6 +1,6 @@
 #include "engine/io/base64.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 int value_of(char c) {
@@ -34,4 +34,4 @@ std::optional<std::string> decode_base64(std::string_view text) {
   return bytes;
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

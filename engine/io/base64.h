@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace mesher {
+namespace mesher::io {
 
 /// Returns the bytes that a base64 text encodes (RFC 4648, with or without padding). Returns
 /// nothing if the text has a character outside the alphabet or an impossible length. O(n).
@@ -53,4 +53,4 @@ class Base64Writer {
   int held_ = 0;
 };
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -11,7 +11,7 @@
 #include "engine/core/assert.h"
 #include "engine/core/parallel.h"
 
-namespace mesher {
+namespace mesher::io {
 
 /// A growing buffer of text or binary data. `need` makes room; appending does not check for it.
 class Appender {
@@ -87,4 +87,4 @@ void write_elements(Sink& sink, std::size_t count, std::size_t most_bytes, Forma
   }
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -10,7 +10,7 @@
 
 #include "engine/core/error.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 // Longest time that a silent pipe delays the end of reading.
@@ -134,4 +134,4 @@ std::string ByteStream::failure() const {
   return failure_;
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

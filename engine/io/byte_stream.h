@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace mesher {
+namespace mesher::io {
 
 /// Reads a file or a pipe on a thread of its own, so that the consumer never blocks. Reads at most
 /// kMostAhead bytes ahead.
@@ -63,4 +63,4 @@ class ByteStream {
   std::thread thread_;
 };
 
-}  // namespace mesher
+}  // namespace mesher::io

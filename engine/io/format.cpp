@@ -13,7 +13,7 @@
 #include "engine/io/polygon_write.h"
 #include "engine/io/stl_read.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 constexpr FormatContents kGltfContents{
@@ -108,4 +108,4 @@ std::string writable_formats() {
   return list_of(words);
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

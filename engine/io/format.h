@@ -11,10 +11,10 @@
 #include "engine/io/read.h"
 #include "engine/io/write.h"
 #include "engine/mesh/attributes.h"
+#include "engine/mesh/build/soup.h"
 #include "engine/mesh/mesh.h"
-#include "engine/mesh/soup.h"
 
-namespace mesher {
+namespace mesher::io {
 
 /// How a format stores an attribute of a mesh's corners.
 enum class Holds {
@@ -68,4 +68,4 @@ std::string writable_formats();
 /// name.
 inline constexpr std::size_t kMaxNameBytes = 256;
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -8,7 +8,7 @@
 #include "engine/core/error.h"
 #include "engine/io/base64.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 constexpr std::string_view kMagic = "glTF";
@@ -356,4 +356,4 @@ void GltfFile::fail(std::string_view reason) const {
   throw InputError(file_.name(), 0, reason);
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -12,7 +12,7 @@
 #include "engine/core/array.h"
 #include "engine/io/mapped_file.h"
 
-namespace mesher {
+namespace mesher::io {
 
 /// A glTF 2.0 document with its buffers, from either container.
 ///
@@ -76,4 +76,4 @@ class GltfFile {
   std::vector<std::unique_ptr<Buffer>> buffers_;
 };
 
-}  // namespace mesher
+}  // namespace mesher::io

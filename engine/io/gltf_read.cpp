@@ -15,7 +15,7 @@
 #include "engine/io/gltf_file.h"
 #include "engine/io/weld.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 using Json = GltfFile::Json;
@@ -339,4 +339,4 @@ Soup read_gltf(const MappedFile& file) {
   return GltfReader(file).run();
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/io/mapped_file.h"
-#include "engine/mesh/soup.h"
+#include "engine/mesh/build/soup.h"
 
-namespace mesher {
+namespace mesher::io {
 
 /// Reads glTF 2.0, text (.gltf, with buffers inside or beside it) or binary (.glb).
 ///
@@ -19,4 +19,4 @@ namespace mesher {
 /// output). Throws InputError.
 Soup read_gltf(const MappedFile& file);
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -14,7 +14,7 @@
 #include "engine/mesh/circulators.h"
 #include "engine/mesh/statistics.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -300,4 +300,4 @@ void write_gltf(AtomicFile& file, const Mesh& mesh, const Attributes& attributes
   write_gltf(file, {&level, 1}, binary);
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -6,7 +6,7 @@
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/mesh.h"
 
-namespace mesher {
+namespace mesher::io {
 
 /// A mesh at one level of detail.
 struct GltfLevel {
@@ -32,4 +32,4 @@ void write_gltf(AtomicFile& file, const Mesh& mesh, const Attributes& attributes
 /// the finest level. Pre: `levels` is not empty.
 void write_gltf(AtomicFile& file, std::span<const GltfLevel> levels, bool binary);
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -6,7 +6,7 @@
 #include "engine/io/format.h"
 #include "engine/io/vertex_attributes.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 bool is_absent(const glm::vec2& v) {
@@ -63,4 +63,4 @@ std::vector<std::string> losses_in_format(const std::filesystem::path& file, con
   return losses;
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -7,7 +7,7 @@
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/mesh.h"
 
-namespace mesher {
+namespace mesher::io {
 
 /// Returns what write_model omits or changes because the format cannot store it, as phrases for the
 /// user ("3 creases", "normals (they differ around vertices)"). Empty: the file preserves
@@ -15,4 +15,4 @@ namespace mesher {
 std::vector<std::string> losses_in_format(const std::filesystem::path& file, const Mesh& mesh,
                                           const Attributes& attributes);
 
-}  // namespace mesher
+}  // namespace mesher::io

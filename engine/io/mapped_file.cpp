@@ -13,7 +13,7 @@
 
 #include "engine/core/error.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 constexpr int kCancelCheckMs = 100;
@@ -102,4 +102,4 @@ void MappedFile::fail(const char* action) const {
   throw InputError(name_, 0, std::string(action) + ": " + std::generic_category().message(errno));
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

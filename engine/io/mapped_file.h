@@ -9,7 +9,7 @@
 #include "engine/core/array.h"
 #include "engine/core/progress.h"
 
-namespace mesher {
+namespace mesher::io {
 
 /// A whole file, read-only, as one span of bytes.
 ///
@@ -51,4 +51,4 @@ class MappedFile {
   Array<char> copy_;
 };
 
-}  // namespace mesher
+}  // namespace mesher::io

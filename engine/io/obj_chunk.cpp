@@ -8,7 +8,7 @@
 #include "engine/io/scan.h"
 #include "engine/mesh/ids.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 using scan::is_blank;
@@ -392,4 +392,4 @@ const char* next_obj_line(const char* text_begin, const char* from, const char* 
   }
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

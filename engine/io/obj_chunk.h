@@ -10,7 +10,7 @@
 #include "engine/core/array.h"
 #include "engine/core/assert.h"
 
-namespace mesher {
+namespace mesher::io {
 
 /// Reusable storage with a fixed capacity. Appending is a store and an increment. Pages that are
 /// never reached are never touched.
@@ -112,4 +112,4 @@ void parse_obj_chunk(const char* begin, const char* end, const ObjBounds (&bound
 /// Returns the start of the first line at or after `from`. Does not split continued lines.
 const char* next_obj_line(const char* text_begin, const char* from, const char* end);
 
-}  // namespace mesher
+}  // namespace mesher::io

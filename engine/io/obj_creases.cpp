@@ -5,7 +5,7 @@
 
 #include "engine/core/error.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 using VertexPair = std::pair<std::uint32_t, std::uint32_t>;
@@ -97,4 +97,4 @@ void add_obj_tags(const MappedFile& file, std::optional<int> base, const std::ve
   }
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

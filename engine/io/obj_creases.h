@@ -5,9 +5,9 @@
 
 #include "engine/io/mapped_file.h"
 #include "engine/io/obj_chunk.h"
-#include "engine/mesh/soup.h"
+#include "engine/mesh/build/soup.h"
 
-namespace mesher {
+namespace mesher::io {
 
 /// Adds the creases and corners of an OBJ file to its soup.
 ///
@@ -17,4 +17,4 @@ namespace mesher {
 void add_obj_tags(const MappedFile& file, std::optional<int> base, const std::vector<ObjTag>& tags,
                   Soup& soup);
 
-}  // namespace mesher
+}  // namespace mesher::io

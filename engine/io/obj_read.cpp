@@ -12,7 +12,7 @@
 #include "engine/io/obj_creases.h"
 #include "engine/io/text_cursor.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 /// Bytes of text per chunk. Small enough that the text and its contents fit in a core's cache.
@@ -332,4 +332,4 @@ Soup read_obj(const MappedFile& file, const ReadOptions& options) {
   return ObjAssembly(file, options).run();
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

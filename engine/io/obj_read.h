@@ -2,9 +2,9 @@
 
 #include "engine/io/mapped_file.h"
 #include "engine/io/read.h"
-#include "engine/mesh/soup.h"
+#include "engine/mesh/build/soup.h"
 
-namespace mesher {
+namespace mesher::io {
 
 /// Reads Wavefront OBJ.
 ///
@@ -28,4 +28,4 @@ namespace mesher {
 /// address.
 Soup read_obj(const MappedFile& file, const ReadOptions& options);
 
-}  // namespace mesher
+}  // namespace mesher::io

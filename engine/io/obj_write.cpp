@@ -7,7 +7,7 @@
 #include "engine/io/vertex_attributes.h"
 #include "engine/io/weld.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 constexpr std::size_t kNumber = 16;  ///< a float and the blank before it
@@ -134,4 +134,4 @@ void write_obj(AtomicFile& file, const Mesh& mesh, const Attributes& attributes)
   write_creases(file, mesh);
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

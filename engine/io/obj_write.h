@@ -4,7 +4,7 @@
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/mesh.h"
 
-namespace mesher {
+namespace mesher::io {
 
 /// Writes Wavefront OBJ.
 ///
@@ -15,4 +15,4 @@ namespace mesher {
 /// attributes, else O(F).
 void write_obj(AtomicFile& file, const Mesh& mesh, const Attributes& attributes);
 
-}  // namespace mesher
+}  // namespace mesher::io

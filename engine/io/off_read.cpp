@@ -9,7 +9,7 @@
 #include "engine/io/text_cursor.h"
 #include "engine/io/vertex_attributes.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 /// Attributes per vertex, as the first word declares them.
@@ -150,4 +150,4 @@ Soup read_off(const MappedFile& file) {
   return OffReader(file).run();
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/io/mapped_file.h"
-#include "engine/mesh/soup.h"
+#include "engine/mesh/build/soup.h"
 
-namespace mesher {
+namespace mesher::io {
 
 /// Reads text OFF.
 ///
@@ -13,4 +13,4 @@ namespace mesher {
 /// InputError with the line.
 Soup read_off(const MappedFile& file);
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -4,7 +4,7 @@
 #include "engine/io/polygon_write.h"
 #include "engine/io/vertex_attributes.h"
 
-namespace mesher {
+namespace mesher::io {
 
 void write_off(AtomicFile& file, const Mesh& mesh, const Attributes& attributes) {
   const Array<glm::u8vec4> colors =
@@ -28,4 +28,4 @@ void write_off(AtomicFile& file, const Mesh& mesh, const Attributes& attributes)
   });
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -5,7 +5,7 @@
 
 #include "engine/core/error.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 /// Limit on properties: more than any real file has, and few enough to search quickly.
@@ -164,4 +164,4 @@ PlyHeader read_ply_header(const MappedFile& file) {
   return HeaderReader(file).run();
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -8,7 +8,7 @@
 
 #include "engine/io/mapped_file.h"
 
-namespace mesher {
+namespace mesher::io {
 
 enum class PlyEncoding { text, little_endian, big_endian };
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
@@ -40,4 +40,4 @@ struct PlyHeader {
 /// Reads the header of a PLY file with any kind of line end. Throws InputError with the line.
 PlyHeader read_ply_header(const MappedFile& file);
 
-}  // namespace mesher
+}  // namespace mesher::io

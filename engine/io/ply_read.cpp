@@ -13,7 +13,7 @@
 #include "engine/io/text_cursor.h"
 #include "engine/io/vertex_attributes.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 /// Reads values one by one from a text file.
@@ -378,4 +378,4 @@ Soup read_ply(const MappedFile& file) {
   return PlyReader<BinaryValues<std::endian::native != std::endian::big>>(file, header).run();
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/io/mapped_file.h"
-#include "engine/mesh/soup.h"
+#include "engine/mesh/build/soup.h"
 
-namespace mesher {
+namespace mesher::io {
 
 /// Reads PLY: text and both binary encodings, values of any type, list counts of any integer type,
 /// elements in any order.
@@ -17,4 +17,4 @@ namespace mesher {
 /// text files.
 Soup read_ply(const MappedFile& file);
 
-}  // namespace mesher
+}  // namespace mesher::io

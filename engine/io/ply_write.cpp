@@ -5,7 +5,7 @@
 #include "engine/io/polygon_write.h"
 #include "engine/io/vertex_attributes.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary PLY is written as it lies here");
@@ -100,4 +100,4 @@ void write_ply(AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
   });
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

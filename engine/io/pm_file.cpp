@@ -18,9 +18,9 @@
 #include "engine/core/error.h"
 #include "engine/io/format.h"
 #include "engine/io/mapped_file.h"
-#include "engine/progressive/pm_read.h"
+#include "engine/progressive/codec/pm_read.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -33,7 +33,7 @@ constexpr std::size_t kBeginning = 8;
 /// Checks the format of a file whose name does not tell it. Throws InputError if it is not a
 /// progressive mesh.
 void check_kind(const std::string& name, std::span<const std::byte> begin) {
-  if (begin.size() >= kBeginning && PmReader::is_pm(begin)) return;
+  if (begin.size() >= kBeginning && progressive::PmReader::is_pm(begin)) return;
   throw InputError(
       name, 0,
       "is not a progressive mesh; files of other formats, and named pipes, need one of the "
@@ -94,10 +94,10 @@ bool begins_like_pm(const fs::path& file) {
   std::array<std::byte, kBeginning> begin{};
   std::ifstream in(file, std::ios::binary);
   in.read(reinterpret_cast<char*>(begin.data()), begin.size());
-  return in.gcount() == std::streamsize{begin.size()} && PmReader::is_pm(begin);
+  return in.gcount() == std::streamsize{begin.size()} && progressive::PmReader::is_pm(begin);
 }
 
-void feed_all(PmReader& reader, std::span<const std::byte> bytes, Progress* progress) {
+void feed_all(progressive::PmReader& reader, std::span<const std::byte> bytes, Progress* progress) {
   for (std::size_t begin = 0; begin < bytes.size(); begin += kBlock) {
     report(progress, static_cast<float>(double(begin) / double(bytes.size())));
     reader.feed(bytes.subspan(begin, std::min(kBlock, bytes.size() - begin)));
@@ -107,7 +107,7 @@ void feed_all(PmReader& reader, std::span<const std::byte> bytes, Progress* prog
 }
 
 /// Feeds a whole regular file. Returns its size in bytes.
-std::uint64_t feed_file(PmReader& reader, const fs::path& file, Progress* progress) {
+std::uint64_t feed_file(progressive::PmReader& reader, const fs::path& file, Progress* progress) {
   const MappedFile mapped(file, progress);
   if (mapped.size() == 0) throw InputError(mapped.name(), 0, "is empty");
   const auto bytes = std::as_bytes(std::span(mapped.begin(), mapped.size()));
@@ -117,7 +117,7 @@ std::uint64_t feed_file(PmReader& reader, const fs::path& file, Progress* progre
 }
 
 /// Feeds the bytes that identify the content of a pipe. Returns how many bytes were fed.
-std::uint64_t feed_beginning(PmReader& reader, Pipe& pipe, const fs::path& file) {
+std::uint64_t feed_beginning(progressive::PmReader& reader, Pipe& pipe, const fs::path& file) {
   std::vector<std::byte> begin;
   while (begin.size() < kBeginning) {
     const auto bytes = pipe.read();
@@ -133,7 +133,7 @@ std::uint64_t feed_beginning(PmReader& reader, Pipe& pipe, const fs::path& file)
 /// Feeds the mesh of a pipe and returns the number of bytes fed. Reads no further than the mesh:
 /// the rest may be endless, or its writer may pause. Surplus bytes that are available already are
 /// read and count as damage.
-std::uint64_t feed_pipe(PmReader& reader, const fs::path& file, Progress* progress) {
+std::uint64_t feed_pipe(progressive::PmReader& reader, const fs::path& file, Progress* progress) {
   Pipe pipe(file.string(), progress);
   std::uint64_t fed = feed_beginning(reader, pipe, file);
   while (reader.damage().empty() && (!reader.is_complete() || pipe.has_news(0))) {
@@ -153,7 +153,7 @@ bool is_pipe(const fs::path& file) {
   return fs::is_fifo(file, ignored) || fs::is_socket(file, ignored);
 }
 
-PmSummary summary_of(const ProgressiveMesh& mesh) {
+PmSummary summary_of(const progressive::ProgressiveMesh& mesh) {
   PmSummary summary;
   summary.base_vertices = mesh.base_vertex_count();
   summary.base_faces = mesh.base_face_count();
@@ -180,7 +180,7 @@ bool is_pm_file(const fs::path& file) {
 PmContents read_pm_file(const fs::path& file, Progress* progress) {
   begin_stage(progress, "reading " + file.filename().string());
   try {
-    PmReader reader(file.string());
+    progressive::PmReader reader(file.string());
     PmSummary rest;
     rest.bytes =
         is_pipe(file) ? feed_pipe(reader, file, progress) : feed_file(reader, file, progress);
@@ -201,10 +201,11 @@ PmContents read_pm_file(const fs::path& file, Progress* progress) {
   }
 }
 
-PmSizes write_pm_file(AtomicFile& file, ProgressiveMesh& mesh, const PmWriteOptions& options) {
+progressive::PmSizes write_pm_file(AtomicFile& file, progressive::ProgressiveMesh& mesh,
+                                   const progressive::PmWriteOptions& options) {
   begin_stage(options.progress, "writing");
   try {
-    return write_pm(mesh, options, [&](std::span<const std::byte> bytes) {
+    return progressive::write_pm(mesh, options, [&](std::span<const std::byte> bytes) {
       file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     });
   } catch (const OutputError& error) {
@@ -215,12 +216,13 @@ PmSizes write_pm_file(AtomicFile& file, ProgressiveMesh& mesh, const PmWriteOpti
   }
 }
 
-PmSummary summary_of(const ProgressiveMesh& mesh, const PmWriteOptions& options,
-                     const PmSizes& sizes) {
+PmSummary summary_of(const progressive::ProgressiveMesh& mesh,
+                     const progressive::PmWriteOptions& options,
+                     const progressive::PmSizes& sizes) {
   PmSummary summary = summary_of(mesh);
   summary.coordinate_bits = options.coordinate_bits;
   summary.bytes = sizes.total;
   return summary;
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

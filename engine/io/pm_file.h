@@ -6,10 +6,10 @@
 
 #include "engine/core/progress.h"
 #include "engine/io/atomic_file.h"
-#include "engine/progressive/pm_write.h"
+#include "engine/progressive/codec/pm_write.h"
 #include "engine/progressive/progressive_mesh.h"
 
-namespace mesher {
+namespace mesher::io {
 
 /// Summary of a file with a progressive mesh (docs/pm-format.md).
 struct PmSummary {
@@ -30,7 +30,7 @@ struct PmSummary {
 
 /// A progressive mesh from a file, at the finest level present.
 struct PmContents {
-  ProgressiveMesh mesh;
+  progressive::ProgressiveMesh mesh;
   PmSummary summary;
 };
 
@@ -49,10 +49,11 @@ PmContents read_pm_file(const std::filesystem::path& file, Progress* progress = 
 
 /// Writes the whole progressive mesh and leaves `mesh` at its level. Does not commit. Throws
 /// OutputError.
-PmSizes write_pm_file(AtomicFile& file, ProgressiveMesh& mesh, const PmWriteOptions& options);
+progressive::PmSizes write_pm_file(AtomicFile& file, progressive::ProgressiveMesh& mesh,
+                                   const progressive::PmWriteOptions& options);
 
 /// Returns the summary of a mesh that write_pm_file wrote.
-PmSummary summary_of(const ProgressiveMesh& mesh, const PmWriteOptions& options,
-                     const PmSizes& sizes);
+PmSummary summary_of(const progressive::ProgressiveMesh& mesh,
+                     const progressive::PmWriteOptions& options, const progressive::PmSizes& sizes);
 
-}  // namespace mesher
+}  // namespace mesher::io

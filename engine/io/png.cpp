@@ -11,7 +11,7 @@
 #include "engine/io/atomic_file.h"
 #include "engine/io/mapped_file.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 constexpr std::uint32_t kLargestSide = 32768;
@@ -82,4 +82,4 @@ Image read_png(const std::filesystem::path& file) {
   return image;
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -4,7 +4,7 @@
 
 #include "engine/core/image.h"
 
-namespace mesher {
+namespace mesher::io {
 
 /// Writes an image as 8-bit RGBA PNG that appears whole or not at all. Favors speed over size: a
 /// cheap filter and light compression. Throws OutputError. Pre: width and height are at least 1.
@@ -14,4 +14,4 @@ void write_png(const std::filesystem::path& file, const Image& image);
 /// or higher than 32,768 pixels.
 Image read_png(const std::filesystem::path& file);
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -4,7 +4,7 @@
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/mesh.h"
 
-namespace mesher {
+namespace mesher::io {
 
 // None of these functions commits the file. All are O(F) and write in blocks, so memory does not
 // grow with the mesh, except for attributes. Numbers in text are the shortest that read back as the
@@ -21,4 +21,4 @@ void write_stl(AtomicFile& file, const Mesh& mesh, bool ascii);
 /// Writes OFF, or COFF if all corners of each vertex have one color.
 void write_off(AtomicFile& file, const Mesh& mesh, const Attributes& attributes);
 
-}  // namespace mesher
+}  // namespace mesher::io

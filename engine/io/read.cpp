@@ -8,7 +8,7 @@
 #include "engine/io/format.h"
 #include "engine/io/mapped_file.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 Soup read_polygons(const FormatInfo& format, const std::filesystem::path& file,
@@ -39,4 +39,4 @@ Soup read_soup(const std::filesystem::path& file, const ReadOptions& options) {
   }
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

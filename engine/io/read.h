@@ -4,11 +4,11 @@
 #include <optional>
 
 #include "engine/core/progress.h"
-#include "engine/mesh/build.h"
+#include "engine/mesh/build/build.h"
+#include "engine/mesh/build/soup.h"
 #include "engine/mesh/model.h"
-#include "engine/mesh/soup.h"
 
-namespace mesher {
+namespace mesher::io {
 
 struct ReadOptions {
   /// Base of the vertex numbers in the `e` lines of an OBJ, 0 or 1. Unset: the base for which more
@@ -29,4 +29,4 @@ Soup read_soup(const std::filesystem::path& file, const ReadOptions& options = {
 /// Reads a file and builds the mesh. Throws the same errors as read_soup.
 Model read_model(const std::filesystem::path& file, const ReadOptions& options = {});
 
-}  // namespace mesher
+}  // namespace mesher::io

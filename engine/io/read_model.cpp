@@ -4,7 +4,7 @@
 #include "engine/core/error.h"
 #include "engine/io/read.h"
 
-namespace mesher {
+namespace mesher::io {
 
 Model read_model(const std::filesystem::path& file, const ReadOptions& options) {
   Soup soup = read_soup(file, options);
@@ -24,4 +24,4 @@ Model read_model(const std::filesystem::path& file, const ReadOptions& options) 
   }
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace mesher::scan {
+namespace mesher::io::scan {
 namespace {
 
 constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
@@ -177,4 +177,4 @@ const char* read_integer(const char* p, std::int64_t& value) {
   return p;
 }
 
-}  // namespace mesher::scan
+}  // namespace mesher::io::scan

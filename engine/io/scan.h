@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace mesher::scan {
+namespace mesher::io::scan {
 
 // Scanners over text that ends in readable zero bytes (MappedFile::kPadding). They need not know
 // where the text ends, because a zero byte is never part of a token.
@@ -87,4 +87,4 @@ inline const char* read_digits(const char* p, std::uint32_t& value) {
 /// another character follows it directly.
 const char* read_integer(const char* p, std::int64_t& value);
 
-}  // namespace mesher::scan
+}  // namespace mesher::io::scan

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/mesh/soup.h"
+#include "engine/mesh/build/soup.h"
 
-namespace mesher {
+namespace mesher::io {
 
 /// Drops `face_start` if all faces are triangles. O(F).
 inline void forget_triangle_starts(Soup& soup) {
@@ -12,4 +12,4 @@ inline void forget_triangle_starts(Soup& soup) {
   soup.face_start = {};
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -11,7 +11,7 @@
 #include "engine/io/text_cursor.h"
 #include "engine/io/weld.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 84;
@@ -117,4 +117,4 @@ Soup read_stl(const MappedFile& file) {
   return connect(positions);
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

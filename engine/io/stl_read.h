@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/io/mapped_file.h"
-#include "engine/mesh/soup.h"
+#include "engine/mesh/build/soup.h"
 
-namespace mesher {
+namespace mesher::io {
 
 /// Reads STL, binary or text. A file of exactly the size of its binary facet count is binary. Any
 /// other file is text if it begins with "solid", and binary if not.
@@ -14,4 +14,4 @@ namespace mesher {
 /// unconnected triangles. O(n log n) time. Throws InputError.
 Soup read_stl(const MappedFile& file);
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -5,7 +5,7 @@
 #include "engine/io/block_writer.h"
 #include "engine/io/polygon_write.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 struct Facet {
@@ -69,4 +69,4 @@ void write_stl(AtomicFile& file, const Mesh& mesh, bool ascii) {
   }
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -5,7 +5,7 @@
 #include "engine/core/error.h"
 #include "engine/io/scan.h"
 
-namespace mesher {
+namespace mesher::io {
 
 const char* text_start(const MappedFile& file) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -82,4 +82,4 @@ void TextCursor::fail(std::string_view reason) const {
   throw InputError(file_.name(), file_.line_of(last_), reason);
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

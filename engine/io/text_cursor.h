@@ -5,7 +5,7 @@
 
 #include "engine/io/mapped_file.h"
 
-namespace mesher {
+namespace mesher::io {
 
 /// Returns the start of a file's text, after the byte order mark that some editors write.
 const char* text_start(const MappedFile& file);
@@ -48,4 +48,4 @@ class TextCursor {
   const char* last_ = p_;  ///< start of the last word read
 };
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -10,7 +10,7 @@
 #include "engine/core/parallel.h"
 #include "engine/mesh/ids.h"
 
-namespace mesher {
+namespace mesher::io {
 
 // Many formats store attributes per vertex, while mesher stores one per corner.
 
@@ -43,4 +43,4 @@ Array<T> gather_to_vertices(std::span<const Vertex> origins, std::size_t vertex_
   return values;
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -7,7 +7,7 @@
 #include "engine/core/parallel.h"
 #include "engine/mesh/ids.h"
 
-namespace mesher {
+namespace mesher::io {
 namespace {
 
 constexpr std::size_t kGrain = std::size_t{1} << 14;
@@ -75,4 +75,4 @@ Weld weld_positions(const Array<glm::vec3>& positions) {
   return weld(reinterpret_cast<const std::uint32_t*>(keys.data()), 3, keys.size());
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -5,7 +5,7 @@
 
 #include "engine/core/array.h"
 
-namespace mesher {
+namespace mesher::io {
 
 /// Equal items: the number of each item among the distinct ones, and the first of each kind.
 struct Weld {
@@ -22,4 +22,4 @@ Weld weld(const std::uint32_t* items, std::size_t words, std::size_t count);
 /// Finds equal positions, where 0 and -0 are equal.
 Weld weld_positions(const Array<glm::vec3>& positions);
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -3,7 +3,7 @@
 #include "engine/core/error.h"
 #include "engine/io/format.h"
 
-namespace mesher {
+namespace mesher::io {
 
 const FormatInfo& writable_format(const std::filesystem::path& file) {
   const FormatInfo* format = format_of(file);
@@ -24,4 +24,4 @@ void write_model(const std::filesystem::path& file, const Mesh& mesh, const Attr
   out.commit();
 }
 
-}  // namespace mesher
+}  // namespace mesher::io

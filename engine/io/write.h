@@ -5,7 +5,7 @@
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/mesh.h"
 
-namespace mesher {
+namespace mesher::io {
 
 struct FormatInfo;
 
@@ -26,4 +26,4 @@ void write_model(const std::filesystem::path& file, const Mesh& mesh, const Attr
 /// unknown, or if it names progressive meshes, which write_pm_file writes.
 const FormatInfo& writable_format(const std::filesystem::path& file);
 
-}  // namespace mesher
+}  // namespace mesher::io

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "engine/mesh/attributes.h"
+#include "engine/mesh/build/report.h"
 #include "engine/mesh/mesh.h"
-#include "engine/mesh/report.h"
 
 namespace mesher {
 

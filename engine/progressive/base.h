@@ -4,7 +4,7 @@
 
 #include "engine/simplify/options.h"
 
-namespace mesher {
+namespace mesher::progressive {
 
 /// Default number of faces of a progressive mesh's base; smaller models and large errors change it.
 inline constexpr std::uint32_t kUsualBaseFaces = 200;
@@ -15,6 +15,6 @@ inline constexpr std::uint32_t kUsualBaseFaces = 200;
 /// estimated error would exceed kFarFromInput of the diagonal, but not before a quarter of the
 /// faces is reached; otherwise a cube would have nothing to refine. If no legal collapse leads that
 /// far, the base is as coarse as possible. O(1).
-void choose_base(SimplifyOptions& options, std::uint32_t faces, double diagonal);
+void choose_base(simplify::SimplifyOptions& options, std::uint32_t faces, double diagonal);
 
-}  // namespace mesher
+}  // namespace mesher::progressive

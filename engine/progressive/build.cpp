@@ -11,22 +11,23 @@
 #include "engine/progressive/split_step.h"
 #include "engine/simplify/simplify.h"
 
-namespace mesher {
+namespace mesher::progressive {
 namespace {
 
 constexpr std::size_t kGrain = 1U << 13;
 constexpr std::uint32_t kStepsBetweenReports = 1U << 16;
 
 /// Sorts by rank, highest first, and reverses equal ranks: the order of the splits.
-Array<CollapseRecord> sorted_by_rank(std::span<const CollapseRecord> collapses) {
-  Array<std::uint32_t> start(std::size_t{CollapseRecord::kRanks} + 1);
+Array<simplify::CollapseRecord> sorted_by_rank(
+    std::span<const simplify::CollapseRecord> collapses) {
+  Array<std::uint32_t> start(std::size_t{simplify::CollapseRecord::kRanks} + 1);
   std::fill(start.begin(), start.end(), 0U);
-  for (const CollapseRecord& c : collapses)
+  for (const simplify::CollapseRecord& c : collapses)
     ++start[c.rank + 1];
   for (std::size_t rank = 1; rank < start.size(); ++rank)
     start[rank] += start[rank - 1];
-  Array<CollapseRecord> sorted(collapses.size());
-  for (const CollapseRecord& c : collapses)
+  Array<simplify::CollapseRecord> sorted(collapses.size());
+  for (const simplify::CollapseRecord& c : collapses)
     sorted[collapses.size() - 1 - start[c.rank]++] = c;
   return sorted;
 }
@@ -64,7 +65,7 @@ Halfedge turned(Halfedge h, std::uint32_t steps) {
 /// The stages of build_progressive, in order, with the data they share.
 class ProgressiveBuilder {
  public:
-  ProgressiveBuilder(const Mesh& full, std::span<const CollapseRecord> collapses,
+  ProgressiveBuilder(const Mesh& full, std::span<const simplify::CollapseRecord> collapses,
                      Progress* progress)
       : full_(full), collapses_(sorted_by_rank(collapses)), progress_(progress) {}
 
@@ -145,7 +146,7 @@ class ProgressiveBuilder {
   void renumber_split_faces(IndexRange splits) {
     std::uint32_t next = first_faces_[splits.begin / kGrain];
     for (std::size_t i = splits.begin; i < splits.end; ++i) {
-      const CollapseRecord& c = collapses_[i];
+      const simplify::CollapseRecord& c = collapses_[i];
       result_.mesh.splits_[i].first_face = next;
       renumber_face(c.halfedge, next++);
       if (c.twin.is_valid()) renumber_face(c.twin, next++);
@@ -414,7 +415,7 @@ class ProgressiveBuilder {
   }
 
   const Mesh& full_;
-  Array<CollapseRecord> collapses_;  ///< in the order of the splits
+  Array<simplify::CollapseRecord> collapses_;  ///< in the order of the splits
   Progress* progress_;
   Array<Vertex> new_vertex_;  ///< by the input's vertices
   /// By the input's faces, the new half-edge of their first corner
@@ -427,19 +428,19 @@ class ProgressiveBuilder {
   Progressive result_;
 };
 
-Progressive build_progressive(const Mesh& full, std::span<const CollapseRecord> collapses,
+Progressive build_progressive(const Mesh& full, std::span<const simplify::CollapseRecord> collapses,
                               Progress* progress) {
   return ProgressiveBuilder(full, collapses, progress).run();
 }
 
-Progressive make_progressive(const Mesh& full, const SimplifyOptions& options) {
-  CollapseRecorder recorder;
-  SimplifyOptions recorded = options;
+Progressive make_progressive(const Mesh& full, const simplify::SimplifyOptions& options) {
+  simplify::CollapseRecorder recorder;
+  simplify::SimplifyOptions recorded = options;
   recorded.observer = &recorder;
-  const SimplifyReport report = simplify(Mesh(full), recorded).report;
+  const simplify::SimplifyReport report = simplify::simplify(Mesh(full), recorded).report;
   Progressive result = build_progressive(full, recorder.records(), options.progress);
   result.report = report;
   return result;
 }
 
-}  // namespace mesher
+}  // namespace mesher::progressive

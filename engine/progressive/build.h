@@ -10,7 +10,7 @@
 #include "engine/simplify/options.h"
 #include "engine/simplify/report.h"
 
-namespace mesher {
+namespace mesher::progressive {
 
 /// A progressive mesh and the source of each vertex and face.
 struct Progressive {
@@ -19,18 +19,18 @@ struct Progressive {
   /// By face, the half-edge of the input that became its first half-edge. Corners may be rotated,
   /// so that the edge that opens in a split comes first.
   Array<Halfedge> face_source;
-  SimplifyReport report;  ///< of the simplification to the base
+  simplify::SimplifyReport report;  ///< of the simplification to the base
 };
 
 /// Turns the collapses recorded by `simplify` into splits. Sorts them by rank first, so that each
 /// level is close to what simplification to its size would yield. At full detail the arrays equal
 /// the input's bit for bit, with mapped ids. O(F + collapses). Throws Cancelled. Pre: `collapses`
 /// were recorded on `full` and end at the base.
-Progressive build_progressive(const Mesh& full, std::span<const CollapseRecord> collapses,
+Progressive build_progressive(const Mesh& full, std::span<const simplify::CollapseRecord> collapses,
                               Progress* progress = nullptr);
 
 /// Simplifies a copy of the mesh by `options` and makes a progressive mesh of the collapses. Does
 /// not notify the observer of `options`. Throws Cancelled. Pre: the mesh is valid.
-Progressive make_progressive(const Mesh& full, const SimplifyOptions& options);
+Progressive make_progressive(const Mesh& full, const simplify::SimplifyOptions& options);
 
-}  // namespace mesher
+}  // namespace mesher::progressive

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mesher {
+namespace mesher::progressive {
 
 double DetailRange::growing(double time) const {
   return std::max(1.0, geomorph_range * (base_vertices + time));
@@ -36,4 +36,4 @@ GeomorphTime DetailRange::growth(double time) const {
   return GeomorphTime::continuous(time, growing(time));
 }
 
-}  // namespace mesher
+}  // namespace mesher::progressive

@@ -4,7 +4,7 @@
 
 #include "engine/mesh/geomorph.h"
 
-namespace mesher {
+namespace mesher::progressive {
 
 /// The way from the base of a progressive mesh to all its detail, and three measures of it:
 ///
@@ -37,4 +37,4 @@ struct DetailRange {
   GeomorphTime growth(double time) const;
 };
 
-}  // namespace mesher
+}  // namespace mesher::progressive

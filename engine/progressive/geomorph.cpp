@@ -6,7 +6,7 @@
 #include "engine/mesh/normals.h"
 #include "engine/mesh/packed_normal.h"
 
-namespace mesher {
+namespace mesher::progressive {
 namespace {
 
 constexpr std::uint32_t kStepsBetweenReports = 1U << 16;
@@ -123,4 +123,4 @@ void Geomorph::follow(const ProgressiveMesh& mesh) {
   if (!normals_.empty()) normals_.resize(vertices);
 }
 
-}  // namespace mesher
+}  // namespace mesher::progressive

@@ -8,7 +8,7 @@
 #include "engine/mesh/geomorph.h"
 #include "engine/progressive/progressive_mesh.h"
 
-namespace mesher {
+namespace mesher::progressive {
 
 /// Data of a geomorph beside the progressive mesh. A vertex is drawn at its position in the level's
 /// mesh, minus what the growing splits have not added yet; a child starts where its parent is
@@ -53,4 +53,4 @@ class Geomorph {
   Array<std::uint32_t> top_heads_;  ///< at full detail, one per vertex
 };
 
-}  // namespace mesher
+}  // namespace mesher::progressive

@@ -7,7 +7,7 @@
 #include "engine/analysis/triangle_tree.h"
 #include "engine/mesh/circulators.h"
 
-namespace mesher {
+namespace mesher::progressive {
 namespace {
 
 /// Squared, to the faces around a vertex.
@@ -17,7 +17,7 @@ double squared_distance_to(const Mesh& mesh, Vertex v, const glm::vec3& point) {
     const auto corner = [&](std::uint32_t i) {
       return glm::dvec3(mesh.position(mesh.origin(Mesh::halfedge(f, i))));
     };
-    least = std::min(least, squared_distance(point, {corner(0), corner(1), corner(2)}));
+    least = std::min(least, analysis::squared_distance(point, {corner(0), corner(1), corner(2)}));
   }
   return least;
 }
@@ -61,4 +61,4 @@ std::uint32_t LevelErrors::level_within(double error) const {
   return static_cast<std::uint32_t>(first - errors_.begin());
 }
 
-}  // namespace mesher
+}  // namespace mesher::progressive

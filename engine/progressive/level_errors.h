@@ -6,7 +6,7 @@
 #include "engine/core/progress.h"
 #include "engine/progressive/progressive_mesh.h"
 
-namespace mesher {
+namespace mesher::progressive {
 
 /// About how far the levels of a progressive mesh lie from its full detail: the farthest that any
 /// split above a level moves the surface, which is measured between the faces around its vertices
@@ -28,4 +28,4 @@ class LevelErrors {
   Array<float> errors_;  ///< of each level but the last
 };
 
-}  // namespace mesher
+}  // namespace mesher::progressive

@@ -5,7 +5,7 @@
 #include "engine/mesh/mesh.h"
 #include "engine/progressive/split_step.h"
 
-namespace mesher {
+namespace mesher::progressive {
 
 /// The mesh's arrays, resized together.
 class OpenedArrays {
@@ -46,4 +46,4 @@ class OpenedArrays {
   MeshArrays::InPlace arrays_;
 };
 
-}  // namespace mesher
+}  // namespace mesher::progressive

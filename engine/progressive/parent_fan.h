@@ -8,7 +8,7 @@
 #include "engine/mesh/circulators.h"
 #include "engine/mesh/mesh.h"
 
-namespace mesher {
+namespace mesher::progressive {
 
 /// The half-edges out of a parent, counter-clockwise from outgoing(parent), and whether their faces
 /// close around it. They are in slots 0 to k-1 (see SplitCut).
@@ -40,4 +40,4 @@ inline ParentFan gather_fan(const Mesh& mesh, Vertex v, Array<Halfedge>& memory)
   return {memory, at.is_closed()};
 }
 
-}  // namespace mesher
+}  // namespace mesher::progressive

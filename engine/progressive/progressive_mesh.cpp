@@ -9,7 +9,7 @@
 #include "engine/progressive/split_appender.h"
 #include "engine/progressive/split_step.h"
 
-namespace mesher {
+namespace mesher::progressive {
 namespace {
 
 // A longer way is recorded as a change of everything: beyond about this many ranges, one large copy
@@ -134,4 +134,4 @@ std::size_t ProgressiveMesh::memory_bytes() const {
          bytes(corner_sharpness_) + bytes(full_bow_tie_copies_);
 }
 
-}  // namespace mesher
+}  // namespace mesher::progressive

@@ -7,7 +7,7 @@
 #include "engine/mesh/mesh.h"
 #include "engine/progressive/vertex_split.h"
 
-namespace mesher {
+namespace mesher::progressive {
 
 struct SplitStep;
 
@@ -110,4 +110,4 @@ class ProgressiveMesh {
   Array<Halfedge> spokes_;                 ///< scratch of append
 };
 
-}  // namespace mesher
+}  // namespace mesher::progressive

@@ -5,7 +5,7 @@
 
 #include "engine/progressive/parent_fan.h"
 
-namespace mesher {
+namespace mesher::progressive {
 namespace {
 
 Halfedge lowest(std::span<const Halfedge> of) {
@@ -142,4 +142,4 @@ void SplitAppender::add_sharpness(const NewSplit& split) {
   }
 }
 
-}  // namespace mesher
+}  // namespace mesher::progressive

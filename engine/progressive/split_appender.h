@@ -8,7 +8,7 @@
 #include "engine/progressive/split_step.h"
 #include "engine/progressive/vertex_split.h"
 
-namespace mesher {
+namespace mesher::progressive {
 
 /// Appends splits to a progressive mesh, with memory for all of them allocated at the start. While
 /// it exists, the mesh's arrays are longer than its level needs, and nothing else may change them.
@@ -36,4 +36,4 @@ class SplitAppender {
   bool takes_notes_;  ///< false: everything is marked as changed already
 };
 
-}  // namespace mesher
+}  // namespace mesher::progressive

@@ -6,7 +6,7 @@
 #include "engine/mesh/mesh.h"
 #include "engine/progressive/vertex_split.h"
 
-namespace mesher {
+namespace mesher::progressive {
 
 /// The mesh arrays that a step writes, long enough for the finer of its two levels.
 struct StepArrays {
@@ -169,4 +169,4 @@ void coarsen(const StepArrays& a, const SplitStep& step, const Note& note) {
   note_step(step, note);
 }
 
-}  // namespace mesher
+}  // namespace mesher::progressive

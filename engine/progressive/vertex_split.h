@@ -6,7 +6,7 @@
 
 #include "engine/mesh/ids.h"
 
-namespace mesher {
+namespace mesher::progressive {
 
 /// A vertex split, the inverse of an edge collapse: a vertex, the parent, becomes two, and one or
 /// two faces open between them (H. Hoppe, "Progressive meshes", 1996). Split i of a progressive
@@ -77,4 +77,4 @@ struct NewSplit {
   float child_corner_sharpness = 0.0F;
 };
 
-}  // namespace mesher
+}  // namespace mesher::progressive

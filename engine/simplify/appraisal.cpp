@@ -5,7 +5,7 @@
 
 #include "engine/simplify/triangle_lanes.h"
 
-namespace mesher {
+namespace mesher::simplify {
 namespace {
 
 // Squared length of the area-weighted mean normal below which a vertex counts as pointed. A
@@ -96,4 +96,4 @@ Appraisal appraise(const Surface& surface, Halfedge h, const Fan& fan, const Can
   return result;
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

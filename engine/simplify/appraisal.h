@@ -4,7 +4,7 @@
 #include "engine/simplify/fan.h"
 #include "engine/simplify/surface.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// Cost of a legal collapse, including damage that the plane quadrics do not see.
 struct Appraisal {
@@ -27,4 +27,4 @@ struct Appraisal {
 /// Pre: `fan` is gathered for `h` and its shape is checked at the candidate's position. O(valence).
 Appraisal appraise(const Surface& surface, Halfedge h, const Fan& fan, const Candidate& candidate);
 
-}  // namespace mesher
+}  // namespace mesher::simplify

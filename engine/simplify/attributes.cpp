@@ -3,7 +3,7 @@
 #include <cstring>
 #include <string_view>
 
-namespace mesher {
+namespace mesher::simplify {
 namespace {
 
 /// One representative input corner per vertex, and the vertices whose corners disagree.
@@ -83,4 +83,4 @@ CarriedAttributes carry_attributes(const Attributes& before, std::span<const Ver
   return carried;
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

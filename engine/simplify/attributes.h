@@ -7,7 +7,7 @@
 #include "engine/mesh/attributes.h"
 #include "engine/simplify/simplify.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 struct CarriedAttributes {
   Attributes attributes;
@@ -35,4 +35,4 @@ CarriedAttributes carry_attributes(const Attributes& before, std::span<const Ver
 CarriedAttributes carry_attributes(const Attributes& before, std::span<const Vertex> origins,
                                    const Survivors& result);
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -10,7 +10,7 @@
 #include "engine/core/assert.h"
 #include "engine/mesh/ids.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// Links of a vertex in a queue. A vertex is in at most one queue at a time, so queues over
 /// disjoint sets of vertices share one array.
@@ -102,4 +102,4 @@ class BucketQueue {
   std::uint32_t lowest_word_ = kBuckets / 64;
 };
 
-}  // namespace mesher
+}  // namespace mesher::simplify

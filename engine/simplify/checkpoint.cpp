@@ -4,7 +4,7 @@
 
 #include "engine/mesh/circulators.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 Checkpoint::Checkpoint(const Mesh& mesh, std::span<const Vertex> live) {
   vertices_.reserve(live.size());
@@ -48,4 +48,4 @@ void Checkpoint::restore(Mesh& mesh, Array<Vertex>& live) const {
   }
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

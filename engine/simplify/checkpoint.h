@@ -6,7 +6,7 @@
 #include "engine/core/array.h"
 #include "engine/mesh/mesh.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// A copy of the live part of a mesh under simplification, from which collapses can be undone. It
 /// copies the mesh alone, not the Surface data kept beside it: after `restore` the mesh can be read
@@ -41,4 +41,4 @@ class Checkpoint {
   Array<FaceCopy> faces_;
 };
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -8,7 +8,7 @@
 #include "engine/mesh/circulators.h"
 #include "engine/mesh/collapse.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 static_assert(CollapseRecord::kRanks == BucketQueue::kBuckets);
 
@@ -204,7 +204,7 @@ void Collapser::collapse_or_requeue(Vertex v) {
 /// Pre: `check` returned kLegal for this collapse.
 Appraisal Collapser::appraise(Halfedge h, const Candidate& candidate) {
   if (!context_.policy.costs_are_errors()) return {candidate.cost, 0.0F};
-  Appraisal appraisal = mesher::appraise(context_.surface, h, fan_, candidate);
+  Appraisal appraisal = simplify::appraise(context_.surface, h, fan_, candidate);
   if (context_.samples != nullptr) {
     appraisal.cost += context_.samples->correction(context_.surface, h, fan_, candidate);
   }
@@ -460,4 +460,4 @@ void Collapser::retry_refused_in_ring() {
   }
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -22,7 +22,7 @@
 #include "engine/simplify/surface.h"
 #include "engine/simplify/tracked_samples.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// Data shared by all collapses of a simplification.
 struct CollapseContext {
@@ -158,4 +158,4 @@ class Collapser {
   CollapseOutcome outcome_;
 };
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -5,7 +5,7 @@
 #include "engine/mesh/mesh_editor.h"
 #include "engine/simplify/collapser.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// Adds (+1) or removes (-1) the face's quadric at its three corners.
 void Collapser::add_contributions(Face f, float sign) {
@@ -98,4 +98,4 @@ void Collapser::merge(Halfedge h, const glm::vec3& p) {
   }
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -1,6 +1,6 @@
 #include "engine/simplify/cost_policy.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 void CollapsePolicy::evaluate_costs(const Surface& surface, std::span<const Halfedge> edges,
                                     CostPrecision, float* costs) const {
@@ -36,4 +36,4 @@ Placed place(const Surface& surface, Halfedge h, const EdgeQuadric<float>& edge,
   return {y, {p.x, p.y, p.z}};
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -8,7 +8,7 @@
 #include "engine/simplify/options.h"
 #include "engine/simplify/surface.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// Cost and result of merging an edge.
 struct Candidate {
@@ -64,4 +64,4 @@ struct Placed {
 Placed place(const Surface& surface, Halfedge h, const EdgeQuadric<float>& edge,
              Placement placement, AllowedPlacement allowed);
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -10,7 +10,7 @@
 #include "engine/core/parallel.h"
 #include "engine/mesh/circulators.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 bool is_fine(const Mesh& mesh, double bound) {
   double sum = 0.0;
@@ -28,7 +28,7 @@ ErrorBound::ErrorBound(const Mesh& input, double bound, Array<float> shares)
       shares_(std::move(shares)),
       near_(input.vertex_count(), Face(0)) {
   constexpr std::size_t kGrain = 1U << 13U;
-  if (!is_fine(input, bound)) tree_.emplace(input, TriangleOrder::presorted);
+  if (!is_fine(input, bound)) tree_.emplace(input, analysis::TriangleOrder::presorted);
   parallel_for_each(next_.size(), kGrain, [&](std::uint32_t v) {
     next_[v] = v;
     if (!input.is_isolated(Vertex(v))) near_[v] = Mesh::face(input.outgoing(Vertex(v)));
@@ -39,7 +39,7 @@ double ErrorBound::squared_distance_to(const glm::dvec3& p, Face f) const {
   const auto corner = [&](std::uint32_t c) {
     return glm::dvec3(input_.position(input_.origin(Mesh::halfedge(f, c))));
   };
-  return squared_distance(p, {corner(0), corner(1), corner(2)});
+  return analysis::squared_distance(p, {corner(0), corner(1), corner(2)});
 }
 
 /// Returns the nearest of a face and the three adjacent ones.
@@ -82,7 +82,7 @@ ErrorBound::Near ErrorBound::walk(const glm::dvec3& p, Face from, double squared
     if (best.face == before) break;
   }
   if (best.squared_distance <= squared_bound || !tree_) return best;
-  const TriangleTree::Nearest hit = tree_->nearest_beyond(p, best.face, squared_bound);
+  const analysis::TriangleTree::Nearest hit = tree_->nearest_beyond(p, best.face, squared_bound);
   return {hit.face, hit.squared_distance};
 }
 
@@ -124,7 +124,7 @@ bool ErrorBound::reaches_all(Vertex v, std::span<const std::array<glm::dvec3, 3>
   const auto is_reached = [&](const glm::dvec3& q) {
     for (std::size_t k = 0; k < faces.size(); ++k) {
       const std::size_t i = likely + k < faces.size() ? likely + k : likely + k - faces.size();
-      if (squared_distance(q, faces[i]) > squared_bound) continue;
+      if (analysis::squared_distance(q, faces[i]) > squared_bound) continue;
       likely = i;
       return true;
     }
@@ -147,4 +147,4 @@ void ErrorBound::collapsed(Vertex removed, Vertex kept, const glm::vec3& p) {
   }
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

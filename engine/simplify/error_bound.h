@@ -12,7 +12,7 @@
 #include "engine/simplify/fan.h"
 #include "engine/simplify/surface.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// Returns whether a bound is less than half the mean edge length of the mesh. O(F).
 bool is_fine(const Mesh& mesh, double bound);
@@ -61,11 +61,11 @@ class ErrorBound {
   double squared_distance_to(const glm::dvec3& p, Face f) const;
 
   Mesh input_;
-  std::optional<TriangleTree> tree_;
+  std::optional<analysis::TriangleTree> tree_;
   double squared_bound_;
   Array<std::uint32_t> next_;  ///< circular list of the input vertices that a vertex represents
   Array<float> shares_;        ///< fraction of the bound, lowest over the vertices represented
   Array<Face> near_;           ///< of the input: within the bound of the vertex, or probably near
 };
 
-}  // namespace mesher
+}  // namespace mesher::simplify

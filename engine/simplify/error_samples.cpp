@@ -10,7 +10,7 @@
 #include "engine/mesh/circulators.h"
 #include "engine/simplify/triangle_lanes.h"
 
-namespace mesher {
+namespace mesher::simplify {
 namespace {
 
 constexpr std::size_t kGrain = 64;
@@ -151,4 +151,4 @@ ErrorSamples::Measured ErrorSamples::measure(const Surface& surface) const {
   return {mean, std::max(sums.fourths / n / (mean * mean) - 1.0, 0.0) / n};
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -6,7 +6,7 @@
 #include "engine/core/array.h"
 #include "engine/simplify/surface.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// Ratio of the paid costs per area to the mean square distance measured at the end: 13.0 to 14.1
 /// on the bunny and the armadillo at 10 and 1 %.
@@ -49,4 +49,4 @@ class ErrorSamples {
   Array<Sample> samples_;
 };
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -4,7 +4,7 @@
 
 #include "engine/simplify/territory.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 void FaceTree::build(const Surface& surface, std::vector<Face> faces) {
   faces_ = std::move(faces);
@@ -36,4 +36,4 @@ void FaceTree::move(Face f, const LaneBox& box) {
   }
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

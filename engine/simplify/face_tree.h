@@ -15,10 +15,12 @@
 #include "engine/simplify/lanes.h"
 #include "engine/simplify/surface.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// A box as two vectors of lanes, so that an overlap test takes one comparison of each.
 struct alignas(32) LaneBox {
+  static constexpr bool kLeftUninitialized = true;
+
   LaneBox() = default;
   explicit LaneBox(const Box& b)
       : min{b.min.x, b.min.y, b.min.z, 0.0F}, max{b.max.x, b.max.y, b.max.z, 0.0F} {}
@@ -26,9 +28,6 @@ struct alignas(32) LaneBox {
   Float4 min;
   Float4 max;
 };
-
-template <>
-inline constexpr bool kLeftUninitialized<LaneBox> = true;
 
 inline bool do_overlap(const LaneBox& a, const LaneBox& b) {
   return !any((a.min > b.max) | (b.min > a.max));
@@ -101,4 +100,4 @@ class FaceTree {
   std::uint32_t first_leaf_ = 1;
 };
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -6,7 +6,7 @@
 
 #include "engine/mesh/circulators.h"
 
-namespace mesher {
+namespace mesher::simplify {
 namespace {
 
 // Two faces count as folded together if their normals differ by more than 150 degrees.
@@ -338,4 +338,4 @@ float Fan::folded_area_before(const Surface& surface) const {
   return area;
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

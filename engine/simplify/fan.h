@@ -11,7 +11,7 @@
 #include "engine/simplify/report.h"
 #include "engine/simplify/surface.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// The faces around the merged vertex of an edge: those of both stars except the one or two at the
 /// edge, counter-clockwise, from one boundary to the other or all the way around. Stored as arrays,
@@ -105,4 +105,4 @@ class Fan {
   std::vector<float> neighbor_x_, neighbor_y_, neighbor_z_;  ///< see four_positions
 };
 
-}  // namespace mesher
+}  // namespace mesher::simplify

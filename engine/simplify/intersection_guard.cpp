@@ -10,10 +10,10 @@
 
 #include "engine/mesh/circulators.h"
 
-namespace mesher {
+namespace mesher::simplify {
 namespace {
 
-ExactTriangle triangle(const Mesh& mesh, Face f) {
+analysis::ExactTriangle triangle(const Mesh& mesh, Face f) {
   return {mesh.position(mesh.origin(Mesh::halfedge(f, 0))),
           mesh.position(mesh.origin(Mesh::halfedge(f, 1))),
           mesh.position(mesh.origin(Mesh::halfedge(f, 2)))};
@@ -21,11 +21,12 @@ ExactTriangle triangle(const Mesh& mesh, Face f) {
 
 /// Returns whether the changed pair intersects and did not before. Pre: `changed` is not
 /// degenerate.
-bool is_new_pair(const ExactTriangle& changed, const ExactTriangle& other,
-                 const ExactTriangle& before, const ExactTriangle& other_before) {
-  if (!do_intersect(changed, other)) return false;
-  return is_degenerate(before) || is_degenerate(other_before) ||
-         !do_intersect(before, other_before);
+bool is_new_pair(const analysis::ExactTriangle& changed, const analysis::ExactTriangle& other,
+                 const analysis::ExactTriangle& before,
+                 const analysis::ExactTriangle& other_before) {
+  if (!analysis::do_intersect(changed, other)) return false;
+  return analysis::is_degenerate(before) || analysis::is_degenerate(other_before) ||
+         !analysis::do_intersect(before, other_before);
 }
 
 /// Returns the faces whose corners all belong to the region, in the order of their vertices.
@@ -81,7 +82,7 @@ void IntersectionGuard::place_faces(const Surface& surface, const Fan& fan, cons
 void IntersectionGuard::flatten(const Fan& fan) {
   constexpr double kMargin = 1e-6;
   glm::dvec3 sum(0.0);
-  for (const ExactTriangle& t : triangles_)
+  for (const analysis::ExactTriangle& t : triangles_)
     sum += glm::cross(t[1] - t[0], t[2] - t[0]);
   const double length = std::sqrt(glm::dot(sum, sum));
   const glm::dvec3 mean = sum / length;
@@ -199,7 +200,7 @@ bool IntersectionGuard::has_new_pair(const Surface& surface, const Fan& fan, Fac
                                      const LaneBox& box) const {
   const Mesh& mesh = surface.mesh();
   FlatTriangle flat;
-  ExactTriangle t;
+  analysis::ExactTriangle t;
   for (std::uint32_t c = 0; c < 3; ++c) {
     flat.corner[c] = mesh.origin(Mesh::halfedge(other, c));
     t[c] = mesh.position(flat.corner[c]);
@@ -212,8 +213,8 @@ bool IntersectionGuard::has_new_pair(const Surface& surface, const Fan& fan, Fac
     for (std::size_t lane = 0; lane < 4 && i + lane < fan.size(); ++lane) {
       const std::size_t k = i + lane;
       if (is_apart[lane] != 0 || !do_overlap(boxes_[k], box)) continue;
-      if (is_degenerate(t)) return false;
-      const ExactTriangle before = triangle(mesh, Mesh::face(fan.spokes()[k]));
+      if (analysis::is_degenerate(t)) return false;
+      const analysis::ExactTriangle before = triangle(mesh, Mesh::face(fan.spokes()[k]));
       if (is_new_pair(triangles_[k], t, before, t)) return true;
     }
   }
@@ -234,4 +235,4 @@ void IntersectionGuard::collapsed(const Surface& surface, const Fan& fan) {
   removed_ = 0;
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -14,7 +14,7 @@
 #include "engine/simplify/surface.h"
 #include "engine/simplify/territory.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// State shared by the guards of all regions.
 struct GuardedSpace {
@@ -87,7 +87,7 @@ class IntersectionGuard {
   FaceTree tree_;
   std::size_t removed_ = 0;  ///< number of faces removed since the tree was built
   // New faces of the fan that was last checked.
-  std::vector<ExactTriangle> triangles_;
+  std::vector<analysis::ExactTriangle> triangles_;
   std::vector<LaneBox> boxes_;
   Box all_;
   // The same, projected along their mean normal, where they form a graph over that plane.
@@ -97,4 +97,4 @@ class IntersectionGuard {
   float reach_ = 0.0F;  ///< largest L1 distance of a neighbor from the vertex
 };
 
-}  // namespace mesher
+}  // namespace mesher::simplify

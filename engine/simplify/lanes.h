@@ -9,7 +9,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// Four floats processed at once. Each lane rounds like a single float, so a formula written once
 /// for `float`, `Float4` and `Float8` yields the same bits for all.
@@ -147,4 +147,4 @@ Vec3<F> cross(const Vec3<F>& a, const Vec3<F>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -7,7 +7,7 @@
 #include "engine/analysis/hausdorff.h"
 #include "engine/simplify/error_bound.h"
 
-namespace mesher {
+namespace mesher::simplify {
 namespace {
 
 /// Fraction of the bound that collapses may use. The rest covers deviations between the points that
@@ -27,15 +27,15 @@ constexpr std::array<float, 3> kTighter{0.6F, 0.45F, 0.3F};  // for the first ru
 constexpr int kRunsBeforeEffort = 4;
 constexpr std::uint64_t kEffort = 16;
 
-HausdorffBounds bounds_of(const Trace& trace, const HausdorffOptions& options) {
-  LazyTree before(trace.before, TriangleOrder::presorted);
-  LazyTree after(trace.after, TriangleOrder::presorted);
-  return hausdorff_bounds({trace.before, before, trace.near_before},
-                          {trace.after, after, trace.near_after}, options);
+analysis::HausdorffBounds bounds_of(const Trace& trace, const analysis::HausdorffOptions& options) {
+  analysis::LazyTree before(trace.before, analysis::TriangleOrder::presorted);
+  analysis::LazyTree after(trace.after, analysis::TriangleOrder::presorted);
+  return analysis::hausdorff_bounds({trace.before, before, trace.near_before},
+                                    {trace.after, after, trace.near_after}, options);
 }
 
-HausdorffBounds decide(const Trace& trace, const SimplifyOptions& options,
-                       std::uint64_t effort = 1) {
+analysis::HausdorffBounds decide(const Trace& trace, const SimplifyOptions& options,
+                                 std::uint64_t effort = 1) {
   return bounds_of(
       trace, {.enough = options.max_error,
               .is_decision = true,
@@ -81,7 +81,7 @@ void tighten(Array<float>& shares, const Trace& trace, std::span<const Face> fac
 
 /// Returns the distance of the surfaces. Separate from the decision, which only finds out whether
 /// the distance is within the bound.
-DistanceInterval measure(const Trace& trace, const SimplifyOptions& options) {
+analysis::DistanceInterval measure(const Trace& trace, const SimplifyOptions& options) {
   if (trace.before.face_count() == 0 || trace.after.face_count() == 0) return {};
   return bounds_of(trace, {.ratio = kRatioOfMeasured,
                            .most_queries = trace.before.face_count(),
@@ -99,7 +99,7 @@ Simplified simplify_certified(Mesh&& mesh, const SimplifyOptions& options) {
   Trace trace;
   Simplified result = simplify_unmeasured(std::move(mesh), options, {}, &trace);
   const auto start = std::chrono::steady_clock::now();
-  DistanceInterval distance;
+  analysis::DistanceInterval distance;
   if (result.mesh.face_count() > 0) {
     const double ratio = bound_ratio(result.report.faces_before);
     distance = bounds_of(trace, {.ratio = ratio, .progress = options.progress}).two_sided();
@@ -112,7 +112,7 @@ Simplified simplify_certified(Mesh&& mesh, const SimplifyOptions& options) {
 Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
   const Mesh input = std::move(mesh);
   SimplifyOptions run_options = options;
-  const bool is_fine = mesher::is_fine(input, options.max_error);
+  const bool is_fine = simplify::is_fine(input, options.max_error);
   run_options.max_error *= is_fine ? kUsedOfFineBound : kUsedOfBound;
   Array<float> shares;
   SimplifyTimes seconds;
@@ -123,7 +123,7 @@ Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
     Trace trace;
     Simplified result = simplify_unmeasured(Mesh(input), run_options, shares, &trace);
     const auto start = std::chrono::steady_clock::now();
-    HausdorffBounds bounds;
+    analysis::HausdorffBounds bounds;
     if (input.face_count() > 0 && result.mesh.face_count() > 0) {
       bounds = decide(trace, options);
       // No point beyond the bound is known, so the result is worth more work.
@@ -140,7 +140,7 @@ Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
     if (upper <= options.max_error) {
       if (options.observer != nullptr) options.observer->collapsed(recorder.records());
       const auto again = std::chrono::steady_clock::now();
-      const DistanceInterval distance = measure(trace, options);
+      const analysis::DistanceInterval distance = measure(trace, options);
       seconds.measure += seconds_since(again);
       result.report.measured_error = std::max(lower, distance.lower);
       result.report.certified_bound = std::min(upper, distance.upper);
@@ -168,4 +168,4 @@ Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
   return unchanged;
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -5,7 +5,7 @@
 #include "engine/simplify/simplify.h"
 #include "engine/simplify/trace.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// Simplifies once. Each collapse respects the error bound of the options, if any, but the result
 /// is not measured. `shares`: the fraction of that bound that applies at each vertex, by the ids of
@@ -24,4 +24,4 @@ Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options);
 
 inline constexpr int kMaxRuns = 12;
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -7,7 +7,7 @@
 #include "engine/core/array.h"
 #include "engine/core/parallel.h"
 
-namespace mesher {
+namespace mesher::simplify {
 namespace {
 
 constexpr std::size_t kGrain = 1U << 14;
@@ -98,4 +98,4 @@ Array<Vertex> morton_order(std::span<const glm::vec3> positions, std::span<const
   return order;
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

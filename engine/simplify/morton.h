@@ -7,7 +7,7 @@
 #include "engine/core/array.h"
 #include "engine/mesh/ids.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// The grid whose cells are ordered: 2^bits cells per side (at most 2^10). The bounding box of the
 /// vertices takes up half of each side; `shift` (0 to 1) moves it within the grid, so that the
@@ -22,4 +22,4 @@ struct MortonGrid {
 Array<Vertex> morton_order(std::span<const glm::vec3> positions, std::span<const Vertex> vertices,
                            const MortonGrid& grid);
 
-}  // namespace mesher
+}  // namespace mesher::simplify

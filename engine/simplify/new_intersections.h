@@ -3,7 +3,7 @@
 #include "engine/core/progress.h"
 #include "engine/simplify/simplify.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// Returns whether two faces of the result intersect that did not intersect in the input
 /// (`do_intersect` in engine/analysis/triangle_pair.h defines intersection; degenerate faces of the
@@ -13,4 +13,4 @@ namespace mesher {
 bool has_new_intersections(const Mesh& input, const Simplified& result,
                            Progress* progress = nullptr);
 
-}  // namespace mesher
+}  // namespace mesher::simplify

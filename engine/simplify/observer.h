@@ -8,7 +8,7 @@
 #include "engine/core/array.h"
 #include "engine/mesh/ids.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// One edge collapse. All ids are those of the mesh passed to `simplify`. An id keeps its meaning
 /// while its vertex or face lives, and is never reused.
@@ -51,4 +51,4 @@ class CollapseRecorder : public CollapseObserver {
   Array<CollapseRecord> records_;
 };
 
-}  // namespace mesher
+}  // namespace mesher::simplify

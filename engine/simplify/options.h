@@ -8,7 +8,7 @@
 #include "engine/core/option.h"
 #include "engine/core/progress.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 class CollapseObserver;
 
@@ -169,4 +169,4 @@ inline constexpr std::array kSimplifyRules{
                             .member = &SimplifyOptions::no_intersections},
 };
 
-}  // namespace mesher
+}  // namespace mesher::simplify

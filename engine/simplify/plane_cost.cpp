@@ -4,7 +4,7 @@
 
 #include "engine/mesh/circulators.h"
 
-namespace mesher {
+namespace mesher::simplify {
 namespace {
 
 constexpr int kMostFaces = 64;
@@ -55,4 +55,4 @@ std::optional<PlaneCosts> plane_costs(const Surface& surface, Halfedge h, const 
                     of_origin->at_other_end};
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -5,7 +5,7 @@
 
 #include "engine/simplify/surface.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// Costs of merging an edge at three positions.
 struct PlaneCosts {
@@ -21,4 +21,4 @@ struct PlaneCosts {
 /// faces, because the work would become quadratic. O(valence).
 std::optional<PlaneCosts> plane_costs(const Surface& surface, Halfedge h, const glm::vec3& p);
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -9,7 +9,7 @@
 #include "engine/core/parallel.h"
 #include "engine/mesh/circulators.h"
 
-namespace mesher {
+namespace mesher::simplify {
 namespace {
 
 /// Base of the policies that place the vertex like the default policy.
@@ -239,4 +239,4 @@ std::unique_ptr<CollapsePolicy> make_policy(const SimplifyOptions& options,
   return std::make_unique<QuadricPolicy>(placement);
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -15,7 +15,7 @@
 #include "engine/mesh/statistics.h"
 #include "engine/simplify/reorder.h"
 
-namespace mesher {
+namespace mesher::simplify {
 namespace {
 
 /// Size limits of the parts left out, as fractions of the error. The whole error may leave out too
@@ -205,7 +205,8 @@ class Pruning {
     const auto start = std::chrono::steady_clock::now();
     const Mesh pruned = compact(input_, parts_.select(input_, size, true));
     const double far =
-        surface_distance(pruned, result.mesh, {.samples = kSamples, .progress = options_.progress})
+        analysis::surface_distance(pruned, result.mesh,
+                                   {.samples = kSamples, .progress = options_.progress})
             .forward.rms;
     const double part = area / parts_.area();
     const double near = report.estimated_error;
@@ -233,14 +234,14 @@ Simplified simplify_pruned(Mesh&& mesh, const SimplifyOptions& options) {
   Simplified result = pruning.take();
   if (options.certifies && result.mesh.face_count() > 0) {
     const auto start = std::chrono::steady_clock::now();
-    const HausdorffOptions certified{.ratio = bound_ratio(input.face_count()),
-                                     .progress = options.progress};
+    const analysis::HausdorffOptions certified{.ratio = bound_ratio(input.face_count()),
+                                               .progress = options.progress};
     result.report.certified_bound =
-        hausdorff_bounds(input, result.mesh, certified).two_sided().upper;
+        analysis::hausdorff_bounds(input, result.mesh, certified).two_sided().upper;
     result.report.seconds.measure +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
   return result;
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

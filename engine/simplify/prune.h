@@ -2,7 +2,7 @@
 
 #include "engine/simplify/simplify.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// Simplifies as `simplify` does, but removes whole parts that are smaller than the error, so that
 /// their faces are available to the rest. A part is a connected component, together with those that
@@ -25,4 +25,4 @@ namespace mesher {
 
 inline constexpr int kMaxPrunings = 4;
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -2,7 +2,7 @@
 
 #include "engine/simplify/lanes.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// Quadric of the faces around a vertex, for moving the vertex by y. `y^T a y` is the sum of the
 /// faces' areas times the squared distances to their planes. `g.y` is three times the swept volume,
@@ -194,4 +194,4 @@ inline bool is_target_better(const EdgeQuadric<float>& edge) {
   return dot(edge.linear, edge.half) >= 0.0F;
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -5,7 +5,7 @@
 
 #include "engine/simplify/plane_cost.h"
 
-namespace mesher {
+namespace mesher::simplify {
 namespace {
 
 // By how many tie-breaks an end must be cheaper than the optimum to replace it.
@@ -143,4 +143,4 @@ void QuadricPolicy::evaluate_around(const Surface& surface, Vertex v, const Fan&
   }
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

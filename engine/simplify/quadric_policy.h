@@ -2,7 +2,7 @@
 
 #include "engine/simplify/cost_policy.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// The default policy: least area-weighted squared distance to the planes of the current faces, at
 /// a position that preserves the volume (engine/simplify/quadric.h). Processes eight edges at a
@@ -22,4 +22,4 @@ class QuadricPolicy : public CollapsePolicy {
   Placement placement_;
 };
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -5,7 +5,7 @@
 #include "engine/core/parallel.h"
 #include "engine/simplify/morton.h"
 
-namespace mesher {
+namespace mesher::simplify {
 namespace {
 
 constexpr std::size_t kGrain = 1U << 13;
@@ -96,4 +96,4 @@ Mesh compact(const Mesh& mesh, const KeptIds& kept) {
   return rearranged(mesh, kept.vertices, kept.faces, new_ids(kept.vertices, mesh.vertex_count()));
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

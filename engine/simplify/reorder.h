@@ -3,7 +3,7 @@
 #include "engine/core/array.h"
 #include "engine/mesh/mesh.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// A mesh with reordered vertices and faces.
 struct Reordered {
@@ -28,4 +28,4 @@ struct KeptIds {
 /// bow-tie vertices that are kept. O(V + F), parallel.
 Mesh compact(const Mesh& mesh, const KeptIds& kept);
 
-}  // namespace mesher
+}  // namespace mesher::simplify

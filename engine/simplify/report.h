@@ -5,7 +5,7 @@
 
 #include "engine/core/choice.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// Why simplification stopped.
 enum class StopReason : std::uint8_t {
@@ -101,4 +101,4 @@ struct SimplifyReport {
   }
 };
 
-}  // namespace mesher
+}  // namespace mesher::simplify

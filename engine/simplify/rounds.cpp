@@ -10,7 +10,7 @@
 #include "engine/simplify/checkpoint.h"
 #include "engine/simplify/morton.h"
 
-namespace mesher {
+namespace mesher::simplify {
 namespace {
 
 // The vertices and faces of a region (about 1 MB) fit into the second-level cache.
@@ -350,4 +350,4 @@ double Rounds::estimated_error() const {
   return std::sqrt(0.5 * (forward * forward + backward * backward)) / double{scale_};
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -13,7 +13,7 @@
 #include "engine/simplify/options.h"
 #include "engine/simplify/report.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// Translates records in place, from the mesh's ids to those the observer expects.
 using TranslateRecords = std::function<void(std::span<CollapseRecord>)>;
@@ -94,4 +94,4 @@ class Rounds {
   std::optional<double> error_at_stop_;
 };
 
-}  // namespace mesher
+}  // namespace mesher::simplify

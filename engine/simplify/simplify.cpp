@@ -16,7 +16,7 @@
 #include "engine/simplify/reorder.h"
 #include "engine/simplify/rounds.h"
 
-namespace mesher {
+namespace mesher::simplify {
 namespace {
 
 class Stopwatch {
@@ -166,7 +166,7 @@ Array<Face> faces_left(const Surface& surface) {
 }
 
 void finish(const Rounds& rounds, const Units& units, Trace& trace) {
-  mesher::trace(rounds.surface(), trace);
+  simplify::trace(rounds.surface(), trace);
   if (units.scale() == 1.0F) return;
   for (std::uint32_t v = 0; v < trace.after.vertex_count(); ++v) {
     const glm::vec3& scaled = trace.after.position(Vertex(v));
@@ -257,4 +257,4 @@ Simplified simplify(Mesh&& mesh, const SimplifyOptions& options) {
                            : simplify_unmeasured(std::move(mesh), options);
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

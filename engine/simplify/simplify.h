@@ -5,7 +5,7 @@
 #include "engine/simplify/options.h"
 #include "engine/simplify/report.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// A simplified mesh, its report, and the source of each vertex and face.
 struct Simplified {
@@ -26,4 +26,4 @@ struct Simplified {
 /// `max_error` and `certifies` keep two, at 24 to 56 bytes per face each. Throws Cancelled.
 [[nodiscard]] Simplified simplify(Mesh&& mesh, const SimplifyOptions& options);
 
-}  // namespace mesher
+}  // namespace mesher::simplify

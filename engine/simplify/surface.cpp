@@ -8,7 +8,7 @@
 #include "engine/core/parallel.h"
 #include "engine/mesh/circulators.h"
 
-namespace mesher {
+namespace mesher::simplify {
 namespace {
 
 constexpr std::size_t kGrain = 1U << 12;
@@ -195,4 +195,4 @@ EdgeQuadric<Float8> Surface::edge_quadrics(const std::array<Halfedge, 8>& edges)
           to.position - from.position};
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -13,7 +13,7 @@
 #include "engine/simplify/options.h"
 #include "engine/simplify/quadric.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// How a vertex may move.
 enum class VertexConstraint : std::uint8_t {
@@ -49,6 +49,8 @@ inline constexpr float kNever = std::numeric_limits<float>::infinity();
 /// half-edge owns the edge. The other half-edge has kNever; both have kNever if the edge is refused
 /// or must not be merged.
 struct alignas(32) FaceState {
+  static constexpr bool kLeftUninitialized = true;  ///< written in parallel, then read
+
   FaceShape shape;
   std::array<float, 3> cost{kNever, kNever, kNever};
   std::uint32_t first_normal = 0;  ///< normal in the input, packed
@@ -60,6 +62,7 @@ struct alignas(32) FaceState {
 /// `cost` and `best` describe the cheapest edge that the vertex owns, so the queue has one entry
 /// per vertex.
 struct alignas(64) VertexState {
+  static constexpr bool kLeftUninitialized = true;  ///< written in parallel, then read
   static constexpr std::uint32_t kGone = kNone;
 
   Quadric<float> quadric{};
@@ -84,12 +87,6 @@ struct alignas(64) VertexState {
     best = Halfedge(into.index());
   }
 };
-
-/// Both are fully written, in parallel, before they are read.
-template <>
-inline constexpr bool kLeftUninitialized<FaceState> = true;
-template <>
-inline constexpr bool kLeftUninitialized<VertexState> = true;
 
 /// Several vertex states at once.
 template <class F>
@@ -297,4 +294,4 @@ class Surface {
   Array<std::uint8_t> feature_;
 };
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -8,7 +8,7 @@
 
 #include "engine/core/parallel.h"
 
-namespace mesher {
+namespace mesher::simplify {
 namespace {
 
 // No regions: they are counted from 0.
@@ -170,4 +170,4 @@ bool Territory::owns(std::uint32_t region, const Box& box) const {
   return true;
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -7,7 +7,7 @@
 #include "engine/mesh/statistics.h"
 #include "engine/simplify/surface.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// Returns the bounding box of the corners of a live face. O(1).
 Box face_box(const Mesh& mesh, Face f);
@@ -41,4 +41,4 @@ class Territory {
   Array<std::uint32_t> owner_;
 };
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace mesher {
+namespace mesher::simplify {
 namespace {
 
 /// Returns, for each vertex, the surviving vertex into which it was merged.
@@ -61,4 +61,4 @@ void trace(const Surface& surface, Trace& trace) {
   trace.near_after = std::move(kept.faces);
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -4,7 +4,7 @@
 #include "engine/simplify/reorder.h"
 #include "engine/simplify/surface.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// Input and result of a run, and which parts of one are near parts of the other: the input of
 /// distance measurement. Both meshes are in the order of the run, so neighbors in space are
@@ -21,4 +21,4 @@ struct Trace {
 /// ids. O(F).
 void trace(const Surface& surface, Trace& trace);
 
-}  // namespace mesher
+}  // namespace mesher::simplify

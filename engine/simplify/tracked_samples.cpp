@@ -7,7 +7,7 @@
 #include "engine/core/parallel.h"
 #include "engine/simplify/triangle_lanes.h"
 
-namespace mesher {
+namespace mesher::simplify {
 namespace {
 
 constexpr std::size_t kGrain = 64;
@@ -86,4 +86,4 @@ void TrackedSamples::collapsed(const Fan& fan) {
   }
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

@@ -8,7 +8,7 @@
 #include "engine/simplify/fan.h"
 #include "engine/simplify/surface.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// Points of the input that are tracked through the collapses. Each point knows its nearest face,
 /// as far as the faces around its collapses tell, and the distance to it. Thus the cost of a
@@ -53,4 +53,4 @@ class TrackedSamples {
   double before_ = 0.0;               ///< sum of the squared distances of `moved_` before it
 };
 
-}  // namespace mesher
+}  // namespace mesher::simplify

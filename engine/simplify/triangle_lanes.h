@@ -2,7 +2,7 @@
 
 #include "engine/simplify/lanes.h"
 
-namespace mesher {
+namespace mesher::simplify {
 
 /// Four triangles at once.
 struct TriangleLanes {
@@ -59,4 +59,4 @@ inline float least_of(Float4 lanes) {
   return low < high ? low : high;
 }
 
-}  // namespace mesher
+}  // namespace mesher::simplify

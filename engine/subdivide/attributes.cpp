@@ -4,7 +4,7 @@
 
 #include "engine/core/parallel.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 namespace {
 
 constexpr std::size_t kChunk = 4096;
@@ -79,4 +79,4 @@ std::size_t subdivided_attribute_bytes(const Attributes& attributes, std::uint32
   return last + last / 4;
 }
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

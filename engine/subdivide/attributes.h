@@ -6,7 +6,7 @@
 #include "engine/core/progress.h"
 #include "engine/mesh/attributes.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 /// Returns the corner attributes of a subdivided mesh. They are interpolated linearly along edges
 /// within each face, so that seams stay in place. Groups are copied to all children. Normals are
@@ -19,4 +19,4 @@ Attributes subdivide_attributes(const Attributes& attributes, std::uint32_t leve
 /// O(1).
 std::size_t subdivided_attribute_bytes(const Attributes& attributes, std::uint32_t levels);
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

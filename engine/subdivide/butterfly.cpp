@@ -12,7 +12,7 @@
 #include "engine/subdivide/refine.h"
 #include "engine/subdivide/sharpness.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
@@ -218,4 +218,4 @@ Level midpoint_step(const LevelView& coarse, const SubdivideOptions& options, bo
   return finer;
 }
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

@@ -5,7 +5,7 @@
 #include "engine/subdivide/options.h"
 #include "engine/subdivide/rings.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 /// Returns the next level of modified butterfly subdivision; old vertices are copied. No stencil
 /// reaches across a boundary or a crease: a missing wing is the reflection of the opposite vertex,
@@ -17,4 +17,4 @@ Level butterfly_step(const LevelView& coarse, const Rings& rings, const Features
 /// Returns the next level with edges split in the middle; no vertex moves.
 Level midpoint_step(const LevelView& coarse, const SubdivideOptions& options, bool is_last);
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

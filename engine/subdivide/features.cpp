@@ -5,7 +5,7 @@
 
 #include "engine/subdivide/sharpness.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 namespace {
 
 /// Returns whether there are three faces on each side of the crease, or on the only side.
@@ -209,4 +209,4 @@ Features next_features(const Features& features, const Level& finer,
   return std::move(builder).finish(finer.view());
 }
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

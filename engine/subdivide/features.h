@@ -10,7 +10,7 @@
 #include "engine/subdivide/masks.h"
 #include "engine/subdivide/options.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 /// A sharp edge of a level: a crease, or a boundary.
 struct SharpEdge {
@@ -77,4 +77,4 @@ Features features_of(const Mesh& mesh, const SubdivideOptions& options);
 Features next_features(const Features& features, const Level& finer,
                        const SubdivideOptions& options);
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

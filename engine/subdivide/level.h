@@ -9,7 +9,7 @@
 #include "engine/mesh/mesh.h"
 #include "engine/subdivide/point.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 /// The arrays that subdivision reads, of a Mesh or an intermediate level: those of a mesh without
 /// sharpness. All invariants of Mesh hold.
@@ -63,4 +63,4 @@ inline Vertex edge_vertex(const Level& finer, Halfedge h) {
   return finer.origin[second_half(h).index()];
 }
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

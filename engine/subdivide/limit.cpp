@@ -11,7 +11,7 @@
 #include "engine/subdivide/local_ring.h"
 #include "engine/subdivide/ring_masks.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 namespace {
 
 constexpr std::size_t kChunk = 4096;
@@ -122,4 +122,4 @@ LimitSurface limit_surface(const LevelView& level, const Features& features,
   return limit;
 }
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

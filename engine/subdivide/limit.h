@@ -7,7 +7,7 @@
 #include "engine/subdivide/level.h"
 #include "engine/subdivide/options.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 /// The limit of Loop subdivision at the vertices of a level.
 struct LimitSurface {
@@ -21,4 +21,4 @@ struct LimitSurface {
 LimitSurface limit_surface(const LevelView& level, const Features& features,
                            const SubdivideOptions& options);
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

@@ -10,7 +10,7 @@
 #include "engine/subdivide/sharp_masks.h"
 #include "engine/subdivide/sharpness.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 namespace {
 
 // The slowest ring shrinks to 5/8 per step: after this many steps, less than 1e-13 of it remains.
@@ -280,4 +280,4 @@ glm::dvec3 LocalRing::fan_normal(std::size_t first, std::size_t count) const {
   return unit_or_zero(sum);
 }
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

@@ -9,7 +9,7 @@
 #include "engine/subdivide/level.h"
 #include "engine/subdivide/options.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 /// A sharp vertex with its one-ring. A step of Loop subdivision maps the ring to the new ring of
 /// the same vertex, so that one vertex can be followed to its limit alone, however long its
@@ -75,4 +75,4 @@ class LocalRing {
   std::vector<glm::dvec3> normals_;
 };
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

@@ -3,7 +3,7 @@
 #include "engine/subdivide/sharp_step.h"
 #include "engine/subdivide/smooth_step.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 Level loop_step(const LevelView& coarse, const Rings& rings, const Features& features,
                 const SubdivideOptions& options, bool is_last) {
@@ -12,4 +12,4 @@ Level loop_step(const LevelView& coarse, const Rings& rings, const Features& fea
   return finer;
 }
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

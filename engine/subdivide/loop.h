@@ -5,7 +5,7 @@
 #include "engine/subdivide/options.h"
 #include "engine/subdivide/rings.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 /// Returns the next level of Loop subdivision with creases: everything by the smooth masks first,
 /// then the edges and vertices in `features` by the crease rules. `is_last`: without twins and
@@ -13,4 +13,4 @@ namespace mesher {
 Level loop_step(const LevelView& coarse, const Rings& rings, const Features& features,
                 const SubdivideOptions& options, bool is_last);
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

@@ -5,7 +5,7 @@
 
 #include "engine/core/assert.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 namespace {
 
 double loop_own_weight(std::uint32_t valence) {
@@ -80,4 +80,4 @@ double butterfly_ring_weight(std::uint32_t valence, std::uint32_t i) {
   return (0.25 + std::cos(angle) + 0.5 * std::cos(2.0 * angle)) / valence;
 }
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

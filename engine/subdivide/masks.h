@@ -5,7 +5,7 @@
 
 #include "engine/subdivide/options.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 /// The weight of a vertex, and the weight of each of its neighbors (the same for all).
 struct RingMask {
@@ -71,4 +71,4 @@ double butterfly_ring_weight(std::uint32_t valence, std::uint32_t i);
 inline constexpr double kFourPointEnd = 9.0 / 16.0;
 inline constexpr double kFourPointNext = -1.0 / 16.0;
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

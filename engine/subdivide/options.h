@@ -7,7 +7,7 @@
 #include "engine/core/option.h"
 #include "engine/core/progress.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 /// How new vertices are placed.
 enum class Scheme : std::uint8_t {
@@ -147,4 +147,4 @@ inline constexpr std::array kSubdivideRules{
         .applies = [](const SubdivideOptions& o) { return traits(o.scheme).has_limit; }},
 };
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

@@ -7,7 +7,7 @@
 #include <emmintrin.h>
 #endif
 
-namespace mesher {
+namespace mesher::subdivide {
 
 /// A position in one SIMD register. Each coordinate rounds like a separate float.
 class Point {
@@ -46,4 +46,4 @@ class Point {
   Lanes lanes_;
 };
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

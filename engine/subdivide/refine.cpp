@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace mesher {
+namespace mesher::subdivide {
 namespace {
 
 constexpr std::size_t kGrain = 1U << 16U;
@@ -87,4 +87,4 @@ void write_outgoing(const LevelView& coarse, Level& finer) {
   });
 }
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

@@ -7,7 +7,7 @@
 #include "engine/core/progress.h"
 #include "engine/subdivide/level.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 // The connectivity of splitting each face into four, which is the same for every scheme. There is
 // one new vertex per edge. New vertices come after the old ones, in the order in which a walk over
@@ -110,4 +110,4 @@ Level refine(const LevelView& coarse, bool is_last, Progress* progress, const Pl
   return finer;
 }
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

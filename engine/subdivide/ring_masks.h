@@ -5,7 +5,7 @@
 
 #include "engine/subdivide/masks.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 /// Loop's masks as floats, precomputed for common valences.
 class RingMasks {
@@ -34,4 +34,4 @@ class RingMasks {
   std::array<Weights, kCommon> common_{};
 };
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

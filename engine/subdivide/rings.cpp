@@ -1,6 +1,6 @@
 #include "engine/subdivide/rings.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 Rings::Rings(const LevelView& base, bool lists_spokes) {
   start_.assign(base.vertex_count() + std::size_t{2}, 0);
@@ -19,4 +19,4 @@ Rings::Rings(const LevelView& base, bool lists_spokes) {
   }
 }
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

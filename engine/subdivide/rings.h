@@ -7,7 +7,7 @@
 #include "engine/core/array.h"
 #include "engine/subdivide/level.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 /// The half-edges out of each vertex on any level, without a walk around it. Those of the mesh's
 /// own vertices are listed once; their descendants follow by arithmetic. A vertex that was made on
@@ -76,4 +76,4 @@ void Rings::for_each_spoke(const LevelView& level, Vertex v, Visit visit) const 
   }
 }
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

@@ -2,7 +2,7 @@
 
 #include "engine/subdivide/sharpness.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 namespace {
 
 /// The sum and number of the neighbors along edges that are sharp at one level.
@@ -58,4 +58,4 @@ glm::dvec3 sharp_edge_point(CreaseRules rules, const SharpSpan& edge, const glm:
   return blend * sharp + (1.0 - blend) * smooth;
 }
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

@@ -6,7 +6,7 @@
 
 #include "engine/subdivide/masks.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 // The positions of sharp edges and vertices after a step, including semi-sharp blends. Pure
 // functions of points and sharpnesses; in double, because there are few.
@@ -34,4 +34,4 @@ glm::dvec3 sharp_vertex_point(const glm::dvec3& vertex, float own,
 /// Returns the position of the new vertex on a sharp edge; `smooth` as above. O(1).
 glm::dvec3 sharp_edge_point(CreaseRules rules, const SharpSpan& edge, const glm::dvec3& smooth);
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

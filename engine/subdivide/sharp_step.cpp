@@ -6,7 +6,7 @@
 #include "engine/core/parallel.h"
 #include "engine/subdivide/sharp_masks.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
@@ -60,4 +60,4 @@ void place_sharp(const LevelView& coarse, const Features& features, const Subdiv
   });
 }
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

@@ -4,7 +4,7 @@
 #include "engine/subdivide/level.h"
 #include "engine/subdivide/options.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 /// Repositions the edge vertices and vertices on creases and boundaries by the crease rules of
 /// `options`. O(sharp edges), parallel. Pre: `finer` was made from `coarse`, whose features are
@@ -12,4 +12,4 @@ namespace mesher {
 void place_sharp(const LevelView& coarse, const Features& features, const SubdivideOptions& options,
                  Level& finer);
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

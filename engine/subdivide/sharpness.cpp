@@ -1,6 +1,6 @@
 #include "engine/subdivide/sharpness.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 float chaikin_decayed(float sharpness, const SemiSharpSum& at_end) {
   if (!is_semi_sharp(sharpness) || !at_end.has_others()) return decayed(sharpness);
@@ -13,4 +13,4 @@ VertexRule vertex_rule(float own, std::size_t sharp_edges) {
   return sharp_edges == 2 ? VertexRule::crease : VertexRule::smooth;
 }
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

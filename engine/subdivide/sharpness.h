@@ -6,7 +6,7 @@
 #include "engine/mesh/mesh.h"
 #include "engine/subdivide/masks.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 // Semi-sharp creases (T. DeRose, M. Kass, T. Truong, "Subdivision surfaces in character animation",
 // 1998, section 5). Where the paper is silent, OpenSubdiv's rules apply. All O(1).
@@ -72,4 +72,4 @@ inline double edge_blend(float sharpness, float first, float second) {
   return std::min(1.0, static_cast<double>(sharpness));
 }
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

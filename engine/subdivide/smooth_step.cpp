@@ -8,7 +8,7 @@
 #include "engine/subdivide/refine.h"
 #include "engine/subdivide/ring_masks.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 namespace {
 
 constexpr std::size_t kVertexChunk = 8192;
@@ -169,4 +169,4 @@ Level smooth_step(const LevelView& coarse, const Rings& rings, bool is_last, Pro
   return finer;
 }
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

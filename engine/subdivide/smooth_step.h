@@ -4,7 +4,7 @@
 #include "engine/subdivide/level.h"
 #include "engine/subdivide/rings.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 /// Returns the next level of Loop subdivision as if nothing were sharp; positions on boundaries are
 /// arbitrary. `is_last`: without twins and outgoing half-edges. O(F). Throws Cancelled. Pre:
@@ -15,4 +15,4 @@ namespace mesher {
 /// over its faces in the same order, so that the bytes are the same.
 Level smooth_step(const LevelView& coarse, const Rings& rings, bool is_last, Progress* progress);
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

@@ -15,7 +15,7 @@
 #include "engine/subdivide/rings.h"
 #include "engine/subdivide/sharpness.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 namespace {
 
 template <class T>
@@ -225,4 +225,4 @@ IndexedTriangles subdivide_to_triangles(const Mesh& mesh, const SubdivideOptions
   return {std::move(subdivision.level().position), std::move(subdivision.level().origin)};
 }
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

@@ -7,7 +7,7 @@
 #include "engine/mesh/mesh.h"
 #include "engine/subdivide/options.h"
 
-namespace mesher {
+namespace mesher::subdivide {
 
 /// The size of a subdivision, known in advance.
 struct SubdivisionSize {
@@ -49,4 +49,4 @@ struct IndexedTriangles {
 [[nodiscard]] IndexedTriangles subdivide_to_triangles(const Mesh& mesh,
                                                       const SubdivideOptions& options);
 
-}  // namespace mesher
+}  // namespace mesher::subdivide

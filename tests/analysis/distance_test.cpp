@@ -19,15 +19,15 @@ Soup moved(Soup soup, const glm::vec3& by, float scale = 1.0F) {
 
 TEST(SurfaceDistance, DistanceToItselfIsZero) {
   const Mesh mesh = built(torus(20, 12)).mesh;
-  const SurfaceDistance d = surface_distance(mesh, mesh, {.samples = 20'000});
+  const analysis::SurfaceDistance d = analysis::surface_distance(mesh, mesh, {.samples = 20'000});
   EXPECT_LT(d.two_sided().max, 1e-7);
 }
 
 TEST(SurfaceDistance, DistanceOfParallelSheetsIsTheirGap) {
   const Mesh a = built(grid(4)).mesh;
   const Mesh b = built(moved(grid(4), {0, 0, 0.25F})).mesh;
-  const SurfaceDistance d = surface_distance(a, b, {.samples = 5'000});
-  for (const OneSidedDistance& side : {d.forward, d.backward, d.two_sided()}) {
+  const analysis::SurfaceDistance d = analysis::surface_distance(a, b, {.samples = 5'000});
+  for (const analysis::OneSidedDistance& side : {d.forward, d.backward, d.two_sided()}) {
     EXPECT_DOUBLE_EQ(side.rms, 0.25);
     EXPECT_DOUBLE_EQ(side.mean, 0.25);
     EXPECT_DOUBLE_EQ(side.max, 0.25);
@@ -42,7 +42,8 @@ TEST(SurfaceDistance, MeanAndRmsAreWeightedByArea) {
   const Mesh below = built(moved(grid(1), {-50, -50, 0}, 100.0F)).mesh;
   tilted.positions[1].z = tilted.positions[2].z = 1.0F;
   const Mesh above = built(std::move(tilted)).mesh;
-  const SurfaceDistance d = surface_distance(above, below, {.samples = 100'000});
+  const analysis::SurfaceDistance d =
+      analysis::surface_distance(above, below, {.samples = 100'000});
   EXPECT_NEAR(d.forward.mean, 0.5, 1e-3);
   EXPECT_NEAR(d.forward.rms, std::sqrt(1.0 / 3.0), 1e-3);
   EXPECT_DOUBLE_EQ(d.forward.max,
@@ -52,11 +53,12 @@ TEST(SurfaceDistance, MeanAndRmsAreWeightedByArea) {
 TEST(SurfaceDistance, DirectionsDifferWhereOneSurfaceHasMore) {
   const Mesh part = built(grid(2)).mesh;
   const Mesh whole = built(join(grid(2), moved(grid(2), {10, 0, 0}))).mesh;
-  const SurfaceDistance d = surface_distance(part, whole, {.samples = 10'000});
+  const analysis::SurfaceDistance d = analysis::surface_distance(part, whole, {.samples = 10'000});
   EXPECT_LT(d.forward.max, 1e-12);
   EXPECT_DOUBLE_EQ(d.backward.max, 10.0);
   EXPECT_DOUBLE_EQ(d.two_sided().max, 10.0);
-  const SurfaceDistance turned = surface_distance(whole, part, {.samples = 10'000});
+  const analysis::SurfaceDistance turned =
+      analysis::surface_distance(whole, part, {.samples = 10'000});
   EXPECT_EQ(turned.forward.rms, d.backward.rms);
 }
 
@@ -66,7 +68,7 @@ TEST(SurfaceDistance, SameForAnyThreadCount) {
   std::vector<double> rms;
   for (const unsigned threads : {1U, 2U, 4U}) {
     const ThreadLimit limit(threads);
-    rms.push_back(surface_distance(a, b, {.samples = 50'000}).forward.rms);
+    rms.push_back(analysis::surface_distance(a, b, {.samples = 50'000}).forward.rms);
   }
   EXPECT_EQ(rms[0], rms[1]);
   EXPECT_EQ(rms[0], rms[2]);
@@ -76,14 +78,14 @@ TEST(SurfaceDistance, SameForAnyThreadCount) {
 TEST(SurfaceDistance, ScalesWithTheModelsAndAcceptsZeroArea) {
   const Mesh a = built(torus(20, 12)).mesh;
   const Mesh b = built(torus(15, 9)).mesh;
-  const double whole = surface_distance(a, b, {.samples = 20'000}).two_sided().rms;
+  const double whole = analysis::surface_distance(a, b, {.samples = 20'000}).two_sided().rms;
   constexpr float kSmall = 0x1p-20F;  // a power of two, so the digits are equal
   const Mesh small_a = built(moved(torus(20, 12), glm::vec3(0.0F), kSmall)).mesh;
   const Mesh small_b = built(moved(torus(15, 9), glm::vec3(0.0F), kSmall)).mesh;
-  EXPECT_EQ(surface_distance(small_a, small_b, {.samples = 20'000}).two_sided().rms,
+  EXPECT_EQ(analysis::surface_distance(small_a, small_b, {.samples = 20'000}).two_sided().rms,
             whole * kSmall);
   const Mesh line = built(soup_of({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}, {0, 1, 2})).mesh;
-  const SurfaceDistance d = surface_distance(line, line, {.samples = 100});
+  const analysis::SurfaceDistance d = analysis::surface_distance(line, line, {.samples = 100});
   EXPECT_EQ(d.two_sided().max, 0.0);  // without area only the vertices are sampled
 }
 
@@ -91,7 +93,7 @@ TEST(SurfaceDistance, StopsWhenCanceled) {
   const Mesh mesh = built(cube()).mesh;
   Progress progress;
   progress.cancel();
-  EXPECT_THROW((void)surface_distance(mesh, mesh, {.progress = &progress}), Cancelled);
+  EXPECT_THROW((void)analysis::surface_distance(mesh, mesh, {.progress = &progress}), Cancelled);
 }
 
 }  // namespace

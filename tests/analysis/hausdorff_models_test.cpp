@@ -15,21 +15,23 @@ namespace mesher::test {
 namespace {
 
 void examine(const std::filesystem::path& file) {
-  const Mesh mesh = read_model(file, {}).mesh;
+  const Mesh mesh = io::read_model(file, {}).mesh;
   for (const double part : {0.5, 0.1, 0.01}) {
     SCOPED_TRACE(file.filename().string() + " to " + std::to_string(part));
     const auto target = static_cast<std::uint32_t>(part * mesh.face_count());
-    const Simplified result =
-        simplify(Mesh(mesh), {.target_faces = std::max(target, 4U), .certifies = true});
+    const simplify::Simplified result =
+        simplify::simplify(Mesh(mesh), {.target_faces = std::max(target, 4U), .certifies = true});
     const Mesh& after = result.mesh;
-    const SurfaceDistance sampled = surface_distance(mesh, after, {.samples = 200'000});
+    const analysis::SurfaceDistance sampled =
+        analysis::surface_distance(mesh, after, {.samples = 200'000});
     const double diagonal = bounding_box(mesh).diagonal();
     const double certified = result.report.certified_bound;
     EXPECT_GE(certified, sampled.two_sided().max - 1e-12 * diagonal);
-    EXPECT_LE(certified,
-              bound_ratio(mesh.face_count()) * hausdorff_bounds(mesh, after).two_sided().upper);
+    EXPECT_LE(certified, simplify::bound_ratio(mesh.face_count()) *
+                             analysis::hausdorff_bounds(mesh, after).two_sided().upper);
     for (const double ratio : {1.1, 3.0}) {
-      const HausdorffBounds bounds = hausdorff_bounds(mesh, after, {.ratio = ratio});
+      const analysis::HausdorffBounds bounds =
+          analysis::hausdorff_bounds(mesh, after, {.ratio = ratio});
       // The samples are rounded, too.
       EXPECT_GE(bounds.forward.upper, sampled.forward.max - 1e-12 * diagonal);
       EXPECT_GE(bounds.backward.upper, sampled.backward.max - 1e-12 * diagonal);

@@ -23,8 +23,8 @@ Soup moved(Soup soup, const glm::vec3& by, float scale = 1.0F) {
 /// Checks that neither bound contradicts the samples and that the bounds are within the given
 /// ratio.
 void expect_bounds(const Mesh& a, const Mesh& b, double ratio) {
-  const HausdorffBounds bounds = hausdorff_bounds(a, b, {.ratio = ratio});
-  const SurfaceDistance sampled = surface_distance(a, b, {.samples = 20'000});
+  const analysis::HausdorffBounds bounds = analysis::hausdorff_bounds(a, b, {.ratio = ratio});
+  const analysis::SurfaceDistance sampled = analysis::surface_distance(a, b, {.samples = 20'000});
   EXPECT_GE(bounds.forward.upper, sampled.forward.max);
   EXPECT_GE(bounds.backward.upper, sampled.backward.max);
   const auto [lower, upper] = bounds.two_sided();
@@ -38,7 +38,7 @@ void expect_bounds(const Mesh& a, const Mesh& b, double ratio) {
 TEST(HausdorffBounds, BoundGapOfParallelSheets) {
   const Mesh a = built(grid(4)).mesh;
   const Mesh b = built(moved(grid(3), {0, 0, 0.25F}, 4.0F / 3.0F)).mesh;
-  const DistanceInterval gap = hausdorff_bounds(a, b).two_sided();
+  const analysis::DistanceInterval gap = analysis::hausdorff_bounds(a, b).two_sided();
   EXPECT_NEAR(gap.lower, 0.25, 1e-6);
   EXPECT_GE(gap.upper, gap.lower);
   EXPECT_LE(gap.upper, 1.1 * 0.25 + 1e-6);
@@ -47,8 +47,8 @@ TEST(HausdorffBounds, BoundGapOfParallelSheets) {
 TEST(HausdorffBounds, FindSpikeOnOneSurface) {
   Soup spiked = grid(8);
   spiked.positions[40].z = 3.0F;  // the middle vertex
-  const HausdorffBounds bounds =
-      hausdorff_bounds(built(std::move(spiked)).mesh, built(grid(8)).mesh, {.ratio = 1.01});
+  const analysis::HausdorffBounds bounds = analysis::hausdorff_bounds(
+      built(std::move(spiked)).mesh, built(grid(8)).mesh, {.ratio = 1.01});
   EXPECT_DOUBLE_EQ(bounds.forward.lower, 3.0);
   EXPECT_LE(bounds.forward.upper, 3.0 * 1.01);
   EXPECT_LT(bounds.backward.lower, 1.5);  // the middle of the sheet is near the flanks of the spike
@@ -57,7 +57,7 @@ TEST(HausdorffBounds, FindSpikeOnOneSurface) {
 TEST(HausdorffBounds, MissingPartCountsInOneDirection) {
   const Mesh part = built(grid(2)).mesh;
   const Mesh whole = built(join(grid(2), moved(grid(2), {10, 0, 0}))).mesh;
-  const HausdorffBounds bounds = hausdorff_bounds(part, whole, {.ratio = 1.05});
+  const analysis::HausdorffBounds bounds = analysis::hausdorff_bounds(part, whole, {.ratio = 1.05});
   EXPECT_EQ(bounds.forward.lower, 0.0);
   EXPECT_DOUBLE_EQ(bounds.backward.lower, 10.0);
   EXPECT_LE(bounds.backward.upper, 10.5);
@@ -71,9 +71,9 @@ TEST(HausdorffBounds, FindBumpBetweenTheCorners) {
   const Soup flat = soup_of({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, {0, 1, 2, 0, 2, 3});
   const Mesh a = built(Soup(flat)).mesh;
   const Mesh b = built(std::move(bump)).mesh;
-  const HausdorffBounds bounds = hausdorff_bounds(a, b, {.ratio = 1.01});
+  const analysis::HausdorffBounds bounds = analysis::hausdorff_bounds(a, b, {.ratio = 1.01});
   EXPECT_DOUBLE_EQ(bounds.backward.lower, 1.0);
-  const HausdorffBounds swapped = hausdorff_bounds(b, a, {.ratio = 1.01});
+  const analysis::HausdorffBounds swapped = analysis::hausdorff_bounds(b, a, {.ratio = 1.01});
   EXPECT_EQ(swapped.forward.upper, bounds.backward.upper);
   // The middle of the flat side is nearest to the flank of the bump, which has a slope of 45
   // degrees.
@@ -109,8 +109,9 @@ TEST(HausdorffBounds, HoldFarFromTheOrigin) {
 TEST(HausdorffBounds, HoldForZeroAreaTriangles) {
   const Mesh line = built(soup_of({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}, {0, 1, 2})).mesh;
   const Mesh other = built(soup_of({{0, 2, 0}, {1, 2, 0}, {3, 2, 0}}, {0, 1, 2})).mesh;
-  EXPECT_EQ(hausdorff_bounds(line, line).two_sided().upper, 0.0);
-  const DistanceInterval apart = hausdorff_bounds(line, other, {.ratio = 1.01}).two_sided();
+  EXPECT_EQ(analysis::hausdorff_bounds(line, line).two_sided().upper, 0.0);
+  const analysis::DistanceInterval apart =
+      analysis::hausdorff_bounds(line, other, {.ratio = 1.01}).two_sided();
   EXPECT_DOUBLE_EQ(apart.lower, 2.0);
   EXPECT_LE(apart.upper, 2.02);
   expect_bounds(line, built(torus(10, 6)).mesh, 1.1);
@@ -118,14 +119,15 @@ TEST(HausdorffBounds, HoldForZeroAreaTriangles) {
 
 TEST(HausdorffBounds, AreZeroForTheSameMesh) {
   const Mesh mesh = built(torus(20, 12)).mesh;
-  EXPECT_EQ(hausdorff_bounds(mesh, mesh).two_sided().upper, 0.0);
+  EXPECT_EQ(analysis::hausdorff_bounds(mesh, mesh).two_sided().upper, 0.0);
 }
 
 // The distance is zero, so no ratio can be reached. The work limit ends the search.
 TEST(HausdorffBounds, TerminateForCoincidingSurfacesWithDifferentTriangles) {
   const Mesh a = built(moved(grid(7), {0.1F, 0.2F, 0.0F}, 1.0F / 7.0F)).mesh;
   const Mesh b = built(moved(grid(1), {0.1F, 0.2F, 0.0F})).mesh;
-  const DistanceInterval both = hausdorff_bounds(a, b, {.most_queries = 200'000}).two_sided();
+  const analysis::DistanceInterval both =
+      analysis::hausdorff_bounds(a, b, {.most_queries = 200'000}).two_sided();
   EXPECT_LE(both.lower, 1e-6);
   EXPECT_LE(both.upper, 0.2);
 }
@@ -134,18 +136,18 @@ TEST(HausdorffBounds, IgnoreIsolatedVertices) {
   Soup soup = cube();
   soup.positions.push_back({1e9F, 0, 0});
   const Mesh with = built(std::move(soup)).mesh;
-  EXPECT_EQ(hausdorff_bounds(with, built(cube()).mesh).two_sided().upper, 0.0);
+  EXPECT_EQ(analysis::hausdorff_bounds(with, built(cube()).mesh).two_sided().upper, 0.0);
 }
 
 TEST(HausdorffBounds, SameForAnyThreadCount) {
   const Mesh a = built(torus(120, 60)).mesh;
   const Mesh b = built(moved(torus(31, 20), {0.01F, 0.02F, 0.0F})).mesh;
-  std::vector<HausdorffBounds> all;
+  std::vector<analysis::HausdorffBounds> all;
   for (const unsigned threads : {1U, 2U, 4U}) {
     const ThreadLimit limit(threads);
-    all.push_back(hausdorff_bounds(a, b, {.ratio = 1.02}));
+    all.push_back(analysis::hausdorff_bounds(a, b, {.ratio = 1.02}));
   }
-  for (const HausdorffBounds& bounds : all) {
+  for (const analysis::HausdorffBounds& bounds : all) {
     EXPECT_EQ(bounds.forward.lower, all[0].forward.lower);
     EXPECT_EQ(bounds.forward.upper, all[0].forward.upper);
     EXPECT_EQ(bounds.backward.lower, all[0].backward.lower);
@@ -156,15 +158,18 @@ TEST(HausdorffBounds, SameForAnyThreadCount) {
 TEST(HausdorffBounds, DecideWhetherTheDistanceIsWithinALimit) {
   const Mesh a = built(torus(60, 30)).mesh;
   const Mesh b = built(torus(20, 10)).mesh;
-  const DistanceInterval distance = hausdorff_bounds(a, b, {.ratio = 1.001}).two_sided();
+  const analysis::DistanceInterval distance =
+      analysis::hausdorff_bounds(a, b, {.ratio = 1.001}).two_sided();
   for (const double factor : {1.002, 1.1, 2.0, 10.0}) {
     const double enough = factor * distance.upper;
-    const HausdorffBounds within = hausdorff_bounds(a, b, {.enough = enough, .is_decision = true});
+    const analysis::HausdorffBounds within =
+        analysis::hausdorff_bounds(a, b, {.enough = enough, .is_decision = true});
     EXPECT_LE(within.two_sided().upper, enough) << factor;
   }
   for (const double factor : {0.998, 0.9, 0.1, 0.0}) {
     const double enough = factor * distance.lower;
-    const HausdorffBounds beyond = hausdorff_bounds(a, b, {.enough = enough, .is_decision = true});
+    const analysis::HausdorffBounds beyond =
+        analysis::hausdorff_bounds(a, b, {.enough = enough, .is_decision = true});
     EXPECT_GT(beyond.two_sided().lower, enough) << factor;
   }
 }
@@ -172,9 +177,10 @@ TEST(HausdorffBounds, DecideWhetherTheDistanceIsWithinALimit) {
 TEST(HausdorffBounds, StayValidWhenTheWorkIsLimited) {
   const Mesh a = built(torus(60, 30)).mesh;
   const Mesh b = built(torus(20, 10)).mesh;
-  const DistanceInterval limited =
-      hausdorff_bounds(a, b, {.ratio = 1.0001, .most_queries = 8'000}).two_sided();
-  const DistanceInterval distance = hausdorff_bounds(a, b, {.ratio = 1.001}).two_sided();
+  const analysis::DistanceInterval limited =
+      analysis::hausdorff_bounds(a, b, {.ratio = 1.0001, .most_queries = 8'000}).two_sided();
+  const analysis::DistanceInterval distance =
+      analysis::hausdorff_bounds(a, b, {.ratio = 1.001}).two_sided();
   EXPECT_LE(limited.lower, distance.upper);
   EXPECT_GE(limited.upper, distance.lower);
   EXPECT_GT(limited.upper, 1.0001 * limited.lower);
@@ -183,14 +189,15 @@ TEST(HausdorffBounds, StayValidWhenTheWorkIsLimited) {
 TEST(HausdorffBounds, StayValidWithPoorHints) {
   const Mesh a = built(torus(60, 30)).mesh;
   const Mesh b = built(torus(20, 10)).mesh;
-  LazyTree tree_a(a);
-  LazyTree tree_b(b);
+  analysis::LazyTree tree_a(a);
+  analysis::LazyTree tree_b(b);
   const std::vector<Face> hints_a(a.face_count(), Face(7));  // far from most triangles
   const std::vector<Face> hints_b(b.face_count(), Face(7));
   for (const double ratio : {1.05, 3.0}) {
-    const HausdorffBounds with =
-        hausdorff_bounds({a, tree_a, hints_a}, {b, tree_b, hints_b}, {.ratio = ratio});
-    const DistanceInterval exact = hausdorff_bounds(a, b, {.ratio = 1.001}).two_sided();
+    const analysis::HausdorffBounds with =
+        analysis::hausdorff_bounds({a, tree_a, hints_a}, {b, tree_b, hints_b}, {.ratio = ratio});
+    const analysis::DistanceInterval exact =
+        analysis::hausdorff_bounds(a, b, {.ratio = 1.001}).two_sided();
     const auto [lower, upper] = with.two_sided();
     EXPECT_LE(lower, exact.upper);
     EXPECT_GE(upper, exact.lower);
@@ -201,16 +208,17 @@ TEST(HausdorffBounds, StayValidWithPoorHints) {
 TEST(HausdorffBounds, DecideTheSameWithAndWithoutHints) {
   const Mesh a = built(torus(60, 30)).mesh;
   const Mesh b = built(torus(20, 10)).mesh;
-  const DistanceInterval distance = hausdorff_bounds(a, b, {.ratio = 1.001}).two_sided();
-  LazyTree tree_a(a);
-  LazyTree tree_b(b);
+  const analysis::DistanceInterval distance =
+      analysis::hausdorff_bounds(a, b, {.ratio = 1.001}).two_sided();
+  analysis::LazyTree tree_a(a);
+  analysis::LazyTree tree_b(b);
   const std::vector<Face> hints_a(a.face_count(), Face(0));
   const std::vector<Face> hints_b(b.face_count(), Face(0));
   for (const double factor : {0.5, 0.9, 0.998, 1.002, 1.1, 2.0}) {
     const double enough = factor * (factor < 1.0 ? distance.lower : distance.upper);
-    const HausdorffBounds bounds =
-        hausdorff_bounds({a, tree_a, hints_a}, {b, tree_b, hints_b},
-                         {.enough = enough, .is_decision = true, .finds_all = true});
+    const analysis::HausdorffBounds bounds =
+        analysis::hausdorff_bounds({a, tree_a, hints_a}, {b, tree_b, hints_b},
+                                   {.enough = enough, .is_decision = true, .finds_all = true});
     EXPECT_EQ(bounds.two_sided().upper <= enough, factor > 1.0) << factor;
     EXPECT_EQ(bounds.beyond.empty(), factor > 1.0) << factor;
   }
@@ -231,11 +239,11 @@ TEST(HausdorffBounds, HoldWithAnyHintsForRandomSoups) {
     };
     const std::vector<Face> hints_a = hints(a, b);
     const std::vector<Face> hints_b = hints(b, a);
-    LazyTree tree_a(a);
-    LazyTree tree_b(b);
-    const HausdorffBounds bounds =
-        hausdorff_bounds({a, tree_a, hints_a}, {b, tree_b, hints_b}, {.ratio = 3.0});
-    const SurfaceDistance sampled = surface_distance(a, b, {.samples = 20'000});
+    analysis::LazyTree tree_a(a);
+    analysis::LazyTree tree_b(b);
+    const analysis::HausdorffBounds bounds =
+        analysis::hausdorff_bounds({a, tree_a, hints_a}, {b, tree_b, hints_b}, {.ratio = 3.0});
+    const analysis::SurfaceDistance sampled = analysis::surface_distance(a, b, {.samples = 20'000});
     EXPECT_GE(bounds.forward.upper, sampled.forward.max);
     EXPECT_GE(bounds.backward.upper, sampled.backward.max);
     EXPECT_LE(bounds.two_sided().lower, 1.5 * sampled.two_sided().max);
@@ -246,7 +254,7 @@ TEST(HausdorffBounds, StopWhenCanceled) {
   const Mesh mesh = built(cube()).mesh;
   Progress progress;
   progress.cancel();
-  EXPECT_THROW((void)hausdorff_bounds(mesh, mesh, {.progress = &progress}), Cancelled);
+  EXPECT_THROW((void)analysis::hausdorff_bounds(mesh, mesh, {.progress = &progress}), Cancelled);
 }
 
 }  // namespace

@@ -68,7 +68,8 @@ TEST(Orientation2, AgreesWithIntegersOfAllMagnitudes) {
       std::array<IntPoint<2>, 3> p;
       for (auto& q : p)
         q = {number(bits), number(bits)};
-      ASSERT_EQ(orientation(real(p[0]), real(p[1]), real(p[2])), exact_sign(p[0], p[1], p[2]));
+      ASSERT_EQ(analysis::orientation(real(p[0]), real(p[1]), real(p[2])),
+                exact_sign(p[0], p[1], p[2]));
     }
   }
 }
@@ -85,7 +86,7 @@ TEST(Orientation3, AgreesWithIntegersOfAllMagnitudes) {
       std::array<IntPoint<3>, 4> p;
       for (auto& q : p)
         q = {number(x_bits), number(bits), number(bits)};
-      ASSERT_EQ(orientation(real(p[0]), real(p[1]), real(p[2]), real(p[3])),
+      ASSERT_EQ(analysis::orientation(real(p[0]), real(p[1]), real(p[2]), real(p[3])),
                 exact_sign(p[0], p[1], p[2], p[3]));
     }
   }
@@ -111,7 +112,7 @@ TEST(Orientation3, AgreesWithIntegersNearThePlane) {
     // At most one unit from the plane. In double precision the terms are 2^60 times that.
     d[static_cast<std::size_t>(i % 3)] += i % 2;
     const int sign = exact_sign(a, b, c, d);
-    ASSERT_EQ(orientation(real(a), real(b), real(c), real(d)), sign);
+    ASSERT_EQ(analysis::orientation(real(a), real(b), real(c), real(d)), sign);
     ++met[static_cast<std::size_t>(sign + 1)];
   }
   for (const int count : met)
@@ -126,9 +127,9 @@ TEST(Orientation3, DetectsOneUlpOnALargePlane) {
   const glm::dvec3 c(0, 0, kLarge);
   const glm::dvec3 on(0x1p22, 0x1p22, 0x1p22);
   const double step = std::nextafter(0x1p22F, std::numeric_limits<float>::max()) - 0x1p22F;
-  EXPECT_EQ(orientation(a, b, c, on), 0);
-  EXPECT_EQ(orientation(a, b, c, on + glm::dvec3(step, 0, 0)), 1);
-  EXPECT_EQ(orientation(a, b, c, on - glm::dvec3(0, step, 0)), -1);
+  EXPECT_EQ(analysis::orientation(a, b, c, on), 0);
+  EXPECT_EQ(analysis::orientation(a, b, c, on + glm::dvec3(step, 0, 0)), 1);
+  EXPECT_EQ(analysis::orientation(a, b, c, on - glm::dvec3(0, step, 0)), -1);
 }
 
 TEST(Orientation3, NeitherOverflowsNorUnderflows) {
@@ -138,19 +139,20 @@ TEST(Orientation3, NeitherOverflowsNorUnderflows) {
     const glm::dvec3 a(-size, -size, 0);
     const glm::dvec3 b(size, -size, 0);
     const glm::dvec3 c(0, size, 0);
-    return std::array{orientation(a, b, c, {0, 0, height}), orientation(a, b, c, {0, 0, 0}),
-                      orientation(a, b, c, {0, 0, -height})};
+    return std::array{analysis::orientation(a, b, c, {0, 0, height}),
+                      analysis::orientation(a, b, c, {0, 0, 0}),
+                      analysis::orientation(a, b, c, {0, 0, -height})};
   };
   for (const double size : {kLeast, 1.0, kMost}) {
     for (const double height : {kLeast, 1.0, kMost})
       EXPECT_EQ(corner_signs(size, height), (std::array{1, 0, -1})) << size << ' ' << height;
   }
   // The same plane away from the origin, where the difference of heights needs 277 bits.
-  EXPECT_EQ(orientation(glm::dvec3(0, 0, kMost), glm::dvec3(1, 0, kMost), glm::dvec3(0, 1, kMost),
-                        glm::dvec3(0, 0, kLeast)),
+  EXPECT_EQ(analysis::orientation(glm::dvec3(0, 0, kMost), glm::dvec3(1, 0, kMost),
+                                  glm::dvec3(0, 1, kMost), glm::dvec3(0, 0, kLeast)),
             -1);
-  EXPECT_EQ(orientation(glm::dvec3(kMost, kMost, kMost), glm::dvec3(0, 0, kLeast),
-                        glm::dvec3(-kMost, -kMost, -kMost), glm::dvec3(1, 1, 1)),
+  EXPECT_EQ(analysis::orientation(glm::dvec3(kMost, kMost, kMost), glm::dvec3(0, 0, kLeast),
+                                  glm::dvec3(-kMost, -kMost, -kMost), glm::dvec3(1, 1, 1)),
             0);
 }
 
@@ -160,11 +162,11 @@ TEST(Orientation3, ChangesSignWithEachSwap) {
     std::array<glm::dvec3, 4> p;
     for (auto& q : p)
       q = {number(60), number(30), number(30)};
-    const int sign = orientation(p[0], p[1], p[2], p[3]);
-    EXPECT_EQ(orientation(p[1], p[0], p[2], p[3]), -sign);
-    EXPECT_EQ(orientation(p[0], p[1], p[3], p[2]), -sign);
-    EXPECT_EQ(orientation(p[3], p[1], p[2], p[0]), -sign);
-    EXPECT_EQ(orientation(p[1], p[2], p[0], p[3]), sign);
+    const int sign = analysis::orientation(p[0], p[1], p[2], p[3]);
+    EXPECT_EQ(analysis::orientation(p[1], p[0], p[2], p[3]), -sign);
+    EXPECT_EQ(analysis::orientation(p[0], p[1], p[3], p[2]), -sign);
+    EXPECT_EQ(analysis::orientation(p[3], p[1], p[2], p[0]), -sign);
+    EXPECT_EQ(analysis::orientation(p[1], p[2], p[0], p[3]), sign);
   }
 }
 

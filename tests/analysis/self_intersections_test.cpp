@@ -11,27 +11,28 @@
 namespace mesher::test {
 namespace {
 
-ExactTriangle triangle(const Mesh& mesh, std::uint32_t f) {
-  ExactTriangle t;
+analysis::ExactTriangle triangle(const Mesh& mesh, std::uint32_t f) {
+  analysis::ExactTriangle t;
   for (std::uint32_t c = 0; c < 3; ++c)
     t[c] = mesh.position(mesh.origin(Mesh::halfedge(Face(f), c)));
   return t;
 }
 
-std::vector<FacePair> by_brute_force(const Mesh& mesh) {
-  std::vector<FacePair> pairs;
+std::vector<analysis::FacePair> by_brute_force(const Mesh& mesh) {
+  std::vector<analysis::FacePair> pairs;
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-    if (is_degenerate(triangle(mesh, f))) continue;
+    if (analysis::is_degenerate(triangle(mesh, f))) continue;
     for (std::uint32_t g = f + 1; g < mesh.face_count(); ++g) {
-      if (is_degenerate(triangle(mesh, g))) continue;
-      if (do_intersect(triangle(mesh, f), triangle(mesh, g))) pairs.push_back({Face(f), Face(g)});
+      if (analysis::is_degenerate(triangle(mesh, g))) continue;
+      if (analysis::do_intersect(triangle(mesh, f), triangle(mesh, g)))
+        pairs.push_back({Face(f), Face(g)});
     }
   }
   return pairs;
 }
 
 std::uint64_t count(Soup soup) {
-  return count_self_intersections(built(std::move(soup)).mesh);
+  return analysis::count_self_intersections(built(std::move(soup)).mesh);
 }
 
 /// Triangles of the given size, anywhere in the unit cube.
@@ -50,7 +51,7 @@ Soup scattered(std::uint32_t faces, float size, std::uint32_t seed) {
 }
 
 TEST(SelfIntersections, CleanMeshesHaveNone) {
-  EXPECT_EQ(count_self_intersections(Mesh()), 0U);
+  EXPECT_EQ(analysis::count_self_intersections(Mesh()), 0U);
   EXPECT_EQ(count(tetrahedron()), 0U);
   EXPECT_EQ(count(cube()), 0U);
   EXPECT_EQ(count(grid(20)), 0U);
@@ -60,7 +61,7 @@ TEST(SelfIntersections, CleanMeshesHaveNone) {
 
 TEST(SelfIntersections, FindsPairsOfTwoPiercingTetrahedra) {
   const Mesh mesh = built(join(tetrahedron(), tetrahedron(), {0.1F, 0.1F, 0.1F})).mesh;
-  const auto pairs = self_intersections(mesh);
+  const auto pairs = analysis::self_intersections(mesh);
   EXPECT_EQ(pairs, by_brute_force(mesh));
   EXPECT_FALSE(pairs.empty());
   for (const auto& [a, b] : pairs) {
@@ -103,9 +104,9 @@ TEST(SelfIntersections, ZeroAreaFacesAreIgnored) {
 TEST(SelfIntersections, AgreeWithBruteForceOnScatteredTriangles) {
   for (const float size : {0.1F, 0.3F, 1.0F}) {
     const Mesh mesh = built(scattered(700, size, 5)).mesh;
-    const auto pairs = self_intersections(mesh);
+    const auto pairs = analysis::self_intersections(mesh);
     EXPECT_EQ(pairs, by_brute_force(mesh)) << size;
-    EXPECT_EQ(count_self_intersections(mesh), pairs.size());
+    EXPECT_EQ(analysis::count_self_intersections(mesh), pairs.size());
     EXPECT_GT(pairs.size(), 10U);
   }
 }
@@ -113,18 +114,18 @@ TEST(SelfIntersections, AgreeWithBruteForceOnScatteredTriangles) {
 TEST(SelfIntersections, AgreeWithBruteForceOnRandomSoups) {
   for (std::uint32_t seed = 0; seed < 500; ++seed) {
     const Mesh mesh = built(random_soup(seed)).mesh;
-    ASSERT_EQ(self_intersections(mesh), by_brute_force(mesh)) << seed;
+    ASSERT_EQ(analysis::self_intersections(mesh), by_brute_force(mesh)) << seed;
   }
 }
 
 TEST(SelfIntersections, SameForAnyThreadCount) {
   const Mesh mesh = built(scattered(20'000, 0.05F, 6)).mesh;
-  const auto pairs = self_intersections(mesh);
+  const auto pairs = analysis::self_intersections(mesh);
   EXPECT_GT(pairs.size(), 1'000U);
   for (const unsigned threads : {1U, 2U, 5U}) {
     const ThreadLimit limit(threads);
-    EXPECT_EQ(self_intersections(mesh), pairs);
-    EXPECT_EQ(count_self_intersections(mesh), pairs.size());
+    EXPECT_EQ(analysis::self_intersections(mesh), pairs);
+    EXPECT_EQ(analysis::count_self_intersections(mesh), pairs.size());
   }
 }
 
@@ -147,7 +148,8 @@ TEST(SelfIntersections, StopWhenCanceled) {
   Progress progress;
   progress.cancel();
   const Mesh mesh = built(grid(60)).mesh;
-  EXPECT_THROW(static_cast<void>(count_self_intersections(mesh, &progress)), std::exception);
+  EXPECT_THROW(static_cast<void>(analysis::count_self_intersections(mesh, &progress)),
+               std::exception);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ Soup triangle_in_each_cell(std::uint32_t n) {
 
 TEST(SpaceCurve, MovesBetweenNeighboringCells) {
   const Mesh mesh = built(triangle_in_each_cell(8)).mesh;
-  const Array<std::uint32_t> order = faces_along_curve(mesh);
+  const Array<std::uint32_t> order = analysis::faces_along_curve(mesh);
   for (std::size_t i = 1; i < order.size(); ++i) {
     const auto at = [&](std::size_t k) {
       return mesh.position(mesh.origin(Mesh::halfedge(Face(order[k]), 0)));
@@ -38,7 +38,7 @@ TEST(SpaceCurve, MovesBetweenNeighboringCells) {
 
 TEST(SpaceCurve, VisitsEveryFaceOnce) {
   const Mesh mesh = built(torus(70, 40)).mesh;
-  Array<std::uint32_t> order = faces_along_curve(mesh);
+  Array<std::uint32_t> order = analysis::faces_along_curve(mesh);
   std::sort(order.begin(), order.end());
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
     EXPECT_EQ(order[f], f);
@@ -48,9 +48,9 @@ TEST(SpaceCurve, AcceptsExtremeCoordinates) {
   const Mesh mesh = built(soup_of({{-3e38F, 0, 0}, {3e38F, 0, 0}, {0, 3e38F, 0}, {0, 0, 1e-30F}},
                                   {0, 1, 2, 0, 2, 3}))
                         .mesh;
-  EXPECT_EQ(faces_along_curve(mesh).size(), 2U);
+  EXPECT_EQ(analysis::faces_along_curve(mesh).size(), 2U);
   const Mesh point = built(soup_of({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {0, 1, 2})).mesh;
-  EXPECT_EQ(faces_along_curve(point).size(), std::size_t{point.face_count()});
+  EXPECT_EQ(analysis::faces_along_curve(point).size(), std::size_t{point.face_count()});
 }
 
 }  // namespace

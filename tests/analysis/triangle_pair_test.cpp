@@ -13,24 +13,24 @@ namespace {
 
 using Point = glm::dvec3;
 
-const ExactTriangle kFlat{Point(0, 0, 0), Point(4, 0, 0), Point(0, 4, 0)};
+const analysis::ExactTriangle kFlat{Point(0, 0, 0), Point(4, 0, 0), Point(0, 4, 0)};
 
 /// Checks that the result does not depend on the order of corners, triangles or axes.
-bool agree(const ExactTriangle& first, const ExactTriangle& second) {
-  const bool expected = do_intersect(first, second);
-  const auto check = [&](ExactTriangle a, ExactTriangle b) {
+bool agree(const analysis::ExactTriangle& first, const analysis::ExactTriangle& second) {
+  const bool expected = analysis::do_intersect(first, second);
+  const auto check = [&](analysis::ExactTriangle a, analysis::ExactTriangle b) {
     std::array<std::size_t, 3> i{0, 1, 2};
     do {
       std::array<std::size_t, 3> k{0, 1, 2};
       do {
-        const ExactTriangle p{a[i[0]], a[i[1]], a[i[2]]};
-        const ExactTriangle q{b[k[0]], b[k[1]], b[k[2]]};
-        EXPECT_EQ(do_intersect(p, q), expected);
-        EXPECT_EQ(do_intersect(q, p), expected);
+        const analysis::ExactTriangle p{a[i[0]], a[i[1]], a[i[2]]};
+        const analysis::ExactTriangle q{b[k[0]], b[k[1]], b[k[2]]};
+        EXPECT_EQ(analysis::do_intersect(p, q), expected);
+        EXPECT_EQ(analysis::do_intersect(q, p), expected);
       } while (std::next_permutation(k.begin(), k.end()));
     } while (std::next_permutation(i.begin(), i.end()));
   };
-  const auto turned = [](ExactTriangle t) {
+  const auto turned = [](analysis::ExactTriangle t) {
     for (Point& p : t)
       p = {p.y, p.z, p.x};
     return t;
@@ -103,52 +103,53 @@ TEST(TrianglePair, AllCornersShared) {
 }
 
 TEST(TrianglePair, DegenerateTrianglesAreDetected) {
-  EXPECT_FALSE(is_degenerate(kFlat));
-  EXPECT_TRUE(is_degenerate({Point(1, 2, 3), Point(1, 2, 3), Point(4, 5, 6)}));
-  EXPECT_TRUE(is_degenerate({Point(1, 2, 3), Point(2, 4, 6), Point(3, 6, 9)}));
-  EXPECT_FALSE(is_degenerate({Point(1, 2, 3), Point(2, 4, 6), Point(3, 6, 9 + 0x1p-20)}));
+  EXPECT_FALSE(analysis::is_degenerate(kFlat));
+  EXPECT_TRUE(analysis::is_degenerate({Point(1, 2, 3), Point(1, 2, 3), Point(4, 5, 6)}));
+  EXPECT_TRUE(analysis::is_degenerate({Point(1, 2, 3), Point(2, 4, 6), Point(3, 6, 9)}));
+  EXPECT_FALSE(analysis::is_degenerate({Point(1, 2, 3), Point(2, 4, 6), Point(3, 6, 9 + 0x1p-20)}));
   for (int axis = 0; axis < 3; ++axis) {
-    ExactTriangle t{Point(1), Point(1), Point(1)};
+    analysis::ExactTriangle t{Point(1), Point(1), Point(1)};
     t[1][axis] = 2;
     t[2][(axis + 1) % 3] = 2;
-    EXPECT_FALSE(is_degenerate(t)) << axis;
+    EXPECT_FALSE(analysis::is_degenerate(t)) << axis;
   }
 }
 
 /// Independent of the code under test except for the orientation predicate. Two triangles that
 /// share no corner and are not coplanar intersect exactly if a side of one meets the other.
-bool side_meets(const Point& p, const Point& q, const ExactTriangle& t) {
-  const int from = orientation(t[0], t[1], t[2], p);
-  const int to = orientation(t[0], t[1], t[2], q);
+bool side_meets(const Point& p, const Point& q, const analysis::ExactTriangle& t) {
+  const int from = analysis::orientation(t[0], t[1], t[2], p);
+  const int to = analysis::orientation(t[0], t[1], t[2], q);
   if (from * to > 0) return false;
   if (from == 0 && to == 0) {
     // A point above the plane and each side span a wall. The segment is outside if it is outside
     // one wall, or if all corners are on one side of the segment's own wall.
     for (const Point& apex :
          {t[0] + Point(1, 0, 0), t[0] + Point(0, 1, 0), t[0] + Point(0, 0, 1)}) {
-      if (orientation(t[0], t[1], t[2], apex) == 0) continue;
+      if (analysis::orientation(t[0], t[1], t[2], apex) == 0) continue;
       for (std::size_t i = 0; i < 3; ++i) {
         const Point& a = t[i];
         const Point& b = t[(i + 1) % 3];
-        const int inside = orientation(a, b, apex, t[(i + 2) % 3]);
-        if (inside * orientation(a, b, apex, p) < 0 && inside * orientation(a, b, apex, q) < 0) {
+        const int inside = analysis::orientation(a, b, apex, t[(i + 2) % 3]);
+        if (inside * analysis::orientation(a, b, apex, p) < 0 &&
+            inside * analysis::orientation(a, b, apex, q) < 0) {
           return false;
         }
       }
       const Point up = p + (apex - t[0]);
-      const int a = orientation(p, q, up, t[0]);
-      const int b = orientation(p, q, up, t[1]);
-      const int c = orientation(p, q, up, t[2]);
+      const int a = analysis::orientation(p, q, up, t[0]);
+      const int b = analysis::orientation(p, q, up, t[1]);
+      const int c = analysis::orientation(p, q, up, t[2]);
       return !(a == b && b == c && a != 0);
     }
   }
-  const int a = orientation(p, q, t[0], t[1]);
-  const int b = orientation(p, q, t[1], t[2]);
-  const int c = orientation(p, q, t[2], t[0]);
+  const int a = analysis::orientation(p, q, t[0], t[1]);
+  const int b = analysis::orientation(p, q, t[1], t[2]);
+  const int c = analysis::orientation(p, q, t[2], t[0]);
   return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
 }
 
-bool any_side_meets(const ExactTriangle& a, const ExactTriangle& b) {
+bool any_side_meets(const analysis::ExactTriangle& a, const analysis::ExactTriangle& b) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (side_meets(a[i], a[(i + 1) % 3], b) || side_meets(b[i], b[(i + 1) % 3], a)) return true;
   }
@@ -162,20 +163,20 @@ TEST(TrianglePair, AgreesWithSideTestsOnSmallGrids) {
   for (int i = 0; i < 300'000; ++i) {
     const int size = 2 + i % 4;
     const auto coordinate = [&] { return static_cast<double>(random() % size); };
-    ExactTriangle a;
-    ExactTriangle b;
-    for (ExactTriangle* t : {&a, &b}) {
+    analysis::ExactTriangle a;
+    analysis::ExactTriangle b;
+    for (analysis::ExactTriangle* t : {&a, &b}) {
       for (Point& p : *t)
         p = {coordinate(), coordinate(), coordinate()};
     }
-    if (is_degenerate(a) || is_degenerate(b)) continue;
+    if (analysis::is_degenerate(a) || analysis::is_degenerate(b)) continue;
     bool is_shared = false;
     for (const Point& p : a)
       is_shared |= std::find(b.begin(), b.end(), p) != b.end();
     if (is_shared) continue;
     // One of two coplanar triangles may be inside the other, but then its sides are, too.
     const bool expected = any_side_meets(a, b);
-    ASSERT_EQ(do_intersect(a, b), expected);
+    ASSERT_EQ(analysis::do_intersect(a, b), expected);
     ++met[expected ? 1 : 0];
   }
   EXPECT_GT(met[0], 20'000);
@@ -194,15 +195,15 @@ TEST(TrianglePair, SharedCornerAgreesWithCutCorners) {
       return 1024.0 *
              Point(static_cast<double>(random() % size) - 1, random() % size, random() % size);
     };
-    const ExactTriangle a{Point(0), point(), point()};
-    const ExactTriangle b{Point(0), point(), point()};
-    if (is_degenerate(a) || is_degenerate(b)) continue;
+    const analysis::ExactTriangle a{Point(0), point(), point()};
+    const analysis::ExactTriangle b{Point(0), point(), point()};
+    if (analysis::is_degenerate(a) || analysis::is_degenerate(b)) continue;
     if (a[1] == b[1] || a[1] == b[2] || a[2] == b[1] || a[2] == b[2]) continue;
     const Point near1 = a[1] / 1024.0;
     const Point near2 = a[2] / 1024.0;
     const bool expected =
         any_side_meets({near1, a[1], a[2]}, b) || any_side_meets({near1, a[2], near2}, b);
-    ASSERT_EQ(do_intersect(a, b), expected);
+    ASSERT_EQ(analysis::do_intersect(a, b), expected);
     ++met[expected ? 1 : 0];
   }
   EXPECT_GT(met[0], 5'000);

@@ -15,21 +15,22 @@ using Triangle = std::array<glm::dvec3, 3>;
 const Triangle kTriangle{glm::dvec3(0, 0, 0), glm::dvec3(4, 0, 0), glm::dvec3(0, 3, 0)};
 
 TEST(SquaredDistance, MeasuresToFaceSidesAndCorners) {
-  EXPECT_DOUBLE_EQ(squared_distance({1, 1, 5}, kTriangle), 25.0);
-  EXPECT_DOUBLE_EQ(squared_distance({1, 1, -5}, kTriangle), 25.0);
-  EXPECT_DOUBLE_EQ(squared_distance({1, 1, 0}, kTriangle), 0.0);
-  EXPECT_DOUBLE_EQ(squared_distance({2, -3, 0}, kTriangle), 9.0);
-  EXPECT_DOUBLE_EQ(squared_distance({-3, -4, 0}, kTriangle), 25.0);
-  EXPECT_DOUBLE_EQ(squared_distance({7, 0, 4}, kTriangle), 25.0);
-  EXPECT_DOUBLE_EQ(squared_distance({4, 3, 0}, kTriangle), 5.76);  // to the long side: 12/5
+  EXPECT_DOUBLE_EQ(analysis::squared_distance({1, 1, 5}, kTriangle), 25.0);
+  EXPECT_DOUBLE_EQ(analysis::squared_distance({1, 1, -5}, kTriangle), 25.0);
+  EXPECT_DOUBLE_EQ(analysis::squared_distance({1, 1, 0}, kTriangle), 0.0);
+  EXPECT_DOUBLE_EQ(analysis::squared_distance({2, -3, 0}, kTriangle), 9.0);
+  EXPECT_DOUBLE_EQ(analysis::squared_distance({-3, -4, 0}, kTriangle), 25.0);
+  EXPECT_DOUBLE_EQ(analysis::squared_distance({7, 0, 4}, kTriangle), 25.0);
+  EXPECT_DOUBLE_EQ(analysis::squared_distance({4, 3, 0}, kTriangle),
+                   5.76);  // to the long side: 12/5
 }
 
 TEST(SquaredDistance, HandlesZeroAreaTriangles) {
   const Triangle needle{glm::dvec3(0, 0, 0), glm::dvec3(2, 0, 0), glm::dvec3(5, 0, 0)};
-  EXPECT_DOUBLE_EQ(squared_distance({4, 3, 0}, needle), 9.0);
-  EXPECT_DOUBLE_EQ(squared_distance({8, 4, 0}, needle), 25.0);
+  EXPECT_DOUBLE_EQ(analysis::squared_distance({4, 3, 0}, needle), 9.0);
+  EXPECT_DOUBLE_EQ(analysis::squared_distance({8, 4, 0}, needle), 25.0);
   const Triangle point{glm::dvec3(1), glm::dvec3(1), glm::dvec3(1)};
-  EXPECT_DOUBLE_EQ(squared_distance({1, 1, 3}, point), 4.0);
+  EXPECT_DOUBLE_EQ(analysis::squared_distance({1, 1, 3}, point), 4.0);
 }
 
 TEST(TriangleTree, AgreesWithBruteForce) {
@@ -37,7 +38,7 @@ TEST(TriangleTree, AgreesWithBruteForce) {
   const auto coordinate = [&] { return static_cast<float>(random() % 2000) / 100.0F - 10.0F; };
   for (const Soup& soup : {cube(), torus(13, 9), grid(7), tetrahedron()}) {
     const Mesh mesh = built(Soup(soup)).mesh;
-    const TriangleTree tree(mesh);
+    const analysis::TriangleTree tree(mesh);
     for (int i = 0; i < 300; ++i) {
       const glm::dvec3 p(coordinate() / 3, coordinate() / 3, coordinate() / 3);
       double least = 1e300;
@@ -46,7 +47,7 @@ TEST(TriangleTree, AgreesWithBruteForce) {
         for (std::uint32_t c = 0; c < 3; ++c) {
           t[c] = mesh.position(mesh.origin(Mesh::halfedge(Face(f), c)));
         }
-        least = std::min(least, squared_distance(p, t));
+        least = std::min(least, analysis::squared_distance(p, t));
       }
       const Face hint(static_cast<std::uint32_t>(random() % mesh.face_count()));
       EXPECT_EQ(tree.nearest(p, hint).squared_distance, least);
@@ -63,7 +64,7 @@ TEST(TriangleTree, CoincidentTrianglesKeepTheTreeShallow) {
       soup.positions.push_back(p);
     soup.corners.insert(soup.corners.end(), {base, base + 1, base + 2});
   }
-  const TriangleTree tree(built(std::move(soup)).mesh);
+  const analysis::TriangleTree tree(built(std::move(soup)).mesh);
   EXPECT_DOUBLE_EQ(tree.nearest({0.25, 0.25, 2.0}).squared_distance, 4.0);
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "engine/core/parallel.h"
-#include "engine/mesh/build.h"
+#include "engine/mesh/build/build.h"
 #include "tests/bench/memory.h"
 #include "tests/bench/models.h"
 #include "tests/bench/settings.h"

@@ -6,15 +6,15 @@
 #include <array>
 
 #include "engine/core/parallel.h"
-#include "engine/mesh/build.h"
+#include "engine/mesh/build/build.h"
 #include "engine/simplify/simplify.h"
 
 namespace mesher::bench {
 
 Soup simplify_ours(Soup&& soup, std::uint32_t target_faces) {
-  CollapseRecorder recorder;
-  Simplified simplified = simplify(build_mesh(std::move(soup)).mesh,
-                                   {.target_faces = target_faces, .observer = &recorder});
+  simplify::CollapseRecorder recorder;
+  simplify::Simplified simplified = simplify::simplify(
+      build_mesh(std::move(soup)).mesh, {.target_faces = target_faces, .observer = &recorder});
   MeshArrays arrays = MeshArrays::take(std::move(simplified.mesh));
   Soup result;
   result.positions = std::move(arrays.position);

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "engine/mesh/soup.h"
+#include "engine/mesh/build/soup.h"
 
 namespace mesher::bench {
 

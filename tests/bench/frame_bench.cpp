@@ -11,7 +11,7 @@
 #include "engine/gpu/device.h"
 #include "engine/gpu/instance.h"
 #include "engine/io/read.h"
-#include "engine/mesh/build.h"
+#include "engine/mesh/build/build.h"
 #include "engine/mesh/statistics.h"
 #include "engine/progressive/build.h"
 #include "engine/progressive/geomorph.h"
@@ -73,7 +73,7 @@ void add(const std::string& name, const std::shared_ptr<Scene>& scene,
 /// A progressive mesh that is controlled by a slider.
 struct DragScene {
   explicit DragScene(const Mesh& full)
-      : mesh(make_progressive(full, {.target_faces = full.face_count() / 100}).mesh),
+      : mesh(progressive::make_progressive(full, {.target_faces = full.face_count() / 100}).mesh),
         geomorph(mesh) {
     camera.set_angles(0.6, 0.3);
     camera.frame(bounding_box(full), 1.0);
@@ -104,8 +104,8 @@ struct DragScene {
   static constexpr double kGrowing = 0.125;
   gpu::Instance instance;
   gpu::Device device{instance};
-  ProgressiveMesh mesh;
-  Geomorph geomorph;
+  progressive::ProgressiveMesh mesh;
+  progressive::Geomorph geomorph;
   render::Camera camera;
   render::GpuMesh gpu_mesh{device};
   render::Renderer renderer{device};
@@ -142,7 +142,7 @@ void register_drag(const Settings& settings) {
     std::fprintf(stderr, "bench_engine: SKIPPED frame_drag: no %s\n", file.string().c_str());
     return;
   }
-  const auto scene = std::make_shared<DragScene>(read_model(file, {}).mesh);
+  const auto scene = std::make_shared<DragScene>(io::read_model(file, {}).mesh);
   const auto add_drag = [&](const std::string& task, const render::Settings& look) {
     benchmark::RegisterBenchmark((task + "/mesher").c_str(),
                                  [=](State& state) { drag(state, *scene, look); })

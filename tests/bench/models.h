@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "engine/mesh/build/soup.h"
 #include "engine/mesh/mesh.h"
-#include "engine/mesh/soup.h"
 
 namespace mesher::bench {
 

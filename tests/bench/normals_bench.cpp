@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/mesh/build.h"
+#include "engine/mesh/build/build.h"
 #include "engine/mesh/normals.h"
 #include "tests/bench/models.h"
 #include "tests/bench/settings.h"

@@ -25,7 +25,7 @@ void finish(State& state, const std::string& file, std::size_t faces, std::size_
 void read_ours(State& state, const std::string& file, std::size_t expected) {
   Soup soup;
   for (auto _ : state)
-    soup = read_soup(file);
+    soup = io::read_soup(file);
   finish(state, file, soup.face_count(), expected);
 }
 
@@ -59,7 +59,7 @@ void read_assimp(State& state, const std::string& file, std::size_t expected) {
 void read_and_build_ours(State& state, const std::string& file, std::size_t expected) {
   Model model;
   for (auto _ : state)
-    model = read_model(file);
+    model = io::read_model(file);
   finish(state, file, model.mesh.face_count(), expected);
 }
 
@@ -88,8 +88,8 @@ void register_obj(const Settings& settings) {
   };
   const std::string plain = make("plain_", ObjContent::positions);
   const std::string full = make("full_", ObjContent::positions_texcoords_normals);
-  const std::size_t plain_faces = read_soup(plain).face_count();
-  const std::size_t full_faces = read_soup(full).face_count();
+  const std::size_t plain_faces = io::read_soup(plain).face_count();
+  const std::size_t full_faces = io::read_soup(full).face_count();
 
   add("obj_arrays/mesher", read_ours, plain, plain_faces);
   add("obj_arrays/tinyobjloader", read_tinyobjloader, plain, plain_faces);

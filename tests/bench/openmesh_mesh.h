@@ -2,7 +2,7 @@
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
-#include "engine/mesh/soup.h"
+#include "engine/mesh/build/soup.h"
 
 namespace mesher::bench {
 

@@ -11,8 +11,8 @@
 #include "engine/core/parallel.h"
 #include "engine/io/read.h"
 #include "engine/progressive/build.h"
-#include "engine/progressive/pm_read.h"
-#include "engine/progressive/pm_write.h"
+#include "engine/progressive/codec/pm_read.h"
+#include "engine/progressive/codec/pm_write.h"
 #include "engine/simplify/simplify.h"
 #include "tests/bench/settings.h"
 
@@ -38,7 +38,7 @@ void add(const std::string& name, Run run) {
       ->Unit(benchmark::kMillisecond);
 }
 
-SimplifyOptions options_for(const Mesh& mesh) {
+simplify::SimplifyOptions options_for(const Mesh& mesh) {
   return {.target_faces = static_cast<std::uint32_t>(kRatio * mesh.face_count())};
 }
 
@@ -47,13 +47,13 @@ void simplify_once(State& state, const Mesh& input, bool records, unsigned threa
   const ThreadLimit limit(threads);
   for (auto _ : state) {
     Mesh copy = input;
-    CollapseRecorder recorder;
-    SimplifyOptions options = options_for(input);
+    simplify::CollapseRecorder recorder;
+    simplify::SimplifyOptions options = options_for(input);
     if (records) options.observer = &recorder;
     const auto start = Clock::now();
-    const Simplified simplified = simplify(std::move(copy), options);
-    Progressive progressive;
-    if (records) progressive = build_progressive(input, recorder.records());
+    const simplify::Simplified simplified = simplify::simplify(std::move(copy), options);
+    progressive::Progressive progressive;
+    if (records) progressive = progressive::build_progressive(input, recorder.records());
     state.SetIterationTime(seconds_since(start));
     benchmark::DoNotOptimize(simplified.mesh.face_count() + progressive.mesh.split_count());
   }
@@ -62,7 +62,8 @@ void simplify_once(State& state, const Mesh& input, bool records, unsigned threa
 /// Applies all splits in one direction.
 void play(State& state, const Mesh& input, bool up) {
   const ThreadLimit one(1);
-  ProgressiveMesh mesh = std::move(make_progressive(input, options_for(input)).mesh);
+  progressive::ProgressiveMesh mesh =
+      std::move(progressive::make_progressive(input, options_for(input)).mesh);
   mesh.go_to(mesh.split_count());  // allocates all memory before the measurement
   mesh.go_to(up ? 0 : mesh.split_count());
   for (auto _ : state) {
@@ -77,15 +78,17 @@ void play(State& state, const Mesh& input, bool up) {
 /// Reads a whole file from memory up to the finest level.
 void read(State& state, const Mesh& input, unsigned coordinate_bits) {
   const ThreadLimit one(1);
-  ProgressiveMesh mesh = std::move(make_progressive(input, {.target_faces = 200}).mesh);
+  progressive::ProgressiveMesh mesh =
+      std::move(progressive::make_progressive(input, {.target_faces = 200}).mesh);
   std::vector<std::byte> file;
-  write_pm(mesh, {.coordinate_bits = coordinate_bits}, [&](std::span<const std::byte> bytes) {
-    file.insert(file.end(), bytes.begin(), bytes.end());
-  });
+  progressive::write_pm(mesh, {.coordinate_bits = coordinate_bits},
+                        [&](std::span<const std::byte> bytes) {
+                          file.insert(file.end(), bytes.begin(), bytes.end());
+                        });
   const double plain_bytes = 12.0 * input.vertex_count() + 12.0 * input.face_count();
   for (auto _ : state) {
     const auto start = Clock::now();
-    PmReader reader("benchmark");
+    progressive::PmReader reader("benchmark");
     for (std::size_t at = 0; at < file.size(); at += kPiece)
       reader.feed(std::span(file).subspan(at, std::min(kPiece, file.size() - at)));
     reader.finish();
@@ -106,7 +109,7 @@ void register_progressive(const Settings& settings) {
     std::fprintf(stderr, "bench_engine: SKIPPED progressive_*: no %s\n", file.string().c_str());
     return;
   }
-  const auto mesh = std::make_shared<const Mesh>(read_model(file, {}).mesh);
+  const auto mesh = std::make_shared<const Mesh>(io::read_model(file, {}).mesh);
   const auto add_simplify = [&](const std::string& who, bool records, unsigned threads) {
     add("progressive_record/" + who,
         [=](State& state) { simplify_once(state, *mesh, records, threads); });

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/mesh/build.h"
+#include "engine/mesh/build/build.h"
 #include "engine/mesh/circulators.h"
 #include "engine/mesh/collapse.h"
 #include "tests/bench/models.h"

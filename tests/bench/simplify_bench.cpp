@@ -119,7 +119,7 @@ void add_scan(const Settings& settings, const std::string& name) {
     return;
   }
   add_model(
-      name, [file] { return triangles_of(read_model(file).mesh); }, false);
+      name, [file] { return triangles_of(io::read_model(file).mesh); }, false);
 }
 
 /// Adds the tasks on shuffled models without the slow contenders: the order of vertices and faces

@@ -24,7 +24,7 @@ Soup load(const std::string& name) {
   };
   if (name.starts_with("bumpy:")) return generated("bumpy:");
   if (name.starts_with("shuffled:")) return shuffled(generated("shuffled:"));
-  return triangles_of(read_model(name).mesh);
+  return triangles_of(io::read_model(name).mesh);
 }
 
 void print_run(const Contender& contender, const Reference& reference, std::uint32_t target) {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "engine/core/parallel.h"
-#include "engine/mesh/build.h"
+#include "engine/mesh/build/build.h"
 #include "engine/mesh/collapse.h"
 #include "engine/mesh/delta.h"
 #include "engine/mesh/normals.h"
@@ -106,8 +106,9 @@ void add_undo(std::uint32_t faces, const std::string& part, double kept) {
       const Mesh before = build_mesh(bumpy_torus(grid_size(faces))).mesh;
       const auto target = static_cast<std::uint32_t>(kept * before.face_count());
       const Mesh after =
-          simplify(Mesh(before), {.target_faces = std::min(target, before.face_count() - 1),
-                                  .order = ResultOrder::fill_holes})
+          simplify::simplify(Mesh(before),
+                             {.target_faces = std::min(target, before.face_count() - 1),
+                              .order = simplify::ResultOrder::fill_holes})
               .mesh;
       MeshDelta delta = difference(before, after);
       Mesh mesh = before;

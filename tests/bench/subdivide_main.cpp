@@ -17,7 +17,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/io/read.h"
-#include "engine/mesh/build.h"
+#include "engine/mesh/build/build.h"
 #include "tests/bench/memory.h"
 #include "tests/bench/models.h"
 #include "tests/bench/subdividers.h"
@@ -83,9 +83,10 @@ void add_creases(const Mesh& mesh, Soup& soup) {
 SubdivisionWork work_of(std::string_view task) {
   const auto sized = [](Soup soup, std::uint32_t levels) {
     const Mesh mesh = build_mesh(Soup(soup)).mesh;
-    return SubdivisionWork{.soup = std::move(soup),
-                           .options = {.levels = levels, .creases = CreaseRules::derose98},
-                           .size = subdivision_size(mesh, {.levels = levels})};
+    return SubdivisionWork{
+        .soup = std::move(soup),
+        .options = {.levels = levels, .creases = subdivide::CreaseRules::derose98},
+        .size = subdivide::subdivision_size(mesh, {.levels = levels})};
   };
   if (task.starts_with(kGrowth)) {
     const double faces = std::stod(std::string(task.substr(kGrowth.size())));
@@ -93,7 +94,7 @@ SubdivisionWork work_of(std::string_view task) {
   }
   const auto scan = std::ranges::find(kScans, task, &ScanTask::name);
   if (scan == std::end(kScans)) throw std::runtime_error("no such task: " + std::string(task));
-  const Mesh mesh = read_model(file_of(scan->model)).mesh;
+  const Mesh mesh = io::read_model(file_of(scan->model)).mesh;
   SubdivisionWork work = sized(triangles_of(mesh), scan->levels);
   if (scan->is_creased) add_creases(mesh, work.soup);
   return work;
@@ -111,8 +112,8 @@ double output_and_level_before(const SubdivisionWork& work, bool is_mesh) {
   const auto faces = static_cast<double>(work.size.faces);
   double output = kPosition * vertices + kCorners * faces;
   if (is_mesh) output += kOutgoing * vertices + (kTwins + kSharpness) * faces;
-  const SubdivisionSize before =
-      subdivision_size(build_mesh(Soup(work.soup)).mesh, {.levels = work.options.levels - 1});
+  const subdivide::SubdivisionSize before = subdivide::subdivision_size(
+      build_mesh(Soup(work.soup)).mesh, {.levels = work.options.levels - 1});
   const double sharpness = work.options.levels == 1 ? kSharpness : 0.0;
   return output + (kPosition + kOutgoing) * static_cast<double>(before.vertices) +
          (kCorners + kTwins + sharpness) * static_cast<double>(before.faces);
@@ -192,7 +193,7 @@ constexpr std::string_view kSplitters[] = {"mesher", "mesher, building half-edge
                                            "hashing, std::unordered_map",
                                            "hashing, buckets reserved"};
 
-IndexedTriangles split(std::string_view who, const Mesh& mesh, const Soup& soup) {
+subdivide::IndexedTriangles split(std::string_view who, const Mesh& mesh, const Soup& soup) {
   if (who == kSplitters[0]) return split_by_arithmetic(mesh);
   if (who == kSplitters[1]) return split_by_arithmetic(build_mesh(Soup(soup)).mesh);
   return split_by_hashing(soup, who == kSplitters[3]);
@@ -200,12 +201,12 @@ IndexedTriangles split(std::string_view who, const Mesh& mesh, const Soup& soup)
 
 Json measure_split(std::string_view who) {
   const ThreadLimit one(1);
-  const Mesh mesh = read_model(file_of("bunny.obj")).mesh;
+  const Mesh mesh = io::read_model(file_of("bunny.obj")).mesh;
   const Soup soup = triangles_of(mesh);
-  IndexedTriangles result;
+  subdivide::IndexedTriangles result;
   Json json;
   note_time({time_of([&] { result = split(who, mesh, soup); })}, json);
-  const IndexedTriangles expected = split_by_arithmetic(mesh);
+  const subdivide::IndexedTriangles expected = split_by_arithmetic(mesh);
   if (result.index != expected.index || result.position != expected.position) {
     throw std::runtime_error(std::string(who) + " makes other triangles");
   }

@@ -11,7 +11,7 @@ SubdivisionOutcome subdivide_openmesh(SubdivisionWork&& work) {
   PeerMesh mesh = make_mesh(work.soup);
   OpenMesh::Subdivider::Uniform::LoopT<PeerMesh> subdivider;
   subdivider(mesh, work.options.levels);
-  IndexedTriangles result;
+  subdivide::IndexedTriangles result;
   result.position.resize(mesh.n_vertices());
   result.index.resize(3 * mesh.n_faces());
   glm::vec3* position = result.position.data();

@@ -58,7 +58,7 @@ SubdivisionOutcome subdivide_opensubdiv(SubdivisionWork&& work) {
   const Far::PrimvarRefiner positions(*refiner);
   const Far::TopologyLevel& last = refiner->GetLevel(levels);
 
-  IndexedTriangles result;
+  subdivide::IndexedTriangles result;
   result.position.resize(static_cast<std::size_t>(last.GetNumVertices()));
   Array<glm::vec3> between;
   const glm::vec3* from = soup.positions.data();

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "engine/core/parallel.h"
-#include "engine/mesh/build.h"
+#include "engine/mesh/build/build.h"
 #include "engine/subdivide/butterfly.h"
 
 namespace mesher::bench {
@@ -24,7 +24,7 @@ void fill(std::uint32_t* words, std::size_t count) {
 
 SubdivisionOutcome subdivide_ours(SubdivisionWork&& work) {
   const Mesh mesh = build_mesh(std::move(work.soup)).mesh;
-  return {.triangles = subdivide_to_triangles(mesh, work.options)};
+  return {.triangles = subdivide::subdivide_to_triangles(mesh, work.options)};
 }
 
 SubdivisionOutcome subdivide_ours_one_thread(SubdivisionWork&& work) {
@@ -34,7 +34,7 @@ SubdivisionOutcome subdivide_ours_one_thread(SubdivisionWork&& work) {
 
 SubdivisionOutcome subdivide_ours_to_mesh(SubdivisionWork&& work) {
   const Mesh mesh = build_mesh(std::move(work.soup)).mesh;
-  return {.mesh = subdivide(mesh, work.options).mesh};
+  return {.mesh = subdivide::subdivide(mesh, work.options).mesh};
 }
 
 SubdivisionOutcome subdivide_ours_to_mesh_one_thread(SubdivisionWork&& work) {
@@ -61,15 +61,15 @@ SubdivisionOutcome fill_arrays(SubdivisionWork&& work) {
               std::make_shared<std::pair<decltype(position), decltype(corner)>>(position, corner)};
 }
 
-IndexedTriangles split_by_arithmetic(const Mesh& mesh) {
-  Level level = midpoint_step(view_of(mesh), {}, true);
+subdivide::IndexedTriangles split_by_arithmetic(const Mesh& mesh) {
+  subdivide::Level level = subdivide::midpoint_step(subdivide::view_of(mesh), {}, true);
   return {std::move(level.position), std::move(level.origin)};
 }
 
-IndexedTriangles split_by_hashing(const Soup& soup, bool is_reserved) {
+subdivide::IndexedTriangles split_by_hashing(const Soup& soup, bool is_reserved) {
   std::unordered_map<std::uint64_t, std::uint32_t> vertex_on;
   if (is_reserved) vertex_on.reserve(soup.corners.size() / 2);
-  IndexedTriangles fine;
+  subdivide::IndexedTriangles fine;
   fine.position = soup.positions;
   fine.index.resize(4 * soup.corners.size());
   const auto middle = [&](std::uint32_t a, std::uint32_t b) {

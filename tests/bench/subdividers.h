@@ -4,8 +4,8 @@
 #include <span>
 #include <string_view>
 
+#include "engine/mesh/build/soup.h"
 #include "engine/mesh/mesh.h"
-#include "engine/mesh/soup.h"
 #include "engine/subdivide/subdivide.h"
 
 namespace mesher::bench {
@@ -13,13 +13,13 @@ namespace mesher::bench {
 /// The input of a subdivision and the size of its output.
 struct SubdivisionWork {
   Soup soup;  ///< triangles and creases; every vertex is used by a face
-  SubdivideOptions options;
-  SubdivisionSize size;
+  subdivide::SubdivideOptions options;
+  subdivide::SubdivisionSize size;
 };
 
 /// The result of a subdivision; one of the members is filled.
 struct SubdivisionOutcome {
-  IndexedTriangles triangles;
+  subdivide::IndexedTriangles triangles;
   Mesh mesh;
   std::shared_ptr<void> memory;
 };
@@ -51,9 +51,9 @@ SubdivisionOutcome fill_arrays(SubdivisionWork&& work);
 // one thread. They compare how the two faces of an edge find their common vertex.
 
 /// Computes the vertex from existing half-edges by arithmetic. `mesh`: the mesh of the soup.
-IndexedTriangles split_by_arithmetic(const Mesh& mesh);
+subdivide::IndexedTriangles split_by_arithmetic(const Mesh& mesh);
 /// Looks the vertex up in a hash table from vertex pairs, as in textbooks. `is_reserved`: with
 /// reserved buckets, from a good estimate of the number of edges.
-IndexedTriangles split_by_hashing(const Soup& soup, bool is_reserved);
+subdivide::IndexedTriangles split_by_hashing(const Soup& soup, bool is_reserved);
 
 }  // namespace mesher::bench

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/analysis/distance.h"
-#include "engine/mesh/build.h"
+#include "engine/mesh/build/build.h"
 
 namespace mesher::bench {
 namespace {
@@ -81,8 +81,8 @@ Reference::Reference(Soup&& triangles)
 
 SurfaceQuality surface_quality(const Reference& reference, const Soup& result) {
   const Mesh mesh = build_mesh(Soup(result)).mesh;  // repairs do not move any point of the surface
-  const SurfaceDistance distance = surface_distance(reference.mesh, mesh);
-  const OneSidedDistance both = distance.two_sided();
+  const analysis::SurfaceDistance distance = analysis::surface_distance(reference.mesh, mesh);
+  const analysis::OneSidedDistance both = distance.two_sided();
   return {distance.percent(both.rms), distance.percent(both.max), surface_defects(result)};
 }
 

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
+#include "engine/mesh/build/soup.h"
 #include "engine/mesh/mesh.h"
-#include "engine/mesh/soup.h"
 
 namespace mesher::bench {
 

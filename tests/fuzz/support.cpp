@@ -32,7 +32,7 @@ Watchdog::~Watchdog() {
 
 std::optional<Model> read_or_refuse(const std::filesystem::path& file, std::string* refusal) {
   try {
-    Model model = read_model(file);
+    Model model = io::read_model(file);
     for (const Violation& violation : validate(model.mesh)) {
       ADD_FAILURE() << "invariant " << violation.invariant << ": " << violation.what;
     }

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "engine/core/parallel.h"
-#include "engine/mesh/report.h"
+#include "engine/mesh/build/report.h"
 #include "tests/fuzz/support.h"
 #include "tests/support/temp_folder.h"
 

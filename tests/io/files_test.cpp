@@ -23,9 +23,9 @@ TEST(MappedFile, HoldsTheBytesFollowedByZeros) {
   for (const std::size_t size : {1U, 4095U, 4096U, 4097U, 100000U}) {
     std::string text(size, 'x');
     text[size / 2] = '\n';
-    const MappedFile file(folder.write("f", text));
+    const io::MappedFile file(folder.write("f", text));
     EXPECT_EQ(file.bytes(), text);
-    for (std::size_t i = 0; i < MappedFile::kPadding; ++i)
+    for (std::size_t i = 0; i < io::MappedFile::kPadding; ++i)
       EXPECT_EQ(file.end()[i], '\0');
     EXPECT_EQ(file.line_of(file.begin()), 1U);
     EXPECT_EQ(file.line_of(file.end()), 2U);
@@ -34,7 +34,7 @@ TEST(MappedFile, HoldsTheBytesFollowedByZeros) {
 
 TEST(MappedFile, EmptyFileHasSizeZero) {
   const TempFolder folder;
-  EXPECT_EQ(MappedFile(folder.write("f", "")).size(), 0U);
+  EXPECT_EQ(io::MappedFile(folder.write("f", "")).size(), 0U);
 }
 
 TEST(MappedFile, ReadsPipes) {
@@ -51,7 +51,7 @@ TEST(MappedFile, ReadsPipes) {
     }
     close(fd);
   });
-  const MappedFile file(pipe);
+  const io::MappedFile file(pipe);
   writer.join();
   EXPECT_EQ(file.bytes(), text);
   EXPECT_EQ(file.end()[0], '\0');
@@ -66,24 +66,24 @@ TEST(MappedFile, WaitingForAPipeCanBeCanceled) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     progress.cancel();
   });
-  EXPECT_THROW(MappedFile(pipe, &progress), Cancelled);
+  EXPECT_THROW(io::MappedFile(pipe, &progress), Cancelled);
   canceller.join();
 }
 
 TEST(MappedFile, ReadsFilesThatReportNoSize) {
-  EXPECT_GT(MappedFile("/proc/self/status").size(), 0U);
+  EXPECT_GT(io::MappedFile("/proc/self/status").size(), 0U);
 }
 
 TEST(MappedFile, RejectsPathsThatAreNotFiles) {
   const TempFolder folder;
-  EXPECT_THROW(MappedFile(folder / "missing"), InputError);
-  EXPECT_THROW(MappedFile{folder.path()}, InputError);
-  EXPECT_THROW(MappedFile("/dev/zero"), InputError);
+  EXPECT_THROW(io::MappedFile(folder / "missing"), InputError);
+  EXPECT_THROW(io::MappedFile{folder.path()}, InputError);
+  EXPECT_THROW(io::MappedFile("/dev/zero"), InputError);
 }
 
 TEST(AtomicFile, AppearsOnCommit) {
   const TempFolder folder;
-  AtomicFile file(folder / "out");
+  io::AtomicFile file(folder / "out");
   file.write("hello ");
   file.write("world");
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
@@ -96,7 +96,7 @@ TEST(AtomicFile, WithoutCommitLeavesNoFile) {
   const TempFolder folder;
   folder.write("out", "old");
   {
-    AtomicFile file(folder / "out");
+    io::AtomicFile file(folder / "out");
     file.write("new");
   }
   EXPECT_EQ(read_bytes(folder / "out"), "old");
@@ -108,7 +108,7 @@ TEST(AtomicFile, KeepsPermissionsAndFollowsLinks) {
   folder.write("real", "old");
   ASSERT_EQ(chmod((folder / "real").c_str(), 0640), 0);
   std::filesystem::create_symlink("real", folder / "link");
-  AtomicFile file(folder / "link");
+  io::AtomicFile file(folder / "link");
   file.write("new");
   file.commit();
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
@@ -121,39 +121,39 @@ TEST(AtomicFile, KeepsPermissionsAndFollowsLinks) {
 TEST(AtomicFile, AcceptsTheLongestNames) {
   const TempFolder folder;
   const std::string name(255, 'n');
-  AtomicFile file(folder / name);
+  io::AtomicFile file(folder / name);
   file.commit();
   EXPECT_TRUE(std::filesystem::exists(folder / name));
 }
 
 TEST(AtomicFile, RejectsFoldersAndMissingFolders) {
   const TempFolder folder;
-  EXPECT_THROW(AtomicFile{folder.path()}, OutputError);
-  EXPECT_THROW(AtomicFile(folder / "missing/out"), OutputError);
+  EXPECT_THROW(io::AtomicFile{folder.path()}, OutputError);
+  EXPECT_THROW(io::AtomicFile(folder / "missing/out"), OutputError);
   EXPECT_EQ(folder.count_files(), 0U);
 }
 
 TEST(AtomicFile, CheckLeavesNoFile) {
   const TempFolder folder;
-  EXPECT_NO_THROW(AtomicFile::check(folder / "new.txt"));
-  EXPECT_NO_THROW(AtomicFile::check("new.txt"));
-  EXPECT_NO_THROW(AtomicFile::check("/dev/null"));
-  EXPECT_NO_THROW(AtomicFile::check(folder.write("old.txt", "old")));
-  EXPECT_THROW(AtomicFile::check(folder.path()), OutputError);
-  EXPECT_THROW(AtomicFile::check(folder / "no/such/folder/x"), OutputError);
-  EXPECT_THROW(AtomicFile::check(folder / "old.txt/x"), OutputError);
+  EXPECT_NO_THROW(io::AtomicFile::check(folder / "new.txt"));
+  EXPECT_NO_THROW(io::AtomicFile::check("new.txt"));
+  EXPECT_NO_THROW(io::AtomicFile::check("/dev/null"));
+  EXPECT_NO_THROW(io::AtomicFile::check(folder.write("old.txt", "old")));
+  EXPECT_THROW(io::AtomicFile::check(folder.path()), OutputError);
+  EXPECT_THROW(io::AtomicFile::check(folder / "no/such/folder/x"), OutputError);
+  EXPECT_THROW(io::AtomicFile::check(folder / "old.txt/x"), OutputError);
   EXPECT_EQ(folder.count_files(), 1U);
   EXPECT_EQ(read_bytes(folder / "old.txt"), "old");
 }
 
 TEST(AtomicFile, ReportsFullDevice) {
-  AtomicFile file("/dev/full");
+  io::AtomicFile file("/dev/full");
   EXPECT_THROW(file.write("x"), OutputError);
   EXPECT_TRUE(std::filesystem::exists("/dev/full"));
 }
 
 TEST(AtomicFile, WritesDevicesDirectly) {
-  AtomicFile file("/dev/null");
+  io::AtomicFile file("/dev/null");
   file.write("x");
   file.commit();
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));

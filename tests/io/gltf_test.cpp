@@ -57,7 +57,7 @@ std::string glb(std::string json, std::string data) {
 
 Soup parse(const std::string& bytes, std::string_view name = "m.gltf") {
   const TempFolder folder;
-  return read_soup(folder.write(name, bytes));
+  return io::read_soup(folder.write(name, bytes));
 }
 
 void expect_refusal(const std::string& bytes, const std::string& reason,
@@ -73,14 +73,14 @@ void expect_refusal(const std::string& bytes, const std::string& reason,
 TEST(Base64, RoundTrips) {
   std::string bytes;
   for (int i = 0; i < 300; ++i) {
-    EXPECT_EQ(decode_base64(base64(bytes)), bytes);
+    EXPECT_EQ(io::decode_base64(base64(bytes)), bytes);
     bytes += static_cast<char>(i * 7);
   }
   EXPECT_EQ(base64("Man"), "TWFu");
   EXPECT_EQ(base64("Ma"), "TWE=");
-  EXPECT_EQ(decode_base64("TWE"), "Ma");
-  EXPECT_EQ(decode_base64("T"), std::nullopt);
-  EXPECT_EQ(decode_base64("TW#u"), std::nullopt);
+  EXPECT_EQ(io::decode_base64("TWE"), "Ma");
+  EXPECT_EQ(io::decode_base64("T"), std::nullopt);
+  EXPECT_EQ(io::decode_base64("TW#u"), std::nullopt);
 }
 
 TEST(GltfRead, JoinsVerticesSplitByAttributes) {
@@ -107,10 +107,11 @@ TEST(GltfRead, ReadsExternalBuffers) {
   folder.write("my data.bin", kData);
   const std::string before = kAsset + R"("buffers":[{"byteLength":132,"uri":")";
   const std::string after = "\"}]," + kViews + kMesh + "}";
-  EXPECT_EQ(read_soup(folder.write("m.gltf", before + "my%20data.bin" + after)).corners.size(), 6U);
+  EXPECT_EQ(io::read_soup(folder.write("m.gltf", before + "my%20data.bin" + after)).corners.size(),
+            6U);
   for (const char* uri : {"/dev/zero", "../x.bin", "a/../../x.bin", "missing.bin", "%zz",
                           "http://a/b", ".", "data:text/plain,x"}) {
-    EXPECT_THROW(read_soup(folder.write("m.gltf", before + uri + after)), InputError) << uri;
+    EXPECT_THROW(io::read_soup(folder.write("m.gltf", before + uri + after)), InputError) << uri;
   }
 }
 
@@ -215,10 +216,10 @@ const std::string kSeam =
 
 TEST(GltfWrite, SplitsAtSeamsAndRoundTrips) {
   const TempFolder folder;
-  const Model model = read_model(folder.write("in.obj", kSeam));
+  const Model model = io::read_model(folder.write("in.obj", kSeam));
   for (const char* name : {"m.glb", "m.gltf"}) {
-    write_model(folder / name, model.mesh, model.attributes);
-    const Model back = read_model(folder / name);
+    io::write_model(folder / name, model.mesh, model.attributes);
+    const Model back = io::read_model(folder / name);
     EXPECT_EQ(back.mesh.vertex_count(), 4U) << name;
     EXPECT_TRUE(back.report.is_clean()) << name;
     EXPECT_EQ(back.attributes.texcoord, model.attributes.texcoord) << name;
@@ -238,14 +239,14 @@ TEST(GltfWrite, WritesAVertexOnceIfItsCornersAgree) {
   for (int i = 0; i < 6; ++i) {
     text += "f 1/1 " + std::to_string(i + 2) + "/1 " + std::to_string((i + 1) % 6 + 2) + "/1\n";
   }
-  const Model model = read_model(folder.write("in.obj", text));
-  write_model(folder / "m.glb", model.mesh, model.attributes);
+  const Model model = io::read_model(folder.write("in.obj", text));
+  io::write_model(folder / "m.glb", model.mesh, model.attributes);
   EXPECT_NE(read_bytes(folder / "m.glb").find(R"("count":7,"type":"VEC3")"), std::string::npos);
 }
 
 TEST(GltfWrite, RejectsEmptyMesh) {
   const TempFolder folder;
-  EXPECT_THROW(write_model(folder / "m.glb", Mesh(), Attributes()), OutputError);
+  EXPECT_THROW(io::write_model(folder / "m.glb", Mesh(), Attributes()), OutputError);
   EXPECT_EQ(folder.count_files(), 0U);
 }
 

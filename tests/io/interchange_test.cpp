@@ -33,10 +33,10 @@ class Interchange : public testing::TestWithParam<Way> {};
 
 TEST_P(Interchange, AssimpReadsOurFiles) {
   const TempFolder folder;
-  const Model model = read_model(folder.write("in.obj", kBox));
+  const Model model = io::read_model(folder.write("in.obj", kBox));
   const Way way = GetParam();
   const std::string file = (folder / way.file).string();
-  write_model(file, model.mesh, model.attributes, {.ascii = way.ascii});
+  io::write_model(file, model.mesh, model.attributes, {.ascii = way.ascii});
   Assimp::Importer importer;
   const aiScene* const scene = importer.ReadFile(file, 0);
   ASSERT_NE(scene, nullptr) << importer.GetErrorString();
@@ -82,14 +82,14 @@ TEST(Levels, AssimpReadsAndShowsTheFinestLevel) {
   std::vector<Attributes> attributes(3);
   for (const glm::vec2 at : {glm::vec2(0, 0), glm::vec2(1, 0)})
     attributes[0].texcoord.insert(attributes[0].texcoord.end(), 12, at);
-  const std::vector<GltfLevel> levels{{&meshes[0], &attributes[0], 0.5},
-                                      {&meshes[1], &attributes[1], 0.125},
-                                      {&meshes[2], &attributes[2], 0.0}};
+  const std::vector<io::GltfLevel> levels{{&meshes[0], &attributes[0], 0.5},
+                                          {&meshes[1], &attributes[1], 0.125},
+                                          {&meshes[2], &attributes[2], 0.0}};
   for (const char* name : {"l.glb", "l.gltf"}) {
-    AtomicFile file(folder / name);
-    write_gltf(file, levels, std::string_view(name) == "l.glb");
+    io::AtomicFile file(folder / name);
+    io::write_gltf(file, levels, std::string_view(name) == "l.glb");
     file.commit();
-    EXPECT_EQ(read_model(folder / name).mesh.face_count(), 8U);
+    EXPECT_EQ(io::read_model(folder / name).mesh.face_count(), 8U);
     Assimp::Importer importer;
     const aiScene* const scene = importer.ReadFile((folder / name).string(), 0);
     ASSERT_NE(scene, nullptr) << importer.GetErrorString();
@@ -116,9 +116,9 @@ TEST(Levels, FirstNodeListsTheOtherLevels) {
   const TempFolder folder;
   const Mesh mesh = strip(3);
   const Attributes none;
-  const std::vector<GltfLevel> levels{{&mesh, &none, 0.5}, {&mesh, &none, 0.125}};
-  AtomicFile file(folder / "l.gltf");
-  write_gltf(file, levels, false);
+  const std::vector<io::GltfLevel> levels{{&mesh, &none, 0.5}, {&mesh, &none, 0.125}};
+  io::AtomicFile file(folder / "l.gltf");
+  io::write_gltf(file, levels, false);
   file.commit();
   const auto json = nlohmann::json::parse(test::read_bytes(folder / "l.gltf"));
   EXPECT_EQ(json["extensionsUsed"], nlohmann::json::array({"MSFT_lod"}));
@@ -129,8 +129,8 @@ TEST(Levels, FirstNodeListsTheOtherLevels) {
   EXPECT_EQ(json["nodes"][1]["mesh"], 1);
   EXPECT_FALSE(json["nodes"][1].contains("extensions"));
   // A model with one level is written as before.
-  AtomicFile single(folder / "s.gltf");
-  write_gltf(single, std::span(levels).first(1), false);
+  io::AtomicFile single(folder / "s.gltf");
+  io::write_gltf(single, std::span(levels).first(1), false);
   single.commit();
   EXPECT_EQ(test::read_bytes(folder / "s.gltf").find("MSFT"), std::string::npos);
 }

@@ -20,9 +20,9 @@ constexpr float kInf = std::numeric_limits<float>::infinity();
 const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-Soup parse(const std::string& text, const ReadOptions& options = {}) {
+Soup parse(const std::string& text, const io::ReadOptions& options = {}) {
   const TempFolder folder;
-  return read_soup(folder.write("model.obj", text), options);
+  return io::read_soup(folder.write("model.obj", text), options);
 }
 
 std::vector<std::uint32_t> corners_of(const Soup& soup) {

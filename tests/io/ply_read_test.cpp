@@ -19,7 +19,7 @@ using test::TempFolder;
 
 Soup parse(const std::string& bytes) {
   const TempFolder folder;
-  return read_soup(folder.write("model.ply", bytes));
+  return io::read_soup(folder.write("model.ply", bytes));
 }
 
 /// Line number and reason of an error.

@@ -29,8 +29,8 @@ TEST(Png, RoundTripsEveryPixel) {
   const TempFolder folder;
   for (const auto& [width, height] : {std::pair{1U, 1U}, {3U, 5U}, {500U, 500U}}) {
     const Image image = gradient(width, height);
-    write_png(folder / "a.png", image);
-    const Image back = read_png(folder / "a.png");
+    io::write_png(folder / "a.png", image);
+    const Image back = io::read_png(folder / "a.png");
     EXPECT_EQ(back.width, width);
     EXPECT_EQ(back.height, height);
     EXPECT_EQ(back.rgba, image.rgba);
@@ -41,12 +41,13 @@ TEST(Png, RoundTripsEveryPixel) {
 TEST(Png, RejectsTruncatedImageWithMissingPixels) {
   const TempFolder folder;
   const Image image = gradient(4, 4);
-  write_png(folder / "a.png", image);
+  io::write_png(folder / "a.png", image);
   const std::string bytes = read_bytes(folder / "a.png");
   std::size_t refused = 0;
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     try {
-      EXPECT_EQ(read_png(folder.write("cut.png", bytes.substr(0, size))).rgba, image.rgba) << size;
+      EXPECT_EQ(io::read_png(folder.write("cut.png", bytes.substr(0, size))).rgba, image.rgba)
+          << size;
     } catch (const InputError&) {
       ++refused;
     }
@@ -57,18 +58,18 @@ TEST(Png, RejectsTruncatedImageWithMissingPixels) {
 
 TEST(Png, RejectsDamagedFiles) {
   const TempFolder folder;
-  write_png(folder / "a.png", gradient(4, 4));
+  io::write_png(folder / "a.png", gradient(4, 4));
   std::string bytes = read_bytes(folder / "a.png");
   bytes[bytes.size() / 2] ^= 1;
-  EXPECT_THROW(read_png(folder.write("b.png", bytes)), InputError);
-  EXPECT_THROW(read_png(folder.write("c.png", "no picture at all")), InputError);
-  EXPECT_THROW(read_png(folder / "missing.png"), InputError);
+  EXPECT_THROW(io::read_png(folder.write("b.png", bytes)), InputError);
+  EXPECT_THROW(io::read_png(folder.write("c.png", "no picture at all")), InputError);
+  EXPECT_THROW(io::read_png(folder / "missing.png"), InputError);
 }
 
 TEST(Png, FailedWriteLeavesNoFile) {
   const TempFolder folder;
-  EXPECT_THROW(write_png(folder / "missing/a.png", gradient(2, 2)), OutputError);
-  EXPECT_THROW(write_png("/dev/full", gradient(2, 2)), OutputError);
+  EXPECT_THROW(io::write_png(folder / "missing/a.png", gradient(2, 2)), OutputError);
+  EXPECT_THROW(io::write_png("/dev/full", gradient(2, 2)), OutputError);
   EXPECT_EQ(folder.count_files(), 0U);
 }
 

@@ -48,7 +48,7 @@ std::string sheet(int n) {
 
 Model read_text(const std::string& text) {
   const TempFolder folder;
-  return read_model(folder.write("in.obj", text));
+  return io::read_model(folder.write("in.obj", text));
 }
 
 template <class T>
@@ -74,8 +74,8 @@ TEST(RoundTrip, EveryFormatKeepsExactPositionsAndFaces) {
                         {"m.gltf", false},
                         {"m.glb", false},
                         {"M.OBJ", false}}) {
-    write_model(folder / way.file, model.mesh, model.attributes, {.ascii = way.ascii});
-    const Model back = read_model(folder / way.file);
+    io::write_model(folder / way.file, model.mesh, model.attributes, {.ascii = way.ascii});
+    const Model back = io::read_model(folder / way.file);
     EXPECT_TRUE(validate(back.mesh).empty()) << way.file;
     EXPECT_TRUE(back.report.is_clean()) << way.file;
     ASSERT_EQ(back.mesh.face_count(), model.mesh.face_count()) << way.file;
@@ -103,12 +103,12 @@ TEST(RoundTrip, BowTieCopiesAreWrittenAsPlainVertices) {
   const Mesh plain = std::move(arrays).finish();
   const TempFolder folder;
   for (const char* name : {"m.obj", "m.ply", "m.off", "m.stl", "m.glb"}) {
-    write_model(folder / name, plain, {});
+    io::write_model(folder / name, plain, {});
     const std::string expected = read_bytes(folder / name);
-    write_model(folder / name, model.mesh, {});
+    io::write_model(folder / name, model.mesh, {});
     EXPECT_EQ(read_bytes(folder / name), expected) << name;
   }
-  write_model(folder / "m.obj", model.mesh, {});
+  io::write_model(folder / "m.obj", model.mesh, {});
   const std::string obj = read_bytes(folder / "m.obj");
   EXPECT_EQ(obj.find("\nt corner"), std::string::npos);
   EXPECT_EQ(obj.find("\ne "), std::string::npos);
@@ -118,10 +118,10 @@ TEST(RoundTrip, SameBytesForAnyThreadCount) {
   const Model model = read_text(sheet(150));
   const TempFolder folder;
   for (const char* name : {"m.obj", "m.ply", "m.off", "m.stl", "m.glb"}) {
-    write_model(folder / name, model.mesh, model.attributes);
+    io::write_model(folder / name, model.mesh, model.attributes);
     const std::string parallel = read_bytes(folder / name);
     const ThreadLimit one(1);
-    write_model(folder / name, model.mesh, model.attributes);
+    io::write_model(folder / name, model.mesh, model.attributes);
     EXPECT_EQ(read_bytes(folder / name), parallel) << name;
   }
 }
@@ -137,8 +137,8 @@ TEST(RoundTrip, ObjKeepsAttributesGroupsAndCreases) {
   const Model model = read_text(kRich);
   ASSERT_EQ(model.attributes.texcoord.size(), 6U);
   const TempFolder folder;
-  write_model(folder / "m.obj", model.mesh, model.attributes);
-  const Model back = read_model(folder / "m.obj");
+  io::write_model(folder / "m.obj", model.mesh, model.attributes);
+  const Model back = io::read_model(folder / "m.obj");
   EXPECT_TRUE(same_bits(back.attributes.texcoord, model.attributes.texcoord));
   EXPECT_TRUE(same_bits(back.attributes.normal, model.attributes.normal));
   EXPECT_TRUE(same_bits(back.attributes.color, model.attributes.color));
@@ -154,7 +154,7 @@ TEST(RoundTrip, ObjKeepsAttributesGroupsAndCreases) {
 TEST(RoundTrip, ObjWritesEachValueOnce) {
   const Model model = read_text(kRich);
   const TempFolder folder;
-  write_model(folder / "m.obj", model.mesh, model.attributes);
+  io::write_model(folder / "m.obj", model.mesh, model.attributes);
   const std::string text = read_bytes(folder / "m.obj");
   std::size_t lines = 0;
   for (std::size_t at = text.find("\nvt "); at != std::string::npos;
@@ -169,8 +169,8 @@ TEST(RoundTrip, PlyKeepsSeamsAndVertexColors) {
   const Model model = read_text(kRich);
   const TempFolder folder;
   for (const bool ascii : {false, true}) {
-    write_model(folder / "m.ply", model.mesh, model.attributes, {.ascii = ascii});
-    const Model back = read_model(folder / "m.ply");
+    io::write_model(folder / "m.ply", model.mesh, model.attributes, {.ascii = ascii});
+    const Model back = io::read_model(folder / "m.ply");
     EXPECT_TRUE(same_bits(back.attributes.color, model.attributes.color));
     for (std::size_t c = 0; c < 6; ++c) {
       const glm::vec2 a = back.attributes.texcoord[c];
@@ -183,16 +183,16 @@ TEST(RoundTrip, PlyKeepsSeamsAndVertexColors) {
 TEST(RoundTrip, OffKeepsVertexColors) {
   const Model model = read_text(kRich);
   const TempFolder folder;
-  write_model(folder / "m.off", model.mesh, model.attributes);
-  EXPECT_TRUE(same_bits(read_model(folder / "m.off").attributes.color, model.attributes.color));
+  io::write_model(folder / "m.off", model.mesh, model.attributes);
+  EXPECT_TRUE(same_bits(io::read_model(folder / "m.off").attributes.color, model.attributes.color));
 }
 
 TEST(Write, FailedWriteLeavesNoFile) {
   const Model model = read_text(kRich);
   const TempFolder folder;
-  EXPECT_THROW(write_model(folder / "m.xyz", model.mesh, model.attributes), UsageError);
-  EXPECT_THROW(write_model(folder / "m", model.mesh, model.attributes), UsageError);
-  EXPECT_THROW(write_model(folder / "no/m.obj", model.mesh, model.attributes), OutputError);
+  EXPECT_THROW(io::write_model(folder / "m.xyz", model.mesh, model.attributes), UsageError);
+  EXPECT_THROW(io::write_model(folder / "m", model.mesh, model.attributes), UsageError);
+  EXPECT_THROW(io::write_model(folder / "no/m.obj", model.mesh, model.attributes), OutputError);
   EXPECT_EQ(folder.count_files(), 0U);
 }
 
@@ -217,7 +217,7 @@ TEST(Write, FullDiskLeavesNoPartialFile) {
   folder.write("m.ply", "what was there before");
   for (const char* name : {"m.obj", "m.ply", "m.stl", "m.off", "m.glb", "m.gltf"}) {
     const SmallDisk disk(10000);
-    EXPECT_THROW(write_model(folder / name, model.mesh, model.attributes), OutputError) << name;
+    EXPECT_THROW(io::write_model(folder / name, model.mesh, model.attributes), OutputError) << name;
   }
   EXPECT_EQ(folder.count_files(), 1U);
   EXPECT_EQ(read_bytes(folder / "m.ply"), "what was there before");
@@ -225,16 +225,17 @@ TEST(Write, FullDiskLeavesNoPartialFile) {
 
 TEST(Read, RejectsUnknownMissingAndEmptyFiles) {
   const TempFolder folder;
-  EXPECT_THROW(read_soup(folder.write("m.xyz", "x")), InputError);
-  EXPECT_THROW(read_soup(folder / "missing.obj"), InputError);
+  EXPECT_THROW(io::read_soup(folder.write("m.xyz", "x")), InputError);
+  EXPECT_THROW(io::read_soup(folder / "missing.obj"), InputError);
   for (const char* name : {"m.obj", "m.ply", "m.stl", "m.off", "m.gltf", "m.glb"}) {
-    EXPECT_THROW(read_soup(folder.write(name, "")), InputError) << name;
+    EXPECT_THROW(io::read_soup(folder.write(name, "")), InputError) << name;
   }
 }
 
 TEST(Read, BuildErrorsNameTheFile) {
   const TempFolder folder;
-  const Model model = read_model(folder.write("name.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  const Model model =
+      io::read_model(folder.write("name.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
   EXPECT_EQ(model.name, "name.obj");
 }
 

@@ -20,13 +20,13 @@ std::string padded(const std::string& text) {
 void expect_as_strtof(const std::string& text) {
   const std::string source = padded(text);
   float value = -1.0F;
-  const char* const end = scan::read_float(source.c_str(), value);
+  const char* const end = io::scan::read_float(source.c_str(), value);
   ASSERT_NE(end, nullptr) << text;
   EXPECT_EQ(end - source.c_str(), static_cast<std::ptrdiff_t>(text.size())) << text;
   const float expected = std::strtof(text.c_str(), nullptr);
   EXPECT_EQ(std::bit_cast<std::uint32_t>(value), std::bit_cast<std::uint32_t>(expected)) << text;
   double wide = -1.0;
-  ASSERT_NE(scan::read_double(source.c_str(), wide), nullptr) << text;
+  ASSERT_NE(io::scan::read_double(source.c_str(), wide), nullptr) << text;
   EXPECT_EQ(std::bit_cast<std::uint64_t>(wide),
             std::bit_cast<std::uint64_t>(std::strtod(text.c_str(), nullptr)))
       << text;
@@ -111,7 +111,7 @@ TEST(Scan, RejectsTextThatIsNotANumber) {
                            "--1", "+-1", "nanx", "1f", "1/2"}) {
     const std::string source = padded(text);
     float value = 0.0F;
-    EXPECT_EQ(scan::read_float(source.c_str(), value), nullptr) << text;
+    EXPECT_EQ(io::scan::read_float(source.c_str(), value), nullptr) << text;
   }
 }
 
@@ -119,7 +119,7 @@ TEST(Scan, ReadsDigits) {
   const auto digits = [](const std::string& text) {
     std::uint32_t value = 0;
     const std::string source = padded(text + "/");
-    EXPECT_EQ(*scan::read_digits(source.c_str(), value), '/') << text;
+    EXPECT_EQ(*io::scan::read_digits(source.c_str(), value), '/') << text;
     return value;
   };
   EXPECT_EQ(digits("7"), 7U);
@@ -133,12 +133,12 @@ TEST(Scan, ReadsDigits) {
 
 TEST(Scan, ReadsIntegers) {
   std::int64_t value = 0;
-  EXPECT_NE(scan::read_integer(padded("-12").c_str(), value), nullptr);
+  EXPECT_NE(io::scan::read_integer(padded("-12").c_str(), value), nullptr);
   EXPECT_EQ(value, -12);
-  EXPECT_NE(scan::read_integer(padded("+123456789012345678").c_str(), value), nullptr);
+  EXPECT_NE(io::scan::read_integer(padded("+123456789012345678").c_str(), value), nullptr);
   EXPECT_EQ(value, 123456789012345678);
   for (const char* text : {"", "-", "1.5", "1x", "1234567890123456789"}) {
-    EXPECT_EQ(scan::read_integer(padded(text).c_str(), value), nullptr) << text;
+    EXPECT_EQ(io::scan::read_integer(padded(text).c_str(), value), nullptr) << text;
   }
 }
 

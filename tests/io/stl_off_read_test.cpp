@@ -16,7 +16,7 @@ using test::TempFolder;
 
 Soup parse(std::string_view name, const std::string& bytes) {
   const TempFolder folder;
-  return read_soup(folder.write(name, bytes));
+  return io::read_soup(folder.write(name, bytes));
 }
 
 void expect_refusal(std::string_view name, const std::string& bytes, std::uint64_t line,

@@ -11,7 +11,7 @@ namespace {
 
 TEST(Weld, NumbersPointsInOrderOfFirstAppearance) {
   const std::vector<std::uint32_t> items = {5, 1, 7, 2, 5, 1, 0, 0, 7, 2, 5, 2};
-  const Weld welded = weld(items.data(), 2, 6);
+  const io::Weld welded = io::weld(items.data(), 2, 6);
   EXPECT_EQ(std::vector<std::uint32_t>(welded.index.begin(), welded.index.end()),
             (std::vector<std::uint32_t>{0, 1, 0, 2, 1, 3}));
   EXPECT_EQ(std::vector<std::uint32_t>(welded.first.begin(), welded.first.end()),
@@ -19,7 +19,7 @@ TEST(Weld, NumbersPointsInOrderOfFirstAppearance) {
 }
 
 TEST(Weld, EmptyInputGivesEmptyResult) {
-  EXPECT_TRUE(weld(nullptr, 3, 0).first.empty());
+  EXPECT_TRUE(io::weld(nullptr, 3, 0).first.empty());
 }
 
 TEST(Weld, AgreesWithAMap) {
@@ -28,7 +28,7 @@ TEST(Weld, AgreesWithAMap) {
     std::vector<std::uint32_t> items(30000);
     for (std::uint32_t& word : items)
       word = static_cast<std::uint32_t>(random() % range);
-    const Weld welded = weld(items.data(), 3, 10000);
+    const io::Weld welded = io::weld(items.data(), 3, 10000);
     std::map<std::vector<std::uint32_t>, std::uint32_t> numbers;
     for (std::uint32_t i = 0; i < 10000; ++i) {
       const std::vector<std::uint32_t> item(&items[3 * i], &items[3 * i] + 3);

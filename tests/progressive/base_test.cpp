@@ -15,16 +15,16 @@
 namespace mesher::test {
 namespace {
 
-Progressive with_chosen_base(const Mesh& mesh) {
-  SimplifyOptions options;
-  choose_base(options, mesh.face_count(), statistics(mesh).box.diagonal());
-  return make_progressive(mesh, options);
+progressive::Progressive with_chosen_base(const Mesh& mesh) {
+  simplify::SimplifyOptions options;
+  progressive::choose_base(options, mesh.face_count(), statistics(mesh).box.diagonal());
+  return progressive::make_progressive(mesh, options);
 }
 
 TEST(ChooseBase, IsTwoHundredFacesOrAnEighth) {
   const auto chosen = [](std::uint32_t faces) {
-    SimplifyOptions options;
-    choose_base(options, faces, 10.0);
+    simplify::SimplifyOptions options;
+    progressive::choose_base(options, faces, 10.0);
     EXPECT_DOUBLE_EQ(options.stop_before_error, 0.5);
     return options;
   };
@@ -40,8 +40,9 @@ TEST(ChooseBase, IsTwoHundredFacesOrAnEighth) {
 TEST(ChooseBase, LeavesSplitsInSmallModels) {
   for (const char* name : {"cube.obj", "cactus.obj", "bunny_200.obj", "bunny_1k.obj",
                            "open_box.obj", "hypersheet.obj"}) {
-    const Mesh mesh = read_model(std::filesystem::path(MESHER_SOURCE_DIR "/assets") / name).mesh;
-    Progressive made = with_chosen_base(mesh);
+    const Mesh mesh =
+        io::read_model(std::filesystem::path(MESHER_SOURCE_DIR "/assets") / name).mesh;
+    progressive::Progressive made = with_chosen_base(mesh);
     EXPECT_LE(3 * made.mesh.base_face_count(), mesh.face_count()) << name;
     EXPECT_EQ(made.report.faces_reached, made.mesh.base_face_count()) << name;
     examine_levels(made.mesh, 8);
@@ -55,14 +56,14 @@ TEST(ChooseBase, StopsBeforeTheErrorIsTooLarge) {
   for (glm::vec3& p : soup.positions)
     p.z *= 3.0F;
   Mesh mesh = built(join(soup, cube(), {2.0F, 0.0F, 1.0F})).mesh;
-  Progressive made = with_chosen_base(mesh);
+  progressive::Progressive made = with_chosen_base(mesh);
   EXPECT_LT(made.mesh.base_face_count(), mesh.face_count());
   EXPECT_GE(4 * made.mesh.base_face_count(), mesh.face_count());
 
   for (const std::filesystem::path& file : files_in(MESHER_SOURCE_DIR "/assets")) {
-    const Mesh input = read_model(file).mesh;
-    const Progressive base = with_chosen_base(input);
-    const double limit = kFarFromInput * statistics(input).box.diagonal();
+    const Mesh input = io::read_model(file).mesh;
+    const progressive::Progressive base = with_chosen_base(input);
+    const double limit = simplify::kFarFromInput * statistics(input).box.diagonal();
     if (4 * base.mesh.base_face_count() < input.face_count()) {
       EXPECT_LE(base.report.estimated_error, limit) << file;
     }
@@ -75,11 +76,11 @@ TEST_P(SharedBases, AreAccurateAndMuchSmallerThanTheModel) {
   const auto file =
       std::filesystem::path(MESHER_SHARED_MODELS) / (std::string(GetParam()) + ".obj");
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "SKIPPED: no shared model " << file;
-  const Mesh mesh = read_model(file).mesh;
-  const Progressive made = with_chosen_base(mesh);
+  const Mesh mesh = io::read_model(file).mesh;
+  const progressive::Progressive made = with_chosen_base(mesh);
   EXPECT_LE(made.mesh.base_face_count(), 200U);
   EXPECT_LE(5 * made.mesh.base_face_count(), mesh.face_count());
-  EXPECT_LE(made.report.estimated_error, kFarFromInput * statistics(mesh).box.diagonal());
+  EXPECT_LE(made.report.estimated_error, simplify::kFarFromInput * statistics(mesh).box.diagonal());
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, SharedBases,

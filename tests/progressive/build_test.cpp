@@ -18,8 +18,8 @@ namespace mesher::test {
 namespace {
 
 /// Fails unless the full detail equals the input, with ids mapped by the sources.
-void expect_is_input(Progressive& progressive, const Mesh& input) {
-  ProgressiveMesh& mesh = progressive.mesh;
+void expect_is_input(progressive::Progressive& progressive, const Mesh& input) {
+  progressive::ProgressiveMesh& mesh = progressive.mesh;
   mesh.go_to(mesh.split_count());
   const Mesh& full = mesh.mesh();
   ASSERT_EQ(full.vertex_count(), input.vertex_count());
@@ -53,13 +53,13 @@ Mesh tagged(Mesh mesh, float angle_deg, float sharpness) {
   return mesh;
 }
 
-void examine(const Mesh& input, const SimplifyOptions& options) {
-  Progressive progressive = make_progressive(input, options);
+void examine(const Mesh& input, const simplify::SimplifyOptions& options) {
+  progressive::Progressive progressive = progressive::make_progressive(input, options);
   EXPECT_EQ(progressive.mesh.level(), 0U);
   EXPECT_EQ(progressive.mesh.base_face_count(), progressive.report.faces_reached);
   examine_levels(progressive.mesh, 40);
   expect_is_input(progressive, input);
-  ProgressiveMesh again = appended(progressive.mesh);
+  progressive::ProgressiveMesh again = appended(progressive.mesh);
   expect_same(progressive.mesh, again);
 }
 
@@ -68,9 +68,9 @@ TEST(BuildProgressive, FullDetailIsTheInputAndEveryLevelIsValid) {
       built(torus(30, 20)).mesh, built(grid(20)).mesh,
       built(join(torus(9, 8), join(grid(6), cube(), {0, 9, 0}), {9, 0, 0})).mesh};
   for (const Mesh& mesh : meshes) {
-    for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
-      SCOPED_TRACE(key(static_cast<CostPolicy>(p)));
-      examine(mesh, {.target_faces = 1, .cost = static_cast<CostPolicy>(p)});
+    for (std::size_t p = 0; p < simplify::kCostPolicies.size(); ++p) {
+      SCOPED_TRACE(key(static_cast<simplify::CostPolicy>(p)));
+      examine(mesh, {.target_faces = 1, .cost = static_cast<simplify::CostPolicy>(p)});
     }
   }
 }
@@ -86,8 +86,8 @@ TEST(BuildProgressive, RandomSoupsBecomeProgressiveMeshes) {
 TEST(BuildProgressive, EveryLevelListsBowTieCopies) {
   const Mesh input = built(bow_tie({torus(20, 12), grid(12), cube(), grid(5)})).mesh;
   examine(input, {.target_faces = 1});
-  Progressive progressive = make_progressive(input, {.target_faces = 1});
-  ProgressiveMesh& mesh = progressive.mesh;
+  progressive::Progressive progressive = progressive::make_progressive(input, {.target_faces = 1});
+  progressive::ProgressiveMesh& mesh = progressive.mesh;
   std::set<Vertex> names;
   for (std::uint32_t level = 0; level <= mesh.split_count(); ++level) {
     mesh.go_to(level);
@@ -107,12 +107,12 @@ TEST(BuildProgressive, CopiesMovedByACollapseAreNotListed) {
   const Mesh input = built(bow_tie({cube(), cube(), cube()})).mesh;
   ASSERT_EQ(input.bow_tie_copies().size(), 3U);
   const Halfedge h = input.find_halfedge(Vertex(4), Vertex(0));
-  const CollapseRecord moved{.halfedge = h,
-                             .twin = input.twin(h),
-                             .removed = Vertex(4),
-                             .kept = Vertex(0),
-                             .position = {0, 0, 0.5F}};
-  Progressive progressive = build_progressive(input, {&moved, 1});
+  const simplify::CollapseRecord moved{.halfedge = h,
+                                       .twin = input.twin(h),
+                                       .removed = Vertex(4),
+                                       .kept = Vertex(0),
+                                       .position = {0, 0, 0.5F}};
+  progressive::Progressive progressive = progressive::build_progressive(input, {&moved, 1});
   for (const std::uint32_t level : {0U, 1U, 0U}) {
     progressive.mesh.go_to(level);
     expect_valid(progressive.mesh.mesh());
@@ -130,10 +130,11 @@ TEST(BuildProgressive, KeepsCreasesAndSharpVertices) {
 
 TEST(BuildProgressive, SameForAnyThreadCount) {
   const Mesh mesh = built(torus(120, 90)).mesh;
-  std::optional<Progressive> first;
+  std::optional<progressive::Progressive> first;
   for (const unsigned threads : {1U, 2U, 5U}) {
     const ThreadLimit limit(threads);
-    Progressive progressive = make_progressive(mesh, {.target_faces = 200});
+    progressive::Progressive progressive =
+        progressive::make_progressive(mesh, {.target_faces = 200});
     if (first) {
       expect_same(first->mesh, progressive.mesh);
       EXPECT_EQ(first->vertex_source, progressive.vertex_source);
@@ -146,14 +147,15 @@ TEST(BuildProgressive, SameForAnyThreadCount) {
 
 TEST(BuildProgressive, RanksKeepDependentCollapsesInOrder) {
   const Mesh mesh = built(torus(120, 90)).mesh;
-  CollapseRecorder recorder;
-  EXPECT_EQ(simplify(Mesh(mesh), {.target_faces = 100, .observer = &recorder}).report.faces_reached,
+  simplify::CollapseRecorder recorder;
+  EXPECT_EQ(simplify::simplify(Mesh(mesh), {.target_faces = 100, .observer = &recorder})
+                .report.faces_reached,
             100U);
-  for (const CollapseRecord& c : recorder.records())
-    ASSERT_LT(c.rank, CollapseRecord::kRanks);
+  for (const simplify::CollapseRecord& c : recorder.records())
+    ASSERT_LT(c.rank, simplify::CollapseRecord::kRanks);
   // Of two collapses with the same kept vertex, the later has at least the rank of the earlier.
   std::vector<std::uint32_t> rank(mesh.vertex_count(), 0);
-  for (const CollapseRecord& c : recorder.records()) {
+  for (const simplify::CollapseRecord& c : recorder.records()) {
     ASSERT_GE(c.rank, rank[c.kept.index()]);
     ASSERT_GE(c.rank, rank[c.removed.index()]);
     rank[c.kept.index()] = c.rank;
@@ -162,21 +164,21 @@ TEST(BuildProgressive, RanksKeepDependentCollapsesInOrder) {
 
 TEST(BuildProgressive, WithoutCollapsesHasOnlyTheBase) {
   const Mesh mesh = built(cube()).mesh;
-  Progressive progressive = build_progressive(mesh, {});
+  progressive::Progressive progressive = progressive::build_progressive(mesh, {});
   EXPECT_EQ(progressive.mesh.split_count(), 0U);
   expect_valid_level(progressive.mesh);
   expect_is_input(progressive, mesh);
-  Progressive empty = make_progressive(Mesh(), {});
+  progressive::Progressive empty = progressive::make_progressive(Mesh(), {});
   EXPECT_EQ(empty.mesh.mesh().vertex_count(), 0U);
 }
 
 TEST(BuildProgressive, StopsWhenCanceled) {
   const Mesh mesh = built(torus(30, 20)).mesh;
-  CollapseRecorder recorder;
-  EXPECT_GT(simplify(Mesh(mesh), {.observer = &recorder}).report.collapses, 0U);
+  simplify::CollapseRecorder recorder;
+  EXPECT_GT(simplify::simplify(Mesh(mesh), {.observer = &recorder}).report.collapses, 0U);
   Progress progress;
   progress.cancel();
-  EXPECT_THROW(build_progressive(mesh, recorder.records(), &progress), Cancelled);
+  EXPECT_THROW(progressive::build_progressive(mesh, recorder.records(), &progress), Cancelled);
 }
 
 }  // namespace

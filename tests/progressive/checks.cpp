@@ -21,7 +21,7 @@ void expect_lowest_outgoing(const Mesh& mesh) {
 
 /// Checks P4 as documented: which corners of this level are at the parent now and at the child
 /// afterwards.
-void expect_moved(const ProgressiveMesh& mesh) {
+void expect_moved(const progressive::ProgressiveMesh& mesh) {
   const std::uint32_t split = mesh.level();
   for (const Halfedge h : mesh.moved(split)) {
     ASSERT_LT(h.index(), mesh.mesh().halfedge_count());
@@ -37,7 +37,7 @@ Mesh without_copies(const Mesh& mesh) {
   return std::move(arrays).finish();
 }
 
-void expect_valid_level(const ProgressiveMesh& mesh) {
+void expect_valid_level(const progressive::ProgressiveMesh& mesh) {
   expect_valid(mesh.mesh());
   EXPECT_EQ(mesh.mesh().vertex_count(), mesh.base_vertex_count() + mesh.level());
   EXPECT_EQ(mesh.mesh().face_count(), mesh.face_count(mesh.level()));
@@ -45,7 +45,7 @@ void expect_valid_level(const ProgressiveMesh& mesh) {
   if (mesh.level() < mesh.split_count()) expect_moved(mesh);
 }
 
-std::vector<Mesh> levels(ProgressiveMesh& mesh, const std::vector<std::uint32_t>& at) {
+std::vector<Mesh> levels(progressive::ProgressiveMesh& mesh, const std::vector<std::uint32_t>& at) {
   std::vector<Mesh> found;
   for (const std::uint32_t level : at) {
     mesh.go_to(level);
@@ -54,7 +54,8 @@ std::vector<Mesh> levels(ProgressiveMesh& mesh, const std::vector<std::uint32_t>
   return found;
 }
 
-std::vector<std::uint32_t> some_levels(const ProgressiveMesh& mesh, std::uint32_t count) {
+std::vector<std::uint32_t> some_levels(const progressive::ProgressiveMesh& mesh,
+                                       std::uint32_t count) {
   std::vector<std::uint32_t> at;
   const std::uint64_t splits = mesh.split_count();
   for (std::uint64_t i = 0; i <= count; ++i)
@@ -63,12 +64,12 @@ std::vector<std::uint32_t> some_levels(const ProgressiveMesh& mesh, std::uint32_
   return at;
 }
 
-ProgressiveMesh appended(ProgressiveMesh& mesh) {
+progressive::ProgressiveMesh appended(progressive::ProgressiveMesh& mesh) {
   mesh.go_to(0);
-  ProgressiveMesh copy{Mesh(mesh.mesh())};
+  progressive::ProgressiveMesh copy{Mesh(mesh.mesh())};
   for (std::uint32_t i = 0; i < mesh.split_count(); ++i) {
     mesh.go_to(i);
-    const NewSplit split = mesh.next_split();
+    const progressive::NewSplit split = mesh.next_split();
     if (!copy.can_append(split.parent, split.cut)) {
       ADD_FAILURE() << "split " << i << " cannot be appended";
       break;
@@ -78,7 +79,7 @@ ProgressiveMesh appended(ProgressiveMesh& mesh) {
   return copy;
 }
 
-void expect_same(ProgressiveMesh& a, ProgressiveMesh& b) {
+void expect_same(progressive::ProgressiveMesh& a, progressive::ProgressiveMesh& b) {
   ASSERT_EQ(a.split_count(), b.split_count());
   EXPECT_EQ(a.base_vertex_count(), b.base_vertex_count());
   EXPECT_EQ(a.base_face_count(), b.base_face_count());
@@ -96,7 +97,7 @@ void expect_same(ProgressiveMesh& a, ProgressiveMesh& b) {
   }
 }
 
-void examine_levels(ProgressiveMesh& mesh, std::uint32_t count) {
+void examine_levels(progressive::ProgressiveMesh& mesh, std::uint32_t count) {
   std::vector<std::uint32_t> at = some_levels(mesh, count);
   mesh.go_to(0);
   const std::vector<Mesh> up = levels(mesh, at);

@@ -12,22 +12,23 @@ Mesh without_copies(const Mesh& mesh);
 
 /// Fails the test if the mesh at its level breaks an invariant of Mesh, or P1, P3 or P4 for the
 /// next split.
-void expect_valid_level(const ProgressiveMesh& mesh);
+void expect_valid_level(const progressive::ProgressiveMesh& mesh);
 
 /// Returns the mesh at each of these levels, visited in this order.
-std::vector<Mesh> levels(ProgressiveMesh& mesh, const std::vector<std::uint32_t>& at);
+std::vector<Mesh> levels(progressive::ProgressiveMesh& mesh, const std::vector<std::uint32_t>& at);
 
 /// Returns about `count` levels, evenly spread, including the first and the last.
-std::vector<std::uint32_t> some_levels(const ProgressiveMesh& mesh, std::uint32_t count);
+std::vector<std::uint32_t> some_levels(const progressive::ProgressiveMesh& mesh,
+                                       std::uint32_t count);
 
 /// Returns the same progressive mesh, built by appending its splits to a copy of its base.
-ProgressiveMesh appended(ProgressiveMesh& mesh);
+progressive::ProgressiveMesh appended(progressive::ProgressiveMesh& mesh);
 
 /// Fails the test if the two differ in base, splits, moved corners or sharpness. Bow-tie copies are
 /// ignored, because a mesh assembled from splits lists none.
-void expect_same(ProgressiveMesh& a, ProgressiveMesh& b);
+void expect_same(progressive::ProgressiveMesh& a, progressive::ProgressiveMesh& b);
 
 /// Checks that levels reached by steps and by jumps, down and up, are valid and have equal arrays.
-void examine_levels(ProgressiveMesh& mesh, std::uint32_t count);
+void examine_levels(progressive::ProgressiveMesh& mesh, std::uint32_t count);
 
 }  // namespace mesher::test

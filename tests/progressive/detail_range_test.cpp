@@ -7,7 +7,7 @@ namespace {
 
 TEST(DetailRange, TimeAndPositionAreMonotonicAndInvertible) {
   for (const double geomorph_range : {0.0, 0.01, 0.125, 0.5}) {
-    const DetailRange range{
+    const progressive::DetailRange range{
         .base_vertices = 102.0, .splits = 40'000, .geomorph_range = geomorph_range};
     double grown = -1e9;
     double last_time = -1.0;
@@ -31,7 +31,8 @@ TEST(DetailRange, TimeAndPositionAreMonotonicAndInvertible) {
 }
 
 TEST(DetailRange, AllSplitsOfALevelAreGrownAtItsTime) {
-  const DetailRange range{.base_vertices = 50.0, .splits = 1000, .geomorph_range = 0.25};
+  const progressive::DetailRange range{
+      .base_vertices = 50.0, .splits = 1000, .geomorph_range = 0.25};
   EXPECT_EQ(range.time_of_level(0), 0.0);
   for (const std::uint32_t level : {1U, 2U, 17U, 500U, 999U}) {
     const double time = range.time_of_level(level);
@@ -43,7 +44,7 @@ TEST(DetailRange, AllSplitsOfALevelAreGrownAtItsTime) {
 }
 
 TEST(DetailRange, EverySplitGrowsContinuouslyAndNeverShrinks) {
-  const DetailRange range{.base_vertices = 20.0, .splits = 300, .geomorph_range = 0.2};
+  const progressive::DetailRange range{.base_vertices = 20.0, .splits = 300, .geomorph_range = 0.2};
   for (const std::uint32_t split : {0U, 5U, 100U, 299U}) {
     float last = 0.0F;
     for (double time = 0.0; time <= range.end(); time += 0.01) {
@@ -58,7 +59,7 @@ TEST(DetailRange, EverySplitGrowsContinuouslyAndNeverShrinks) {
 }
 
 TEST(DetailRange, WithoutGeomorphRangeSplitsPop) {
-  const DetailRange range{.base_vertices = 10.0, .splits = 20, .geomorph_range = 0.0};
+  const progressive::DetailRange range{.base_vertices = 10.0, .splits = 20, .geomorph_range = 0.0};
   EXPECT_EQ(range.end(), 20.0);
   EXPECT_EQ(range.time_of_level(7), 7.0);
   EXPECT_EQ(range.level(7.0), 7U);
@@ -67,7 +68,7 @@ TEST(DetailRange, WithoutGeomorphRangeSplitsPop) {
 }
 
 TEST(DetailRange, WithoutSplitsIsAlwaysAtTheEnd) {
-  const DetailRange range{.base_vertices = 10.0, .splits = 0, .geomorph_range = 0.3};
+  const progressive::DetailRange range{.base_vertices = 10.0, .splits = 0, .geomorph_range = 0.3};
   EXPECT_EQ(range.end(), 0.0);
   EXPECT_EQ(range.position_of(0.0), 1.0);
   EXPECT_EQ(range.time_at(0.3), 0.0);

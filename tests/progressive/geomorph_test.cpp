@@ -26,12 +26,12 @@ Mesh bumpy() {
   return built(std::move(soup)).mesh;
 }
 
-ProgressiveMesh progressive(const Mesh& mesh, std::uint32_t base_faces = 60) {
-  return std::move(make_progressive(mesh, {.target_faces = base_faces}).mesh);
+progressive::ProgressiveMesh progressive(const Mesh& mesh, std::uint32_t base_faces = 60) {
+  return std::move(progressive::make_progressive(mesh, {.target_faces = base_faces}).mesh);
 }
 
 /// The vertex of level `level` from which `v` was split.
-Vertex ancestor(const ProgressiveMesh& mesh, Vertex v, std::uint32_t level) {
+Vertex ancestor(const progressive::ProgressiveMesh& mesh, Vertex v, std::uint32_t level) {
   while (v.index() >= mesh.base_vertex_count() + level)
     v = mesh.splits()[v.index() - mesh.base_vertex_count()].parent;
   return v;
@@ -44,7 +44,8 @@ struct Drawn {
   std::uint32_t level;
 };
 
-Drawn drawn(ProgressiveMesh& mesh, Geomorph& morph, double time, double range) {
+Drawn drawn(progressive::ProgressiveMesh& mesh, progressive::Geomorph& morph, double time,
+            double range) {
   Drawn result;
   result.level = static_cast<std::uint32_t>(
       std::min(std::ceil(time), static_cast<double>(mesh.split_count())));
@@ -61,7 +62,7 @@ Drawn drawn(ProgressiveMesh& mesh, Geomorph& morph, double time, double range) {
 }
 
 /// Upper bound of the total distance that the splits growing from time `first` on move a vertex.
-float way_to_go(const Geomorph& morph, std::uint32_t head, double first) {
+float way_to_go(const progressive::Geomorph& morph, std::uint32_t head, double first) {
   float sum = 0.0F;
   while (head != kNoHead && static_cast<double>(head / 2) >= first) {
     const SplitMorph& split = morph.splits()[head / 2];
@@ -73,8 +74,8 @@ float way_to_go(const Geomorph& morph, std::uint32_t head, double first) {
 
 TEST(Geomorph, VertexSpeedIsBoundedByTheSlider) {
   const Mesh input = bumpy();
-  ProgressiveMesh mesh = progressive(input);
-  Geomorph morph(mesh);
+  progressive::ProgressiveMesh mesh = progressive(input);
+  progressive::Geomorph morph(mesh);
   const double splits = mesh.split_count();
   const double rounding = 4e-6 * statistics(input).box.diagonal();
   for (const double share : {0.005, 0.06, 0.5}) {
@@ -97,8 +98,8 @@ TEST(Geomorph, VertexSpeedIsBoundedByTheSlider) {
 }
 
 TEST(Geomorph, NormalChangeIsBoundedByTheSlider) {
-  ProgressiveMesh mesh = progressive(bumpy());
-  Geomorph morph(mesh);
+  progressive::ProgressiveMesh mesh = progressive(bumpy());
+  progressive::Geomorph morph(mesh);
   const double range = 0.1 * mesh.split_count();
   const double end = mesh.split_count() + range;
   // Halving the step halves the largest change, so no normal jumps.
@@ -121,8 +122,8 @@ TEST(Geomorph, NormalChangeIsBoundedByTheSlider) {
 }
 
 TEST(Geomorph, InterpolatesBetweenTwoLevels) {
-  ProgressiveMesh mesh = progressive(bumpy());
-  Geomorph morph(mesh);
+  progressive::ProgressiveMesh mesh = progressive(bumpy());
+  progressive::Geomorph morph(mesh);
   const auto coarse_level = mesh.split_count() / 5;
   mesh.go_to(coarse_level);
   const Mesh coarse = mesh.mesh();
@@ -151,8 +152,8 @@ TEST(Geomorph, InterpolatesBetweenTwoLevels) {
 
 TEST(Geomorph, FullDetailHasTheNormalsOfTheInput) {
   const Mesh input = bumpy();
-  Progressive made = make_progressive(input, {.target_faces = 60});
-  Geomorph morph(made.mesh);
+  progressive::Progressive made = progressive::make_progressive(input, {.target_faces = 60});
+  progressive::Geomorph morph(made.mesh);
   EXPECT_EQ(made.mesh.level(), 0U) << "leaves the level unchanged";
   made.mesh.go_to(made.mesh.split_count());
   morph.follow(made.mesh);
@@ -163,28 +164,28 @@ TEST(Geomorph, FullDetailHasTheNormalsOfTheInput) {
   }
 }
 
-void expect_equal(const Geomorph& a, const Geomorph& b) {
+void expect_equal(const progressive::Geomorph& a, const progressive::Geomorph& b) {
   EXPECT_TRUE(is_equal(a.heads(), b.heads()));
   EXPECT_TRUE(is_equal(a.normals(), b.normals()));
   EXPECT_TRUE(is_equal(a.splits(), b.splits()));
 }
 
 TEST(Geomorph, DependsOnlyOnTheLevel) {
-  ProgressiveMesh mesh = progressive(bumpy());
-  Geomorph morph(mesh);
+  progressive::ProgressiveMesh mesh = progressive(bumpy());
+  progressive::Geomorph morph(mesh);
   std::mt19937 random(8);
   for (int i = 0; i < 25; ++i) {
     mesh.go_to(static_cast<std::uint32_t>(random() % (mesh.split_count() + 1)));
     morph.follow(mesh);
-    expect_equal(morph, Geomorph(mesh));
+    expect_equal(morph, progressive::Geomorph(mesh));
   }
 }
 
 TEST(Geomorph, ExtendsWithAppendedSplits) {
-  ProgressiveMesh whole = progressive(bumpy());
+  progressive::ProgressiveMesh whole = progressive(bumpy());
   whole.go_to(0);
-  ProgressiveMesh arriving{Mesh(whole.mesh())};
-  Geomorph morph;
+  progressive::ProgressiveMesh arriving{Mesh(whole.mesh())};
+  progressive::Geomorph morph;
   morph.extend(arriving);
   for (std::uint32_t i = 0; i < whole.split_count(); ++i) {
     whole.go_to(i);
@@ -197,12 +198,12 @@ TEST(Geomorph, ExtendsWithAppendedSplits) {
   morph.extend(arriving);
   morph.follow(arriving);
   morph.find_normals(arriving);
-  expect_equal(morph, Geomorph(arriving));
+  expect_equal(morph, progressive::Geomorph(arriving));
 }
 
 TEST(Geomorph, BaseWithoutSplitsHasNothingToMorph) {
-  ProgressiveMesh mesh{built(cube()).mesh};
-  const Geomorph morph(mesh);
+  progressive::ProgressiveMesh mesh{built(cube()).mesh};
+  const progressive::Geomorph morph(mesh);
   EXPECT_TRUE(morph.splits().empty());
   ASSERT_EQ(morph.heads().size(), mesh.mesh().vertex_count());
   for (const std::uint32_t head : morph.heads())
@@ -210,10 +211,10 @@ TEST(Geomorph, BaseWithoutSplitsHasNothingToMorph) {
 }
 
 TEST(Geomorph, StopsWhenCanceled) {
-  ProgressiveMesh mesh = progressive(bumpy());
+  progressive::ProgressiveMesh mesh = progressive(bumpy());
   Progress progress;
   progress.cancel();
-  EXPECT_THROW(Geomorph(mesh, &progress), Cancelled);
+  EXPECT_THROW(progressive::Geomorph(mesh, &progress), Cancelled);
 }
 
 }  // namespace

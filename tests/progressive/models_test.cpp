@@ -18,29 +18,30 @@ namespace {
 
 /// Root mean square of the distances in both directions.
 double rms(const Mesh& a, const Mesh& b) {
-  return surface_distance(a, b, {.samples = 50'000}).two_sided().rms;
+  return analysis::surface_distance(a, b, {.samples = 50'000}).two_sided().rms;
 }
 
 /// Checks that a level is about as accurate as simplification to the same size. The levels are
 /// slightly worse, because simplification with a distant target looks less closely at each edge
 /// (measured: at most 1.12).
-void expect_accurate(ProgressiveMesh& mesh, const Mesh& input) {
+void expect_accurate(progressive::ProgressiveMesh& mesh, const Mesh& input) {
   for (const double ratio : {0.3, 0.05}) {
     const auto faces = static_cast<std::uint32_t>(ratio * input.face_count());
     mesh.go_to(mesh.level_for_faces(faces));
-    const Mesh direct = simplify(Mesh(input), {.target_faces = faces}).mesh;
+    const Mesh direct = simplify::simplify(Mesh(input), {.target_faces = faces}).mesh;
     EXPECT_LE(rms(input, mesh.mesh()), 1.15 * rms(input, direct)) << ratio;
   }
 }
 
 void examine(const std::filesystem::path& file, std::uint32_t base_faces) {
   SCOPED_TRACE(file.filename().string());
-  const Mesh input = read_model(file, {}).mesh;
+  const Mesh input = io::read_model(file, {}).mesh;
   if (input.face_count() == 0) return;
-  Progressive progressive = make_progressive(input, {.target_faces = base_faces});
-  ProgressiveMesh& mesh = progressive.mesh;
+  progressive::Progressive progressive =
+      progressive::make_progressive(input, {.target_faces = base_faces});
+  progressive::ProgressiveMesh& mesh = progressive.mesh;
   examine_levels(mesh, 16);
-  ProgressiveMesh again = appended(mesh);
+  progressive::ProgressiveMesh again = appended(mesh);
   expect_same(mesh, again);
   mesh.go_to(mesh.split_count());
   ASSERT_EQ(mesh.mesh().vertex_count(), input.vertex_count());

@@ -17,13 +17,13 @@ class RandomSplits {
  public:
   explicit RandomSplits(std::uint32_t seed) : random_(seed) {}
 
-  void append(ProgressiveMesh& mesh, bool is_sharp) {
+  void append(progressive::ProgressiveMesh& mesh, bool is_sharp) {
     for (;;) {
       const Vertex parent(number(mesh.mesh().vertex_count()));
-      SplitCut cut{.left = number(12), .right = number(12)};
+      progressive::SplitCut cut{.left = number(12), .right = number(12)};
       if (number(4) == 0) cut.right = kNone;
       if (!mesh.can_append(parent, cut)) continue;
-      NewSplit split{
+      progressive::NewSplit split{
           .parent = parent, .cut = cut, .parent_position = place(), .child_position = place()};
       if (is_sharp) sharpen(mesh.mesh(), parent, split);
       mesh.append(split);
@@ -41,7 +41,7 @@ class RandomSplits {
   }
 
   /// One of the two sides of each new face keeps the sharpness of the split edge.
-  void sharpen(const Mesh& mesh, Vertex parent, NewSplit& split) {
+  void sharpen(const Mesh& mesh, Vertex parent, progressive::NewSplit& split) {
     std::vector<Halfedge> spokes;
     for (const Halfedge h : halfedges_around(mesh, parent))
       spokes.push_back(h);
@@ -74,7 +74,7 @@ TEST(ProgressiveMesh, EveryAppendableSplitKeepsTheMeshValid) {
   for (Mesh& base : bases()) {
     SCOPED_TRACE(base.face_count());
     const Topology before = topology(base);
-    ProgressiveMesh mesh(std::move(base));
+    progressive::ProgressiveMesh mesh(std::move(base));
     RandomSplits splits(++seed);
     for (int i = 0; i < 150; ++i) {
       splits.append(mesh, false);
@@ -92,24 +92,24 @@ TEST(ProgressiveMesh, SharpnessFollowsTheSplits) {
     base.set_sharpness(base.edge(Halfedge(0)), 2.5F);
     base.set_sharpness(base.edge(Halfedge(4)), kInfinitelySharp);
     base.set_sharpness(Vertex(1), 3.0F);
-    ProgressiveMesh mesh(std::move(base));
+    progressive::ProgressiveMesh mesh(std::move(base));
     RandomSplits splits(++seed);
     for (int i = 0; i < 80; ++i)
       splits.append(mesh, true);
     EXPECT_EQ(mesh.sharpnesses().size(), mesh.split_count());
     EXPECT_EQ(mesh.corner_sharpnesses().size(), mesh.split_count());
     examine_levels(mesh, 80);
-    ProgressiveMesh again = appended(mesh);
+    progressive::ProgressiveMesh again = appended(mesh);
     expect_same(mesh, again);
   }
 }
 
 TEST(ProgressiveMesh, NextSplitReturnsTheAppendedSplit) {
-  ProgressiveMesh mesh(built(grid(3)).mesh);
+  progressive::ProgressiveMesh mesh(built(grid(3)).mesh);
   RandomSplits splits(7);
   for (int i = 0; i < 100; ++i)
     splits.append(mesh, false);
-  ProgressiveMesh again = appended(mesh);
+  progressive::ProgressiveMesh again = appended(mesh);
   expect_same(mesh, again);
 }
 
@@ -154,7 +154,7 @@ class Mirror {
 
 TEST(ProgressiveMesh, LogsEveryChange) {
   for (Mesh& base : bases()) {
-    ProgressiveMesh mesh(std::move(base));
+    progressive::ProgressiveMesh mesh(std::move(base));
     RandomSplits splits(3);
     for (int i = 0; i < 120; ++i)
       splits.append(mesh, false);
@@ -169,7 +169,7 @@ TEST(ProgressiveMesh, LogsEveryChange) {
 }
 
 TEST(ProgressiveMesh, StepLogsOnlyItsNeighborhood) {
-  ProgressiveMesh mesh(built(torus(40, 30)).mesh);
+  progressive::ProgressiveMesh mesh(built(torus(40, 30)).mesh);
   RandomSplits splits(9);
   for (int i = 0; i < 50; ++i)
     splits.append(mesh, false);
@@ -183,7 +183,7 @@ TEST(ProgressiveMesh, StepLogsOnlyItsNeighborhood) {
 }
 
 TEST(ProgressiveMesh, LevelForFacesIsTheFinestWithinTheCount) {
-  ProgressiveMesh mesh(built(grid(3)).mesh);
+  progressive::ProgressiveMesh mesh(built(grid(3)).mesh);
   RandomSplits splits(11);
   for (int i = 0; i < 60; ++i)
     splits.append(mesh, false);
@@ -201,7 +201,8 @@ TEST(ProgressiveMesh, LevelForFacesIsTheFinestWithinTheCount) {
 TEST(ProgressiveMesh, RejectsInvalidCuts) {
   Soup soup = grid(1);
   soup.positions.emplace_back(9.0F, 9.0F, 9.0F);
-  const ProgressiveMesh open(built(std::move(soup), {.keep_isolated_vertices = true}).mesh);
+  const progressive::ProgressiveMesh open(
+      built(std::move(soup), {.keep_isolated_vertices = true}).mesh);
   const Vertex isolated(4);
   ASSERT_TRUE(open.mesh().is_isolated(isolated));
   EXPECT_FALSE(open.can_append(isolated, {0, 1}));
@@ -215,7 +216,7 @@ TEST(ProgressiveMesh, RejectsInvalidCuts) {
   EXPECT_FALSE(open.can_append(v, {faces + 1, kNone}));
   EXPECT_FALSE(open.can_append(v, {0, faces + 1}));
   EXPECT_FALSE(open.can_append(v, {1, 1}));
-  const ProgressiveMesh closed(built(tetrahedron()).mesh);
+  const progressive::ProgressiveMesh closed(built(tetrahedron()).mesh);
   EXPECT_TRUE(closed.can_append(Vertex(0), {2, 0}));
   EXPECT_FALSE(closed.can_append(Vertex(0), {3, 0}));
   EXPECT_FALSE(closed.can_append(Vertex(0), {0, kNone}))
@@ -223,7 +224,7 @@ TEST(ProgressiveMesh, RejectsInvalidCuts) {
 }
 
 TEST(ProgressiveMesh, EmptyMeshHasOneLevel) {
-  ProgressiveMesh mesh{Mesh()};
+  progressive::ProgressiveMesh mesh{Mesh()};
   mesh.go_to(0);
   EXPECT_EQ(mesh.split_count(), 0U);
   EXPECT_EQ(mesh.level_for_faces(100), 0U);

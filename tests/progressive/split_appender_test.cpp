@@ -18,27 +18,28 @@ namespace {
 
 /// A progressive mesh and its splits as a file stores them.
 struct Told {
-  ProgressiveMesh mesh;
-  std::vector<NewSplit> splits;
+  progressive::ProgressiveMesh mesh;
+  std::vector<progressive::NewSplit> splits;
 
   explicit Told(const Mesh& full)
-      : mesh(std::move(make_progressive(full, {.target_faces = 20}).mesh)) {
+      : mesh(std::move(progressive::make_progressive(full, {.target_faces = 20}).mesh)) {
     for (std::uint32_t i = 0; i < mesh.split_count(); ++i) {
       mesh.go_to(i);
       splits.push_back(mesh.next_split());
     }
   }
-  ProgressiveMesh base() {
+  progressive::ProgressiveMesh base() {
     mesh.go_to(0);
-    return ProgressiveMesh(Mesh(mesh.mesh()));
+    return progressive::ProgressiveMesh(Mesh(mesh.mesh()));
   }
 };
 
-void append(ProgressiveMesh& mesh, std::span<const NewSplit> splits, std::uint32_t room) {
-  SplitAppender appender(mesh, room);
+void append(progressive::ProgressiveMesh& mesh, std::span<const progressive::NewSplit> splits,
+            std::uint32_t room) {
+  progressive::SplitAppender appender(mesh, room);
   Array<Halfedge> memory;
-  for (const NewSplit& split : splits)
-    appender.append(split, gather_fan(mesh.mesh(), split.parent, memory));
+  for (const progressive::NewSplit& split : splits)
+    appender.append(split, progressive::gather_fan(mesh.mesh(), split.parent, memory));
 }
 
 TEST(SplitAppender, BatchEqualsOneByOne) {
@@ -46,7 +47,7 @@ TEST(SplitAppender, BatchEqualsOneByOne) {
   const auto count = static_cast<std::uint32_t>(told.splits.size());
   ASSERT_GT(count, 50U);
   for (const std::uint32_t more : {0U, 100U}) {
-    ProgressiveMesh mesh = told.base();
+    progressive::ProgressiveMesh mesh = told.base();
     append(mesh, std::span(told.splits).first(count / 2), count / 2);
     append(mesh, std::span(told.splits).subspan(count / 2), count - count / 2 + more);
     told.mesh.go_to(count);
@@ -59,15 +60,15 @@ TEST(SplitAppender, BatchEqualsOneByOne) {
 
 TEST(SplitAppender, WithoutSplitsNothingChanges) {
   Told told(built(torus(6, 5)).mesh);
-  ProgressiveMesh mesh = told.base();
+  progressive::ProgressiveMesh mesh = told.base();
   append(mesh, {}, 1000);
-  ProgressiveMesh same = told.base();
+  progressive::ProgressiveMesh same = told.base();
   expect_same(same, mesh);
 }
 
 TEST(SplitAppender, LogsChangesOrMarksWholeArrays) {
   Told told(built(torus(14, 9)).mesh);
-  ProgressiveMesh mesh = told.base();
+  progressive::ProgressiveMesh mesh = told.base();
   mesh.mesh().changes().clear();
   append(mesh, std::span(told.splits).first(1), 1);
   EXPECT_FALSE(mesh.mesh().changes().is_empty());
@@ -81,11 +82,11 @@ TEST(SplitAppender, OutOfMemoryLeavesMeshUnchanged) {
   Told told(built(torus(14, 9)).mesh);
   int refusals = 0;
   for (std::uint64_t bytes = 1000; bytes < 100'000; bytes += 1000) {
-    ProgressiveMesh mesh = told.base();
+    progressive::ProgressiveMesh mesh = told.base();
     std::uint32_t appended = 0;
     try {
       const MemoryLimit scarce(bytes);
-      for (const NewSplit& split : told.splits) {
+      for (const progressive::NewSplit& split : told.splits) {
         mesh.append(split);
         ++appended;
       }

@@ -36,12 +36,13 @@ Settings at(Settings settings, const GeomorphTime& time) {
 
 /// A progressive mesh with everything that is needed to draw it.
 struct Growing {
-  ProgressiveMesh mesh;
-  Geomorph geomorph;
+  progressive::ProgressiveMesh mesh;
+  progressive::Geomorph geomorph;
   Camera camera;
 
   explicit Growing(const Mesh& full, std::uint32_t base_faces = 50)
-      : mesh(make_progressive(full, {.target_faces = base_faces}).mesh), geomorph(mesh) {
+      : mesh(progressive::make_progressive(full, {.target_faces = base_faces}).mesh),
+        geomorph(mesh) {
     camera.set_angles(0.5, 0.4);
     camera.frame(bounding_box(full), 1.0);
     go_to(count());
@@ -58,7 +59,7 @@ struct Growing {
 };
 
 Mesh bunny() {
-  return read_model(MESHER_SOURCE_DIR "/assets/bunny_1k.obj", {}).mesh;
+  return io::read_model(MESHER_SOURCE_DIR "/assets/bunny_1k.obj", {}).mesh;
 }
 Mesh torus() {
   return build_mesh(test::torus(40, 24)).mesh;

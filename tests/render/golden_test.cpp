@@ -148,7 +148,7 @@ Mesh semi_sharp_cube() {
 Mesh load(const std::string& model) {
   if (model == "semi_sharp_cube") return semi_sharp_cube();
   if (model == "dense_torus") return build_mesh(test::torus(400, 150)).mesh;
-  return read_model(MESHER_SOURCE_DIR "/assets/" + model + ".obj").mesh;
+  return io::read_model(MESHER_SOURCE_DIR "/assets/" + model + ".obj").mesh;
 }
 
 MarkedEdges marked_edges(const Mesh& mesh, const Scene& scene) {

@@ -32,18 +32,21 @@ Attributes plain_attributes(const Mesh& mesh) {
 struct Case {
   explicit Case(std::uint32_t target = 60) : mesh(build_mesh(test::grid(8)).mesh) {
     attributes = plain_attributes(mesh);
-    result = simplify(Mesh(mesh), {.target_faces = target, .order = ResultOrder::fill_holes});
+    result = simplify::simplify(
+        Mesh(mesh), {.target_faces = target, .order = simplify::ResultOrder::fill_holes});
   }
-  CarriedAttributes carried() const { return carry_attributes(attributes, mesh.origins(), result); }
+  simplify::CarriedAttributes carried() const {
+    return simplify::carry_attributes(attributes, mesh.origins(), result);
+  }
 
   Mesh mesh;
   Attributes attributes;
-  Simplified result;
+  simplify::Simplified result;
 };
 
 TEST(CarryAttributes, VertexValuesStayWithTheirVertices) {
   const Case c;
-  const CarriedAttributes carried = c.carried();
+  const simplify::CarriedAttributes carried = c.carried();
   EXPECT_TRUE(carried.dropped.empty());
   const Attributes& a = carried.attributes;
   ASSERT_EQ(a.texcoord.size(), c.result.mesh.halfedge_count());
@@ -70,7 +73,7 @@ TEST(CarryAttributes, SeamAtARemainingVertexDropsAndReportsTheAttribute) {
   Case c;
   const Vertex survivor = c.result.vertex_source[0];
   c.attributes.texcoord[c.mesh.outgoing(survivor).index()] = {7.0F, 7.0F};
-  const CarriedAttributes carried = c.carried();
+  const simplify::CarriedAttributes carried = c.carried();
   EXPECT_TRUE(carried.attributes.texcoord.empty());
   EXPECT_FALSE(carried.attributes.normal.empty());
   ASSERT_EQ(carried.dropped.size(), 1U);
@@ -96,7 +99,7 @@ TEST(CarryAttributes, MissingCornerValuesAreEqual) {
   for (std::uint32_t i = 0; i < c.mesh.halfedge_count(); ++i) {
     if (c.mesh.origin(Halfedge(i)) == survivor) c.attributes.texcoord[i] = glm::vec2(kNothing);
   }
-  const CarriedAttributes carried = c.carried();
+  const simplify::CarriedAttributes carried = c.carried();
   EXPECT_TRUE(carried.dropped.empty());
   EXPECT_TRUE(std::isnan(carried.attributes.texcoord[c.result.mesh.outgoing(Vertex(0)).index()].x));
 }
@@ -118,10 +121,10 @@ TEST(CarryAttributes, NoCollapseKeepsAllAttributes) {
 
 TEST(CarryAttributes, AcceptsAnyListOfRemainingElements) {
   const Case c;
-  const CarriedAttributes carried =
-      carry_attributes(c.attributes, c.mesh.origins(),
-                       Survivors{c.result.mesh, c.result.vertex_source, c.result.face_source,
-                                 c.mesh.vertex_count()});
+  const simplify::CarriedAttributes carried =
+      simplify::carry_attributes(c.attributes, c.mesh.origins(),
+                                 simplify::Survivors{c.result.mesh, c.result.vertex_source,
+                                                     c.result.face_source, c.mesh.vertex_count()});
   EXPECT_TRUE(carried.dropped.empty());
   EXPECT_TRUE(carried.attributes.texcoord == c.carried().attributes.texcoord);
   EXPECT_TRUE(carried.attributes.group == c.carried().attributes.group);

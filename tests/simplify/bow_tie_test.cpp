@@ -41,14 +41,15 @@ void expect_copies_stay(const Mesh& result, const Mesh& input) {
 TEST(BowTies, CopiesKeepTheirPositionUntilTheLastCollapse) {
   std::size_t renamed = 0;
   for (const Mesh& mesh : meshes_with_bow_ties()) {
-    for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
-      for (std::size_t k = 0; k < kPlacements.size(); ++k) {
-        SCOPED_TRACE(std::string(key(static_cast<CostPolicy>(p))) + ", " +
-                     std::string(key(static_cast<Placement>(k))));
-        CollapseRecorder recorder;
-        const Simplified result = simplify(Mesh(mesh), {.cost = static_cast<CostPolicy>(p),
-                                                        .placement = static_cast<Placement>(k),
-                                                        .observer = &recorder});
+    for (std::size_t p = 0; p < simplify::kCostPolicies.size(); ++p) {
+      for (std::size_t k = 0; k < simplify::kPlacements.size(); ++k) {
+        SCOPED_TRACE(std::string(key(static_cast<simplify::CostPolicy>(p))) + ", " +
+                     std::string(key(static_cast<simplify::Placement>(k))));
+        simplify::CollapseRecorder recorder;
+        const simplify::Simplified result =
+            simplify::simplify(Mesh(mesh), {.cost = static_cast<simplify::CostPolicy>(p),
+                                            .placement = static_cast<simplify::Placement>(k),
+                                            .observer = &recorder});
         EXPECT_EQ(topology(result.mesh), topology(mesh));
         EXPECT_LT(result.mesh.face_count(), mesh.face_count() / 8);
         expect_copies_stay(result.mesh, mesh);
@@ -69,16 +70,17 @@ TEST(BowTies, CopiesKeepTheirPositionUntilTheLastCollapse) {
 TEST(BowTies, CopiesAreKeptForEveryTargetOrderAndRule) {
   for (const Mesh& mesh : meshes_with_bow_ties()) {
     for (const std::uint32_t faces : {mesh.face_count(), mesh.face_count() - 1, 200U, 60U}) {
-      expect_copies_stay(simplify(Mesh(mesh), {.target_faces = faces}).mesh, mesh);
+      expect_copies_stay(simplify::simplify(Mesh(mesh), {.target_faces = faces}).mesh, mesh);
     }
-    const auto order = ResultOrder::fill_holes;
-    expect_copies_stay(simplify(Mesh(mesh), {.target_faces = 50, .order = order}).mesh, mesh);
-    const auto boundary = BoundaryRule::lock;
-    expect_copies_stay(simplify(Mesh(mesh), {.boundary = boundary}).mesh, mesh);
-    expect_copies_stay(simplify(Mesh(mesh), {.crease_angle_deg = 20.0F}).mesh, mesh);
+    const auto order = simplify::ResultOrder::fill_holes;
+    expect_copies_stay(simplify::simplify(Mesh(mesh), {.target_faces = 50, .order = order}).mesh,
+                       mesh);
+    const auto boundary = simplify::BoundaryRule::lock;
+    expect_copies_stay(simplify::simplify(Mesh(mesh), {.boundary = boundary}).mesh, mesh);
+    expect_copies_stay(simplify::simplify(Mesh(mesh), {.crease_angle_deg = 20.0F}).mesh, mesh);
   }
   const Mesh small = built(bow_tie({cube(), grid(4)})).mesh;
-  expect_copies_stay(simplify(Mesh(small), {.max_error = 0.05}).mesh, small);
+  expect_copies_stay(simplify::simplify(Mesh(small), {.max_error = 0.05}).mesh, small);
 }
 
 TEST(BowTies, CopiesAreKeptForMeshesOfEverySize) {
@@ -88,7 +90,7 @@ TEST(BowTies, CopiesAreKeptForMeshesOfEverySize) {
       for (glm::vec3& p : arrays.position)
         p = scale * (p + glm::vec3(0.3F, 0.7F, 0.1F));
       const Mesh mesh = std::move(arrays).finish();
-      expect_copies_stay(simplify(Mesh(mesh), {}).mesh, mesh);
+      expect_copies_stay(simplify::simplify(Mesh(mesh), {}).mesh, mesh);
     }
   }
 }
@@ -96,10 +98,10 @@ TEST(BowTies, CopiesAreKeptForMeshesOfEverySize) {
 TEST(BowTies, SameBytesForAnyThreadCount) {
   // The mesh is large enough for several regions per round.
   const Mesh mesh = built(bow_tie({torus(150, 90), torus(90, 60), grid(60)})).mesh;
-  std::optional<Simplified> first;
+  std::optional<simplify::Simplified> first;
   for (const unsigned threads : {1U, 2U, 5U}) {
     const ThreadLimit limit(threads);
-    Simplified result = simplify(Mesh(mesh), {.target_faces = 500});
+    simplify::Simplified result = simplify::simplify(Mesh(mesh), {.target_faces = 500});
     expect_copies_stay(result.mesh, mesh);
     if (!first) {
       first = std::move(result);

@@ -11,23 +11,25 @@ namespace mesher::test {
 namespace {
 
 TEST(BucketQueue, BucketsIncreaseWithCostAndAreNarrow) {
-  EXPECT_EQ(BucketQueue::bucket_of(0.0F), BucketQueue::bucket_of(-0.0F));
-  EXPECT_LT(BucketQueue::bucket_of(std::numeric_limits<float>::infinity()), BucketQueue::kBuckets);
+  EXPECT_EQ(simplify::BucketQueue::bucket_of(0.0F), simplify::BucketQueue::bucket_of(-0.0F));
+  EXPECT_LT(simplify::BucketQueue::bucket_of(std::numeric_limits<float>::infinity()),
+            simplify::BucketQueue::kBuckets);
   std::uint32_t last = 0;
   for (float cost = 1e-30F; cost < 1e30F; cost *= 1.01F) {
-    const std::uint32_t bucket = BucketQueue::bucket_of(cost);
+    const std::uint32_t bucket = simplify::BucketQueue::bucket_of(cost);
     EXPECT_GE(bucket, last);
-    EXPECT_GT(BucketQueue::bucket_of(cost * 1.04F), bucket);
-    EXPECT_LT(BucketQueue::highest_below(bucket), cost);
-    EXPECT_EQ(BucketQueue::bucket_of(BucketQueue::highest_below(bucket)) + 1, bucket);
+    EXPECT_GT(simplify::BucketQueue::bucket_of(cost * 1.04F), bucket);
+    EXPECT_LT(simplify::BucketQueue::highest_below(bucket), cost);
+    EXPECT_EQ(simplify::BucketQueue::bucket_of(simplify::BucketQueue::highest_below(bucket)) + 1,
+              bucket);
     last = bucket;
   }
-  EXPECT_LT(BucketQueue::highest_below(0), 0.0F);
+  EXPECT_LT(simplify::BucketQueue::highest_below(0), 0.0F);
 }
 
 TEST(BucketQueue, EqualCostsLeaveInInsertionOrder) {
-  std::vector<QueueEntry> entries(10);
-  BucketQueue queue(entries);
+  std::vector<simplify::QueueEntry> entries(10);
+  simplify::BucketQueue queue(entries);
   for (const std::uint32_t v : {7U, 2U, 9U, 4U})
     queue.push(Vertex(v), 1.0F);
   queue.remove(Vertex(9));
@@ -41,8 +43,8 @@ TEST(BucketQueue, EqualCostsLeaveInInsertionOrder) {
 }
 
 TEST(BucketQueue, BehindReturnsTheNextVertexOfTheBucket) {
-  std::vector<QueueEntry> entries(10);
-  BucketQueue queue(entries);
+  std::vector<simplify::QueueEntry> entries(10);
+  simplify::BucketQueue queue(entries);
   for (const std::uint32_t v : {7U, 2U, 9U})
     queue.push(Vertex(v), 1.0F);
   queue.push(Vertex(4), 8.0F);
@@ -50,15 +52,15 @@ TEST(BucketQueue, BehindReturnsTheNextVertexOfTheBucket) {
   queue.remove(Vertex(2));
   EXPECT_EQ(queue.behind(Vertex(7)), Vertex(9));
   EXPECT_FALSE(queue.behind(Vertex(9)).is_valid());  // the next vertex is in another bucket
-  EXPECT_EQ(queue.bucket(Vertex(4)), BucketQueue::bucket_of(8.0F));
+  EXPECT_EQ(queue.bucket(Vertex(4)), simplify::BucketQueue::bucket_of(8.0F));
   EXPECT_EQ(queue.bucket(Vertex(2)), kNone);
 }
 
 TEST(BucketQueue, AgreesWithSortedSetOnRandomOperations) {
   std::mt19937 random(11);
   constexpr std::uint32_t kVertices = 500;
-  std::vector<QueueEntry> entries(kVertices);
-  BucketQueue queue(entries);
+  std::vector<simplify::QueueEntry> entries(kVertices);
+  simplify::BucketQueue queue(entries);
   std::set<std::pair<std::uint32_t, std::uint32_t>> oracle;  // bucket, vertex
   for (int step = 0; step < 20'000; ++step) {
     const Vertex v(static_cast<std::uint32_t>(random() % kVertices));
@@ -68,7 +70,7 @@ TEST(BucketQueue, AgreesWithSortedSetOnRandomOperations) {
     } else {
       const float cost = std::ldexp(static_cast<float>(random() % 1000), int(random() % 40) - 20);
       queue.push(v, cost);
-      oracle.insert({BucketQueue::bucket_of(cost), v.index()});
+      oracle.insert({simplify::BucketQueue::bucket_of(cost), v.index()});
     }
     const Vertex front = queue.front();
     ASSERT_EQ(front.is_valid(), !oracle.empty());

@@ -22,8 +22,9 @@ struct Quality {
 };
 
 Quality simplified_to(const Mesh& mesh, std::uint32_t faces, std::uint64_t samples = 50'000) {
-  const Simplified result = simplify(Mesh(mesh), {.target_faces = faces});
-  const SurfaceDistance d = surface_distance(mesh, result.mesh, {.samples = samples});
+  const simplify::Simplified result = simplify::simplify(Mesh(mesh), {.target_faces = faces});
+  const analysis::SurfaceDistance d =
+      analysis::surface_distance(mesh, result.mesh, {.samples = samples});
   const double square = d.forward.rms * d.forward.rms + d.backward.rms * d.backward.rms;
   return {d.percent(std::sqrt(0.5 * square)), d.percent(d.two_sided().max),
           d.percent(result.report.estimated_error), result.mesh.face_count()};
@@ -31,7 +32,7 @@ Quality simplified_to(const Mesh& mesh, std::uint32_t faces, std::uint64_t sampl
 
 Mesh shared(const char* name) {
   const auto file = std::filesystem::path(MESHER_SHARED_MODELS) / name;
-  return std::filesystem::exists(file) ? read_model(file, {}).mesh : Mesh();
+  return std::filesystem::exists(file) ? io::read_model(file, {}).mesh : Mesh();
 }
 
 /// RMS and maximum in percent of the diagonal. docs/simplification.md has the values of other
@@ -91,15 +92,16 @@ std::uint32_t flat_faces(const Mesh& mesh) {
 
 TEST(Flat, MostFacesGoToTheDome) {
   const Mesh plate = plate_with_dome(100);
-  const Simplified result = simplify(Mesh(plate), {.target_faces = 1000});
+  const simplify::Simplified result = simplify::simplify(Mesh(plate), {.target_faces = 1000});
   EXPECT_LT(flat_faces(result.mesh), 150U) << "of 1,000 faces";
-  const SurfaceDistance d = surface_distance(plate, result.mesh, {.samples = 50'000});
+  const analysis::SurfaceDistance d =
+      analysis::surface_distance(plate, result.mesh, {.samples = 50'000});
   EXPECT_LT(d.percent(d.two_sided().rms), 0.001);
 }
 
 TEST(Flat, CornersOfAPlateDoNotMove) {
   const Mesh plate = built(grid(20)).mesh;
-  const Simplified result = simplify(Mesh(plate), {.target_faces = 2});
+  const simplify::Simplified result = simplify::simplify(Mesh(plate), {.target_faces = 2});
   ASSERT_EQ(result.mesh.face_count(), 2U);
   for (std::uint32_t v = 0; v < result.mesh.vertex_count(); ++v) {
     const glm::vec3 p = result.mesh.position(Vertex(v));
@@ -111,8 +113,9 @@ TEST(Flat, CornersOfAPlateDoNotMove) {
 TEST(Flat, DoesNotRemoveACornerForOneFace) {
   // An odd number of boundary collapses would have to remove a corner of the plate.
   const Mesh plate = plate_with_dome(40);
-  const Simplified result = simplify(Mesh(plate), {.target_faces = 801});
-  const SurfaceDistance d = surface_distance(plate, result.mesh, {.samples = 20'000});
+  const simplify::Simplified result = simplify::simplify(Mesh(plate), {.target_faces = 801});
+  const analysis::SurfaceDistance d =
+      analysis::surface_distance(plate, result.mesh, {.samples = 20'000});
   EXPECT_LT(d.percent(d.two_sided().max), 1.0);
   EXPECT_NEAR(result.mesh.face_count(), 801.0, 1.0);
 }

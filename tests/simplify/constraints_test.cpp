@@ -63,12 +63,12 @@ Mesh fine_cube(std::uint32_t n) {
 
 TEST(Boundary, PreserveKeepsLoopsAndCorners) {
   const Mesh sheet = built(grid(16)).mesh;
-  for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
-    const Simplified result =
-        simplify(Mesh(sheet), {.target_faces = 2, .cost = static_cast<CostPolicy>(p)});
+  for (std::size_t p = 0; p < simplify::kCostPolicies.size(); ++p) {
+    const simplify::Simplified result = simplify::simplify(
+        Mesh(sheet), {.target_faces = 2, .cost = static_cast<simplify::CostPolicy>(p)});
     EXPECT_EQ(topology(result.mesh), topology(sheet));
   }
-  const Simplified result = simplify(Mesh(sheet), {.target_faces = 2});
+  const simplify::Simplified result = simplify::simplify(Mesh(sheet), {.target_faces = 2});
   const std::set<Point> corners{{0, 0, 0}, {16, 0, 0}, {0, 16, 0}, {16, 16, 0}};
   EXPECT_EQ(result.mesh.face_count(), 2U);
   for (const Point& p : boundary_points(result.mesh)) {
@@ -82,19 +82,21 @@ TEST(Boundary, PreserveKeepsLoopsAndCorners) {
 
 TEST(Boundary, LockKeepsEveryBoundaryPoint) {
   const Mesh sheet = built(grid(16)).mesh;
-  for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
-    const Simplified result = simplify(
-        Mesh(sheet),
-        {.target_faces = 0, .cost = static_cast<CostPolicy>(p), .boundary = BoundaryRule::lock});
+  for (std::size_t p = 0; p < simplify::kCostPolicies.size(); ++p) {
+    const simplify::Simplified result =
+        simplify::simplify(Mesh(sheet), {.target_faces = 0,
+                                         .cost = static_cast<simplify::CostPolicy>(p),
+                                         .boundary = simplify::BoundaryRule::lock});
     EXPECT_EQ(boundary_points(result.mesh), boundary_points(sheet));
-    EXPECT_EQ(result.report.reason, StopReason::no_legal_collapse);
+    EXPECT_EQ(result.report.reason, simplify::StopReason::no_legal_collapse);
     EXPECT_LE(result.mesh.face_count(), 64U);
   }
 }
 
 TEST(Creases, CreaseAngleKeepsEdgesAndCornersOfACube) {
   const Mesh cube = fine_cube(12);
-  const Simplified result = simplify(Mesh(cube), {.target_faces = 12, .crease_angle_deg = 40.0F});
+  const simplify::Simplified result =
+      simplify::simplify(Mesh(cube), {.target_faces = 12, .crease_angle_deg = 40.0F});
   EXPECT_EQ(result.mesh.face_count(), 12U);
   for (const glm::vec3& p : result.mesh.positions()) {
     for (int axis = 0; axis < 3; ++axis)
@@ -111,12 +113,12 @@ TEST(Creases, TaggedEdgesCollapseOnlyAlongTheCrease) {
     sheet.set_sharpness(sheet.find_edge(at(x, 8), at(x + 1, 8)), 2.0F);
   for (std::uint32_t y = 8; y < 12; ++y)
     sheet.set_sharpness(sheet.find_edge(at(5, y), at(5, y + 1)), kInfinitelySharp);
-  for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
-    SCOPED_TRACE(key(static_cast<CostPolicy>(p)));
-    CollapseRecorder recorder;
-    const Simplified result =
-        simplify(Mesh(sheet),
-                 {.target_faces = 0, .cost = static_cast<CostPolicy>(p), .observer = &recorder});
+  for (std::size_t p = 0; p < simplify::kCostPolicies.size(); ++p) {
+    SCOPED_TRACE(key(static_cast<simplify::CostPolicy>(p)));
+    simplify::CollapseRecorder recorder;
+    const simplify::Simplified result = simplify::simplify(
+        Mesh(sheet),
+        {.target_faces = 0, .cost = static_cast<simplify::CostPolicy>(p), .observer = &recorder});
     expect_valid(result.mesh);
     // The row is still there: it runs straight from one side to the other, and every edge is a
     // crease.
@@ -142,26 +144,27 @@ TEST(Creases, CornerTagPinsAVertexOfAClosedSurface) {
   const glm::vec3 p = mesh.position(Vertex(333));
   mesh.set_sharpness(Vertex(333), 2.0F);
   for (const std::uint32_t target : {700U, 100U, 0U}) {
-    const Simplified result = simplify(Mesh(mesh), {.target_faces = target});
+    const simplify::Simplified result = simplify::simplify(Mesh(mesh), {.target_faces = target});
     const auto positions = result.mesh.positions();
     EXPECT_EQ(std::count(positions.begin(), positions.end(), p), 1);
   }
 }
 
 TEST(Constraints, ReportNamesTheConstraintThatStopsTheRun) {
-  const Simplified cube = simplify(fine_cube(1), {.target_faces = 4, .crease_angle_deg = 30.0F});
-  EXPECT_EQ(cube.report.reason, StopReason::no_legal_collapse);
-  EXPECT_EQ(cube.report[Rejection::crease], 18U) << "every edge joins two corners";
-  const Simplified sheet =
-      simplify(built(grid(16)).mesh, {.target_faces = 0, .boundary = BoundaryRule::lock});
-  EXPECT_GE(sheet.report[Rejection::boundary], 64U);
+  const simplify::Simplified cube =
+      simplify::simplify(fine_cube(1), {.target_faces = 4, .crease_angle_deg = 30.0F});
+  EXPECT_EQ(cube.report.reason, simplify::StopReason::no_legal_collapse);
+  EXPECT_EQ(cube.report[simplify::Rejection::crease], 18U) << "every edge joins two corners";
+  const simplify::Simplified sheet = simplify::simplify(
+      built(grid(16)).mesh, {.target_faces = 0, .boundary = simplify::BoundaryRule::lock});
+  EXPECT_GE(sheet.report[simplify::Rejection::boundary], 64U);
 }
 
 TEST(Creases, CornerTagPinsItsVertex) {
   Mesh sheet = built(grid(8)).mesh;
   sheet.set_sharpness(Vertex(40), 1.0F);
   const glm::vec3 p = sheet.position(Vertex(40));
-  const Simplified result = simplify(Mesh(sheet), {.target_faces = 0});
+  const simplify::Simplified result = simplify::simplify(Mesh(sheet), {.target_faces = 0});
   const auto positions = result.mesh.positions();
   EXPECT_EQ(std::count(positions.begin(), positions.end(), p), 1);
 }

@@ -16,7 +16,7 @@
 namespace mesher::test {
 namespace {
 
-void expect_sound(const Mesh& mesh, const Simplified& result) {
+void expect_sound(const Mesh& mesh, const simplify::Simplified& result) {
   expect_valid(result.mesh);
   EXPECT_EQ(topology(result.mesh), topology(mesh));
   EXPECT_LE(count_folds(result.mesh), count_folds(mesh));
@@ -33,7 +33,7 @@ void expect_sound(const Mesh& mesh, const Simplified& result) {
 TEST(Degenerate, FlatSheetIsReducedToTwoFaces) {
   for (const std::uint32_t n : {7U, 40U, 130U}) {
     const Mesh sheet = built(grid(n)).mesh;
-    const Simplified result = simplify(Mesh(sheet), {.target_faces = 2});
+    const simplify::Simplified result = simplify::simplify(Mesh(sheet), {.target_faces = 2});
     EXPECT_EQ(result.mesh.face_count(), 2U);
     expect_sound(sheet, result);
     EXPECT_NEAR(statistics(result.mesh).area, double(n) * n, 1e-3 * n * n);
@@ -43,7 +43,7 @@ TEST(Degenerate, FlatSheetIsReducedToTwoFaces) {
 
 TEST(Degenerate, FlatSheetIsReducedEvenly) {
   const Mesh sheet = built(grid(100)).mesh;
-  const Simplified result = simplify(Mesh(sheet), {.target_faces = 2'000});
+  const simplify::Simplified result = simplify::simplify(Mesh(sheet), {.target_faces = 2'000});
   // No vertex becomes a hub.
   std::uint32_t most = 0;
   for (std::uint32_t v = 0; v < result.mesh.vertex_count(); ++v)
@@ -62,12 +62,12 @@ TEST(Degenerate, NeedlesAreSimplified) {
     p.y += 0.9F * (static_cast<float>(random() % 1000) / 1000.0F - 0.5F);
   for (const Soup& s : {soup, slivers}) {
     const Mesh mesh = built(Soup(s)).mesh;
-    for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
-      SCOPED_TRACE(key(static_cast<CostPolicy>(p)));
-      const Simplified result =
-          simplify(Mesh(mesh), {.target_faces = 72, .cost = static_cast<CostPolicy>(p)});
+    for (std::size_t p = 0; p < simplify::kCostPolicies.size(); ++p) {
+      SCOPED_TRACE(key(static_cast<simplify::CostPolicy>(p)));
+      const simplify::Simplified result = simplify::simplify(
+          Mesh(mesh), {.target_faces = 72, .cost = static_cast<simplify::CostPolicy>(p)});
       expect_sound(mesh, result);
-      EXPECT_LE(result.mesh.face_count(), 720U) << key(static_cast<CostPolicy>(p));
+      EXPECT_LE(result.mesh.face_count(), 720U) << key(static_cast<simplify::CostPolicy>(p));
     }
   }
 }
@@ -78,7 +78,7 @@ TEST(Degenerate, CoincidentVerticesAndZeroAreaFacesAreSimplified) {
   for (glm::vec3& p : soup.positions)
     p.y = 2.0F * std::floor(p.y / 2.0F);
   const Mesh mesh = built(std::move(soup)).mesh;
-  const Simplified result = simplify(Mesh(mesh), {.target_faces = 100});
+  const simplify::Simplified result = simplify::simplify(Mesh(mesh), {.target_faces = 100});
   expect_sound(mesh, result);
   EXPECT_LE(result.mesh.face_count(), 100U);
   // All vertices at one point.
@@ -86,7 +86,7 @@ TEST(Degenerate, CoincidentVerticesAndZeroAreaFacesAreSimplified) {
   for (glm::vec3& p : point.positions)
     p = glm::vec3(1.0F, 2.0F, 3.0F);
   const Mesh nowhere = built(std::move(point)).mesh;
-  const Simplified collapsed = simplify(Mesh(nowhere), {.target_faces = 50});
+  const simplify::Simplified collapsed = simplify::simplify(Mesh(nowhere), {.target_faces = 50});
   expect_sound(nowhere, collapsed);
   EXPECT_EQ(collapsed.mesh.face_count(), 50U);
 }
@@ -97,7 +97,7 @@ TEST(Degenerate, HugeAndTinyCoordinatesAreSimplified) {
     for (glm::vec3& p : soup.positions)
       p *= size;
     const Mesh mesh = built(std::move(soup)).mesh;
-    const Simplified result = simplify(Mesh(mesh), {.target_faces = 100});
+    const simplify::Simplified result = simplify::simplify(Mesh(mesh), {.target_faces = 100});
     expect_valid(result.mesh);
     EXPECT_EQ(result.mesh.face_count(), 100U);
   }
@@ -115,9 +115,9 @@ Mesh disc(std::uint32_t spokes, float height) {
   return built(std::move(soup)).mesh;
 }
 
-double seconds(const Mesh& mesh, const SimplifyOptions& options) {
+double seconds(const Mesh& mesh, const simplify::SimplifyOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  const Simplified result = simplify(Mesh(mesh), options);
+  const simplify::Simplified result = simplify::simplify(Mesh(mesh), options);
   expect_valid(result.mesh);
   EXPECT_LE(result.mesh.face_count(), std::max(options.target_faces, 8U) * 2);
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -127,9 +127,10 @@ double seconds(const Mesh& mesh, const SimplifyOptions& options) {
 // that is large enough for a busy machine.
 TEST(Degenerate, HubTakesNoQuadraticTime) {
   for (const float height : {0.0F, 1.0F}) {
-    for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
-      SCOPED_TRACE(key(static_cast<CostPolicy>(p)));
-      const SimplifyOptions options{.target_faces = 4, .cost = static_cast<CostPolicy>(p)};
+    for (std::size_t p = 0; p < simplify::kCostPolicies.size(); ++p) {
+      SCOPED_TRACE(key(static_cast<simplify::CostPolicy>(p)));
+      const simplify::SimplifyOptions options{.target_faces = 4,
+                                              .cost = static_cast<simplify::CostPolicy>(p)};
       constexpr std::uint32_t kFew = test::kSanitized ? 1'250 : 5'000;
       const double few = seconds(disc(kFew, height), options);
       const double many = seconds(disc(16 * kFew, height), options);
@@ -144,7 +145,7 @@ TEST(Degenerate, EqualCostsAreSimplified) {
       built(soup_of({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
                     {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5}))
           .mesh;
-  const Simplified result = simplify(Mesh(octahedron), {.target_faces = 4});
+  const simplify::Simplified result = simplify::simplify(Mesh(octahedron), {.target_faces = 4});
   expect_valid(result.mesh);
   EXPECT_LE(result.mesh.face_count(), 6U);
 }
@@ -158,14 +159,14 @@ TEST(Degenerate, LongSpikesKeepTopology) {
     for (int i = 0; i < 30; ++i)
       soup.positions[random() % soup.positions.size()] *= std::ldexp(1.0F, int(random() % 40));
     const Mesh mesh = built(std::move(soup)).mesh;
-    for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
-      const Simplified result =
-          simplify(Mesh(mesh), {.target_faces = 100, .cost = static_cast<CostPolicy>(p)});
+    for (std::size_t p = 0; p < simplify::kCostPolicies.size(); ++p) {
+      const simplify::Simplified result = simplify::simplify(
+          Mesh(mesh), {.target_faces = 100, .cost = static_cast<simplify::CostPolicy>(p)});
       expect_valid(result.mesh);
       EXPECT_EQ(topology(result.mesh), topology(mesh));
       // Both sides of a spike coincide, and the spikes have nearly all of the area. For costs that
       // are errors, folds there do no harm.
-      if (static_cast<CostPolicy>(p) > CostPolicy::accumulated_quadric) {
+      if (static_cast<simplify::CostPolicy>(p) > simplify::CostPolicy::accumulated_quadric) {
         EXPECT_LE(count_folds(result.mesh), count_folds(mesh));
       }
     }
@@ -179,24 +180,26 @@ TEST(Degenerate, EndsWhenNoCollapseIsLegal) {
   for (int i = 0; i < 3'000; ++i)
     tetrahedra = join(std::move(tetrahedra), tetrahedron(), glm::vec3(2.0F * float(i), 0, 0));
   const Mesh closed = built(std::move(tetrahedra)).mesh;
-  const Simplified result = simplify(Mesh(closed), {.target_faces = 4});
-  EXPECT_EQ(result.report.reason, StopReason::no_legal_collapse);
+  const simplify::Simplified result = simplify::simplify(Mesh(closed), {.target_faces = 4});
+  EXPECT_EQ(result.report.reason, simplify::StopReason::no_legal_collapse);
   EXPECT_EQ(result.mesh.face_count(), closed.face_count());
   const Mesh round = built(torus(200, 50)).mesh;
-  const Simplified all_creases = simplify(Mesh(round), {.target_faces = 4, .crease_angle_deg = 0});
+  const simplify::Simplified all_creases =
+      simplify::simplify(Mesh(round), {.target_faces = 4, .crease_angle_deg = 0});
   EXPECT_EQ(all_creases.mesh.face_count(), round.face_count());
-  const Simplified bounded = simplify(Mesh(round), {.target_faces = 4, .max_error = 1e-9});
-  EXPECT_EQ(bounded.report.reason, StopReason::error_bound);
+  const simplify::Simplified bounded =
+      simplify::simplify(Mesh(round), {.target_faces = 4, .max_error = 1e-9});
+  EXPECT_EQ(bounded.report.reason, simplify::StopReason::error_bound);
 }
 
 TEST(Degenerate, EqualCostsDoNotOvershootTheTarget) {
   const Mesh sheet = built(grid(150)).mesh;
-  for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
+  for (std::size_t p = 0; p < simplify::kCostPolicies.size(); ++p) {
     for (const std::uint32_t percent : {90U, 80U, 50U, 10U}) {
       const std::uint32_t target = sheet.face_count() * percent / 100;
-      const Simplified result =
-          simplify(Mesh(sheet), {.target_faces = target, .cost = static_cast<CostPolicy>(p)});
-      EXPECT_EQ(result.mesh.face_count(), target) << key(static_cast<CostPolicy>(p));
+      const simplify::Simplified result = simplify::simplify(
+          Mesh(sheet), {.target_faces = target, .cost = static_cast<simplify::CostPolicy>(p)});
+      EXPECT_EQ(result.mesh.face_count(), target) << key(static_cast<simplify::CostPolicy>(p));
     }
   }
 }

@@ -29,13 +29,15 @@ TEST(MaxError, HoldsInBothDirectionsAndIsMeasured) {
     std::uint32_t last = 0;
     for (const double percent : {0.02, 0.1, 0.5, 2.0}) {
       const double bound = percent / 100.0 * diagonal;
-      const Simplified result = simplify(Mesh(mesh), {.target_faces = 0, .max_error = bound});
+      const simplify::Simplified result =
+          simplify::simplify(Mesh(mesh), {.target_faces = 0, .max_error = bound});
       expect_valid(result.mesh);
       EXPECT_EQ(topology(result.mesh), topology(mesh));
       EXPECT_LE(result.report.measured_error, bound);
       EXPECT_LE(result.report.certified_bound, bound);
       // Measure again with other samples.
-      const SurfaceDistance d = surface_distance(mesh, result.mesh, {.samples = 77'777});
+      const analysis::SurfaceDistance d =
+          analysis::surface_distance(mesh, result.mesh, {.samples = 77'777});
       EXPECT_LE(d.two_sided().max, bound * 1.02);
       EXPECT_TRUE(last == 0 || result.mesh.face_count() < last)
           << "a larger bound leaves fewer faces";
@@ -63,57 +65,63 @@ Mesh slit_sheet(std::uint32_t n) {
 // Many collapses are far cheaper than one across a slit, which must not affect all of them.
 TEST(MaxError, NoFaceCrossesAHole) {
   const Mesh mesh = slit_sheet(60);
-  for (std::size_t p = 0; p < kPlacements.size(); ++p) {
+  for (std::size_t p = 0; p < simplify::kPlacements.size(); ++p) {
     const std::uint32_t target = mesh.face_count() / 5;
-    const Simplified result = simplify(Mesh(mesh), {.target_faces = target,
-                                                    .max_error = 0.3,
-                                                    .cost = CostPolicy::edge_length,
-                                                    .placement = static_cast<Placement>(p)});
-    EXPECT_EQ(result.mesh.face_count(), target) << key(static_cast<Placement>(p));
+    const simplify::Simplified result =
+        simplify::simplify(Mesh(mesh), {.target_faces = target,
+                                        .max_error = 0.3,
+                                        .cost = simplify::CostPolicy::edge_length,
+                                        .placement = static_cast<simplify::Placement>(p)});
+    EXPECT_EQ(result.mesh.face_count(), target) << key(static_cast<simplify::Placement>(p));
     EXPECT_LE(result.report.measured_error, 0.3);
   }
 }
 
 TEST(MaxError, StopsAtTheTargetBeforeTheBound) {
   const Mesh mesh = wavy_sheet(40);
-  const Simplified result = simplify(Mesh(mesh), {.target_faces = 2'000, .max_error = 10.0});
-  EXPECT_EQ(result.report.reason, StopReason::target_reached);
+  const simplify::Simplified result =
+      simplify::simplify(Mesh(mesh), {.target_faces = 2'000, .max_error = 10.0});
+  EXPECT_EQ(result.report.reason, simplify::StopReason::target_reached);
   EXPECT_EQ(result.mesh.face_count(), 2'000U);
-  const Simplified bounded = simplify(Mesh(mesh), {.target_faces = 10, .max_error = 0.01});
-  EXPECT_EQ(bounded.report.reason, StopReason::error_bound);
-  EXPECT_GT(bounded.report[Rejection::error_bound], 0U);
+  const simplify::Simplified bounded =
+      simplify::simplify(Mesh(mesh), {.target_faces = 10, .max_error = 0.01});
+  EXPECT_EQ(bounded.report.reason, simplify::StopReason::error_bound);
+  EXPECT_GT(bounded.report[simplify::Rejection::error_bound], 0U);
   EXPECT_GT(bounded.mesh.face_count(), 10U);
 }
 
 TEST(MaxError, ZeroBoundRemovesOnlyFlatFaces) {
   // Flat on integer coordinates: collapses inside and along the boundary have no error.
   const Mesh sheet = built(grid(16)).mesh;
-  const Simplified result = simplify(Mesh(sheet), {.target_faces = 0, .max_error = 1e-6});
+  const simplify::Simplified result =
+      simplify::simplify(Mesh(sheet), {.target_faces = 0, .max_error = 1e-6});
   EXPECT_LT(result.mesh.face_count(), 20U);
   EXPECT_LE(result.report.measured_error, 1e-6);
   // On a wave every collapse has an error.
-  const Simplified none = simplify(wavy_sheet(20), {.target_faces = 0, .max_error = 0.0});
+  const simplify::Simplified none =
+      simplify::simplify(wavy_sheet(20), {.target_faces = 0, .max_error = 0.0});
   EXPECT_EQ(none.mesh.face_count(), 800U);
-  EXPECT_EQ(none.report.reason, StopReason::error_bound);
+  EXPECT_EQ(none.report.reason, simplify::StopReason::error_bound);
   EXPECT_EQ(none.report.measured_error, 0.0);
 }
 
 TEST(MaxError, AgreesWithIndependentBounds) {
   const Mesh mesh = wavy_sheet(40);
   for (const double bound : {0.01, 0.05, 0.2}) {
-    const Simplified result = simplify(Mesh(mesh), {.max_error = bound});
+    const simplify::Simplified result = simplify::simplify(Mesh(mesh), {.max_error = bound});
     EXPECT_LT(result.mesh.face_count(), mesh.face_count()) << bound;
-    const DistanceInterval found = hausdorff_bounds(mesh, result.mesh, {.ratio = 1.01}).two_sided();
+    const analysis::DistanceInterval found =
+        analysis::hausdorff_bounds(mesh, result.mesh, {.ratio = 1.01}).two_sided();
     EXPECT_LE(found.lower, bound);
   }
 }
 
 TEST(MaxError, SameForAnyThreadCount) {
   const Mesh mesh = built(torus(120, 60)).mesh;
-  std::vector<Simplified> results;
+  std::vector<simplify::Simplified> results;
   for (const unsigned threads : {1U, 2U}) {
     const ThreadLimit limit(threads);
-    results.push_back(simplify(Mesh(mesh), {.max_error = 0.01}));
+    results.push_back(simplify::simplify(Mesh(mesh), {.max_error = 0.01}));
   }
   EXPECT_TRUE(is_same_surface(results[0].mesh, results[1].mesh));
   EXPECT_EQ(results[0].report.certified_bound, results[1].report.certified_bound);
@@ -123,13 +131,14 @@ TEST(CertifiedBound, LiesBetweenSamplesAndRatioTimesTheDistance) {
   for (const Mesh& mesh : {wavy_sheet(60), built(torus(90, 45)).mesh}) {
     for (const double part : {0.5, 0.1, 0.02}) {
       const auto target = static_cast<std::uint32_t>(part * mesh.face_count());
-      const Simplified result = simplify(Mesh(mesh), {.target_faces = target, .certifies = true});
+      const simplify::Simplified result =
+          simplify::simplify(Mesh(mesh), {.target_faces = target, .certifies = true});
       const double sampled =
-          surface_distance(mesh, result.mesh, {.samples = 100'000}).two_sided().max;
+          analysis::surface_distance(mesh, result.mesh, {.samples = 100'000}).two_sided().max;
       EXPECT_GE(result.report.certified_bound, sampled) << part;
-      const DistanceInterval distance =
-          hausdorff_bounds(mesh, result.mesh, {.ratio = 1.05}).two_sided();
-      EXPECT_LE(result.report.certified_bound, kBoundRatio * distance.upper) << part;
+      const analysis::DistanceInterval distance =
+          analysis::hausdorff_bounds(mesh, result.mesh, {.ratio = 1.05}).two_sided();
+      EXPECT_LE(result.report.certified_bound, simplify::kBoundRatio * distance.upper) << part;
       EXPECT_LT(result.report.measured_error, 0.0);
     }
   }
@@ -142,10 +151,12 @@ TEST(CertifiedBound, HoldsForTinyAndHugeModels) {
     for (glm::vec3& p : soup.positions)
       p = scale * glm::vec3(p.x, p.y, std::sin(0.35F * p.x) * std::cos(0.2F * p.y));
     const Mesh mesh = built(std::move(soup)).mesh;
-    const Simplified result = simplify(Mesh(mesh), {.target_faces = 400, .certifies = true});
-    const double sampled = surface_distance(mesh, result.mesh, {.samples = 50'000}).two_sided().max;
+    const simplify::Simplified result =
+        simplify::simplify(Mesh(mesh), {.target_faces = 400, .certifies = true});
+    const double sampled =
+        analysis::surface_distance(mesh, result.mesh, {.samples = 50'000}).two_sided().max;
     EXPECT_GE(result.report.certified_bound, sampled) << scale;
-    EXPECT_LE(result.report.certified_bound, 1.5 * kBoundRatio * sampled) << scale;
+    EXPECT_LE(result.report.certified_bound, 1.5 * simplify::kBoundRatio * sampled) << scale;
   }
 }
 
@@ -154,7 +165,8 @@ TEST(CertifiedBound, SameForAnyThreadCount) {
   std::vector<double> bounds;
   for (const unsigned threads : {1U, 2U, 4U}) {
     const ThreadLimit limit(threads);
-    const Simplified result = simplify(Mesh(mesh), {.target_faces = 2'000, .certifies = true});
+    const simplify::Simplified result =
+        simplify::simplify(Mesh(mesh), {.target_faces = 2'000, .certifies = true});
     bounds.push_back(result.report.certified_bound);
   }
   EXPECT_EQ(bounds[0], bounds[1]);
@@ -163,14 +175,14 @@ TEST(CertifiedBound, SameForAnyThreadCount) {
 
 TEST(CertifiedBound, IsComputedOnlyOnRequest) {
   const Mesh mesh = wavy_sheet(10);
-  EXPECT_LT(simplify(Mesh(mesh), {.target_faces = 50}).report.certified_bound, 0.0);
+  EXPECT_LT(simplify::simplify(Mesh(mesh), {.target_faces = 50}).report.certified_bound, 0.0);
 }
 
 TEST(MaxError, ObserverSeesOnlyTheFinalRun) {
   const Mesh mesh = wavy_sheet(30);
-  CollapseRecorder recorder;
-  const Simplified result =
-      simplify(Mesh(mesh), {.target_faces = 0, .max_error = 0.05, .observer = &recorder});
+  simplify::CollapseRecorder recorder;
+  const simplify::Simplified result =
+      simplify::simplify(Mesh(mesh), {.target_faces = 0, .max_error = 0.05, .observer = &recorder});
   EXPECT_EQ(recorder.records().size(), result.report.collapses);
   const Mesh replayed = replay(Mesh(mesh), recorder.records(), [](const Mesh&, std::size_t) {});
   EXPECT_TRUE(is_same_surface(replayed, result.mesh));

@@ -13,12 +13,12 @@ namespace mesher::test {
 namespace {
 
 void expect_agreement(const Mesh& mesh) {
-  const Surface surface(Mesh(mesh), {});
-  Fan fan;
+  const simplify::Surface surface(Mesh(mesh), {});
+  simplify::Fan fan;
   for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
     const Halfedge h(i);
     ASSERT_TRUE(fan.gather(surface, h, 1000));
-    const bool is_legal = fan.check_topology(surface) == Fan::kLegal;
+    const bool is_legal = fan.check_topology(surface) == simplify::Fan::kLegal;
     ASSERT_EQ(is_legal, check_collapse(mesh, h).is_legal())
         << "half-edge " << i << " of " << mesh.face_count() << " faces";
     if (!is_legal) continue;
@@ -40,8 +40,8 @@ TEST(Fan, AgreesWithCheckCollapseOnEveryEdgeOfManyMeshes) {
 }
 
 TEST(Fan, StopsAtItsFaceLimit) {
-  const Surface surface(built(grid(4)).mesh, {});
-  Fan fan;
+  const simplify::Surface surface(built(grid(4)).mesh, {});
+  simplify::Fan fan;
   const Halfedge inner = surface.mesh().find_halfedge(Vertex(12), Vertex(13));
   EXPECT_TRUE(fan.gather(surface, inner, 8));
   EXPECT_EQ(fan.size(), 8U);
@@ -59,33 +59,33 @@ TEST(Fan, GrowsBeyondItsInitialCapacity) {
     soup.positions.push_back({std::cos(a), std::sin(a), 0});
     soup.corners.insert(soup.corners.end(), {0U, i + 1, (i + 1) % kSpokes + 1});
   }
-  const Surface surface(built(std::move(soup)).mesh, {});
-  Fan fan;
+  const simplify::Surface surface(built(std::move(soup)).mesh, {});
+  simplify::Fan fan;
   ASSERT_TRUE(fan.gather(surface, surface.mesh().find_halfedge(Vertex(0), Vertex(1)), 4096));
   EXPECT_EQ(fan.size(), kSpokes - 2);
   EXPECT_FALSE(fan.is_closed());
-  EXPECT_EQ(fan.check_topology(surface), Fan::kLegal);
-  EXPECT_EQ(fan.check_shape(surface, {1, 0, 0}), Fan::kLegal);
+  EXPECT_EQ(fan.check_topology(surface), simplify::Fan::kLegal);
+  EXPECT_EQ(fan.check_shape(surface, {1, 0, 0}), simplify::Fan::kLegal);
 }
 
 TEST(Fan, RejectsFlippedFaces) {
-  const Surface surface(built(grid(4)).mesh, {});
-  Fan fan;
+  const simplify::Surface surface(built(grid(4)).mesh, {});
+  simplify::Fan fan;
   ASSERT_TRUE(fan.gather(surface, surface.mesh().find_halfedge(Vertex(12), Vertex(13)), 64));
-  EXPECT_EQ(fan.check_shape(surface, {2.5F, 2.0F, 0.0F}), Fan::kLegal);
-  EXPECT_EQ(fan.check_shape(surface, {2.5F, 2.0F, 0.2F}), Fan::kLegal);
+  EXPECT_EQ(fan.check_shape(surface, {2.5F, 2.0F, 0.0F}), simplify::Fan::kLegal);
+  EXPECT_EQ(fan.check_shape(surface, {2.5F, 2.0F, 0.2F}), simplify::Fan::kLegal);
   EXPECT_EQ(fan.turned_area(), 0.0F);
-  EXPECT_EQ(fan.check_shape(surface, {5.0F, 2.0F, 0.0F}), Rejection::fold_over);
-  EXPECT_EQ(fan.check_shape(surface, {2.5F, 2.0F, 9.0F}), Fan::kLegal);
+  EXPECT_EQ(fan.check_shape(surface, {5.0F, 2.0F, 0.0F}), simplify::Rejection::fold_over);
+  EXPECT_EQ(fan.check_shape(surface, {2.5F, 2.0F, 9.0F}), simplify::Fan::kLegal);
   EXPECT_GT(fan.turned_area(), 9.0F) << "faces that turn by more than 78 degrees count as harmful";
   // On the ring itself, faces have no area.
-  EXPECT_EQ(fan.check_shape(surface, {1.0F, 2.0F, 0.0F}), Rejection::fold_over);
+  EXPECT_EQ(fan.check_shape(surface, {1.0F, 2.0F, 0.0F}), simplify::Rejection::fold_over);
 }
 
 TEST(Fan, ShapesMatchTheFaces) {
-  const Surface surface(built(torus(9, 7)).mesh, {});
+  const simplify::Surface surface(built(torus(9, 7)).mesh, {});
   const Mesh& mesh = surface.mesh();
-  Fan fan;
+  simplify::Fan fan;
   const Halfedge h(40);
   ASSERT_TRUE(fan.gather(surface, h, 64));
   const glm::vec3 p = mesh.position(mesh.target(h));

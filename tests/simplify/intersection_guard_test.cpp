@@ -21,30 +21,31 @@ namespace {
 const std::filesystem::path kAssets = std::filesystem::path(MESHER_SOURCE_DIR) / "assets";
 
 Mesh asset(const char* name) {
-  return read_model(kAssets / name, {}).mesh;
+  return io::read_model(kAssets / name, {}).mesh;
 }
 
 /// Counts the pairs that intersect in the result but not in the input.
-std::size_t count_new_pairs(const Mesh& input, const Simplified& result) {
-  const auto before = self_intersections(input);
+std::size_t count_new_pairs(const Mesh& input, const simplify::Simplified& result) {
+  const auto before = analysis::self_intersections(input);
   std::size_t count = 0;
-  for (const auto& [a, b] : self_intersections(result.mesh)) {
+  for (const auto& [a, b] : analysis::self_intersections(result.mesh)) {
     const Face first = result.face_source[a.index()];
     const Face second = result.face_source[b.index()];
-    const FacePair pair{std::min(first, second), std::max(first, second)};
+    const analysis::FacePair pair{std::min(first, second), std::max(first, second)};
     count += std::binary_search(before.begin(), before.end(), pair) ? 0U : 1U;
   }
   return count;
 }
 
 /// With an observer the run checks each collapse. Without one it checks the finished result first.
-void expect_no_new_pair(const Mesh& mesh, SimplifyOptions options) {
+void expect_no_new_pair(const Mesh& mesh, simplify::SimplifyOptions options) {
   options.no_intersections = true;
-  CollapseRecorder recorder;
-  for (CollapseObserver* observer :
-       {static_cast<CollapseObserver*>(nullptr), static_cast<CollapseObserver*>(&recorder)}) {
+  simplify::CollapseRecorder recorder;
+  for (simplify::CollapseObserver* observer :
+       {static_cast<simplify::CollapseObserver*>(nullptr),
+        static_cast<simplify::CollapseObserver*>(&recorder)}) {
     options.observer = observer;
-    const Simplified result = simplify(Mesh(mesh), options);
+    const simplify::Simplified result = simplify::simplify(Mesh(mesh), options);
     expect_valid(result.mesh);
     EXPECT_EQ(topology(result.mesh), topology(mesh));
     EXPECT_EQ(count_new_pairs(mesh, result), 0U)
@@ -54,22 +55,25 @@ void expect_no_new_pair(const Mesh& mesh, SimplifyOptions options) {
 
 TEST(NoIntersections, ResultIsUnchangedWhenNoneAppear) {
   const Mesh bunny = asset("bunny_1k.obj");
-  const Simplified plain = simplify(Mesh(bunny), {.target_faces = 300});
-  ASSERT_EQ(count_self_intersections(plain.mesh), 0U) << "this model no longer tests anything";
-  const Simplified kept = simplify(Mesh(bunny), {.target_faces = 300, .no_intersections = true});
+  const simplify::Simplified plain = simplify::simplify(Mesh(bunny), {.target_faces = 300});
+  ASSERT_EQ(analysis::count_self_intersections(plain.mesh), 0U)
+      << "this model no longer tests anything";
+  const simplify::Simplified kept =
+      simplify::simplify(Mesh(bunny), {.target_faces = 300, .no_intersections = true});
   EXPECT_TRUE(is_identical(kept.mesh, plain.mesh));
-  EXPECT_FALSE(has_new_intersections(bunny, kept));
+  EXPECT_FALSE(simplify::has_new_intersections(bunny, kept));
 }
 
 TEST(NoIntersections, PairsOfTheInputAreNotNew) {
   const Mesh knot = asset("knot.obj");
-  const Simplified free = simplify(Mesh(knot), {.target_faces = 4});
-  EXPECT_TRUE(has_new_intersections(knot, free));
+  const simplify::Simplified free = simplify::simplify(Mesh(knot), {.target_faces = 4});
+  EXPECT_TRUE(simplify::has_new_intersections(knot, free));
   // The same faces with themselves as their input.
-  Simplified same{.mesh = free.mesh, .report = {}, .vertex_source = {}, .face_source = {}};
+  simplify::Simplified same{
+      .mesh = free.mesh, .report = {}, .vertex_source = {}, .face_source = {}};
   for (std::uint32_t f = 0; f < free.mesh.face_count(); ++f)
     same.face_source.emplace_back(f);
-  EXPECT_FALSE(has_new_intersections(free.mesh, same));
+  EXPECT_FALSE(simplify::has_new_intersections(free.mesh, same));
 }
 
 /// Two tori, one just inside the other: distant along the surface, close in space.
@@ -96,24 +100,26 @@ Soup with_noise(Soup soup, float size, std::uint32_t seed) {
 
 TEST(NoIntersections, KnotHasNoneAtTheLastLegalCollapse) {
   const Mesh knot = asset("knot.obj");
-  const Simplified free = simplify(Mesh(knot), {.target_faces = 4});
-  EXPECT_GT(count_self_intersections(free.mesh), 10U) << "this model no longer tests anything";
-  const Simplified kept = simplify(Mesh(knot), {.target_faces = 4, .no_intersections = true});
-  EXPECT_EQ(count_self_intersections(kept.mesh), 0U);
-  EXPECT_EQ(kept.report.reason, StopReason::no_legal_collapse);
-  EXPECT_GT(kept.report[Rejection::intersection], 0U);
+  const simplify::Simplified free = simplify::simplify(Mesh(knot), {.target_faces = 4});
+  EXPECT_GT(analysis::count_self_intersections(free.mesh), 10U)
+      << "this model no longer tests anything";
+  const simplify::Simplified kept =
+      simplify::simplify(Mesh(knot), {.target_faces = 4, .no_intersections = true});
+  EXPECT_EQ(analysis::count_self_intersections(kept.mesh), 0U);
+  EXPECT_EQ(kept.report.reason, simplify::StopReason::no_legal_collapse);
+  EXPECT_GT(kept.report[simplify::Rejection::intersection], 0U);
   EXPECT_LT(kept.report.faces_reached, 80U);
 }
 
 TEST(NoIntersections, KnotHasNoneAfterAnyCollapse) {
   const Mesh knot = asset("knot.obj");
-  CollapseRecorder recorder;
-  const Simplified result =
-      simplify(Mesh(knot), {.target_faces = 4, .no_intersections = true, .observer = &recorder});
+  simplify::CollapseRecorder recorder;
+  const simplify::Simplified result = simplify::simplify(
+      Mesh(knot), {.target_faces = 4, .no_intersections = true, .observer = &recorder});
   const std::size_t steps = recorder.records().size();
   replay(Mesh(knot), recorder.records(), [&](const Mesh& step, std::size_t i) {
     if (i % 50 != 0 && i + 100 <= steps) return;
-    ASSERT_EQ(count_self_intersections(step), 0U) << i;
+    ASSERT_EQ(analysis::count_self_intersections(step), 0U) << i;
   });
 }
 
@@ -130,9 +136,10 @@ TEST(NoIntersections, NoNewPairsAtAnyTarget) {
 
 TEST(NoIntersections, NoNewPairsForAnyCost) {
   const Mesh mesh = built(with_noise(shells(40, 24, 0.02F), 0.004F, 3)).mesh;
-  for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
+  for (std::size_t p = 0; p < simplify::kCostPolicies.size(); ++p) {
     for (const std::uint32_t target : {1'000U, 200U, 4U})
-      expect_no_new_pair(mesh, {.target_faces = target, .cost = static_cast<CostPolicy>(p)});
+      expect_no_new_pair(mesh,
+                         {.target_faces = target, .cost = static_cast<simplify::CostPolicy>(p)});
   }
 }
 
@@ -141,7 +148,7 @@ TEST(NoIntersections, NoNewPairsOnRandomClosedShapes) {
   for (std::uint32_t seed = 0; seed < 30; ++seed) {
     const float noise = 0.02F * static_cast<float>(seed % 10);
     const Mesh mesh = built(with_noise(torus(16 + seed, 12), noise, seed)).mesh;
-    with_pairs += self_intersections(mesh).empty() ? 0U : 1U;
+    with_pairs += analysis::self_intersections(mesh).empty() ? 0U : 1U;
     expect_no_new_pair(mesh, {.target_faces = seed % 3 == 0 ? 4U : 100U});
   }
   EXPECT_GT(with_pairs, 5U) << "no input that intersects itself";
@@ -157,47 +164,50 @@ TEST(NoIntersections, NoNewPairsOnMeshesWithBoundary) {
 
 TEST(NoIntersections, NoNewPairsBetweenRegions) {
   const Mesh mesh = built(with_noise(shells(300, 100, 0.002F), 0.0003F, 1)).mesh;
-  ASSERT_EQ(count_self_intersections(mesh), 0U);
-  const Simplified free = simplify(Mesh(mesh), {.target_faces = 20'000});
-  EXPECT_GT(count_self_intersections(free.mesh), 10U) << "this model no longer tests anything";
-  CollapseRecorder recorder;
-  const Simplified kept = simplify(
+  ASSERT_EQ(analysis::count_self_intersections(mesh), 0U);
+  const simplify::Simplified free = simplify::simplify(Mesh(mesh), {.target_faces = 20'000});
+  EXPECT_GT(analysis::count_self_intersections(free.mesh), 10U)
+      << "this model no longer tests anything";
+  simplify::CollapseRecorder recorder;
+  const simplify::Simplified kept = simplify::simplify(
       Mesh(mesh), {.target_faces = 20'000, .no_intersections = true, .observer = &recorder});
-  EXPECT_EQ(count_self_intersections(kept.mesh), 0U);
+  EXPECT_EQ(analysis::count_self_intersections(kept.mesh), 0U);
   // Sorted by rank, the order that progressive meshes use, the collapses of several regions
   // alternate.
   auto records = recorder.records();
-  std::ranges::stable_sort(records, {}, &CollapseRecord::rank);
+  std::ranges::stable_sort(records, {}, &simplify::CollapseRecord::rank);
   const std::size_t steps = records.size();
   replay(Mesh(mesh), records, [&](const Mesh& step, std::size_t i) {
     if (i % (steps / 8) != 0) return;
-    ASSERT_EQ(count_self_intersections(step), 0U) << i;
+    ASSERT_EQ(analysis::count_self_intersections(step), 0U) << i;
   });
 }
 
 TEST(NoIntersections, SameBytesForAnyThreadCount) {
   const Mesh mesh = built(with_noise(shells(200, 100, 0.02F), 0.001F, 2)).mesh;
-  const SimplifyOptions options{.target_faces = 2'000, .no_intersections = true};
-  const Simplified first = simplify(Mesh(mesh), options);
+  const simplify::SimplifyOptions options{.target_faces = 2'000, .no_intersections = true};
+  const simplify::Simplified first = simplify::simplify(Mesh(mesh), options);
   for (const unsigned threads : {1U, 2U, 4U}) {
     const ThreadLimit limit(threads);
-    EXPECT_TRUE(is_identical(simplify(Mesh(mesh), options).mesh, first.mesh));
+    EXPECT_TRUE(is_identical(simplify::simplify(Mesh(mesh), options).mesh, first.mesh));
   }
 }
 
 TEST(NoIntersections, CombineWithAnErrorBound) {
   const Mesh mesh = built(shells(40, 24, 0.05F)).mesh;
-  const Simplified result = simplify(Mesh(mesh), {.max_error = 0.1, .no_intersections = true});
+  const simplify::Simplified result =
+      simplify::simplify(Mesh(mesh), {.max_error = 0.1, .no_intersections = true});
   EXPECT_LE(result.report.measured_error, 0.1);
   EXPECT_LT(result.report.faces_reached, mesh.face_count() / 2);
-  EXPECT_EQ(count_self_intersections(result.mesh), 0U);
+  EXPECT_EQ(analysis::count_self_intersections(result.mesh), 0U);
 }
 
 TEST(NoIntersections, PairsOfTheInputMayStay) {
   const Mesh mesh = built(join(torus(40, 24), torus(40, 24), {1.0F, 0.5F, 0.25F})).mesh;
-  EXPECT_GT(count_self_intersections(mesh), 0U);
-  const Simplified result = simplify(Mesh(mesh), {.target_faces = 1'000, .no_intersections = true});
-  EXPECT_EQ(result.report.reason, StopReason::target_reached);
+  EXPECT_GT(analysis::count_self_intersections(mesh), 0U);
+  const simplify::Simplified result =
+      simplify::simplify(Mesh(mesh), {.target_faces = 1'000, .no_intersections = true});
+  EXPECT_EQ(result.report.reason, simplify::StopReason::target_reached);
   EXPECT_EQ(count_new_pairs(mesh, result), 0U);
 }
 

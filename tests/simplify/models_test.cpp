@@ -21,25 +21,25 @@ constexpr double kRatios[] = {0.5, 0.1, 0.01, 0.001};
 // result.
 constexpr std::uint32_t kFewFaces = 1'300;
 
-void examine_run(const Mesh& mesh, CostPolicy policy, double ratio) {
+void examine_run(const Mesh& mesh, simplify::CostPolicy policy, double ratio) {
   SCOPED_TRACE(std::string(key(policy)) + " to " + std::to_string(ratio));
   const auto target = static_cast<std::uint32_t>(std::lround(ratio * mesh.face_count()));
-  CollapseRecorder recorder;
-  const Simplified result = simplify(
+  simplify::CollapseRecorder recorder;
+  const simplify::Simplified result = simplify::simplify(
       Mesh(mesh), {.target_faces = std::max(target, 1U), .cost = policy, .observer = &recorder});
-  const SimplifyReport& report = result.report;
+  const simplify::SimplifyReport& report = result.report;
   expect_valid(result.mesh);
   EXPECT_EQ(topology(result.mesh), topology(mesh));
   expect_no_harmful_folds(mesh, result.mesh, policy);
   EXPECT_EQ(report.faces_reached, result.mesh.face_count());
   EXPECT_EQ(report.collapses, recorder.records().size());
   EXPECT_EQ(report.vertices_reached + report.collapses, report.vertices_before);
-  if (report.reason == StopReason::target_reached) {
+  if (report.reason == simplify::StopReason::target_reached) {
     // A closed mesh loses two faces per collapse.
     EXPECT_LE(report.faces_reached, report.faces_asked);
     EXPECT_LE(report.faces_asked - report.faces_reached, 1U);
   } else {
-    EXPECT_EQ(report.reason, StopReason::no_legal_collapse);
+    EXPECT_EQ(report.reason, simplify::StopReason::no_legal_collapse);
     EXPECT_GT(report.faces_reached, report.faces_asked);
   }
   if (mesh.face_count() > kFewFaces) return;
@@ -53,10 +53,10 @@ void examine_run(const Mesh& mesh, CostPolicy policy, double ratio) {
 
 void examine(const std::filesystem::path& file) {
   SCOPED_TRACE(file.filename().string());
-  const Mesh mesh = read_model(file, {}).mesh;
-  for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
+  const Mesh mesh = io::read_model(file, {}).mesh;
+  for (std::size_t p = 0; p < simplify::kCostPolicies.size(); ++p) {
     for (const double ratio : kRatios) {
-      examine_run(mesh, static_cast<CostPolicy>(p), ratio);
+      examine_run(mesh, static_cast<simplify::CostPolicy>(p), ratio);
       if (testing::Test::HasFailure()) return;
     }
   }

@@ -22,8 +22,9 @@ TEST(MortonOrder, IsAPermutationThatKeepsNeighborsClose) {
   Array<Vertex> all;
   for (std::uint32_t v = 0; v < positions.size(); ++v)
     all.emplace_back(v);
-  for (const MortonGrid& grid : {MortonGrid{}, MortonGrid{.bits = 7, .shift = 0.999F}}) {
-    Array<Vertex> order = morton_order(positions, all, grid);
+  for (const simplify::MortonGrid& grid :
+       {simplify::MortonGrid{}, simplify::MortonGrid{.bits = 7, .shift = 0.999F}}) {
+    Array<Vertex> order = simplify::morton_order(positions, all, grid);
     double step = 0.0;
     for (std::size_t i = 1; i < order.size(); ++i) {
       step += double{glm::distance(positions[order[i].index()], positions[order[i - 1].index()])};
@@ -39,15 +40,15 @@ TEST(MortonOrder, AcceptsEqualPointsAndNoPoints) {
   Array<Vertex> all;
   for (std::uint32_t v = 0; v < positions.size(); ++v)
     all.emplace_back(v);
-  EXPECT_EQ(morton_order(positions, all, {}), all) << "equal points keep their order";
-  EXPECT_TRUE(morton_order(positions, {}, {}).empty());
+  EXPECT_EQ(simplify::morton_order(positions, all, {}), all) << "equal points keep their order";
+  EXPECT_TRUE(simplify::morton_order(positions, {}, {}).empty());
 }
 
 TEST(Reorder, GivesTheSameSurfaceWithNewIds) {
   Mesh mesh = built(join(torus(20, 13), grid(9), {9, 0, 0})).mesh;
   mesh.set_sharpness(mesh.edge(Halfedge(17)), 2.5F);
   mesh.set_sharpness(Vertex(5), 1.0F);
-  const Reordered order = reorder_by_position(mesh);
+  const simplify::Reordered order = simplify::reorder_by_position(mesh);
   expect_valid(order.mesh);
   EXPECT_TRUE(is_same_surface(order.mesh, mesh));
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -64,7 +65,7 @@ TEST(Reorder, GivesTheSameSurfaceWithNewIds) {
 
 TEST(Reorder, BowTieCopiesAreListedWithNewIds) {
   const Mesh mesh = built(bow_tie({torus(20, 13), grid(9), cube()})).mesh;
-  const Reordered order = reorder_by_position(mesh);
+  const simplify::Reordered order = simplify::reorder_by_position(mesh);
   expect_valid(order.mesh);
   ASSERT_EQ(order.mesh.bow_tie_copies().size(), 3U);
   for (const BowTieCopy& copy : order.mesh.bow_tie_copies())
@@ -73,9 +74,11 @@ TEST(Reorder, BowTieCopiesAreListedWithNewIds) {
 
 TEST(ResultOrder, SourcesMapToTheInput) {
   const Mesh mesh = built(join(torus(30, 20), grid(12), {9, 0, 0})).mesh;
-  for (const ResultOrder order : {ResultOrder::input, ResultOrder::fill_holes}) {
-    const Simplified result = simplify(
-        Mesh(mesh), {.target_faces = 400, .placement = Placement::endpoint, .order = order});
+  for (const simplify::ResultOrder order :
+       {simplify::ResultOrder::input, simplify::ResultOrder::fill_holes}) {
+    const simplify::Simplified result = simplify::simplify(
+        Mesh(mesh),
+        {.target_faces = 400, .placement = simplify::Placement::endpoint, .order = order});
     expect_valid(result.mesh);
     ASSERT_EQ(result.vertex_source.size(), result.mesh.vertex_count());
     ASSERT_EQ(result.face_source.size(), result.mesh.face_count());
@@ -97,11 +100,11 @@ TEST(ResultOrder, SourcesMapToTheInput) {
 
 TEST(ResultOrder, InputOrderIsSortedAndFillHolesKeepsSlots) {
   const Mesh mesh = built(torus(30, 20)).mesh;
-  const Simplified in_order = simplify(Mesh(mesh), {.target_faces = 1'000});
+  const simplify::Simplified in_order = simplify::simplify(Mesh(mesh), {.target_faces = 1'000});
   EXPECT_TRUE(std::is_sorted(in_order.vertex_source.begin(), in_order.vertex_source.end()));
   EXPECT_TRUE(std::is_sorted(in_order.face_source.begin(), in_order.face_source.end()));
-  const Simplified filled =
-      simplify(Mesh(mesh), {.target_faces = 1'000, .order = ResultOrder::fill_holes});
+  const simplify::Simplified filled = simplify::simplify(
+      Mesh(mesh), {.target_faces = 1'000, .order = simplify::ResultOrder::fill_holes});
   EXPECT_TRUE(is_same_surface(in_order.mesh, filled.mesh));
   for (std::uint32_t f = 0; f < filled.mesh.face_count(); ++f) {
     const std::uint32_t source = filled.face_source[f].index();

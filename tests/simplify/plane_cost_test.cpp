@@ -4,21 +4,21 @@
 
 #include <cmath>
 
-#include "engine/mesh/build.h"
+#include "engine/mesh/build/build.h"
 #include "tests/support/meshes.h"
 
 namespace mesher::test {
 namespace {
 
 /// The sum over both stars, computed from its definition.
-double cost_by_definition(const Surface& surface, Halfedge edge, const glm::vec3& p) {
+double cost_by_definition(const simplify::Surface& surface, Halfedge edge, const glm::vec3& p) {
   const Mesh& mesh = surface.mesh();
   double sum = 0.0;
   for (const Vertex end : {mesh.origin(edge), mesh.target(edge)}) {
     for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
       const Halfedge h(i);
       if (mesh.origin(h) != end) continue;
-      const FaceShape& face = surface.shape(Mesh::face(h));
+      const simplify::FaceShape& face = surface.shape(Mesh::face(h));
       const glm::vec3 moved = p - mesh.position(end);
       const double distance = double{face.normal.x} * double{moved.x} +
                               double{face.normal.y} * double{moved.y} +
@@ -36,14 +36,14 @@ double cost_by_definition(const Surface& surface, Halfedge edge, const glm::vec3
   return sum;
 }
 
-void expect_definition(const Surface& surface) {
+void expect_definition(const simplify::Surface& surface) {
   const Mesh& mesh = surface.mesh();
   for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
     const Halfedge h(i);
     const glm::vec3 from = mesh.position(mesh.origin(h));
     const glm::vec3 to = mesh.position(mesh.target(h));
     const glm::vec3 p = 0.3F * from + 0.7F * to + glm::vec3(0.1F, -0.2F, 0.3F);
-    const auto costs = plane_costs(surface, h, p);
+    const auto costs = simplify::plane_costs(surface, h, p);
     ASSERT_TRUE(costs);
     EXPECT_NEAR(costs->at_point, cost_by_definition(surface, h, p), 1e-4);
     EXPECT_NEAR(costs->at_origin, cost_by_definition(surface, h, from), 1e-4);
@@ -52,11 +52,11 @@ void expect_definition(const Surface& surface) {
 }
 
 TEST(PlaneCosts, SumThePlanesOfBothStars) {
-  expect_definition(Surface(build_mesh(torus(6, 5)).mesh, {}));
+  expect_definition(simplify::Surface(build_mesh(torus(6, 5)).mesh, {}));
 }
 
 TEST(PlaneCosts, SumThePlanesAcrossFeatures) {
-  expect_definition(Surface(build_mesh(grid(4)).mesh, {}));
+  expect_definition(simplify::Surface(build_mesh(grid(4)).mesh, {}));
 }
 
 TEST(PlaneCosts, AreNotComputedAtAHub) {
@@ -69,8 +69,8 @@ TEST(PlaneCosts, AreNotComputedAtAHub) {
     for (const std::uint32_t v : {0U, i + 1, (i + 1) % kSpokes + 1})
       hub.corners.push_back(v);
   }
-  const Surface surface(build_mesh(std::move(hub)).mesh, {});
-  EXPECT_FALSE(plane_costs(surface, Halfedge(0), glm::vec3(0.0F)));
+  const simplify::Surface surface(build_mesh(std::move(hub)).mesh, {});
+  EXPECT_FALSE(simplify::plane_costs(surface, Halfedge(0), glm::vec3(0.0F)));
 }
 
 }  // namespace

@@ -28,17 +28,17 @@ std::uint32_t components(const Mesh& mesh) {
 
 TEST(Prune, SmallPartsAreRemovedInFavorOfTheRest) {
   const Mesh mesh = built(torus_with_specks(40, 0.02F)).mesh;
-  const SimplifyOptions options{.target_faces = 200};
-  const Simplified plain = simplify(Mesh(mesh), options);
-  const Simplified result = simplify_pruned(Mesh(mesh), options);
+  const simplify::SimplifyOptions options{.target_faces = 200};
+  const simplify::Simplified plain = simplify::simplify(Mesh(mesh), options);
+  const simplify::Simplified result = simplify::simplify_pruned(Mesh(mesh), options);
   expect_valid(result.mesh);
-  const SimplifyReport& report = result.report;
+  const simplify::SimplifyReport& report = result.report;
   EXPECT_EQ(report.pruned_parts, 40U);
   EXPECT_EQ(report.pruned_faces, 480U);
   EXPECT_NEAR(report.largest_pruned, 0.02 * std::sqrt(3.0), 1e-5);
   EXPECT_EQ(report.error_unpruned, plain.report.estimated_error);
   EXPECT_LT(report.largest_pruned, report.error_unpruned);
-  EXPECT_EQ(report.reason, StopReason::target_reached);
+  EXPECT_EQ(report.reason, simplify::StopReason::target_reached);
   EXPECT_EQ(report.faces_before, mesh.face_count());
   EXPECT_EQ(report.vertices_before, mesh.vertex_count());
   EXPECT_EQ(result.mesh.face_count(), 200U);
@@ -55,41 +55,46 @@ TEST(Prune, ErrorIncludesPrunedParts) {
   for (int i = 0; i < 30; ++i)
     soup = join(std::move(soup), plate, {0.0F, 0.0F, 2.0F + 0.2F * float(i)});
   const Mesh mesh = built(std::move(soup)).mesh;
-  const Simplified result = simplify_pruned(Mesh(mesh), {.target_faces = 12});
+  const simplify::Simplified result = simplify::simplify_pruned(Mesh(mesh), {.target_faces = 12});
   ASSERT_GT(result.report.pruned_parts, 0U);
-  const double forward = surface_distance(mesh, result.mesh, {.samples = 50'000}).forward.rms;
+  const double forward =
+      analysis::surface_distance(mesh, result.mesh, {.samples = 50'000}).forward.rms;
   EXPECT_NEAR(result.report.estimated_error / forward, 1.0, 0.3);
 }
 
 TEST(Prune, NothingIsPrunedWhenTheErrorIsSmaller) {
   const Mesh mesh = built(torus_with_specks(40, 0.02F)).mesh;
-  const SimplifyOptions options{.target_faces = 4'000};
-  const Simplified result = simplify_pruned(Mesh(mesh), options);
+  const simplify::SimplifyOptions options{.target_faces = 4'000};
+  const simplify::Simplified result = simplify::simplify_pruned(Mesh(mesh), options);
   EXPECT_EQ(result.report.pruned_parts, 0U);
   EXPECT_EQ(result.report.pruned_faces, 0U);
-  EXPECT_TRUE(is_identical(result.mesh, simplify(Mesh(mesh), options).mesh));
+  EXPECT_TRUE(is_identical(result.mesh, simplify::simplify(Mesh(mesh), options).mesh));
 }
 
 TEST(Prune, LargestPartIsKept) {
   for (const std::uint32_t target : {0U, 4U}) {
     const Mesh mesh = built(torus_with_specks(10, 0.02F)).mesh;
-    const Simplified result = simplify_pruned(Mesh(mesh), {.target_faces = target});
+    const simplify::Simplified result =
+        simplify::simplify_pruned(Mesh(mesh), {.target_faces = target});
     EXPECT_GE(result.mesh.face_count(), 4U);
     EXPECT_EQ(components(result.mesh), 1U);
   }
   const Mesh alone = built(torus(20, 12)).mesh;
-  const Simplified result = simplify_pruned(Mesh(alone), {.target_faces = 20});
-  EXPECT_TRUE(is_identical(result.mesh, simplify(Mesh(alone), {.target_faces = 20}).mesh));
-  EXPECT_EQ(simplify_pruned(Mesh(), {}).report.reason, StopReason::already_there);
+  const simplify::Simplified result = simplify::simplify_pruned(Mesh(alone), {.target_faces = 20});
+  EXPECT_TRUE(
+      is_identical(result.mesh, simplify::simplify(Mesh(alone), {.target_faces = 20}).mesh));
+  EXPECT_EQ(simplify::simplify_pruned(Mesh(), {}).report.reason,
+            simplify::StopReason::already_there);
 }
 
 /// Only the specks are removed. The ids must then lead to the positions and corners of the input.
 TEST(Prune, IdsMapToTheInput) {
   const Mesh mesh = built(specks_before_torus()).mesh;
-  const Simplified result = simplify_pruned(Mesh(mesh), {.target_faces = 4'800});
+  const simplify::Simplified result =
+      simplify::simplify_pruned(Mesh(mesh), {.target_faces = 4'800});
   ASSERT_EQ(result.report.pruned_parts, 40U);
   ASSERT_EQ(result.report.collapses, 0U);
-  EXPECT_EQ(result.report.reason, StopReason::target_reached);
+  EXPECT_EQ(result.report.reason, simplify::StopReason::target_reached);
   ASSERT_EQ(result.vertex_source.size(), result.mesh.vertex_count());
   ASSERT_EQ(result.face_source.size(), result.mesh.face_count());
   for (std::uint32_t v = 0; v < result.mesh.vertex_count(); ++v)
@@ -109,9 +114,11 @@ TEST(Prune, AttributesFollowTheRemainingParts) {
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
     attributes.texcoord.push_back({float(mesh.origin(Halfedge(h)).index()), 0.0F});
   for (const std::uint32_t target : {4'800U, 300U}) {
-    const Simplified result = simplify_pruned(Mesh(mesh), {.target_faces = target});
+    const simplify::Simplified result =
+        simplify::simplify_pruned(Mesh(mesh), {.target_faces = target});
     ASSERT_EQ(result.report.pruned_parts, 40U) << target;
-    const CarriedAttributes carried = carry_attributes(attributes, mesh.origins(), result);
+    const simplify::CarriedAttributes carried =
+        simplify::carry_attributes(attributes, mesh.origins(), result);
     ASSERT_EQ(carried.attributes.group.size(), result.mesh.face_count());
     for (std::uint32_t f = 0; f < result.mesh.face_count(); ++f)
       ASSERT_EQ(carried.attributes.group[f], 1 + result.face_source[f].index() % 5);
@@ -126,7 +133,8 @@ TEST(Prune, KeepsSharpnessOfTheRemainingParts) {
     mesh.set_sharpness(mesh.edge(Halfedge(h)), 2.0F);
   mesh.set_sharpness(Vertex(500), 3.0F);
   const std::uint32_t creases = statistics(mesh).crease_edges;
-  const Simplified result = simplify_pruned(Mesh(mesh), {.target_faces = 4'800});
+  const simplify::Simplified result =
+      simplify::simplify_pruned(Mesh(mesh), {.target_faces = 4'800});
   ASSERT_EQ(result.report.pruned_parts, 40U);
   EXPECT_EQ(statistics(result.mesh).crease_edges, creases);
   EXPECT_EQ(result.mesh.sharpness(Vertex(500 - 320)), 3.0F);
@@ -142,14 +150,14 @@ TEST(Prune, PartsThatTouchAtABowTieCountAsOne) {
   const Mesh touching = built(bow_tie({plate, small})).mesh;
   ASSERT_EQ(components(touching), 2U);
   ASSERT_EQ(touching.bow_tie_copies().size(), 2U);
-  const Simplified kept = simplify_pruned(Mesh(touching), {.target_faces = 20});
+  const simplify::Simplified kept = simplify::simplify_pruned(Mesh(touching), {.target_faces = 20});
   expect_valid(kept.mesh);
   EXPECT_EQ(kept.report.pruned_parts, 0U);
   EXPECT_EQ(kept.mesh.bow_tie_copies().size(), 2U);
 
   const Mesh apart = built(join(plate, bow_tie({small, small}), {20.0F, 20.0F, 0.5F})).mesh;
   ASSERT_EQ(components(apart), 3U);
-  const Simplified pruned = simplify_pruned(Mesh(apart), {.target_faces = 20});
+  const simplify::Simplified pruned = simplify::simplify_pruned(Mesh(apart), {.target_faces = 20});
   expect_valid(pruned.mesh);
   EXPECT_EQ(pruned.report.pruned_parts, 1U);
   EXPECT_EQ(pruned.report.pruned_faces, 24U);
@@ -163,7 +171,7 @@ TEST(Prune, KeepsIsolatedVertices) {
   keep.keep_isolated_vertices = true;
   const Mesh mesh = built(std::move(soup), keep).mesh;
   ASSERT_EQ(statistics(mesh).isolated_vertices, 1U);
-  const Simplified result = simplify_pruned(Mesh(mesh), {.target_faces = 100});
+  const simplify::Simplified result = simplify::simplify_pruned(Mesh(mesh), {.target_faces = 100});
   EXPECT_EQ(result.report.pruned_parts, 20U);
   EXPECT_EQ(statistics(result.mesh).isolated_vertices, 1U);
   EXPECT_EQ(result.vertex_source.back(), Vertex(mesh.vertex_count() - 1));
@@ -173,19 +181,20 @@ TEST(Prune, CertifiedBoundCoversTheWholeInput) {
   Soup soup = torus_with_specks(40, 0.02F);
   soup = join(std::move(soup), scaled(cube(), 0.02F), {0.0F, 0.0F, 3.0F});  // far from the rest
   const Mesh mesh = built(std::move(soup)).mesh;
-  const Simplified result = simplify_pruned(Mesh(mesh), {.target_faces = 200, .certifies = true});
+  const simplify::Simplified result =
+      simplify::simplify_pruned(Mesh(mesh), {.target_faces = 200, .certifies = true});
   ASSERT_EQ(result.report.pruned_parts, 41U);
-  const double max = surface_distance(mesh, result.mesh).two_sided().max;
+  const double max = analysis::surface_distance(mesh, result.mesh).two_sided().max;
   EXPECT_GT(max, 2.0) << "the distance of the cube";
   EXPECT_GE(result.report.certified_bound, max);
 }
 
 TEST(Prune, SameBytesForAnyThreadCount) {
   const Mesh mesh = built(torus_with_specks(40, 0.02F)).mesh;
-  std::vector<Simplified> results;
+  std::vector<simplify::Simplified> results;
   for (const unsigned threads : {1U, 3U}) {
     const ThreadLimit limit(threads);
-    results.push_back(simplify_pruned(Mesh(mesh), {.target_faces = 200}));
+    results.push_back(simplify::simplify_pruned(Mesh(mesh), {.target_faces = 200}));
   }
   EXPECT_TRUE(is_identical(results[0].mesh, results[1].mesh));
   EXPECT_EQ(results[0].report.estimated_error, results[1].report.estimated_error);

@@ -89,8 +89,9 @@ double folded_share(const Mesh& mesh) {
   return all > 0.0 ? folded / all : 0.0;
 }
 
-void expect_no_harmful_folds(const Mesh& before, const Mesh& after, CostPolicy policy) {
-  if (policy != CostPolicy::quadric && policy != CostPolicy::accumulated_quadric) {
+void expect_no_harmful_folds(const Mesh& before, const Mesh& after, simplify::CostPolicy policy) {
+  if (policy != simplify::CostPolicy::quadric &&
+      policy != simplify::CostPolicy::accumulated_quadric) {
     EXPECT_LE(count_folds(after), count_folds(before));
     return;
   }
@@ -99,12 +100,12 @@ void expect_no_harmful_folds(const Mesh& before, const Mesh& after, CostPolicy p
   EXPECT_LE(folded_share(after), folded_share(before) + 0.02);
 }
 
-Mesh replay(Mesh mesh, std::span<const CollapseRecord> records,
+Mesh replay(Mesh mesh, std::span<const simplify::CollapseRecord> records,
             const std::function<void(const Mesh&, std::size_t)>& after_each) {
   IdTracker vertices(mesh.vertex_count());
   IdTracker faces(mesh.face_count());
   std::size_t done = 0;
-  for (const CollapseRecord& record : records) {
+  for (const simplify::CollapseRecord& record : records) {
     const Halfedge h = Mesh::halfedge(Face(faces.now(Mesh::face(record.halfedge).index())),
                                       Mesh::corner(record.halfedge));
     const Vertex removed(vertices.now(record.removed.index()));

@@ -29,16 +29,17 @@ Mesh bumpy_torus(std::uint32_t n, std::uint32_t m) {
 TEST(Simplify, SameBytesForAnyThreadCount) {
   // The mesh is large enough for several regions per round.
   const Mesh mesh = bumpy_torus(260, 120);
-  for (std::size_t p = 0; p < kCostPolicies.size(); ++p) {
-    SCOPED_TRACE(key(static_cast<CostPolicy>(p)));
-    std::optional<Simplified> first;
-    Array<CollapseRecord> first_records;
+  for (std::size_t p = 0; p < simplify::kCostPolicies.size(); ++p) {
+    SCOPED_TRACE(key(static_cast<simplify::CostPolicy>(p)));
+    std::optional<simplify::Simplified> first;
+    Array<simplify::CollapseRecord> first_records;
     for (const unsigned threads : {1U, 2U, 5U}) {
       const ThreadLimit limit(threads);
-      CollapseRecorder recorder;
-      Simplified result = simplify(
-          Mesh(mesh),
-          {.target_faces = 1'000, .cost = static_cast<CostPolicy>(p), .observer = &recorder});
+      simplify::CollapseRecorder recorder;
+      simplify::Simplified result =
+          simplify::simplify(Mesh(mesh), {.target_faces = 1'000,
+                                          .cost = static_cast<simplify::CostPolicy>(p),
+                                          .observer = &recorder});
       if (!first) {
         first = std::move(result);
         first_records = recorder.records();
@@ -58,8 +59,9 @@ TEST(Simplify, SameBytesForAnyThreadCount) {
 
 TEST(Simplify, RecordsOfManyRegionsAreLegalInSequence) {
   const Mesh mesh = bumpy_torus(150, 80);
-  CollapseRecorder recorder;
-  const Simplified result = simplify(Mesh(mesh), {.target_faces = 400, .observer = &recorder});
+  simplify::CollapseRecorder recorder;
+  const simplify::Simplified result =
+      simplify::simplify(Mesh(mesh), {.target_faces = 400, .observer = &recorder});
   const Mesh replayed = replay(Mesh(mesh), recorder.records(), [](const Mesh&, std::size_t) {});
   expect_valid(replayed);
   EXPECT_TRUE(is_same_surface(replayed, result.mesh));
@@ -68,41 +70,44 @@ TEST(Simplify, RecordsOfManyRegionsAreLegalInSequence) {
 TEST(Simplify, ReachesOddTargetsOnMeshesWithBoundary) {
   const Mesh sheet = built(grid(20)).mesh;
   for (const std::uint32_t target : {701U, 700U, 333U, 100U, 57U, 56U, 3U, 2U}) {
-    const Simplified result = simplify(Mesh(sheet), {.target_faces = target});
+    const simplify::Simplified result = simplify::simplify(Mesh(sheet), {.target_faces = target});
     EXPECT_EQ(result.mesh.face_count(), target);
-    EXPECT_EQ(result.report.reason, StopReason::target_reached);
+    EXPECT_EQ(result.report.reason, simplify::StopReason::target_reached);
     expect_valid(result.mesh);
   }
   const Mesh closed = bumpy_torus(12, 9);
-  EXPECT_EQ(simplify(Mesh(closed), {.target_faces = 101}).mesh.face_count(), 100U);
+  EXPECT_EQ(simplify::simplify(Mesh(closed), {.target_faces = 101}).mesh.face_count(), 100U);
 }
 
 TEST(Simplify, ReportsRequestedAndReachedFaces) {
   const Mesh mesh = bumpy_torus(12, 9);
-  const Simplified none = simplify(Mesh(mesh), {.target_faces = 1'000});
-  EXPECT_EQ(none.report.reason, StopReason::already_there);
+  const simplify::Simplified none = simplify::simplify(Mesh(mesh), {.target_faces = 1'000});
+  EXPECT_EQ(none.report.reason, simplify::StopReason::already_there);
   EXPECT_TRUE(is_identical(none.mesh, mesh));
   EXPECT_EQ(none.report.collapses, 0U);
   EXPECT_EQ(none.report.estimated_error, 0.0);
 
-  const Simplified all = simplify(Mesh(mesh), {.target_faces = 0});
-  EXPECT_EQ(all.report.reason, StopReason::no_legal_collapse);
+  const simplify::Simplified all = simplify::simplify(Mesh(mesh), {.target_faces = 0});
+  EXPECT_EQ(all.report.reason, simplify::StopReason::no_legal_collapse);
   EXPECT_EQ(all.report.faces_before, 216U);
   EXPECT_EQ(all.report.faces_asked, 0U);
   EXPECT_GE(all.report.faces_reached, 14U) << "no torus has fewer faces (Moebius torus)";
   EXPECT_LT(all.report.faces_reached, 40U);
-  EXPECT_GT(all.report[Rejection::link_condition], 0U);
+  EXPECT_GT(all.report[simplify::Rejection::link_condition], 0U);
   EXPECT_GT(all.report.estimated_error, 0.0);
   EXPECT_LT(all.report.measured_error, 0.0) << "no bound was requested";
   EXPECT_GT(all.report.seconds.total(), 0.0);
 }
 
 TEST(Simplify, LeavesEmptyMeshAndIsolatedVerticesUnchanged) {
-  EXPECT_EQ(simplify(Mesh(), {.target_faces = 0}).report.reason, StopReason::already_there);
+  EXPECT_EQ(simplify::simplify(Mesh(), {.target_faces = 0}).report.reason,
+            simplify::StopReason::already_there);
   Soup soup = join(torus(12, 9), soup_of({{9, 9, 9}, {8, 8, 8}}, {}));
   const Mesh mesh = built(std::move(soup), {.keep_isolated_vertices = true}).mesh;
-  for (const ResultOrder order : {ResultOrder::input, ResultOrder::fill_holes}) {
-    const Simplified result = simplify(Mesh(mesh), {.target_faces = 50, .order = order});
+  for (const simplify::ResultOrder order :
+       {simplify::ResultOrder::input, simplify::ResultOrder::fill_holes}) {
+    const simplify::Simplified result =
+        simplify::simplify(Mesh(mesh), {.target_faces = 50, .order = order});
     expect_valid(result.mesh);
     std::uint32_t isolated = 0;
     for (std::uint32_t v = 0; v < result.mesh.vertex_count(); ++v)
@@ -116,11 +121,11 @@ TEST(Simplify, DistantIsolatedVertexDoesNotChangeTheScale) {
   const Mesh with_far = built(join(torus(60, 40), soup_of({{1e30F, 1e30F, 1e30F}}, {})),
                               {.keep_isolated_vertices = true})
                             .mesh;
-  const Simplified result = simplify(Mesh(with_far), {.target_faces = 300});
+  const simplify::Simplified result = simplify::simplify(Mesh(with_far), {.target_faces = 300});
   EXPECT_EQ(result.mesh.face_count(), 300U);
   EXPECT_LE(count_folds(result.mesh), count_folds(near));
   EXPECT_NEAR(result.report.estimated_error,
-              simplify(Mesh(near), {.target_faces = 300}).report.estimated_error, 0.01);
+              simplify::simplify(Mesh(near), {.target_faces = 300}).report.estimated_error, 0.01);
 }
 
 TEST(Simplify, EndpointPlacementUsesOnlyInputPositions) {
@@ -132,8 +137,9 @@ TEST(Simplify, EndpointPlacementUsesOnlyInputPositions) {
     MeshArrays arrays = MeshArrays::take(Mesh(mesh));
     for (glm::vec3& p : arrays.position)
       p *= scale;
-    const Simplified result = simplify(std::move(arrays).finish(),
-                                       {.target_faces = 300, .placement = Placement::endpoint});
+    const simplify::Simplified result =
+        simplify::simplify(std::move(arrays).finish(),
+                           {.target_faces = 300, .placement = simplify::Placement::endpoint});
     EXPECT_EQ(result.mesh.face_count(), 300U);
     for (const glm::vec3& p : result.mesh.positions())
       EXPECT_TRUE(input.contains({p.x / scale, p.y / scale, p.z / scale}));
@@ -142,12 +148,13 @@ TEST(Simplify, EndpointPlacementUsesOnlyInputPositions) {
 
 TEST(Simplify, DoesNotDependOnScaleOrPosition) {
   const Mesh mesh = bumpy_torus(40, 30);
-  const Simplified plain = simplify(Mesh(mesh), {.target_faces = 200});
+  const simplify::Simplified plain = simplify::simplify(Mesh(mesh), {.target_faces = 200});
   for (const float scale : {0x1p-60F, 0x1p-20F, 0x1p8F, 0x1p55F}) {
     MeshArrays arrays = MeshArrays::take(Mesh(mesh));
     for (glm::vec3& p : arrays.position)
       p *= scale;
-    const Simplified scaled = simplify(std::move(arrays).finish(), {.target_faces = 200});
+    const simplify::Simplified scaled =
+        simplify::simplify(std::move(arrays).finish(), {.target_faces = 200});
     ASSERT_EQ(scaled.mesh.vertex_count(), plain.mesh.vertex_count());
     EXPECT_NEAR(scaled.report.estimated_error / double{scale}, plain.report.estimated_error,
                 1e-3 * plain.report.estimated_error);
@@ -157,39 +164,43 @@ TEST(Simplify, DoesNotDependOnScaleOrPosition) {
 TEST(Simplify, KeepsTheVolumeOfAClosedSurface) {
   const Mesh mesh = bumpy_torus(100, 60);
   const double before = statistics(mesh).volume;
-  const double after = statistics(simplify(Mesh(mesh), {.target_faces = 600}).mesh).volume;
+  const double after =
+      statistics(simplify::simplify(Mesh(mesh), {.target_faces = 600}).mesh).volume;
   EXPECT_NEAR(after / before, 1.0, 0.01);
   const double midpoints =
-      statistics(simplify(Mesh(mesh), {.target_faces = 600, .placement = Placement::midpoint}).mesh)
+      statistics(simplify::simplify(
+                     Mesh(mesh), {.target_faces = 600, .placement = simplify::Placement::midpoint})
+                     .mesh)
           .volume;
   EXPECT_GT(std::abs(midpoints - before), 3.0 * std::abs(after - before));
 }
 
 TEST(Simplify, ReportsProgressAndStopsWhenCanceled) {
-  class Canceller : public CollapseObserver {
+  class Canceller : public simplify::CollapseObserver {
    public:
     explicit Canceller(Progress& progress) : progress_(progress) {}
-    void collapsed(std::span<const CollapseRecord>) override { progress_.cancel(); }
+    void collapsed(std::span<const simplify::CollapseRecord>) override { progress_.cancel(); }
 
    private:
     Progress& progress_;
   };
   Progress progress;
   Canceller canceller(progress);
-  EXPECT_THROW(static_cast<void>(
-                   simplify(bumpy_torus(260, 120),
-                            {.target_faces = 100, .observer = &canceller, .progress = &progress})),
+  EXPECT_THROW(static_cast<void>(simplify::simplify(
+                   bumpy_torus(260, 120),
+                   {.target_faces = 100, .observer = &canceller, .progress = &progress})),
                Cancelled);
   Progress whole;
-  static_cast<void>(simplify(bumpy_torus(60, 40), {.target_faces = 100, .progress = &whole}));
+  static_cast<void>(
+      simplify::simplify(bumpy_torus(60, 40), {.target_faces = 100, .progress = &whole}));
   EXPECT_GT(whole.fraction(), 0.9F);
 }
 
 TEST(Simplify, EstimatedErrorIsNearTheMeasuredDistance) {
   const Mesh mesh = bumpy_torus(120, 80);
   for (const std::uint32_t target : {4'000U, 1'000U, 300U}) {
-    const Simplified result = simplify(Mesh(mesh), {.target_faces = target});
-    const double measured = surface_distance(mesh, result.mesh).two_sided().rms;
+    const simplify::Simplified result = simplify::simplify(Mesh(mesh), {.target_faces = target});
+    const double measured = analysis::surface_distance(mesh, result.mesh).two_sided().rms;
     EXPECT_GT(result.report.estimated_error, 0.5 * measured);
     EXPECT_LT(result.report.estimated_error, 2.0 * measured);
   }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/mesh/build.h"
+#include "engine/mesh/build/build.h"
 #include "engine/mesh/collapse.h"
 #include "tests/support/meshes.h"
 
@@ -11,19 +11,19 @@ namespace {
 
 constexpr std::size_t kSamples = 400;
 
-Surface surface_of(Soup soup) {
-  return Surface(build_mesh(std::move(soup)).mesh, {});
+simplify::Surface surface_of(Soup soup) {
+  return simplify::Surface(build_mesh(std::move(soup)).mesh, {});
 }
 
 struct Asked {
-  Fan fan;
-  Candidate candidate;
+  simplify::Fan fan;
+  simplify::Candidate candidate;
   float correction = 0.0F;
 };
 
 /// Evaluates the collapse of `h` to the position `p`, for which the quadric costs `cost`.
-Asked ask(TrackedSamples& tracked, const Surface& surface, Halfedge h, const glm::vec3& p,
-          float cost) {
+Asked ask(simplify::TrackedSamples& tracked, const simplify::Surface& surface, Halfedge h,
+          const glm::vec3& p, float cost) {
   Asked asked;
   asked.candidate = {cost, cost, p};
   EXPECT_TRUE(asked.fan.gather(surface, h, 64));
@@ -46,9 +46,9 @@ glm::vec3 midpoint(const Mesh& mesh, Halfedge h) {
 }
 
 TEST(TrackedSamples, FlatCollapseCostsNothing) {
-  const Surface surface = surface_of(grid(6));
-  const ErrorSamples samples(surface, kSamples);
-  TrackedSamples tracked(surface, samples);
+  const simplify::Surface surface = surface_of(grid(6));
+  const simplify::ErrorSamples samples(surface, kSamples);
+  simplify::TrackedSamples tracked(surface, samples);
   const Halfedge h = inner_edge(surface.mesh());
   const Asked asked = ask(tracked, surface, h, midpoint(surface.mesh(), h), 1.0F);
   // The correction removes most of the quadric cost, in proportion to the number of points, but
@@ -58,9 +58,9 @@ TEST(TrackedSamples, FlatCollapseCostsNothing) {
 }
 
 TEST(TrackedSamples, AddTheDistanceThatPlanesMiss) {
-  const Surface surface = surface_of(grid(6));
-  const ErrorSamples samples(surface, kSamples);
-  TrackedSamples tracked(surface, samples);
+  const simplify::Surface surface = surface_of(grid(6));
+  const simplify::ErrorSamples samples(surface, kSamples);
+  simplify::TrackedSamples tracked(surface, samples);
   const Halfedge h = inner_edge(surface.mesh());
   const glm::vec3 above = midpoint(surface.mesh(), h) + glm::vec3(0.0F, 0.0F, 0.5F);
   const float low = ask(tracked, surface, h, above, 0.0F).correction;
@@ -70,9 +70,9 @@ TEST(TrackedSamples, AddTheDistanceThatPlanesMiss) {
 }
 
 TEST(TrackedSamples, RememberDistanceAlreadyLost) {
-  Surface surface = surface_of(grid(6));
-  const ErrorSamples samples(surface, kSamples);
-  TrackedSamples tracked(surface, samples);
+  simplify::Surface surface = surface_of(grid(6));
+  const simplify::ErrorSamples samples(surface, kSamples);
+  simplify::TrackedSamples tracked(surface, samples);
   const Halfedge h = inner_edge(surface.mesh());
   const glm::vec3 flat = midpoint(surface.mesh(), h);
   const glm::vec3 above = flat + glm::vec3(0.0F, 0.0F, 0.5F);
@@ -85,9 +85,9 @@ TEST(TrackedSamples, RememberDistanceAlreadyLost) {
 }
 
 TEST(TrackedSamples, HaveNoEffectWithoutPoints) {
-  const Surface surface = surface_of(grid(6));
-  const ErrorSamples none(surface, 0);
-  TrackedSamples tracked(surface, none);
+  const simplify::Surface surface = surface_of(grid(6));
+  const simplify::ErrorSamples none(surface, 0);
+  simplify::TrackedSamples tracked(surface, none);
   const Halfedge h = inner_edge(surface.mesh());
   EXPECT_EQ(ask(tracked, surface, h, midpoint(surface.mesh(), h), 1.0F).correction, 0.0F);
 }

@@ -15,20 +15,22 @@ namespace {
 using Triangle = std::array<glm::dvec3, 3>;
 
 /// Squared distances to four triangles, one per lane.
-Float4 squared_distances_of(const glm::dvec3& p, const std::array<Triangle, 4>& triangles) {
-  TriangleLanes lanes{};
-  const auto set = [](Vec3<Float4>& to, std::size_t lane, const glm::dvec3& v) {
-    set_lane(to, lane, {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
+simplify::Float4 squared_distances_of(const glm::dvec3& p,
+                                      const std::array<Triangle, 4>& triangles) {
+  simplify::TriangleLanes lanes{};
+  const auto set = [](simplify::Vec3<simplify::Float4>& to, std::size_t lane, const glm::dvec3& v) {
+    simplify::set_lane(to, lane,
+                       {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
   };
   for (std::size_t lane = 0; lane < 4; ++lane) {
     set(lanes.a, lane, triangles[lane][0]);
     set(lanes.b, lane, triangles[lane][1]);
     set(lanes.c, lane, triangles[lane][2]);
   }
-  Vec3<Float4> point{};
+  simplify::Vec3<simplify::Float4> point{};
   for (std::size_t lane = 0; lane < 4; ++lane)
     set(point, lane, p);
-  return squared_distances(point, lanes);
+  return simplify::squared_distances(point, lanes);
 }
 
 class RandomTriangles {
@@ -53,9 +55,9 @@ TEST(TriangleLanes, AgreeWithDoublePrecision) {
     const std::array<Triangle, 4> four{random.triangle(), random.triangle(), random.triangle(),
                                        random.needle()};
     const glm::dvec3 p = random.point();
-    const Float4 found = squared_distances_of(p, four);
+    const simplify::Float4 found = squared_distances_of(p, four);
     for (std::size_t lane = 0; lane < 4; ++lane)
-      ASSERT_NEAR(double{found[lane]}, squared_distance(p, four[lane]), 2e-5) << i;
+      ASSERT_NEAR(double{found[lane]}, analysis::squared_distance(p, four[lane]), 2e-5) << i;
   }
 }
 
@@ -69,10 +71,10 @@ TEST(TriangleLanes, PointOnTheTriangleHasZeroDistance) {
 TEST(TriangleLanes, ZeroAreaTriangleMeasuresToItsSides) {
   const Triangle line{glm::dvec3(0, 0, 0), glm::dvec3(2, 0, 0), glm::dvec3(1, 0, 0)};
   const Triangle dot{glm::dvec3(1, 1, 1), glm::dvec3(1, 1, 1), glm::dvec3(1, 1, 1)};
-  const Float4 found = squared_distances_of({1, 3, 0}, {line, dot, line, dot});
+  const simplify::Float4 found = squared_distances_of({1, 3, 0}, {line, dot, line, dot});
   EXPECT_FLOAT_EQ(found[0], 9.0F);
   EXPECT_FLOAT_EQ(found[1], 5.0F);
-  EXPECT_FLOAT_EQ(least_of(found), 5.0F);
+  EXPECT_FLOAT_EQ(simplify::least_of(found), 5.0F);
 }
 
 }  // namespace

@@ -57,7 +57,8 @@ const Layers& layers() {
 /// Declarations that C++ and GLSL share. They belong to no layer.
 constexpr std::string_view kSharedWithShaders = "shaders/shared/";
 
-/// "engine/mesh/build.cpp" -> "mesh", "app/ui/panel.h" -> "ui"; empty: the file is in no layer.
+/// "engine/mesh/build/build.cpp" -> "mesh", "app/ui/panel.h" -> "ui"; empty: the file is in no
+/// layer.
 std::string layer(std::string_view path) {
   for (const std::string_view root : {"engine/", "app/"}) {
     if (!path.starts_with(root)) continue;

@@ -47,7 +47,7 @@ TEST(Names, NoTypeIsDefinedTwice) {
   const auto files = files_by_type(source_files({"engine", "app"}, {".h", ".cpp"}));
   ASSERT_GT(files.size(), 150U);
   ASSERT_TRUE(files.contains("mesher::Mesh"));
-  ASSERT_TRUE(files.contains("mesher::VertexState"));
+  ASSERT_TRUE(files.contains("mesher::simplify::VertexState"));
   for (const auto& [type, paths] : files)
     EXPECT_EQ(paths.size(), 1U) << type << ": " << *paths.begin() << ", " << *paths.rbegin();
 }

@@ -28,7 +28,7 @@ Attributes two_faces() {
 }
 
 TEST(SubdivideAttributes, TexcoordsAreBisectedWithinEachFace) {
-  const Attributes fine = subdivide_attributes(two_faces(), 1);
+  const Attributes fine = subdivide::subdivide_attributes(two_faces(), 1);
   ASSERT_EQ(fine.texcoord.size(), 24U);
   EXPECT_EQ(fine.texcoord[a], glm::vec2(0, 0));
   EXPECT_EQ(fine.texcoord[b], glm::vec2(1, 0));
@@ -46,8 +46,8 @@ TEST(SubdivideAttributes, SeamsRemainSeams) {
       built(soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {0, 1, 2, 1, 3, 2})).mesh;
   const Halfedge seam = mesh.find_halfedge(Vertex(1), Vertex(2));
   ASSERT_TRUE(mesh.twin(seam).is_valid());
-  Mesh fine = subdivide(mesh, {.levels = 3}).mesh;
-  const Attributes attributes = subdivide_attributes(two_faces(), 3);
+  Mesh fine = subdivide::subdivide(mesh, {.levels = 3}).mesh;
+  const Attributes attributes = subdivide::subdivide_attributes(two_faces(), 3);
   ASSERT_EQ(attributes.texcoord.size(), fine.halfedge_count());
   std::uint32_t at_seam = 0;
   for (std::uint32_t i = 0; i < fine.halfedge_count(); ++i) {
@@ -68,21 +68,22 @@ TEST(SubdivideAttributes, MatchPositionsUnderMidpointSubdivision) {
   const auto flat = [](const Mesh& m, Halfedge h) { return glm::vec2(m.position(m.origin(h))); };
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
     attributes.texcoord.push_back(flat(mesh, Halfedge(h)));
-  const Mesh fine = subdivide(mesh, {.levels = 2, .scheme = Scheme::midpoint}).mesh;
-  const Attributes carried = subdivide_attributes(attributes, 2);
+  const Mesh fine =
+      subdivide::subdivide(mesh, {.levels = 2, .scheme = subdivide::Scheme::midpoint}).mesh;
+  const Attributes carried = subdivide::subdivide_attributes(attributes, 2);
   for (std::uint32_t h = 0; h < fine.halfedge_count(); ++h)
     EXPECT_EQ(carried.texcoord[h], flat(fine, Halfedge(h))) << h;
 }
 
 TEST(SubdivideAttributes, ColorsAreAveragedAndRoundedUp) {
-  const Attributes fine = subdivide_attributes(two_faces(), 1);
+  const Attributes fine = subdivide::subdivide_attributes(two_faces(), 1);
   EXPECT_EQ(fine.color[b], glm::u8vec4(13, 20, 255, 0));
   EXPECT_EQ(fine.color[ab], glm::u8vec4(12, 20, 143, 128));  // from 11.5, 20, 142.5 and 127.5
   EXPECT_EQ(fine.color[ca], glm::u8vec4(10, 20, 30, 255));
 }
 
 TEST(SubdivideAttributes, ChildrenInheritTheirGroup) {
-  const Attributes fine = subdivide_attributes(two_faces(), 2);
+  const Attributes fine = subdivide::subdivide_attributes(two_faces(), 2);
   ASSERT_EQ(fine.group.size(), 32U);
   for (std::size_t f = 0; f < fine.group.size(); ++f)
     EXPECT_EQ(fine.group[f], f < 16 ? 1U : 0U) << f;
@@ -90,8 +91,8 @@ TEST(SubdivideAttributes, ChildrenInheritTheirGroup) {
 }
 
 TEST(SubdivideAttributes, NormalsAreDroppedUnlessNothingIsSubdivided) {
-  EXPECT_TRUE(subdivide_attributes(two_faces(), 1).normal.empty());
-  const Attributes same = subdivide_attributes(two_faces(), 0);
+  EXPECT_TRUE(subdivide::subdivide_attributes(two_faces(), 1).normal.empty());
+  const Attributes same = subdivide::subdivide_attributes(two_faces(), 0);
   EXPECT_TRUE(same.normal == two_faces().normal);
   EXPECT_TRUE(same.texcoord == two_faces().texcoord);
   EXPECT_TRUE(same.color == two_faces().color);
@@ -100,7 +101,7 @@ TEST(SubdivideAttributes, NormalsAreDroppedUnlessNothingIsSubdivided) {
 TEST(SubdivideAttributes, MissingCornerValuesGiveMissingMidpoints) {
   Attributes attributes = two_faces();
   attributes.texcoord[1] = glm::vec2(std::numeric_limits<float>::quiet_NaN());
-  const Attributes fine = subdivide_attributes(attributes, 1);
+  const Attributes fine = subdivide::subdivide_attributes(attributes, 1);
   for (const std::size_t corner : {b, ab, bc})
     EXPECT_TRUE(std::isnan(fine.texcoord[corner].x)) << corner;
   for (const std::size_t corner : {a, c, ca})
@@ -108,7 +109,7 @@ TEST(SubdivideAttributes, MissingCornerValuesGiveMissingMidpoints) {
 }
 
 TEST(SubdivideAttributes, EmptyAttributesStayEmpty) {
-  EXPECT_TRUE(subdivide_attributes({}, 3).is_empty());
+  EXPECT_TRUE(subdivide::subdivide_attributes({}, 3).is_empty());
 }
 
 TEST(SubdividedAttributes, SizeIsThatOfTheResultAndThePreviousLevel) {
@@ -116,10 +117,10 @@ TEST(SubdividedAttributes, SizeIsThatOfTheResultAndThePreviousLevel) {
   attributes.texcoord.assign(6, glm::vec2(0.0F));
   attributes.color.assign(6, glm::u8vec4(0));
   attributes.group.assign(2, 0);
-  EXPECT_EQ(subdivided_attribute_bytes(attributes, 0), 0U);
+  EXPECT_EQ(subdivide::subdivided_attribute_bytes(attributes, 0), 0U);
   constexpr std::size_t kBytes = 6 * 8 + 6 * 4 + 2 * 4;
-  EXPECT_EQ(subdivided_attribute_bytes(attributes, 1), 5 * kBytes);
-  EXPECT_EQ(subdivided_attribute_bytes(attributes, 3), 80 * kBytes);
+  EXPECT_EQ(subdivide::subdivided_attribute_bytes(attributes, 1), 5 * kBytes);
+  EXPECT_EQ(subdivide::subdivided_attribute_bytes(attributes, 3), 80 * kBytes);
 }
 
 }  // namespace

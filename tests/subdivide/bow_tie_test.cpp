@@ -23,12 +23,14 @@ std::vector<const Model*> models_with_bow_ties() {
   return found;
 }
 
-std::vector<SubdivideOptions> every_rule(std::uint32_t levels) {
-  std::vector<SubdivideOptions> all{{.levels = levels, .scheme = Scheme::butterfly},
-                                    {.levels = levels, .scheme = Scheme::midpoint}};
-  for (const CreaseRules creases : {CreaseRules::hoppe94, CreaseRules::derose98}) {
-    for (const BoundaryRounding boundary : kBoundaries) {
-      for (const CreaseDecay decay : kDecays) {
+std::vector<subdivide::SubdivideOptions> every_rule(std::uint32_t levels) {
+  std::vector<subdivide::SubdivideOptions> all{
+      {.levels = levels, .scheme = subdivide::Scheme::butterfly},
+      {.levels = levels, .scheme = subdivide::Scheme::midpoint}};
+  for (const subdivide::CreaseRules creases :
+       {subdivide::CreaseRules::hoppe94, subdivide::CreaseRules::derose98}) {
+    for (const subdivide::BoundaryRounding boundary : kBoundaries) {
+      for (const subdivide::CreaseDecay decay : kDecays) {
         for (const bool limit : {false, true}) {
           all.push_back({.levels = levels,
                          .creases = creases,
@@ -54,10 +56,10 @@ TEST(BowTies, ModelsContainBowTies) {
 
 TEST(BowTies, CopiesKeepTheirPositionAtEveryLevelAndTheLimit) {
   for (std::uint32_t levels = 0; levels <= 3; ++levels) {
-    for (const SubdivideOptions& options : every_rule(levels)) {
+    for (const subdivide::SubdivideOptions& options : every_rule(levels)) {
       for (const Model* model : models_with_bow_ties()) {
         SCOPED_TRACE(model->name);
-        const Mesh fine = subdivide(model->mesh, options).mesh;
+        const Mesh fine = subdivide::subdivide(model->mesh, options).mesh;
         expect_valid(fine);
         ASSERT_TRUE(is_equal(fine.bow_tie_copies(), model->mesh.bow_tie_copies()));
         for (const BowTieCopy& copy : fine.bow_tie_copies())
@@ -70,19 +72,19 @@ TEST(BowTies, CopiesKeepTheirPositionAtEveryLevelAndTheLimit) {
 TEST(BowTies, UnpinnedCopiesWouldDriftApartUnderLoop) {
   const Mesh cubes = built(bow_tie({cube(), cube()})).mesh;
   const auto [first, second] = std::pair(cubes.bow_tie_copies()[0].v, cubes.bow_tie_copies()[1].v);
-  const Mesh fine = subdivide(without_copies(cubes), {.levels = 3}).mesh;
+  const Mesh fine = subdivide::subdivide(without_copies(cubes), {.levels = 3}).mesh;
   EXPECT_GT(glm::distance(fine.position(first), fine.position(second)), 0.3F);
 }
 
 TEST(BowTies, CopiesAreInfinitelySharpCorners) {
-  for (const SubdivideOptions& options : every_rule(3)) {
+  for (const subdivide::SubdivideOptions& options : every_rule(3)) {
     for (const Model* model : models_with_bow_ties()) {
       SCOPED_TRACE(model->name);
       Mesh tagged = without_copies(model->mesh);
       for (const BowTieCopy& copy : model->mesh.bow_tie_copies())
         tagged.set_sharpness(copy.v, kInfinitelySharp);
-      const Subdivided expected = subdivide(tagged, options);
-      const Subdivided found = subdivide(model->mesh, options);
+      const subdivide::Subdivided expected = subdivide::subdivide(tagged, options);
+      const subdivide::Subdivided found = subdivide::subdivide(model->mesh, options);
       EXPECT_TRUE(is_equal(found.mesh.positions(), expected.mesh.positions()));
       EXPECT_TRUE(is_equal(found.mesh.sharpnesses(), expected.mesh.sharpnesses()));
       EXPECT_TRUE(is_equal(std::span<const glm::vec3>(found.limit_normal),
@@ -96,18 +98,21 @@ TEST(BowTies, ChaikinAveragesEachFanSeparately) {
   Mesh mesh = built(bow_tie({cube(), cube()})).mesh;
   mesh.set_sharpness(mesh.find_edge(Vertex(0), Vertex(4)), 1.5F);
   mesh.set_sharpness(mesh.find_edge(Vertex(15), Vertex(11)), 2.5F);
-  const OpenSubdivReference reference(mesh, BoundaryRounding::edge_only, CreaseDecay::chaikin, 1);
-  const Mesh fine =
-      subdivide(mesh, {.creases = CreaseRules::derose98, .decay = CreaseDecay::chaikin}).mesh;
-  const Halfedge half = first_half(mesh.find_halfedge(Vertex(0), Vertex(4)));
+  const OpenSubdivReference reference(mesh, subdivide::BoundaryRounding::edge_only,
+                                      subdivide::CreaseDecay::chaikin, 1);
+  const Mesh fine = subdivide::subdivide(mesh, {.creases = subdivide::CreaseRules::derose98,
+                                                .decay = subdivide::CreaseDecay::chaikin})
+                        .mesh;
+  const Halfedge half = subdivide::first_half(mesh.find_halfedge(Vertex(0), Vertex(4)));
   EXPECT_EQ(fine.sharpness(half), 0.5F);
   const std::uint32_t middle = fine.target(half).index();
   EXPECT_EQ(sharpness_of(reference.level(1), 0, middle), 0.75);
 }
 
 TEST(BowTies, PinningAddsNoSharpnessToTheResult) {
-  for (const SubdivideOptions& options : every_rule(2)) {
-    const Mesh fine = subdivide(built(bow_tie({cube(), tetrahedron()})).mesh, options).mesh;
+  for (const subdivide::SubdivideOptions& options : every_rule(2)) {
+    const Mesh fine =
+        subdivide::subdivide(built(bow_tie({cube(), tetrahedron()})).mesh, options).mesh;
     EXPECT_TRUE(fine.vertex_sharpnesses().empty());
     EXPECT_TRUE(std::ranges::all_of(fine.sharpnesses(), [](float s) { return s == 0.0F; }));
   }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "engine/mesh/build.h"
+#include "engine/mesh/build/build.h"
 #include "engine/subdivide/subdivide.h"
 #include "tests/subdivide/butterfly_oracle.h"
 #include "tests/subdivide/compare.h"
@@ -25,21 +25,21 @@ std::vector<const Model*> shapes() {
   return result;
 }
 
-Mesh subdivided(const Mesh& mesh, Scheme scheme, std::uint32_t levels) {
-  return subdivide(mesh, {.levels = levels, .scheme = scheme}).mesh;
+Mesh subdivided(const Mesh& mesh, subdivide::Scheme scheme, std::uint32_t levels) {
+  return subdivide::subdivide(mesh, {.levels = levels, .scheme = scheme}).mesh;
 }
 
 TEST(Butterfly, AgreesWithOpenMeshOnEveryModelAndLevel) {
   ASSERT_GE(shapes().size(), 25U);
   for (const Model* model : shapes()) {
     SCOPED_TRACE(model->name);
-    PlainMesh theirs = plain_mesh(model->mesh, BoundaryRounding::edge_only);
+    PlainMesh theirs = plain_mesh(model->mesh, subdivide::BoundaryRounding::edge_only);
     const double tolerance = kTolerance * diagonal(theirs.positions);
     const std::uint32_t levels = affordable_levels(model->mesh, kLevels);
     for (std::uint32_t level = 1; level <= levels; ++level) {
       SCOPED_TRACE("level " + std::to_string(level));
       theirs = openmesh_butterfly(theirs);
-      expect_same(subdivided(model->mesh, Scheme::butterfly, level), theirs, tolerance);
+      expect_same(subdivided(model->mesh, subdivide::Scheme::butterfly, level), theirs, tolerance);
     }
   }
 }
@@ -47,7 +47,7 @@ TEST(Butterfly, AgreesWithOpenMeshOnEveryModelAndLevel) {
 TEST(Butterfly, OracleAgreesWithOpenMesh) {
   for (const Model* model : shapes()) {
     SCOPED_TRACE(model->name);
-    PlainMesh mesh = plain_mesh(model->mesh, BoundaryRounding::edge_only);
+    PlainMesh mesh = plain_mesh(model->mesh, subdivide::BoundaryRounding::edge_only);
     for (std::uint32_t level = 1; level <= 2; ++level) {
       const PlainMesh oracle = refine_butterfly(mesh);
       EXPECT_LT(largest_distance(oracle.positions, openmesh_butterfly(mesh).positions),
@@ -101,9 +101,9 @@ TEST(Butterfly, CreaseLoopActsAsABoundary) {
   }
   ASSERT_EQ(cap.size(), 5U);
   for (std::uint32_t levels = 1; levels <= kLevels; ++levels) {
-    const Mesh whole = subdivided(mesh, Scheme::butterfly, levels);
+    const Mesh whole = subdivided(mesh, subdivide::Scheme::butterfly, levels);
     for (const Side& side : {side_of(mesh, cap), side_of(mesh, rest)}) {
-      const Mesh fine = subdivided(side.mesh, Scheme::butterfly, levels);
+      const Mesh fine = subdivided(side.mesh, subdivide::Scheme::butterfly, levels);
       EXPECT_LE(largest_distance_of_corners(whole, side, fine, levels), 2 * kTolerance);
     }
   }
@@ -112,20 +112,21 @@ TEST(Butterfly, CreaseLoopActsAsABoundary) {
 TEST(Midpoint, BisectsEdgesAndMovesNoVertex) {
   for (const Model& model : models()) {
     SCOPED_TRACE(model.name);
-    const PlainMesh mesh = plain_mesh(model.mesh, BoundaryRounding::edge_only);
-    const Mesh fine = subdivided(model.mesh, Scheme::midpoint, 2);
+    const PlainMesh mesh = plain_mesh(model.mesh, subdivide::BoundaryRounding::edge_only);
+    const Mesh fine = subdivided(model.mesh, subdivide::Scheme::midpoint, 2);
     expect_same(fine, refine_midpoint(refine_midpoint(mesh)),
                 kTolerance * diagonal(mesh.positions));
   }
 }
 
 TEST(Interpolating, OldVerticesKeepTheirExactPosition) {
-  for (const Scheme scheme : {Scheme::butterfly, Scheme::midpoint}) {
+  for (const subdivide::Scheme scheme :
+       {subdivide::Scheme::butterfly, subdivide::Scheme::midpoint}) {
     for (const bool limit : {false, true}) {
       for (const Model* model : shapes()) {
         SCOPED_TRACE(model->name);
         const Mesh fine =
-            subdivide(model->mesh, {.levels = 2, .scheme = scheme, .limit = limit}).mesh;
+            subdivide::subdivide(model->mesh, {.levels = 2, .scheme = scheme, .limit = limit}).mesh;
         ASSERT_GE(fine.vertex_count(), model->mesh.vertex_count());
         EXPECT_TRUE(std::equal(model->mesh.positions().begin(), model->mesh.positions().end(),
                                fine.positions().begin()));

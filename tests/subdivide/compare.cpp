@@ -10,7 +10,7 @@ namespace mesher::test {
 namespace {
 
 double settled(float sharpness) {
-  return sharpness >= kSharpForEver ? kForEver : double(sharpness);
+  return sharpness >= subdivide::kSharpForEver ? kForEver : double(sharpness);
 }
 
 bool is_near(double a, double b) {

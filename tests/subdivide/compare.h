@@ -11,9 +11,10 @@ namespace mesher::test {
 /// Allowed difference of a result, relative to the diagonal of the model.
 inline constexpr double kTolerance = 1e-6;
 
-inline constexpr BoundaryRounding kBoundaries[] = {BoundaryRounding::edge_only,
-                                                   BoundaryRounding::edge_and_corner};
-inline constexpr CreaseDecay kDecays[] = {CreaseDecay::uniform, CreaseDecay::chaikin};
+inline constexpr subdivide::BoundaryRounding kBoundaries[] = {
+    subdivide::BoundaryRounding::edge_only, subdivide::BoundaryRounding::edge_and_corner};
+inline constexpr subdivide::CreaseDecay kDecays[] = {subdivide::CreaseDecay::uniform,
+                                                     subdivide::CreaseDecay::chaikin};
 
 std::vector<Triangle> triangles_of(const Mesh& mesh);
 

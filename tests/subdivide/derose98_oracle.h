@@ -10,7 +10,7 @@ inline double derose98_sharp_edge(Kind, Kind) {
   return 0.5;
 }
 
-inline OracleRules derose98_rules(CreaseDecay decay = CreaseDecay::uniform) {
+inline OracleRules derose98_rules(subdivide::CreaseDecay decay = subdivide::CreaseDecay::uniform) {
   return {.sharp_edge = derose98_sharp_edge, .decay = decay};
 }
 

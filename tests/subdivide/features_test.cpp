@@ -15,11 +15,12 @@
 namespace mesher::test {
 namespace {
 
-std::vector<SubdivideOptions> every_rule() {
-  std::vector<SubdivideOptions> all;
-  for (const CreaseRules creases : {CreaseRules::hoppe94, CreaseRules::derose98}) {
-    for (const BoundaryRounding boundary : kBoundaries) {
-      for (const CreaseDecay decay : kDecays)
+std::vector<subdivide::SubdivideOptions> every_rule() {
+  std::vector<subdivide::SubdivideOptions> all;
+  for (const subdivide::CreaseRules creases :
+       {subdivide::CreaseRules::hoppe94, subdivide::CreaseRules::derose98}) {
+    for (const subdivide::BoundaryRounding boundary : kBoundaries) {
+      for (const subdivide::CreaseDecay decay : kDecays)
         all.push_back({.creases = creases, .boundary = boundary, .decay = decay});
     }
   }
@@ -27,10 +28,10 @@ std::vector<SubdivideOptions> every_rule() {
 }
 
 /// Sharpness that remains on the edge of `h` at its origin, computed from the mesh.
-float left_at_origin(const Mesh& mesh, Halfedge h, CreaseDecay decay) {
+float left_at_origin(const Mesh& mesh, Halfedge h, subdivide::CreaseDecay decay) {
   const float sharpness = mesh.sharpness(h);
-  if (decay == CreaseDecay::uniform) return decayed(sharpness);
-  SemiSharpSum at_end;
+  if (decay == subdivide::CreaseDecay::uniform) return subdivide::decayed(sharpness);
+  subdivide::SemiSharpSum at_end;
   at_end.add(sharpness);
   for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
     const Halfedge other(i);
@@ -39,11 +40,12 @@ float left_at_origin(const Mesh& mesh, Halfedge h, CreaseDecay decay) {
     const bool is_counted = mesh.edge(other).index() == i && mesh.edge(other) != mesh.edge(h);
     if (is_at_end && is_counted && !mesh.is_boundary(other)) at_end.add(mesh.sharpness(other));
   }
-  return chaikin_decayed(sharpness, at_end);
+  return subdivide::chaikin_decayed(sharpness, at_end);
 }
 
 /// `level`, made from `coarse`, as a mesh with the remaining sharpness.
-Mesh with_sharpness(const Mesh& coarse, const Level& level, CreaseDecay decay) {
+Mesh with_sharpness(const Mesh& coarse, const subdivide::Level& level,
+                    subdivide::CreaseDecay decay) {
   MeshArrays arrays;
   arrays.position = level.position;
   arrays.origin = level.origin;
@@ -53,14 +55,14 @@ Mesh with_sharpness(const Mesh& coarse, const Level& level, CreaseDecay decay) {
   for (std::uint32_t i = 0; i < coarse.halfedge_count(); ++i) {
     const Halfedge h(i);
     if (coarse.is_boundary(h) || coarse.sharpness(h) <= 0.0F) continue;
-    const Halfedge half = first_half(h);
+    const Halfedge half = subdivide::first_half(h);
     arrays.sharpness[half.index()] = left_at_origin(coarse, h, decay);
     arrays.sharpness[level.twin[half.index()].index()] = left_at_origin(coarse, h, decay);
   }
   if (!coarse.vertex_sharpnesses().empty()) {
     arrays.vertex_sharpness.assign(level.position.size(), 0.0F);
     for (std::uint32_t v = 0; v < coarse.vertex_count(); ++v)
-      arrays.vertex_sharpness[v] = decayed(coarse.sharpness(Vertex(v)));
+      arrays.vertex_sharpness[v] = subdivide::decayed(coarse.sharpness(Vertex(v)));
   }
   arrays.bow_tie_copies.assign(coarse.bow_tie_copies().begin(), coarse.bow_tie_copies().end());
   return std::move(arrays).finish();
@@ -74,9 +76,9 @@ struct EdgeFact {
 };
 using EdgeFacts = std::map<VertexPair, EdgeFact>;
 
-EdgeFacts edge_facts(const Features& features, const LevelView& level) {
+EdgeFacts edge_facts(const subdivide::Features& features, const subdivide::LevelView& level) {
   EdgeFacts facts;
-  for (const SharpEdge& edge : features.edges()) {
+  for (const subdivide::SharpEdge& edge : features.edges()) {
     const std::array<std::uint32_t, 2> end{level.origin[edge.h.index()].index(),
                                            level.origin[Mesh::next(edge.h).index()].index()};
     for (std::size_t side = 0; side < 2; ++side)
@@ -90,15 +92,15 @@ EdgeFacts edge_facts(const Features& features, const LevelView& level) {
 
 struct VertexFact {
   float own = 0.0F;
-  VertexKind kind = VertexKind::smooth;
+  subdivide::VertexKind kind = subdivide::VertexKind::smooth;
   std::vector<std::uint32_t> across;  ///< the vertices at the other ends, sorted
   friend bool operator==(const VertexFact&, const VertexFact&) = default;
 };
 using VertexFacts = std::map<std::uint32_t, VertexFact>;
 
-VertexFacts vertex_facts(const Features& features) {
+VertexFacts vertex_facts(const subdivide::Features& features) {
   VertexFacts facts;
-  for (const SharpVertex& vertex : features.vertices()) {
+  for (const subdivide::SharpVertex& vertex : features.vertices()) {
     VertexFact fact{vertex.own, vertex.kind, {}};
     for (const std::uint32_t i : features.at(vertex))
       fact.across.push_back(features.other_end(features.edges()[i], vertex).v.index());
@@ -108,22 +110,24 @@ VertexFacts vertex_facts(const Features& features) {
   return facts;
 }
 
-void expect_next_is_scan(const Model& model, const SubdivideOptions& options, int levels) {
+void expect_next_is_scan(const Model& model, const subdivide::SubdivideOptions& options,
+                         int levels) {
   Mesh mesh = model.mesh;
-  Features features = features_of(mesh, options);
+  subdivide::Features features = subdivide::features_of(mesh, options);
   for (int i = 1; i <= levels; ++i) {
     SCOPED_TRACE("level " + std::to_string(i));
-    const Level level = midpoint_step(view_of(mesh), options, false);
-    features = next_features(features, level, options);
+    const subdivide::Level level =
+        subdivide::midpoint_step(subdivide::view_of(mesh), options, false);
+    features = subdivide::next_features(features, level, options);
     mesh = with_sharpness(mesh, level, options.decay);
-    const Features scanned = features_of(mesh, options);
+    const subdivide::Features scanned = subdivide::features_of(mesh, options);
     EXPECT_TRUE(edge_facts(features, level.view()) == edge_facts(scanned, level.view()));
     EXPECT_TRUE(vertex_facts(features) == vertex_facts(scanned));
   }
 }
 
 TEST(Features, NextLevelMatchesAFullScan) {
-  for (const SubdivideOptions& options : every_rule()) {
+  for (const subdivide::SubdivideOptions& options : every_rule()) {
     SCOPED_TRACE("creases " + std::to_string(int(options.creases)) + ", boundary " +
                  std::to_string(int(options.boundary)) + ", decay " +
                  std::to_string(int(options.decay)));
@@ -142,23 +146,25 @@ TEST(Features, AreExactlyTheSharpEdges) {
     std::map<VertexPair, float> expected;
     for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
       const Halfedge h(i);
-      const float sharpness = mesh.is_boundary(h) || mesh.sharpness(h) >= kSharpForEver
+      const float sharpness = mesh.is_boundary(h) || mesh.sharpness(h) >= subdivide::kSharpForEver
                                   ? kInfinitelySharp
                                   : mesh.sharpness(h);
       if (sharpness > 0.0F)
         expected[pair_of(mesh.origin(h).index(), mesh.target(h).index())] = sharpness;
     }
     std::map<VertexPair, float> found;
-    for (const auto& [ends, fact] : edge_facts(features_of(mesh, {}), view_of(mesh)))
+    for (const auto& [ends, fact] :
+         edge_facts(subdivide::features_of(mesh, {}), subdivide::view_of(mesh)))
       found[ends] = fact.sharpness;
     EXPECT_TRUE(found == expected);
   }
 }
 
 /// Kinds of the vertices that are not smooth.
-std::map<std::uint32_t, VertexKind> kinds(const Mesh& mesh, const SubdivideOptions& options = {}) {
-  std::map<std::uint32_t, VertexKind> result;
-  for (const auto& [v, fact] : vertex_facts(features_of(mesh, options)))
+std::map<std::uint32_t, subdivide::VertexKind> kinds(
+    const Mesh& mesh, const subdivide::SubdivideOptions& options = {}) {
+  std::map<std::uint32_t, subdivide::VertexKind> result;
+  for (const auto& [v, fact] : vertex_facts(subdivide::features_of(mesh, options)))
     result[v] = fact.kind;
   return result;
 }
@@ -170,10 +176,10 @@ Mesh creased(Soup soup, const std::vector<std::uint32_t>& path) {
   return mesh;
 }
 
-using Kinds = std::map<std::uint32_t, VertexKind>;
+using Kinds = std::map<std::uint32_t, subdivide::VertexKind>;
 
 TEST(Features, VertexKindsOfKnownMeshes) {
-  using enum VertexKind;
+  using enum subdivide::VertexKind;
   // The crease runs through the middle of a fan of six, with three faces on each side. The two
   // neighbors on it are darts.
   EXPECT_EQ(kinds(creased(bipyramid(6), {2, 0, 5})),
@@ -182,58 +188,62 @@ TEST(Features, VertexKindsOfKnownMeshes) {
   EXPECT_EQ(kinds(creased(bipyramid(7), {2, 0, 5})), (Kinds{{0, crease}, {2, dart}, {5, dart}}));
   EXPECT_EQ(kinds(creased(bipyramid(6), {2, 0, 5, 1})),
             (Kinds{{0, regular_crease}, {1, dart}, {2, dart}, {5, crease}}));
-  EXPECT_EQ(kinds(creased(bipyramid(6), {2, 0, 5}), {.creases = CreaseRules::derose98})[0], crease);
+  EXPECT_EQ(
+      kinds(creased(bipyramid(6), {2, 0, 5}), {.creases = subdivide::CreaseRules::derose98})[0],
+      crease);
   EXPECT_TRUE(kinds(built(octahedron()).mesh).empty());
 }
 
 TEST(Features, ThreeSharpEdgesMakeACorner) {
   Mesh mesh = creased(bipyramid(6), {2, 0, 5});
   mesh.set_sharpness(mesh.find_edge(Vertex(0), Vertex(3)), 0.5F);
-  EXPECT_EQ(kinds(mesh)[0], VertexKind::corner);
-  EXPECT_EQ(kinds(creased(grid(3), {5, 6}))[6], VertexKind::dart);
-  EXPECT_EQ(kinds(creased(grid(3), {4, 5}))[4], VertexKind::corner);  // two of them on the boundary
+  EXPECT_EQ(kinds(mesh)[0], subdivide::VertexKind::corner);
+  EXPECT_EQ(kinds(creased(grid(3), {5, 6}))[6], subdivide::VertexKind::dart);
+  EXPECT_EQ(kinds(creased(grid(3), {4, 5}))[4],
+            subdivide::VertexKind::corner);  // two of them on the boundary
 }
 
 TEST(Features, BoundaryVerticesWithThreeFacesAreRegular) {
   const Mesh mesh = built(grid(2)).mesh;  // the diagonals rise to the right
-  EXPECT_EQ(kinds(mesh), (Kinds{{0, VertexKind::crease},
-                                {1, VertexKind::regular_crease},
-                                {2, VertexKind::crease},
-                                {3, VertexKind::regular_crease},
-                                {5, VertexKind::regular_crease},
-                                {6, VertexKind::crease},
-                                {7, VertexKind::regular_crease},
-                                {8, VertexKind::crease}}));
-  const auto rounded = kinds(mesh, {.boundary = BoundaryRounding::edge_and_corner});
-  EXPECT_EQ(rounded.at(2), VertexKind::corner);  // one face
-  EXPECT_EQ(rounded.at(0), VertexKind::crease);  // two faces
+  EXPECT_EQ(kinds(mesh), (Kinds{{0, subdivide::VertexKind::crease},
+                                {1, subdivide::VertexKind::regular_crease},
+                                {2, subdivide::VertexKind::crease},
+                                {3, subdivide::VertexKind::regular_crease},
+                                {5, subdivide::VertexKind::regular_crease},
+                                {6, subdivide::VertexKind::crease},
+                                {7, subdivide::VertexKind::regular_crease},
+                                {8, subdivide::VertexKind::crease}}));
+  const auto rounded = kinds(mesh, {.boundary = subdivide::BoundaryRounding::edge_and_corner});
+  EXPECT_EQ(rounded.at(2), subdivide::VertexKind::corner);  // one face
+  EXPECT_EQ(rounded.at(0), subdivide::VertexKind::crease);  // two faces
 }
 
 TEST(Features, VertexIsACornerWhileItsSharpnessLasts) {
   Mesh mesh = built(icosahedron()).mesh;
   mesh.set_sharpness(Vertex(3), 1.5F);
   mesh.set_sharpness(Vertex(7), 12.0F);
-  Features features = features_of(mesh, {});
+  subdivide::Features features = subdivide::features_of(mesh, {});
   EXPECT_EQ(vertex_facts(features).at(3).own, 1.5F);
   EXPECT_EQ(vertex_facts(features).at(7).own, kInfinitelySharp);
-  const Level level = midpoint_step(view_of(mesh), {}, false);
-  features = next_features(features, level, {});
+  const subdivide::Level level = subdivide::midpoint_step(subdivide::view_of(mesh), {}, false);
+  features = subdivide::next_features(features, level, {});
   EXPECT_EQ(vertex_facts(features).at(3).own, 0.5F);
-  const Level last = midpoint_step(level.view(), {}, false);
-  features = next_features(features, last, {});
-  EXPECT_EQ(vertex_facts(features), (VertexFacts{{7, {kInfinitelySharp, VertexKind::corner, {}}}}));
+  const subdivide::Level last = subdivide::midpoint_step(level.view(), {}, false);
+  features = subdivide::next_features(features, last, {});
+  EXPECT_EQ(vertex_facts(features),
+            (VertexFacts{{7, {kInfinitelySharp, subdivide::VertexKind::corner, {}}}}));
 }
 
 TEST(Features, BowTieCopiesArePermanentCorners) {
   const Mesh mesh = built(bow_tie({icosahedron(), grid(2)})).mesh;
   ASSERT_EQ(mesh.bow_tie_copies().size(), 2U);
-  Features features = features_of(mesh, {});
-  const Level level = midpoint_step(view_of(mesh), {}, false);
+  subdivide::Features features = subdivide::features_of(mesh, {});
+  const subdivide::Level level = subdivide::midpoint_step(subdivide::view_of(mesh), {}, false);
   for (const bool is_next : {false, true}) {
-    if (is_next) features = next_features(features, level, {});
+    if (is_next) features = subdivide::next_features(features, level, {});
     for (const BowTieCopy& copy : mesh.bow_tie_copies()) {
       EXPECT_EQ(vertex_facts(features).at(copy.v.index()).own, kInfinitelySharp);
-      EXPECT_EQ(vertex_facts(features).at(copy.v.index()).kind, VertexKind::corner);
+      EXPECT_EQ(vertex_facts(features).at(copy.v.index()).kind, subdivide::VertexKind::corner);
     }
   }
 }

@@ -28,7 +28,7 @@ struct View {
 };
 
 Mesh asset(const std::string& name) {
-  return read_model(MESHER_SOURCE_DIR "/assets/" + name + ".obj").mesh;
+  return io::read_model(MESHER_SOURCE_DIR "/assets/" + name + ".obj").mesh;
 }
 
 /// A cube whose twelve edges have the given sharpness; the diagonals of its sides are smooth.
@@ -76,9 +76,9 @@ class Sheet {
 class SubdivideGolden : public GpuTest {
  protected:
   /// Renders `mesh` subdivided by `options`. The limit surface is shaded with limit normals.
-  Image tile(const Mesh& mesh, const SubdivideOptions& options, const render::Settings& settings,
-             const View& view = {}) {
-    Subdivided result = subdivide(mesh, options);
+  Image tile(const Mesh& mesh, const subdivide::SubdivideOptions& options,
+             const render::Settings& settings, const View& view = {}) {
+    subdivide::Subdivided result = subdivide::subdivide(mesh, options);
     render::Camera camera;
     camera.set_angles(glm::radians(view.yaw_deg), glm::radians(view.pitch_deg));
     camera.frame(bounding_box(mesh), 1.0);
@@ -93,7 +93,8 @@ class SubdivideGolden : public GpuTest {
 TEST_F(SubdivideGolden, CreasedCubeMatches) {
   const Mesh mesh = asset("creased_cube");
   Sheet sheet(6, 2);
-  for (const CreaseRules creases : {CreaseRules::hoppe94, CreaseRules::derose98}) {
+  for (const subdivide::CreaseRules creases :
+       {subdivide::CreaseRules::hoppe94, subdivide::CreaseRules::derose98}) {
     for (std::uint32_t level = 0; level <= 4; ++level)
       sheet.add(tile(mesh, {.levels = level, .creases = creases}, kSurfaceAndEdges));
     sheet.add(tile(mesh, {.levels = 4, .creases = creases, .limit = true}, kSurfaceAndEdges));
@@ -106,8 +107,8 @@ TEST_F(SubdivideGolden, SharpnessMatches) {
   Sheet sheet(4, 2);
   sheet.add(tile(cube_of_sharpness(0.0F), {.levels = 0}, kSurfaceAndEdges));
   for (const float sharpness : {0.0F, 0.5F, 1.0F, 1.5F, 2.0F, 3.0F, kInfinitelySharp}) {
-    sheet.add(tile(cube_of_sharpness(sharpness), {.levels = 4, .creases = CreaseRules::derose98},
-                   kSurface));
+    sheet.add(tile(cube_of_sharpness(sharpness),
+                   {.levels = 4, .creases = subdivide::CreaseRules::derose98}, kSurface));
   }
   expect_golden(device(), "subdivide_sharpness", sheet.image());
 }
@@ -117,7 +118,8 @@ TEST_F(SubdivideGolden, SchemesMatch) {
   Sheet sheet(4, 2);
   const auto add_row = [&](const Mesh& mesh, const View& view) {
     sheet.add(tile(mesh, {.levels = 0}, kSurfaceAndEdges, view));
-    for (const Scheme scheme : {Scheme::loop, Scheme::butterfly, Scheme::midpoint})
+    for (const subdivide::Scheme scheme :
+         {subdivide::Scheme::loop, subdivide::Scheme::butterfly, subdivide::Scheme::midpoint})
       sheet.add(tile(mesh, {.levels = 3, .scheme = scheme}, kSurfaceAndEdges, view));
   };
   add_row(build_mesh(octahedron()).mesh, {});
@@ -132,15 +134,17 @@ TEST_F(SubdivideGolden, BoundariesMatch) {
   Sheet sheet(4, 2);
   const auto add_three = [&](const Mesh& mesh, const View& view) {
     sheet.add(tile(mesh, {.levels = 0}, kSurfaceAndEdges, view));
-    for (const auto boundary : {BoundaryRounding::edge_only, BoundaryRounding::edge_and_corner})
+    for (const auto boundary :
+         {subdivide::BoundaryRounding::edge_only, subdivide::BoundaryRounding::edge_and_corner})
       sheet.add(tile(mesh, {.levels = 3, .boundary = boundary}, kSurfaceAndEdges, view));
   };
   add_three(asset("open_box"), kFromAbove);
   sheet.add(tile(asset("cube"), {.levels = 3}, kSurfaceAndEdges, kFromAbove));
   const Mesh flat = build_mesh(grid(2)).mesh;
   add_three(flat, {});
-  sheet.add(tile(flat, {.levels = 3, .boundary = BoundaryRounding::edge_and_corner, .limit = true},
-                 kSurfaceAndEdges));
+  sheet.add(tile(
+      flat, {.levels = 3, .boundary = subdivide::BoundaryRounding::edge_and_corner, .limit = true},
+      kSurfaceAndEdges));
   expect_golden(device(), "subdivide_open_box", sheet.image());
 }
 

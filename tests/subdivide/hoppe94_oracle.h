@@ -9,7 +9,7 @@ namespace mesher::test {
 /// surface reconstruction", 1994.
 double hoppe94_sharp_edge(Kind a, Kind b);
 
-inline OracleRules hoppe94_rules(CreaseDecay decay = CreaseDecay::uniform) {
+inline OracleRules hoppe94_rules(subdivide::CreaseDecay decay = subdivide::CreaseDecay::uniform) {
   return {.sharp_edge = hoppe94_sharp_edge, .decay = decay};
 }
 

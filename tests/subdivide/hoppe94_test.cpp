@@ -10,8 +10,8 @@ namespace mesher::test {
 namespace {
 
 struct Setting {
-  BoundaryRounding boundary = BoundaryRounding::edge_only;
-  CreaseDecay decay = CreaseDecay::uniform;
+  subdivide::BoundaryRounding boundary = subdivide::BoundaryRounding::edge_only;
+  subdivide::CreaseDecay decay = subdivide::CreaseDecay::uniform;
   std::uint32_t levels = 1;
 };
 
@@ -22,8 +22,9 @@ void compare(const Model& model, const Setting& setting) {
   for (std::uint32_t level = 0; level <= setting.levels; ++level) {
     SCOPED_TRACE("level " + std::to_string(level));
     if (level > 0) oracle = refine(oracle, rules);
-    SubdivideOptions options{.levels = level, .boundary = setting.boundary, .decay = setting.decay};
-    const Mesh ours = subdivide(model.mesh, options).mesh;
+    subdivide::SubdivideOptions options{
+        .levels = level, .boundary = setting.boundary, .decay = setting.decay};
+    const Mesh ours = subdivide::subdivide(model.mesh, options).mesh;
     expect_same(ours, oracle, tolerance);
     expect_same_sharpness(ours, oracle);
     constexpr std::size_t kMostForLimits = 500;
@@ -32,17 +33,18 @@ void compare(const Model& model, const Setting& setting) {
     options.limit = true;
     PlainMesh limit = oracle;
     limit.positions = limit_positions(oracle, rules);
-    expect_same(subdivide(model.mesh, options).mesh, limit, tolerance);
+    expect_same(subdivide::subdivide(model.mesh, options).mesh, limit, tolerance);
   }
 }
 
-class Hoppe94 : public ::testing::TestWithParam<BoundaryRounding> {};
+class Hoppe94 : public ::testing::TestWithParam<subdivide::BoundaryRounding> {};
 
 TEST_P(Hoppe94, AgreesWithOracleOnEveryModelAndLevel) {
   std::size_t compared = 0;
   for (const Model& model : models()) {
     if (!is_settled(model.mesh)) continue;
-    const bool is_new = GetParam() == BoundaryRounding::edge_only || has_boundary(model.mesh);
+    const bool is_new =
+        GetParam() == subdivide::BoundaryRounding::edge_only || has_boundary(model.mesh);
     SCOPED_TRACE(model.name);
     compare(model,
             {.boundary = GetParam(), .levels = is_new ? affordable_levels(model.mesh, 4) : 1});
@@ -55,9 +57,10 @@ TEST_P(Hoppe94, SoftCreasesDecayAndBlendAsInDeRose) {
   std::size_t compared = 0;
   for (const Model& model : models()) {
     if (is_settled(model.mesh)) continue;
-    if (GetParam() != BoundaryRounding::edge_only && !has_boundary(model.mesh)) continue;
-    for (const CreaseDecay decay : kDecays) {
-      SCOPED_TRACE(model.name + (decay == CreaseDecay::uniform ? ", uniform" : ", chaikin"));
+    if (GetParam() != subdivide::BoundaryRounding::edge_only && !has_boundary(model.mesh)) continue;
+    for (const subdivide::CreaseDecay decay : kDecays) {
+      SCOPED_TRACE(model.name +
+                   (decay == subdivide::CreaseDecay::uniform ? ", uniform" : ", chaikin"));
       compare(model, {.boundary = GetParam(), .decay = decay, .levels = 3});
       ++compared;
     }

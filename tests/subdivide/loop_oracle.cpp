@@ -66,7 +66,7 @@ Point masked(const Star& star, Rule rule, const std::vector<double>& spoke) {
   return a * star.center + (1.0 - a) / double(star.ring.size()) * sum;
 }
 
-std::vector<double> child_spokes(const std::vector<double>& spoke, CreaseDecay decay) {
+std::vector<double> child_spokes(const std::vector<double>& spoke, subdivide::CreaseDecay decay) {
   std::vector<double> child;
   for (std::size_t i = 0; i < spoke.size(); ++i) {
     std::vector<double> others = spoke;
@@ -147,7 +147,7 @@ struct OldStar : Star {
 OldStar OldStar::refined(const OracleRules& rules) const {
   OldStar child;
   child.is_boundary = is_boundary;
-  child.own_sharpness = child_sharpness(own_sharpness, {}, CreaseDecay::uniform);
+  child.own_sharpness = child_sharpness(own_sharpness, {}, subdivide::CreaseDecay::uniform);
   child.spoke = child_spokes(spoke, rules.decay);
   child.center = new_center(*this, child.own_sharpness, child.spoke);
   const std::size_t n = ring.size();
@@ -255,7 +255,8 @@ std::map<std::uint32_t, Point> normals_around(const PlainMesh& mesh, const Adjac
 
 }  // namespace
 
-double child_sharpness(double sharpness, std::span<const double> others, CreaseDecay decay) {
+double child_sharpness(double sharpness, std::span<const double> others,
+                       subdivide::CreaseDecay decay) {
   if (sharpness == 0.0 || sharpness == kForEver) return sharpness;
   double sum = 0.0;
   int count = 0;
@@ -264,7 +265,7 @@ double child_sharpness(double sharpness, std::span<const double> others, CreaseD
     sum += other;
     ++count;
   }
-  if (decay == CreaseDecay::uniform || count == 0) return std::max(sharpness - 1.0, 0.0);
+  if (decay == subdivide::CreaseDecay::uniform || count == 0) return std::max(sharpness - 1.0, 0.0);
   return std::max(0.75 * sharpness + 0.25 * sum / count - 1.0, 0.0);
 }
 
@@ -276,7 +277,7 @@ PlainMesh refine(const PlainMesh& mesh, const OracleRules& rules) {
   std::vector<Kind> kind;
   for (std::uint32_t v = 0; v < old_vertices; ++v) {
     const Star star = star_of(mesh, near, v);
-    const double own = child_sharpness(star.own_sharpness, {}, CreaseDecay::uniform);
+    const double own = child_sharpness(star.own_sharpness, {}, subdivide::CreaseDecay::uniform);
     const std::vector<double> child = child_spokes(star.spoke, rules.decay);
     kind.push_back(kind_of(star));
     fine.positions.push_back(new_center(star, own, child));

@@ -18,14 +18,15 @@ using SharpEdgeRule = double (*)(Kind, Kind);
 /// A set of rules: masks of sharp edges and decay of sharpness.
 struct OracleRules {
   SharpEdgeRule sharp_edge = nullptr;
-  CreaseDecay decay = CreaseDecay::uniform;
+  subdivide::CreaseDecay decay = subdivide::CreaseDecay::uniform;
   /// Omits the clamp in the blend of an edge that becomes smooth. This is wrong, but OpenSubdiv
   /// does it.
   bool overshoots = false;
 };
 
 /// Sharpness of the half of an edge at one of its ends. `others` are the other edges at that end.
-double child_sharpness(double sharpness, std::span<const double> others, CreaseDecay decay);
+double child_sharpness(double sharpness, std::span<const double> others,
+                       subdivide::CreaseDecay decay);
 
 /// Refines by one level.
 PlainMesh refine(const PlainMesh& mesh, const OracleRules& rules);

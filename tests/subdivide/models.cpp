@@ -235,7 +235,7 @@ const std::vector<Model>& models() {
 }
 
 bool is_settled(const Mesh& mesh) {
-  const auto settled = [](float s) { return s == 0.0F || s >= kSharpForEver; };
+  const auto settled = [](float s) { return s == 0.0F || s >= subdivide::kSharpForEver; };
   return std::ranges::all_of(mesh.sharpnesses(), settled) &&
          std::ranges::all_of(mesh.vertex_sharpnesses(), settled);
 }

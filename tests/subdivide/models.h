@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/mesh/build/soup.h"
 #include "engine/mesh/mesh.h"
-#include "engine/mesh/soup.h"
 
 namespace mesher::test {
 

@@ -62,7 +62,8 @@ Lists lists_of(const Mesh& mesh, const std::vector<std::uint32_t>& number) {
 }
 
 Far::TopologyRefiner* make_refiner(const Lists& lists, std::size_t vertices,
-                                   BoundaryRounding boundary, CreaseDecay decay) {
+                                   subdivide::BoundaryRounding boundary,
+                                   subdivide::CreaseDecay decay) {
   Far::TopologyDescriptor descriptor;
   descriptor.numVertices = int(vertices);
   descriptor.numFaces = int(lists.corners_of_face.size());
@@ -75,11 +76,12 @@ Far::TopologyRefiner* make_refiner(const Lists& lists, std::size_t vertices,
   descriptor.cornerVertexIndices = lists.sharp_vertices.data();
   descriptor.cornerWeights = lists.vertex_sharpness.data();
   Sdc::Options options;
-  options.SetVtxBoundaryInterpolation(boundary == BoundaryRounding::edge_only
+  options.SetVtxBoundaryInterpolation(boundary == subdivide::BoundaryRounding::edge_only
                                           ? Sdc::Options::VTX_BOUNDARY_EDGE_ONLY
                                           : Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER);
-  options.SetCreasingMethod(decay == CreaseDecay::uniform ? Sdc::Options::CREASE_UNIFORM
-                                                          : Sdc::Options::CREASE_CHAIKIN);
+  options.SetCreasingMethod(decay == subdivide::CreaseDecay::uniform
+                                ? Sdc::Options::CREASE_UNIFORM
+                                : Sdc::Options::CREASE_CHAIKIN);
   using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
   Far::TopologyRefiner* refiner =
       Factory::Create(descriptor, Factory::Options(Sdc::SCHEME_LOOP, options));
@@ -88,7 +90,7 @@ Far::TopologyRefiner* make_refiner(const Lists& lists, std::size_t vertices,
 }
 
 double settled(float sharpness) {
-  return sharpness >= kSharpForEver ? kForEver : double(sharpness);
+  return sharpness >= subdivide::kSharpForEver ? kForEver : double(sharpness);
 }
 
 /// One level in both numberings.
@@ -230,8 +232,8 @@ struct OpenSubdivReference::Implementation {
   Array<BowTieCopy> copies;
 };
 
-OpenSubdivReference::OpenSubdivReference(const Mesh& mesh, BoundaryRounding boundary,
-                                         CreaseDecay decay, std::uint32_t levels)
+OpenSubdivReference::OpenSubdivReference(const Mesh& mesh, subdivide::BoundaryRounding boundary,
+                                         subdivide::CreaseDecay decay, std::uint32_t levels)
     : implementation_(std::make_unique<Implementation>()) {
   // OpenSubdiv does not accept isolated vertices.
   std::vector<std::uint32_t> used;

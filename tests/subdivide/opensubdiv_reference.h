@@ -11,8 +11,8 @@ namespace mesher::test {
 /// passed as in the input, with their copies as one vertex.
 class OpenSubdivReference {
  public:
-  OpenSubdivReference(const Mesh& mesh, BoundaryRounding boundary, CreaseDecay decay,
-                      std::uint32_t levels);
+  OpenSubdivReference(const Mesh& mesh, subdivide::BoundaryRounding boundary,
+                      subdivide::CreaseDecay decay, std::uint32_t levels);
   ~OpenSubdivReference();
   OpenSubdivReference(const OpenSubdivReference&) = delete;
   OpenSubdivReference& operator=(const OpenSubdivReference&) = delete;

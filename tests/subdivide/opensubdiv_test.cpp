@@ -22,7 +22,7 @@ constexpr std::uint32_t kLevels = 4;
 /// allowed.
 struct Disagreement {
   const char* model;
-  CreaseDecay decay;
+  subdivide::CreaseDecay decay;
   const char* reason;
 };
 constexpr const char* kOvershoot =
@@ -32,60 +32,70 @@ constexpr const char* kOvershoot =
     "s "
     "to 1.";
 constexpr Disagreement kDisagreements[] = {
-    {"torus, varying loop", CreaseDecay::chaikin, kOvershoot},
-    {"bipyramid of 7, spokes of all kinds", CreaseDecay::chaikin, kOvershoot},
-    {"random 1", CreaseDecay::chaikin, kOvershoot},
-    {"random 3", CreaseDecay::chaikin, kOvershoot},
-    {"random 5", CreaseDecay::chaikin, kOvershoot},
-    {"random 9", CreaseDecay::chaikin, kOvershoot},
-    {"random 11", CreaseDecay::chaikin, kOvershoot},
-    {"random 13", CreaseDecay::chaikin, kOvershoot},
-    {"random 15", CreaseDecay::chaikin, kOvershoot},
+    {"torus, varying loop", subdivide::CreaseDecay::chaikin, kOvershoot},
+    {"bipyramid of 7, spokes of all kinds", subdivide::CreaseDecay::chaikin, kOvershoot},
+    {"random 1", subdivide::CreaseDecay::chaikin, kOvershoot},
+    {"random 3", subdivide::CreaseDecay::chaikin, kOvershoot},
+    {"random 5", subdivide::CreaseDecay::chaikin, kOvershoot},
+    {"random 9", subdivide::CreaseDecay::chaikin, kOvershoot},
+    {"random 11", subdivide::CreaseDecay::chaikin, kOvershoot},
+    {"random 13", subdivide::CreaseDecay::chaikin, kOvershoot},
+    {"random 15", subdivide::CreaseDecay::chaikin, kOvershoot},
 };
 
-const Disagreement* disagreement(const Model& model, CreaseDecay decay) {
+const Disagreement* disagreement(const Model& model, subdivide::CreaseDecay decay) {
   const auto* place =
       std::find_if(std::begin(kDisagreements), std::end(kDisagreements),
                    [&](const auto& d) { return d.model == model.name && d.decay == decay; });
   return place == std::end(kDisagreements) ? nullptr : place;
 }
 
-SubdivideOptions options_of(std::uint32_t levels, BoundaryRounding boundary, CreaseDecay decay) {
-  return {.levels = levels, .creases = CreaseRules::derose98, .boundary = boundary, .decay = decay};
+subdivide::SubdivideOptions options_of(std::uint32_t levels, subdivide::BoundaryRounding boundary,
+                                       subdivide::CreaseDecay decay) {
+  return {.levels = levels,
+          .creases = subdivide::CreaseRules::derose98,
+          .boundary = boundary,
+          .decay = decay};
 }
 
-void compare_to_reference(const Model& model, BoundaryRounding boundary, CreaseDecay decay) {
+void compare_to_reference(const Model& model, subdivide::BoundaryRounding boundary,
+                          subdivide::CreaseDecay decay) {
   const std::uint32_t levels = affordable_levels(model.mesh, kLevels);
   ASSERT_GE(levels, 1U);
   const OpenSubdivReference reference(model.mesh, boundary, decay, levels);
   const double tolerance = kTolerance * diagonal(points_of(model.mesh.positions()));
   for (std::uint32_t level = 1; level <= levels; ++level) {
     SCOPED_TRACE("level " + std::to_string(level));
-    const Subdivided ours = subdivide(model.mesh, options_of(level, boundary, decay));
+    const subdivide::Subdivided ours =
+        subdivide::subdivide(model.mesh, options_of(level, boundary, decay));
     expect_same(ours.mesh, reference.level(level), tolerance);
     expect_same_sharpness(ours.mesh, reference.level(level));
   }
 }
 
-void compare_to_oracle(const Model& model, BoundaryRounding boundary, CreaseDecay decay) {
+void compare_to_oracle(const Model& model, subdivide::BoundaryRounding boundary,
+                       subdivide::CreaseDecay decay) {
   const std::uint32_t levels = affordable_levels(model.mesh, kLevels);
   const double tolerance = kTolerance * diagonal(points_of(model.mesh.positions()));
   PlainMesh oracle = plain_mesh(model.mesh, boundary);
   for (std::uint32_t level = 1; level <= levels; ++level) {
     SCOPED_TRACE("level " + std::to_string(level));
     oracle = refine(oracle, derose98_rules(decay));
-    const Subdivided ours = subdivide(model.mesh, options_of(level, boundary, decay));
+    const subdivide::Subdivided ours =
+        subdivide::subdivide(model.mesh, options_of(level, boundary, decay));
     expect_same(ours.mesh, oracle, tolerance);
     expect_same_sharpness(ours.mesh, oracle);
   }
 }
 
-std::string name(BoundaryRounding boundary, CreaseDecay decay) {
-  return std::string(boundary == BoundaryRounding::edge_only ? "edge only" : "edge and corner") +
-         (decay == CreaseDecay::uniform ? ", uniform" : ", chaikin");
+std::string name(subdivide::BoundaryRounding boundary, subdivide::CreaseDecay decay) {
+  return std::string(boundary == subdivide::BoundaryRounding::edge_only ? "edge only"
+                                                                        : "edge and corner") +
+         (decay == subdivide::CreaseDecay::uniform ? ", uniform" : ", chaikin");
 }
 
-class OpenSubdiv : public ::testing::TestWithParam<std::tuple<BoundaryRounding, CreaseDecay>> {};
+class OpenSubdiv : public ::testing::TestWithParam<
+                       std::tuple<subdivide::BoundaryRounding, subdivide::CreaseDecay>> {};
 
 TEST_P(OpenSubdiv, AgreesOnEveryModelAndLevel) {
   const auto [boundary, decay] = GetParam();
@@ -107,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(EveryRule, OpenSubdiv,
                                             ::testing::ValuesIn(kDecays)));
 
 /// Largest distance between OpenSubdiv and the oracle on any level, in diagonals.
-double apart(const Model& model, BoundaryRounding boundary, const OracleRules& rules) {
+double apart(const Model& model, subdivide::BoundaryRounding boundary, const OracleRules& rules) {
   const std::uint32_t levels = affordable_levels(model.mesh, kLevels);
   const double size = diagonal(points_of(model.mesh.positions()));
   const OpenSubdivReference reference(model.mesh, boundary, rules.decay, levels);
@@ -126,10 +136,10 @@ double apart(const Model& model, BoundaryRounding boundary, const OracleRules& r
 TEST(OpenSubdivReference, AgreesWithOracleExceptForTheOvershoot) {
   // OpenSubdiv stores sharpness as floats.
   constexpr double kRounding = 1e-8;
-  for (const BoundaryRounding boundary : kBoundaries) {
-    for (const CreaseDecay decay : kDecays) {
+  for (const subdivide::BoundaryRounding boundary : kBoundaries) {
+    for (const subdivide::CreaseDecay decay : kDecays) {
       for (const Model& model : models()) {
-        if (decay != CreaseDecay::uniform && is_settled(model.mesh)) continue;
+        if (decay != subdivide::CreaseDecay::uniform && is_settled(model.mesh)) continue;
         SCOPED_TRACE(model.name + ", " + name(boundary, decay));
         OracleRules rules = derose98_rules(decay);
         if (disagreement(model, decay) != nullptr) {
@@ -162,16 +172,18 @@ std::set<std::uint32_t> darts_of(const PlainMesh& mesh) {
 
 TEST(OpenSubdivReference, LimitsAgreeExceptAtDarts) {
   double apart_at_darts = 0.0;
-  for (const BoundaryRounding boundary : kBoundaries) {
+  for (const subdivide::BoundaryRounding boundary : kBoundaries) {
     for (const Model& model : models()) {
       if (!is_settled(model.mesh)) continue;
-      SCOPED_TRACE(model.name + ", " + name(boundary, CreaseDecay::uniform));
+      SCOPED_TRACE(model.name + ", " + name(boundary, subdivide::CreaseDecay::uniform));
       const std::uint32_t levels = std::min(2U, affordable_levels(model.mesh, kLevels));
       const double size = diagonal(points_of(model.mesh.positions()));
-      const OpenSubdivReference reference(model.mesh, boundary, CreaseDecay::uniform, levels);
-      SubdivideOptions options = options_of(levels, boundary, CreaseDecay::uniform);
+      const OpenSubdivReference reference(model.mesh, boundary, subdivide::CreaseDecay::uniform,
+                                          levels);
+      subdivide::SubdivideOptions options =
+          options_of(levels, boundary, subdivide::CreaseDecay::uniform);
       options.limit = true;
-      const Mesh ours = subdivide(model.mesh, options).mesh;
+      const Mesh ours = subdivide::subdivide(model.mesh, options).mesh;
       const std::vector<Point> limit = reference.limit_positions();
       const std::set<std::uint32_t> darts = darts_of(reference.level(levels));
       ASSERT_EQ(ours.vertex_count(), limit.size());
@@ -190,20 +202,21 @@ TEST(OpenSubdivReference, LimitsAgreeExceptAtDarts) {
 }
 
 TEST(Limits, AreExactForEverySharpness) {
-  for (const BoundaryRounding boundary : kBoundaries) {
-    for (const CreaseDecay decay : kDecays) {
+  for (const subdivide::BoundaryRounding boundary : kBoundaries) {
+    for (const subdivide::CreaseDecay decay : kDecays) {
       for (const Model& model : models()) {
-        if (boundary != BoundaryRounding::edge_only && !has_boundary(model.mesh)) continue;
-        if (decay != CreaseDecay::uniform && is_settled(model.mesh)) continue;
+        if (boundary != subdivide::BoundaryRounding::edge_only && !has_boundary(model.mesh))
+          continue;
+        if (decay != subdivide::CreaseDecay::uniform && is_settled(model.mesh)) continue;
         SCOPED_TRACE(model.name + ", " + name(boundary, decay));
         PlainMesh oracle = plain_mesh(model.mesh, boundary);
         const double size = diagonal(oracle.positions);
         const std::uint32_t levels = model.mesh.face_count() > 100 ? 0 : 1;
         for (std::uint32_t level = 0; level <= levels; ++level) {
           if (level > 0) oracle = refine(oracle, derose98_rules(decay));
-          SubdivideOptions options = options_of(level, boundary, decay);
+          subdivide::SubdivideOptions options = options_of(level, boundary, decay);
           options.limit = true;
-          const Mesh ours = subdivide(model.mesh, options).mesh;
+          const Mesh ours = subdivide::subdivide(model.mesh, options).mesh;
           const std::vector<Point> limit = limit_positions(oracle, derose98_rules(decay));
           ASSERT_EQ(ours.vertex_count(), limit.size());
           EXPECT_LE(largest_distance(points_of(ours.positions()), limit), kTolerance * size)

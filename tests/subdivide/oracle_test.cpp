@@ -17,7 +17,8 @@
 namespace mesher::test {
 namespace {
 
-PlainMesh plain(Soup soup, BoundaryRounding boundary = BoundaryRounding::edge_only) {
+PlainMesh plain(Soup soup,
+                subdivide::BoundaryRounding boundary = subdivide::BoundaryRounding::edge_only) {
   return plain_mesh(built(std::move(soup)).mesh, boundary);
 }
 
@@ -48,7 +49,8 @@ TEST(Oracle, MatchesTriangleComputedByHand) {
   const PlainMesh round = refine(plain(one), hoppe94_rules());
   expect_at(round.positions[0], {1, 1, 0});
   expect_at(round.positions[3], {4, 0, 0});
-  const PlainMesh cornered = refine(plain(one, BoundaryRounding::edge_and_corner), hoppe94_rules());
+  const PlainMesh cornered =
+      refine(plain(one, subdivide::BoundaryRounding::edge_and_corner), hoppe94_rules());
   expect_at(cornered.positions[0], {0, 0, 0});
   expect_at(cornered.positions[4], {4, 4, 0});
 }
@@ -69,7 +71,7 @@ TEST(Oracle, MatchesOpenFanComputedByHand) {
 TEST(Oracle, MatchesDartsComputedByHand) {
   Mesh mesh = built(octahedron()).mesh;
   mesh.set_sharpness(mesh.find_edge(Vertex(0), Vertex(1)), kInfinitelySharp);
-  const PlainMesh tagged = plain_mesh(mesh, BoundaryRounding::edge_only);
+  const PlainMesh tagged = plain_mesh(mesh, subdivide::BoundaryRounding::edge_only);
   expect_at(refine(tagged, hoppe94_rules()).positions[6], {0.375, 0.375, 0});
   const PlainMesh fine = refine(tagged, derose98_rules());
   expect_at(fine.positions[6], {0.5, 0.5, 0});
@@ -79,19 +81,21 @@ TEST(Oracle, MatchesDartsComputedByHand) {
 
 TEST(Oracle, MatchesSharpnessComputedByHand) {
   const std::vector<double> others{0.0, 2.0, kForEver, 4.0};
-  EXPECT_EQ(child_sharpness(2.5, others, CreaseDecay::uniform), 1.5);
-  EXPECT_EQ(child_sharpness(2.5, others, CreaseDecay::chaikin), 0.75 * 2.5 + 0.25 * 3.0 - 1.0);
-  EXPECT_EQ(child_sharpness(2.5, {}, CreaseDecay::chaikin), 1.5);
-  EXPECT_EQ(child_sharpness(0.5, {}, CreaseDecay::uniform), 0.0);
-  EXPECT_EQ(child_sharpness(0.0, others, CreaseDecay::chaikin), 0.0);
-  EXPECT_EQ(child_sharpness(kForEver, others, CreaseDecay::chaikin), kForEver);
+  EXPECT_EQ(child_sharpness(2.5, others, subdivide::CreaseDecay::uniform), 1.5);
+  EXPECT_EQ(child_sharpness(2.5, others, subdivide::CreaseDecay::chaikin),
+            0.75 * 2.5 + 0.25 * 3.0 - 1.0);
+  EXPECT_EQ(child_sharpness(2.5, {}, subdivide::CreaseDecay::chaikin), 1.5);
+  EXPECT_EQ(child_sharpness(0.5, {}, subdivide::CreaseDecay::uniform), 0.0);
+  EXPECT_EQ(child_sharpness(0.0, others, subdivide::CreaseDecay::chaikin), 0.0);
+  EXPECT_EQ(child_sharpness(kForEver, others, subdivide::CreaseDecay::chaikin), kForEver);
 }
 
 TEST(Oracle, SharpnessOneHalfBlendsBothRulesEqually) {
   Mesh mesh = built(octahedron()).mesh;
   for (std::uint32_t i = 0; i < 4; ++i)
     mesh.set_sharpness(mesh.find_edge(Vertex(i), Vertex((i + 1) % 4)), 0.5F);
-  const PlainMesh fine = refine(plain_mesh(mesh, BoundaryRounding::edge_only), derose98_rules());
+  const PlainMesh fine =
+      refine(plain_mesh(mesh, subdivide::BoundaryRounding::edge_only), derose98_rules());
   expect_at(fine.positions[0], {(0.75 + 33.0 / 64.0) / 2.0, 0, 0});
   expect_at(fine.positions[6], {(0.5 + 0.375) / 2.0, (0.5 + 0.375) / 2.0, 0});
   EXPECT_TRUE(fine.sharpness.empty());
@@ -99,11 +103,11 @@ TEST(Oracle, SharpnessOneHalfBlendsBothRulesEqually) {
 
 TEST(Oracle, SubdivisionConvergesToTheLimits) {
   for (const OracleRules& rules :
-       {hoppe94_rules(), derose98_rules(), hoppe94_rules(CreaseDecay::chaikin)}) {
+       {hoppe94_rules(), derose98_rules(), hoppe94_rules(subdivide::CreaseDecay::chaikin)}) {
     for (const Model& model : models()) {
       if (model.mesh.face_count() > 24) continue;
       SCOPED_TRACE(model.name);
-      const PlainMesh mesh = plain_mesh(model.mesh, BoundaryRounding::edge_only);
+      const PlainMesh mesh = plain_mesh(model.mesh, subdivide::BoundaryRounding::edge_only);
       const std::vector<Point> limit = limit_positions(mesh, rules);
       PlainMesh fine = refine(mesh, rules);
       const std::vector<Point> later = limit_positions(fine, rules);
@@ -145,7 +149,7 @@ TEST(Oracle, NormalsAreEqualOneLevelDeeper) {
     for (const Model& model : models()) {
       if (model.mesh.face_count() > 40) continue;
       SCOPED_TRACE(model.name);
-      const PlainMesh mesh = plain_mesh(model.mesh, BoundaryRounding::edge_only);
+      const PlainMesh mesh = plain_mesh(model.mesh, subdivide::BoundaryRounding::edge_only);
       const std::vector<Point> coarse = limit_normals(mesh, rules);
       const std::vector<Point> fine = limit_normals(refine(mesh, rules), rules);
       double worst = 0.0;

@@ -8,7 +8,7 @@ namespace mesher::test {
 namespace {
 
 double settled(float sharpness) {
-  return sharpness >= kSharpForEver ? kForEver : double(sharpness);
+  return sharpness >= subdivide::kSharpForEver ? kForEver : double(sharpness);
 }
 
 /// Orders the neighbors of a vertex. The faces give pairs of consecutive neighbors.
@@ -30,7 +30,7 @@ std::vector<std::uint32_t> ring_of(const std::map<std::uint32_t, std::uint32_t>&
 
 }  // namespace
 
-PlainMesh plain_mesh(const Mesh& mesh, BoundaryRounding boundary) {
+PlainMesh plain_mesh(const Mesh& mesh, subdivide::BoundaryRounding boundary) {
   PlainMesh plain;
   plain.positions = points_of(mesh.positions());
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
@@ -54,7 +54,7 @@ PlainMesh plain_mesh(const Mesh& mesh, BoundaryRounding boundary) {
   for (const auto& [edge, count] : faces_of) {
     if (count == 1) plain.sharpness[edge] = kForEver;
   }
-  if (boundary == BoundaryRounding::edge_and_corner) {
+  if (boundary == subdivide::BoundaryRounding::edge_and_corner) {
     for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
       if (faces_at[v] == 1) plain.vertex_sharpness[v] = kForEver;
     }

@@ -38,7 +38,7 @@ struct PlainMesh {
 /// Converts a mesh and lists everything that is sharp by rule as infinitely sharp: boundary edges,
 /// edges from kSharpForEver on, copies of bow-tie vertices and, depending on `boundary`, vertices
 /// with one face.
-PlainMesh plain_mesh(const Mesh& mesh, BoundaryRounding boundary);
+PlainMesh plain_mesh(const Mesh& mesh, subdivide::BoundaryRounding boundary);
 
 /// Diagonal of the bounding box; 1 if it is empty.
 double diagonal(std::span<const Point> positions);

@@ -17,12 +17,14 @@ namespace mesher::test {
 namespace {
 
 /// One of every combination of scheme, creases, boundary and decay that gives a different result.
-std::vector<SubdivideOptions> every_rule(std::uint32_t levels) {
-  std::vector<SubdivideOptions> all{{.levels = levels, .scheme = Scheme::butterfly},
-                                    {.levels = levels, .scheme = Scheme::midpoint}};
-  for (const CreaseRules creases : {CreaseRules::hoppe94, CreaseRules::derose98}) {
-    for (const BoundaryRounding boundary : kBoundaries) {
-      for (const CreaseDecay decay : kDecays) {
+std::vector<subdivide::SubdivideOptions> every_rule(std::uint32_t levels) {
+  std::vector<subdivide::SubdivideOptions> all{
+      {.levels = levels, .scheme = subdivide::Scheme::butterfly},
+      {.levels = levels, .scheme = subdivide::Scheme::midpoint}};
+  for (const subdivide::CreaseRules creases :
+       {subdivide::CreaseRules::hoppe94, subdivide::CreaseRules::derose98}) {
+    for (const subdivide::BoundaryRounding boundary : kBoundaries) {
+      for (const subdivide::CreaseDecay decay : kDecays) {
         for (const bool limit : {false, true}) {
           all.push_back({.levels = levels,
                          .creases = creases,
@@ -36,7 +38,7 @@ std::vector<SubdivideOptions> every_rule(std::uint32_t levels) {
   return all;
 }
 
-std::string describe(const SubdivideOptions& o) {
+std::string describe(const subdivide::SubdivideOptions& o) {
   return "scheme " + std::to_string(int(o.scheme)) + ", creases " + std::to_string(int(o.creases)) +
          ", boundary " + std::to_string(int(o.boundary)) + ", decay " +
          std::to_string(int(o.decay)) + (o.limit ? ", limit" : "");
@@ -70,12 +72,12 @@ Mesh mapped(Mesh mesh) {
 }
 
 TEST(Properties, SubdivisionCommutesWithAffineMaps) {
-  for (const SubdivideOptions& options : every_rule(2)) {
+  for (const subdivide::SubdivideOptions& options : every_rule(2)) {
     SCOPED_TRACE(describe(options));
     for (const Model* model : some_models()) {
       SCOPED_TRACE(model->name);
-      const Mesh before = subdivide(mapped(model->mesh), options).mesh;
-      const Mesh after = mapped(subdivide(model->mesh, options).mesh);
+      const Mesh before = subdivide::subdivide(mapped(model->mesh), options).mesh;
+      const Mesh after = mapped(subdivide::subdivide(model->mesh, options).mesh);
       // Only rounding of coordinates around 10.
       EXPECT_LE(distance(before, after), 4 * kTolerance * size_of(before));
     }
@@ -83,7 +85,7 @@ TEST(Properties, SubdivisionCommutesWithAffineMaps) {
 }
 
 TEST(Properties, ZeroSharpnessEqualsNoTag) {
-  for (const SubdivideOptions& options : every_rule(2)) {
+  for (const subdivide::SubdivideOptions& options : every_rule(2)) {
     SCOPED_TRACE(describe(options));
     for (const Model* model : some_models()) {
       if (!is_untagged(model->mesh)) continue;
@@ -91,8 +93,8 @@ TEST(Properties, ZeroSharpnessEqualsNoTag) {
       for (std::uint32_t h = 0; h < tagged.halfedge_count(); ++h)
         tagged.set_sharpness(tagged.edge(Halfedge(h)), 0.0F);
       tagged.set_sharpness(Vertex(0), 0.0F);
-      const Mesh a = subdivide(tagged, options).mesh;
-      const Mesh b = subdivide(model->mesh, options).mesh;
+      const Mesh a = subdivide::subdivide(tagged, options).mesh;
+      const Mesh b = subdivide::subdivide(model->mesh, options).mesh;
       ASSERT_EQ(a.vertex_count(), b.vertex_count());
       EXPECT_EQ(std::memcmp(a.positions().data(), b.positions().data(), a.positions().size_bytes()),
                 0)
@@ -118,12 +120,15 @@ Mesh dulled(Mesh mesh) {
 }
 
 TEST(Properties, IntegerSharpnessEqualsThatManyCreaseLevels) {
-  for (const CreaseRules creases : {CreaseRules::hoppe94, CreaseRules::derose98}) {
+  for (const subdivide::CreaseRules creases :
+       {subdivide::CreaseRules::hoppe94, subdivide::CreaseRules::derose98}) {
     for (std::uint32_t k = 1; k <= 3; ++k) {
-      const Mesh soft = subdivide(looped(float(k)), {.levels = k + 1, .creases = creases}).mesh;
+      const Mesh soft =
+          subdivide::subdivide(looped(float(k)), {.levels = k + 1, .creases = creases}).mesh;
       const Mesh sharp =
-          subdivide(looped(kInfinitelySharp), {.levels = k, .creases = creases}).mesh;
-      const Mesh by_hand = subdivide(dulled(sharp), {.levels = 1, .creases = creases}).mesh;
+          subdivide::subdivide(looped(kInfinitelySharp), {.levels = k, .creases = creases}).mesh;
+      const Mesh by_hand =
+          subdivide::subdivide(dulled(sharp), {.levels = 1, .creases = creases}).mesh;
       EXPECT_LE(distance(soft, by_hand), kTolerance * size_of(soft)) << k;
     }
   }
@@ -131,14 +136,15 @@ TEST(Properties, IntegerSharpnessEqualsThatManyCreaseLevels) {
 
 TEST(Properties, ResultIsContinuousInTheSharpness) {
   constexpr float kStep = 1e-3F;
-  for (const CreaseRules creases : {CreaseRules::hoppe94, CreaseRules::derose98}) {
-    for (const CreaseDecay decay : kDecays) {
+  for (const subdivide::CreaseRules creases :
+       {subdivide::CreaseRules::hoppe94, subdivide::CreaseRules::derose98}) {
+    for (const subdivide::CreaseDecay decay : kDecays) {
       for (const bool limit : {false, true}) {
-        const SubdivideOptions options{
+        const subdivide::SubdivideOptions options{
             .levels = 4, .creases = creases, .decay = decay, .limit = limit};
         for (const float s : {0.0F, 0.3F, 0.9995F, 1.0F, 1.4F, 1.9995F, 2.0F, 2.9995F}) {
-          const Mesh a = subdivide(looped(s), options).mesh;
-          const Mesh b = subdivide(looped(s + kStep), options).mesh;
+          const Mesh a = subdivide::subdivide(looped(s), options).mesh;
+          const Mesh b = subdivide::subdivide(looped(s + kStep), options).mesh;
           EXPECT_LE(distance(a, b), 2 * kStep * size_of(a)) << describe(options) << ' ' << s;
         }
       }
@@ -147,15 +153,17 @@ TEST(Properties, ResultIsContinuousInTheSharpness) {
 }
 
 TEST(Properties, OldVerticesHaveTheSameLimitAtEveryLevel) {
-  for (const SubdivideOptions& rule : every_rule(0)) {
+  for (const subdivide::SubdivideOptions& rule : every_rule(0)) {
     if (!rule.limit) continue;
     SCOPED_TRACE(describe(rule));
     for (const Model* model : some_models()) {
       SCOPED_TRACE(model->name);
-      SubdivideOptions options = rule;
-      std::vector<Point> coarse = points_of(subdivide(model->mesh, options).mesh.positions());
+      subdivide::SubdivideOptions options = rule;
+      std::vector<Point> coarse =
+          points_of(subdivide::subdivide(model->mesh, options).mesh.positions());
       for (options.levels = 1; options.levels <= 3; ++options.levels) {
-        const std::vector<Point> fine = points_of(subdivide(model->mesh, options).mesh.positions());
+        const std::vector<Point> fine =
+            points_of(subdivide::subdivide(model->mesh, options).mesh.positions());
         ASSERT_GE(fine.size(), coarse.size());
         EXPECT_LE(largest_distance(coarse, fine), kTolerance * size_of(model->mesh))
             << "level " << options.levels;
@@ -174,7 +182,7 @@ TEST(Properties, KeepsTopologyAndDoublesBoundaryEdges) {
     SCOPED_TRACE(model.name);
     const std::uint32_t most = std::min(3U, affordable_levels(model.mesh, 3));
     for (std::uint32_t levels = 0; levels <= most; ++levels) {
-      const Mesh fine = subdivide(model.mesh, {.levels = levels}).mesh;
+      const Mesh fine = subdivide::subdivide(model.mesh, {.levels = levels}).mesh;
       expect_valid(fine);
       EXPECT_EQ(topology(fine), topology(model.mesh));
       EXPECT_EQ(fine.face_count(), model.mesh.face_count() << (2 * levels));
@@ -190,17 +198,17 @@ bool is_same_bytes(const Array<T>& a, const Array<T>& b) {
 }
 
 TEST(Properties, SameBytesForAnyThreadCount) {
-  for (const SubdivideOptions& options : every_rule(4)) {
+  for (const subdivide::SubdivideOptions& options : every_rule(4)) {
     SCOPED_TRACE(describe(options));
     for (const Model& model : models()) {
       if (model.name != "random 7" && model.name != "grid, soft crease to the boundary") continue;
       const auto run = [&](unsigned threads) {
         const ThreadLimit limit(threads);
-        return subdivide(model.mesh, options);
+        return subdivide::subdivide(model.mesh, options);
       };
-      const Subdivided one = run(1);
+      const subdivide::Subdivided one = run(1);
       for (const unsigned threads : {2U, 5U}) {
-        const Subdivided many = run(threads);
+        const subdivide::Subdivided many = run(threads);
         EXPECT_TRUE(is_identical(one.mesh, many.mesh)) << model.name << ", " << threads;
         EXPECT_TRUE(is_same_bytes(one.limit_normal, many.limit_normal)) << model.name;
       }
@@ -209,14 +217,15 @@ TEST(Properties, SameBytesForAnyThreadCount) {
 }
 
 TEST(Properties, TriangleOutputMatchesTheMesh) {
-  for (const SubdivideOptions& rule : every_rule(0)) {
+  for (const subdivide::SubdivideOptions& rule : every_rule(0)) {
     SCOPED_TRACE(describe(rule));
     for (const Model* model : some_models()) {
       SCOPED_TRACE(model->name);
-      SubdivideOptions options = rule;
+      subdivide::SubdivideOptions options = rule;
       for (options.levels = 0; options.levels <= 2; ++options.levels) {
-        const Mesh mesh = subdivide(model->mesh, options).mesh;
-        const IndexedTriangles bare = subdivide_to_triangles(model->mesh, options);
+        const Mesh mesh = subdivide::subdivide(model->mesh, options).mesh;
+        const subdivide::IndexedTriangles bare =
+            subdivide::subdivide_to_triangles(model->mesh, options);
         EXPECT_TRUE(is_same_bytes(
             bare.position, Array<glm::vec3>(mesh.positions().begin(), mesh.positions().end())));
         EXPECT_TRUE(
@@ -230,8 +239,9 @@ TEST(Properties, PredictedSizeIsExact) {
   for (const Model* model : some_models()) {
     SCOPED_TRACE(model->name);
     for (std::uint32_t levels = 0; levels <= 3; ++levels) {
-      const Mesh fine = subdivide(model->mesh, {.levels = levels}).mesh;
-      const SubdivisionSize size = subdivision_size(model->mesh, {.levels = levels});
+      const Mesh fine = subdivide::subdivide(model->mesh, {.levels = levels}).mesh;
+      const subdivide::SubdivisionSize size =
+          subdivide::subdivision_size(model->mesh, {.levels = levels});
       EXPECT_EQ(size.vertices, fine.vertex_count());
       EXPECT_EQ(size.faces, fine.face_count());
       EXPECT_TRUE(size.has_ids);
@@ -246,31 +256,33 @@ TEST(Properties, PredictedSizeIsExact) {
 
 TEST(Properties, PredictedSizeDoesNotOverflow) {
   const Mesh mesh = built(octahedron()).mesh;
-  EXPECT_TRUE(subdivision_size(mesh, {.levels = 13}).has_ids);   // 3 * 8 * 4^13: 1.6 billion
-  EXPECT_FALSE(subdivision_size(mesh, {.levels = 14}).has_ids);  // 6.4 billion
-  EXPECT_EQ(subdivision_size(mesh, {.levels = 14}).faces, 8ULL << 28);
+  EXPECT_TRUE(
+      subdivide::subdivision_size(mesh, {.levels = 13}).has_ids);  // 3 * 8 * 4^13: 1.6 billion
+  EXPECT_FALSE(subdivide::subdivision_size(mesh, {.levels = 14}).has_ids);  // 6.4 billion
+  EXPECT_EQ(subdivide::subdivision_size(mesh, {.levels = 14}).faces, 8ULL << 28);
   for (const std::uint32_t levels : {15U, 31U, 32U, 64U, 1000U, 0xFFFFFFFFU})
-    EXPECT_FALSE(subdivision_size(mesh, {.levels = levels}).has_ids) << levels;
+    EXPECT_FALSE(subdivide::subdivision_size(mesh, {.levels = levels}).has_ids) << levels;
 }
 
 TEST(Properties, ZeroLevelsAndEmptyMeshesAreAccepted) {
-  for (const SubdivideOptions& options : every_rule(0)) {
+  for (const subdivide::SubdivideOptions& options : every_rule(0)) {
     if (options.limit) continue;
     for (const Model* model : some_models())
-      EXPECT_EQ(distance(subdivide(model->mesh, options).mesh, model->mesh), 0.0);
+      EXPECT_EQ(distance(subdivide::subdivide(model->mesh, options).mesh, model->mesh), 0.0);
   }
-  for (const SubdivideOptions& options : every_rule(3)) {
-    EXPECT_EQ(subdivide(Mesh(), options).mesh.vertex_count(), 0U);
-    EXPECT_TRUE(subdivide_to_triangles(Mesh(), options).index.empty());
+  for (const subdivide::SubdivideOptions& options : every_rule(3)) {
+    EXPECT_EQ(subdivide::subdivide(Mesh(), options).mesh.vertex_count(), 0U);
+    EXPECT_TRUE(subdivide::subdivide_to_triangles(Mesh(), options).index.empty());
   }
 }
 
 TEST(Properties, IsolatedVerticesDoNotMove) {
-  for (const SubdivideOptions& options : every_rule(2)) {
+  for (const subdivide::SubdivideOptions& options : every_rule(2)) {
     SCOPED_TRACE(describe(options));
     for (const Model& model : models()) {
-      const Mesh fine =
-          model.name == "isolated vertices" ? subdivide(model.mesh, options).mesh : Mesh();
+      const Mesh fine = model.name == "isolated vertices"
+                            ? subdivide::subdivide(model.mesh, options).mesh
+                            : Mesh();
       for (std::uint32_t v = 0; v < model.mesh.vertex_count() && fine.vertex_count() > 0; ++v) {
         if (!model.mesh.is_isolated(Vertex(v))) continue;
         EXPECT_EQ(fine.position(Vertex(v)), model.mesh.position(Vertex(v)));
@@ -282,12 +294,13 @@ TEST(Properties, IsolatedVerticesDoNotMove) {
 
 TEST(Properties, ThrowsWhenCanceled) {
   const Mesh mesh = built(octahedron()).mesh;
-  for (const Scheme scheme : {Scheme::loop, Scheme::butterfly, Scheme::midpoint}) {
+  for (const subdivide::Scheme scheme :
+       {subdivide::Scheme::loop, subdivide::Scheme::butterfly, subdivide::Scheme::midpoint}) {
     Progress progress;
     progress.cancel();
-    const SubdivideOptions options{.levels = 3, .scheme = scheme, .progress = &progress};
-    EXPECT_THROW(static_cast<void>(subdivide(mesh, options)), Cancelled);
-    EXPECT_THROW(static_cast<void>(subdivide_to_triangles(mesh, options)), Cancelled);
+    const subdivide::SubdivideOptions options{.levels = 3, .scheme = scheme, .progress = &progress};
+    EXPECT_THROW(static_cast<void>(subdivide::subdivide(mesh, options)), Cancelled);
+    EXPECT_THROW(static_cast<void>(subdivide::subdivide_to_triangles(mesh, options)), Cancelled);
   }
 }
 

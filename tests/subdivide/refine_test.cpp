@@ -16,35 +16,39 @@
 namespace mesher::test {
 namespace {
 
-using mesher::Point;
+using mesher::subdivide::Point;
 
 // Face (a, b, c) has the children (a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca).
-static_assert(first_half(Halfedge(0)) == Halfedge(0) && second_half(Halfedge(0)) == Halfedge(3));
-static_assert(first_half(Halfedge(1)) == Halfedge(4) && second_half(Halfedge(1)) == Halfedge(7));
-static_assert(first_half(Halfedge(2)) == Halfedge(8) && second_half(Halfedge(2)) == Halfedge(2));
-static_assert(second_half(Halfedge(5)) == Halfedge(14));
+static_assert(subdivide::first_half(Halfedge(0)) == Halfedge(0) &&
+              subdivide::second_half(Halfedge(0)) == Halfedge(3));
+static_assert(subdivide::first_half(Halfedge(1)) == Halfedge(4) &&
+              subdivide::second_half(Halfedge(1)) == Halfedge(7));
+static_assert(subdivide::first_half(Halfedge(2)) == Halfedge(8) &&
+              subdivide::second_half(Halfedge(2)) == Halfedge(2));
+static_assert(subdivide::second_half(Halfedge(5)) == Halfedge(14));
 
 TEST(Children, HalvesAreDistinctAndMapBackToTheirEdge) {
   constexpr std::uint32_t kHalfedges = 3 * 100;
   std::set<std::uint32_t> halves;
   for (std::uint32_t i = 0; i < kHalfedges; ++i) {
     const Halfedge h(i);
-    EXPECT_EQ(whole_of_second(second_half(h)), h) << i;
-    EXPECT_EQ(second_half(h).index() / 12, i / 3) << i;
-    halves.insert({first_half(h).index(), second_half(h).index()});
+    EXPECT_EQ(subdivide::whole_of_second(subdivide::second_half(h)), h) << i;
+    EXPECT_EQ(subdivide::second_half(h).index() / 12, i / 3) << i;
+    halves.insert({subdivide::first_half(h).index(), subdivide::second_half(h).index()});
   }
   EXPECT_EQ(halves.size(), 2U * kHalfedges);
 }
 
 /// The next level with complete connectivity and placeholder positions.
-Level refined(const Mesh& mesh) {
-  Level level = refine(view_of(mesh), false, nullptr, [](const EdgeSite&) { return Point(); });
+subdivide::Level refined(const Mesh& mesh) {
+  subdivide::Level level = subdivide::refine(subdivide::view_of(mesh), false, nullptr,
+                                             [](const subdivide::EdgeSite&) { return Point(); });
   std::fill_n(level.position.begin(), mesh.vertex_count(), glm::vec3(0.0F));
-  write_outgoing(view_of(mesh), level);
+  subdivide::write_outgoing(subdivide::view_of(mesh), level);
   return level;
 }
 
-Mesh mesh_of(Level level) {
+Mesh mesh_of(subdivide::Level level) {
   MeshArrays arrays;
   arrays.sharpness.assign(level.origin.size(), 0.0F);
   arrays.position = std::move(level.position);
@@ -57,14 +61,14 @@ Mesh mesh_of(Level level) {
 TEST(Refine, HalvesOfAnEdgeMeetAtItsVertex) {
   for (const Model& model : models()) {
     SCOPED_TRACE(model.name);
-    const Level level = refined(model.mesh);
+    const subdivide::Level level = refined(model.mesh);
     const Mesh fine = mesh_of(level);
     for (std::uint32_t i = 0; i < model.mesh.halfedge_count(); ++i) {
       const Halfedge h(i);
-      ASSERT_EQ(fine.origin(first_half(h)), model.mesh.origin(h));
-      ASSERT_EQ(fine.target(second_half(h)), model.mesh.target(h));
-      ASSERT_EQ(fine.target(first_half(h)), edge_vertex(level, h));
-      ASSERT_EQ(fine.origin(second_half(h)), edge_vertex(level, h));
+      ASSERT_EQ(fine.origin(subdivide::first_half(h)), model.mesh.origin(h));
+      ASSERT_EQ(fine.target(subdivide::second_half(h)), model.mesh.target(h));
+      ASSERT_EQ(fine.target(subdivide::first_half(h)), subdivide::edge_vertex(level, h));
+      ASSERT_EQ(fine.origin(subdivide::second_half(h)), subdivide::edge_vertex(level, h));
     }
   }
 }
@@ -83,12 +87,12 @@ TEST(Refine, RingOfANewBoundaryVertexStartsOnTheBoundary) {
   for (const Model& model : models()) {
     SCOPED_TRACE(model.name);
     const Mesh& mesh = model.mesh;
-    const Level level = refined(mesh);
+    const subdivide::Level level = refined(mesh);
     for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
       const Halfedge h(i);
-      const Halfedge out = level.outgoing[edge_vertex(level, h).index()];
+      const Halfedge out = level.outgoing[subdivide::edge_vertex(level, h).index()];
       EXPECT_EQ(level.twin[out.index()].is_valid(), !mesh.is_boundary(h));
-      EXPECT_EQ(out, second_half(std::min(h, mesh.twin(h))));
+      EXPECT_EQ(out, subdivide::second_half(std::min(h, mesh.twin(h))));
     }
     for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
       EXPECT_EQ(level.outgoing[v].is_valid(), !mesh.is_isolated(Vertex(v)));
@@ -99,17 +103,17 @@ TEST(Refine, NumbersEdgesInTheOrderOfTheFaces) {
   for (const Model& model : models()) {
     SCOPED_TRACE(model.name);
     const Mesh& mesh = model.mesh;
-    const Level level = refined(mesh);
+    const subdivide::Level level = refined(mesh);
     std::map<VertexPair, std::uint32_t> number;
     for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
       const Halfedge h(i);
       const auto next = mesh.vertex_count() + static_cast<std::uint32_t>(number.size());
       const VertexPair ends = pair_of(mesh.origin(h).index(), mesh.target(h).index());
       const std::uint32_t v = number.emplace(ends, next).first->second;
-      ASSERT_EQ(edge_vertex(level, h), Vertex(v)) << i;
+      ASSERT_EQ(subdivide::edge_vertex(level, h), Vertex(v)) << i;
     }
     EXPECT_EQ(number.size(), mesh.count_edges());
-    EXPECT_EQ(number.size(), count_edges(mesh.twins()));
+    EXPECT_EQ(number.size(), subdivide::count_edges(mesh.twins()));
     EXPECT_EQ(level.position.size(), mesh.vertex_count() + number.size());
   }
 }
@@ -118,27 +122,28 @@ TEST(Refine, RequestsAndStoresEachEdgePositionOnce) {
   const Mesh mesh = built(grid(40)).mesh;
   std::mutex mutex;
   std::multiset<std::uint32_t> asked;
-  const Level level = refine(view_of(mesh), false, nullptr, [&](const EdgeSite& edge) {
-    const std::lock_guard lock(mutex);
-    asked.insert(edge.h.index());
-    EXPECT_EQ(edge.next, Mesh::next(edge.h));
-    EXPECT_EQ(edge.prev, Mesh::prev(edge.h));
-    EXPECT_EQ(edge.twin, mesh.twin(edge.h));
-    return Point(glm::vec3(static_cast<float>(edge.h.index()), 1.0F, 2.0F));
-  });
+  const subdivide::Level level = subdivide::refine(
+      subdivide::view_of(mesh), false, nullptr, [&](const subdivide::EdgeSite& edge) {
+        const std::lock_guard lock(mutex);
+        asked.insert(edge.h.index());
+        EXPECT_EQ(edge.next, Mesh::next(edge.h));
+        EXPECT_EQ(edge.prev, Mesh::prev(edge.h));
+        EXPECT_EQ(edge.twin, mesh.twin(edge.h));
+        return Point(glm::vec3(static_cast<float>(edge.h.index()), 1.0F, 2.0F));
+      });
   EXPECT_EQ(asked.size(), mesh.count_edges());
   for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
     const Halfedge lower = std::min(Halfedge(i), mesh.twin(Halfedge(i)));
     EXPECT_EQ(asked.count(i), lower == Halfedge(i) ? 1U : 0U) << i;
-    EXPECT_EQ(level.position[edge_vertex(level, Halfedge(i)).index()],
+    EXPECT_EQ(level.position[subdivide::edge_vertex(level, Halfedge(i)).index()],
               glm::vec3(static_cast<float>(lower.index()), 1.0F, 2.0F));
   }
 }
 
 TEST(Refine, LastLevelHasOnlyFaces) {
   const Mesh mesh = built(torus(20, 30)).mesh;
-  const auto nowhere = [](const EdgeSite&) { return Point(); };
-  const Level bare = refine(view_of(mesh), true, nullptr, nowhere);
+  const auto nowhere = [](const subdivide::EdgeSite&) { return Point(); };
+  const subdivide::Level bare = subdivide::refine(subdivide::view_of(mesh), true, nullptr, nowhere);
   EXPECT_TRUE(bare.twin.empty());
   EXPECT_TRUE(bare.outgoing.empty());
   EXPECT_TRUE(bare.origin == refined(mesh).origin);
@@ -150,8 +155,8 @@ TEST(Refine, SameForAnyThreadCount) {
     const ThreadLimit limit(threads);
     return refined(mesh);
   };
-  const Level one = run(1);
-  const Level many = run(3);
+  const subdivide::Level one = run(1);
+  const subdivide::Level many = run(3);
   EXPECT_TRUE(one.origin == many.origin);
   EXPECT_TRUE(one.twin == many.twin);
   EXPECT_TRUE(one.outgoing == many.outgoing);
@@ -161,8 +166,9 @@ TEST(Refine, ThrowsWhenCanceled) {
   const Mesh mesh = built(octahedron()).mesh;
   Progress progress;
   progress.cancel();
-  const auto nowhere = [](const EdgeSite&) { return Point(); };
-  EXPECT_THROW((void)refine(view_of(mesh), false, &progress, nowhere), Cancelled);
+  const auto nowhere = [](const subdivide::EdgeSite&) { return Point(); };
+  EXPECT_THROW((void)subdivide::refine(subdivide::view_of(mesh), false, &progress, nowhere),
+               Cancelled);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace mesher::test {
 namespace {
 
 /// The half-edges out of an interior vertex, found by walking around it.
-std::vector<Halfedge> walked(const LevelView& level, Vertex v) {
+std::vector<Halfedge> walked(const subdivide::LevelView& level, Vertex v) {
   std::vector<Halfedge> spokes;
   const Halfedge start = level.outgoing[v.index()];
   Halfedge h = start;
@@ -26,13 +26,13 @@ std::vector<Halfedge> walked(const LevelView& level, Vertex v) {
   return spokes;
 }
 
-bool is_inside(const LevelView& level, Vertex v) {
+bool is_inside(const subdivide::LevelView& level, Vertex v) {
   const Halfedge h = level.outgoing[v.index()];
   return h.is_valid() && level.twin[h.index()].is_valid();
 }
 
 /// Compares every interior vertex; returns how many there were.
-std::uint32_t expect_walked(const Rings& rings, const LevelView& level) {
+std::uint32_t expect_walked(const subdivide::Rings& rings, const subdivide::LevelView& level) {
   std::uint32_t inside = 0;
   for (std::uint32_t v = 0; v < level.vertex_count(); ++v) {
     if (!is_inside(level, Vertex(v))) continue;
@@ -46,13 +46,13 @@ std::uint32_t expect_walked(const Rings& rings, const LevelView& level) {
 
 /// Refines and compares at every level. From the second level on, some vertex is interior.
 void expect_walked_down(const Mesh& mesh, std::uint32_t levels) {
-  Rings rings(view_of(mesh), true);
-  expect_walked(rings, view_of(mesh));
-  Level level;
-  LevelView coarse = view_of(mesh);
+  subdivide::Rings rings(subdivide::view_of(mesh), true);
+  expect_walked(rings, subdivide::view_of(mesh));
+  subdivide::Level level;
+  subdivide::LevelView coarse = subdivide::view_of(mesh);
   for (std::uint32_t i = 1; i <= levels; ++i) {
     SCOPED_TRACE("level " + std::to_string(i));
-    Level finer = midpoint_step(coarse, {}, false);
+    subdivide::Level finer = subdivide::midpoint_step(coarse, {}, false);
     rings.descend(coarse.vertex_count());
     level = std::move(finer);
     coarse = level.view();
@@ -84,7 +84,7 @@ TEST(Rings, StoreTheFaceCountOfBaseVertices) {
     for (const Vertex v : model.mesh.origins())
       ++faces[v.index()];
     for (const bool lists_spokes : {false, true}) {
-      const Rings rings(view_of(model.mesh), lists_spokes);
+      const subdivide::Rings rings(subdivide::view_of(model.mesh), lists_spokes);
       ASSERT_EQ(rings.base_vertices(), model.mesh.vertex_count());
       for (std::uint32_t v = 0; v < faces.size(); ++v)
         EXPECT_EQ(rings.base_valence(v), faces[v]) << v;
@@ -94,7 +94,7 @@ TEST(Rings, StoreTheFaceCountOfBaseVertices) {
 
 TEST(Rings, AreEmptyForAnEmptyMesh) {
   for (const bool lists_spokes : {false, true})
-    EXPECT_EQ(Rings(view_of(Mesh()), lists_spokes).base_vertices(), 0U);
+    EXPECT_EQ(subdivide::Rings(subdivide::view_of(Mesh()), lists_spokes).base_vertices(), 0U);
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ Point on_crease(const Point& a, const Point& b) {
   return 0.75 * kVertex + 0.125 * (a + b);
 }
 
-Point moved(float own, const std::vector<SharpSpoke>& spokes) {
-  return sharp_vertex_point(kVertex, own, spokes, kSmooth);
+Point moved(float own, const std::vector<subdivide::SharpSpoke>& spokes) {
+  return subdivide::sharp_vertex_point(kVertex, own, spokes, kSmooth);
 }
 
 void expect_near(const Point& is, const Point& expected) {
@@ -69,35 +69,39 @@ TEST(SharpVertexPoint, DoesNotBlendWhenTheRuleIsUnchanged) {
       kVertex);
 }
 
-SharpSpan edge(VertexKind first, VertexKind second, float sharpness, float left) {
+subdivide::SharpSpan edge(subdivide::VertexKind first, subdivide::VertexKind second,
+                          float sharpness, float left) {
   return {.end = {kA, kB}, .kind = {first, second}, .sharpness = sharpness, .left = {left, left}};
 }
 
 TEST(SharpEdgePoint, IsCloserToTheRegularEnd) {
-  const auto at = [](CreaseRules rules, VertexKind first, VertexKind second) {
-    return sharp_edge_point(rules, edge(first, second, kInfinitelySharp, kInfinitelySharp),
-                            kSmooth);
+  const auto at = [](subdivide::CreaseRules rules, subdivide::VertexKind first,
+                     subdivide::VertexKind second) {
+    return subdivide::sharp_edge_point(
+        rules, edge(first, second, kInfinitelySharp, kInfinitelySharp), kSmooth);
   };
-  constexpr auto kRegular = VertexKind::regular_crease;
-  constexpr auto kCorner = VertexKind::corner;
-  expect_near(at(CreaseRules::hoppe94, kRegular, kCorner), 0.625 * kA + 0.375 * kB);
-  expect_near(at(CreaseRules::hoppe94, kCorner, kRegular), 0.375 * kA + 0.625 * kB);
-  expect_near(at(CreaseRules::hoppe94, kCorner, kCorner), 0.5 * (kA + kB));
-  expect_near(at(CreaseRules::derose98, kRegular, kCorner), 0.5 * (kA + kB));
+  constexpr auto kRegular = subdivide::VertexKind::regular_crease;
+  constexpr auto kCorner = subdivide::VertexKind::corner;
+  expect_near(at(subdivide::CreaseRules::hoppe94, kRegular, kCorner), 0.625 * kA + 0.375 * kB);
+  expect_near(at(subdivide::CreaseRules::hoppe94, kCorner, kRegular), 0.375 * kA + 0.625 * kB);
+  expect_near(at(subdivide::CreaseRules::hoppe94, kCorner, kCorner), 0.5 * (kA + kB));
+  expect_near(at(subdivide::CreaseRules::derose98, kRegular, kCorner), 0.5 * (kA + kB));
 }
 
 TEST(SharpEdgePoint, IsSmoothAtDartsOfHoppe) {
-  const SharpSpan span =
-      edge(VertexKind::dart, VertexKind::corner, kInfinitelySharp, kInfinitelySharp);
-  expect_near(sharp_edge_point(CreaseRules::hoppe94, span, kSmooth), kSmooth);
-  expect_near(sharp_edge_point(CreaseRules::derose98, span, kSmooth), 0.5 * (kA + kB));
+  const subdivide::SharpSpan span = edge(subdivide::VertexKind::dart, subdivide::VertexKind::corner,
+                                         kInfinitelySharp, kInfinitelySharp);
+  expect_near(subdivide::sharp_edge_point(subdivide::CreaseRules::hoppe94, span, kSmooth), kSmooth);
+  expect_near(subdivide::sharp_edge_point(subdivide::CreaseRules::derose98, span, kSmooth),
+              0.5 * (kA + kB));
 }
 
 TEST(SharpEdgePoint, BlendsWhenTheEdgeBecomesSmooth) {
   const auto at = [](float sharpness, std::array<float, 2> left) {
-    SharpSpan span = edge(VertexKind::crease, VertexKind::crease, sharpness, 0.0F);
+    subdivide::SharpSpan span =
+        edge(subdivide::VertexKind::crease, subdivide::VertexKind::crease, sharpness, 0.0F);
     span.left = left;
-    return sharp_edge_point(CreaseRules::derose98, span, kSmooth);
+    return subdivide::sharp_edge_point(subdivide::CreaseRules::derose98, span, kSmooth);
   };
   const Point middle = 0.5 * (kA + kB);
   expect_near(at(0.25F, {0.0F, 0.0F}), 0.25 * middle + 0.75 * kSmooth);

@@ -12,30 +12,30 @@ namespace mesher {
 namespace {
 
 float chaikin(float sharpness, std::initializer_list<float> others) {
-  SemiSharpSum at_end;
+  subdivide::SemiSharpSum at_end;
   at_end.add(sharpness);
   for (const float other : others)
     at_end.add(other);
-  return chaikin_decayed(sharpness, at_end);
+  return subdivide::chaikin_decayed(sharpness, at_end);
 }
 
 TEST(Sharpness, DecreasesByOnePerLevel) {
-  EXPECT_EQ(decayed(0.0F), 0.0F);
-  EXPECT_EQ(decayed(0.75F), 0.0F);
-  EXPECT_EQ(decayed(1.0F), 0.0F);
-  EXPECT_EQ(decayed(1.25F), 0.25F);
-  EXPECT_EQ(decayed(9.5F), 8.5F);
+  EXPECT_EQ(subdivide::decayed(0.0F), 0.0F);
+  EXPECT_EQ(subdivide::decayed(0.75F), 0.0F);
+  EXPECT_EQ(subdivide::decayed(1.0F), 0.0F);
+  EXPECT_EQ(subdivide::decayed(1.25F), 0.25F);
+  EXPECT_EQ(subdivide::decayed(9.5F), 8.5F);
 }
 
 TEST(Sharpness, IsInfiniteFromTenOn) {
   for (const float s : {10.0F, 10.5F, 1e9F, kInfinitelySharp}) {
-    EXPECT_EQ(decayed(s), kInfinitelySharp) << s;
+    EXPECT_EQ(subdivide::decayed(s), kInfinitelySharp) << s;
     EXPECT_EQ(chaikin(s, {1.0F}), kInfinitelySharp) << s;
-    EXPECT_FALSE(is_semi_sharp(s)) << s;
+    EXPECT_FALSE(subdivide::is_semi_sharp(s)) << s;
   }
-  EXPECT_TRUE(is_semi_sharp(std::nextafter(10.0F, 0.0F)));
-  EXPECT_TRUE(is_semi_sharp(0.01F));
-  EXPECT_FALSE(is_semi_sharp(0.0F));
+  EXPECT_TRUE(subdivide::is_semi_sharp(std::nextafter(10.0F, 0.0F)));
+  EXPECT_TRUE(subdivide::is_semi_sharp(0.01F));
+  EXPECT_FALSE(subdivide::is_semi_sharp(0.0F));
 }
 
 TEST(ChaikinDecay, AveragesWithTheOtherEdgesMinusOne) {
@@ -54,16 +54,16 @@ TEST(ChaikinDecay, IgnoresSmoothAndInfinitelySharpEdges) {
 }
 
 TEST(VertexRule, DependsOnTheNumberOfSharpEdges) {
-  EXPECT_EQ(vertex_rule(0.0F, 0), VertexRule::smooth);
-  EXPECT_EQ(vertex_rule(0.0F, 1), VertexRule::smooth);
-  EXPECT_EQ(vertex_rule(0.0F, 2), VertexRule::crease);
-  EXPECT_EQ(vertex_rule(0.0F, 3), VertexRule::corner);
-  EXPECT_EQ(vertex_rule(0.1F, 0), VertexRule::corner);
-  EXPECT_EQ(vertex_rule(0.1F, 2), VertexRule::corner);
+  EXPECT_EQ(subdivide::vertex_rule(0.0F, 0), subdivide::VertexRule::smooth);
+  EXPECT_EQ(subdivide::vertex_rule(0.0F, 1), subdivide::VertexRule::smooth);
+  EXPECT_EQ(subdivide::vertex_rule(0.0F, 2), subdivide::VertexRule::crease);
+  EXPECT_EQ(subdivide::vertex_rule(0.0F, 3), subdivide::VertexRule::corner);
+  EXPECT_EQ(subdivide::vertex_rule(0.1F, 0), subdivide::VertexRule::corner);
+  EXPECT_EQ(subdivide::vertex_rule(0.1F, 2), subdivide::VertexRule::corner);
 }
 
 double transition(std::initializer_list<std::pair<float, float>> sharpnesses) {
-  Transition sum;
+  subdivide::Transition sum;
   for (const auto& [before, after] : sharpnesses)
     sum.add(before, after);
   return sum.weight();
@@ -79,17 +79,17 @@ TEST(Transition, IsTheMeanOfSharpnessesThatJustReachedZero) {
 }
 
 TEST(EdgeBlend, IsTheSharpnessOfAnEdgeThatBecomesSmooth) {
-  EXPECT_EQ(edge_blend(2.0F, 1.0F, 1.0F), 1.0);
-  EXPECT_EQ(edge_blend(kInfinitelySharp, kInfinitelySharp, kInfinitelySharp), 1.0);
-  EXPECT_EQ(edge_blend(0.5F, 0.0F, 0.0F), 0.5);
-  EXPECT_EQ(edge_blend(1.0F, 0.0F, 0.0F), 1.0);
-  EXPECT_EQ(edge_blend(0.0F, 0.0F, 0.0F), 0.0);
+  EXPECT_EQ(subdivide::edge_blend(2.0F, 1.0F, 1.0F), 1.0);
+  EXPECT_EQ(subdivide::edge_blend(kInfinitelySharp, kInfinitelySharp, kInfinitelySharp), 1.0);
+  EXPECT_EQ(subdivide::edge_blend(0.5F, 0.0F, 0.0F), 0.5);
+  EXPECT_EQ(subdivide::edge_blend(1.0F, 0.0F, 0.0F), 1.0);
+  EXPECT_EQ(subdivide::edge_blend(0.0F, 0.0F, 0.0F), 0.0);
 }
 
 TEST(EdgeBlend, IsClampedWhenOneHalfDecaysSooner) {
-  EXPECT_EQ(edge_blend(1.25F, 0.25F, 0.0F), 1.0);
-  EXPECT_EQ(edge_blend(1.25F, 0.0F, 0.25F), 1.0);
-  EXPECT_EQ(edge_blend(0.75F, 0.25F, 0.0F), 0.75);
+  EXPECT_EQ(subdivide::edge_blend(1.25F, 0.25F, 0.0F), 1.0);
+  EXPECT_EQ(subdivide::edge_blend(1.25F, 0.0F, 0.25F), 1.0);
+  EXPECT_EQ(subdivide::edge_blend(0.75F, 0.25F, 0.0F), 0.75);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ struct StringSink {
 /// Encodes bytes with Base64Writer, one byte at a time.
 inline std::string base64(const std::string& bytes) {
   StringSink sink;
-  Base64Writer<StringSink> writer(sink);
+  io::Base64Writer<StringSink> writer(sink);
   for (const char byte : bytes)
     writer.write({&byte, 1});
   writer.finish();

@@ -101,19 +101,19 @@ void expect_golden(const gpu::Device& device, const std::string& name, const Ima
   const std::filesystem::path candidate = kCandidates / (name + ".png");
   std::filesystem::create_directories(kCandidates);
   if (!std::filesystem::exists(golden)) {
-    write_png(candidate, image);
+    io::write_png(candidate, image);
     FAIL() << "no golden yet: look at " << candidate << ", and copy it to tests/golden if it is "
            << "right (driver: " << driver_of(device) << ")";
   }
-  const Image approved = read_png(golden);
+  const Image approved = io::read_png(golden);
   ASSERT_EQ(approved.width, image.width);
   ASSERT_EQ(approved.height, image.height);
   const Difference difference = difference_of(image, approved);
   const Agreement expected = expected_agreement(device);
   if (agrees(difference, expected)) return;
-  write_png(candidate, image);
+  io::write_png(candidate, image);
   const std::filesystem::path shown = kCandidates / (name + "_difference.png");
-  write_png(shown, difference.picture);
+  io::write_png(shown, difference.picture);
   FAIL() << difference.pixels << " pixels differ, by " << difference.mean << " on average and "
          << difference.largest << " at most, " << 100.0 * difference.share_visible
          << " % of them visibly (allowed: "

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "engine/mesh/build.h"
+#include "engine/mesh/build/build.h"
 #include "engine/mesh/statistics.h"
 #include "engine/mesh/validate.h"
 

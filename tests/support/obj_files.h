@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/mesh/soup.h"
+#include "engine/mesh/build/soup.h"
 
 namespace mesher::test {
 

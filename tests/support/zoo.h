@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/mesh/report.h"
+#include "engine/mesh/build/report.h"
 
 namespace mesher::test {
 

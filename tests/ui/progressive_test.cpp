@@ -8,7 +8,7 @@
 
 #include "engine/io/read.h"
 #include "engine/progressive/build.h"
-#include "engine/progressive/pm_write.h"
+#include "engine/progressive/codec/pm_write.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/xdnd_source.h"
 
@@ -28,10 +28,11 @@ class ProgressiveTest : public WindowTest {
   static constexpr int kAutomaticY = 270;
 
   static std::string knot_bytes() {
-    const Model model = read_model(MESHER_SOURCE_DIR "/assets/knot.obj");
-    Progressive progressive = make_progressive(model.mesh, {.target_faces = 200});
+    const Model model = io::read_model(MESHER_SOURCE_DIR "/assets/knot.obj");
+    progressive::Progressive progressive =
+        progressive::make_progressive(model.mesh, {.target_faces = 200});
     std::string bytes;
-    write_pm(progressive.mesh, {}, [&](std::span<const std::byte> piece) {
+    progressive::write_pm(progressive.mesh, {}, [&](std::span<const std::byte> piece) {
       bytes.append(reinterpret_cast<const char*>(piece.data()), piece.size());
     });
     return bytes;

@@ -153,7 +153,7 @@ TEST_F(WindowTest, F12SavesPicture) {
   v->key("F12");
   EXPECT_REACHES(*v,
                  s["notice"].get<std::string>().find("mesher-open_box.png") != std::string::npos);
-  const Image image = read_png(v->folder() / "mesher-open_box.png");
+  const Image image = io::read_png(v->folder() / "mesher-open_box.png");
   EXPECT_EQ(image.width, 400U);
   EXPECT_EQ(image.height, 300U);
   quit(*v);
@@ -234,8 +234,8 @@ TEST_F(WindowTest, PanelControlsWork) {
 TEST_F(WindowTest, CommandLineKeysActAsInScript) {
   const auto v = open({"cube", "--size", "200", "--keys", "f12 w f12"});
   v->settle();
-  const auto first = read_png(v->folder() / "mesher-cube.png");
-  const auto second = read_png(v->folder() / "mesher-cube-2.png");
+  const auto first = io::read_png(v->folder() / "mesher-cube.png");
+  const auto second = io::read_png(v->folder() / "mesher-cube-2.png");
   EXPECT_FALSE(first.rgba == second.rgba);
   quit(*v);
 }

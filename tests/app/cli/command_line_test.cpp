@@ -32,7 +32,7 @@ TEST_F(CommandLine, RenderWritesPictureOfRequestedSize) {
               "--shading", "gouraud", "--camera", "-30,20,1.2", "--validation", "--json"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(nlohmann::json::parse(run.out)["wireframe"], true);
-  const Image image = read_png(folder_ / "cube.png");
+  const Image image = io::read_png(folder_ / "cube.png");
   EXPECT_EQ(image.width, 120U);
   EXPECT_EQ(image.height, 80U);
   EXPECT_NE(std::memcmp(image.pixel(60, 40), image.pixel(0, 0), 4), 0);  // something is there
@@ -65,7 +65,7 @@ TEST_F(CommandLine, MissingDisplayWritesPictureAndMessage) {
       mesher({"-input", "bunny.obj", "-size", "200", "-gouraud", "-wireframe", "--validation"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.err.find("no display"), std::string::npos) << run.err;
-  EXPECT_EQ(read_png(folder_ / "bunny.png").width, 200U);
+  EXPECT_EQ(io::read_png(folder_ / "bunny.png").width, 200U);
 }
 
 TEST_F(CommandLine, MissingDisplayOverwritesNoFile) {
@@ -73,7 +73,7 @@ TEST_F(CommandLine, MissingDisplayOverwritesNoFile) {
   const Finished run = mesher({"cube", "--size", "50"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(read_bytes(folder_ / "cube.png"), "somebody's texture");
-  EXPECT_EQ(read_png(folder_ / "cube-2.png").width, 50U);
+  EXPECT_EQ(io::read_png(folder_ / "cube-2.png").width, 50U);
 }
 
 TEST_F(CommandLine, MissingDisplayAndVulkanPrintOneError) {
@@ -109,13 +109,13 @@ TEST_F(CommandLine, KeysAndScreenshotRunWithoutWindow) {
   EXPECT_EQ(json["wireframe"], true);
   EXPECT_EQ(json["shading"], "gouraud");
   EXPECT_EQ(json["camera"]["orthographic"], true);
-  EXPECT_EQ(read_png(folder_ / "out.png").height, 100U);
+  EXPECT_EQ(io::read_png(folder_ / "out.png").height, 100U);
   // The same state, set by options, gives the same picture.
   EXPECT_EQ(mesher({"render", "cube", "-o", "words.png", "--size", "100", "--wireframe",
                     "--gouraud", "--view", "right", "--orthographic"})
                 .exit_code,
             0);
-  EXPECT_TRUE(read_png(folder_ / "out.png").rgba == read_png(folder_ / "words.png").rgba);
+  EXPECT_TRUE(io::read_png(folder_ / "out.png").rgba == io::read_png(folder_ / "words.png").rgba);
 }
 
 TEST_F(CommandLine, ConvertPreservesPositionsExactly) {

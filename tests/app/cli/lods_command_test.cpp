@@ -139,7 +139,7 @@ TEST_F(LodsCommand, AttributesWithoutSeamsAreCarriedOver) {
   folder_.write("s.obj", sheet(false));
   const auto json = mesher_json({"lods", "s.obj", "-o", "o.obj", "--ratios", "1,0.5"});
   EXPECT_TRUE(json["levels"][1]["dropped"].empty());
-  const Model coarse = read_model(folder_ / "o_lod1.obj");
+  const Model coarse = io::read_model(folder_ / "o_lod1.obj");
   ASSERT_EQ(coarse.mesh.face_count(), 36U);
   ASSERT_EQ(coarse.attributes.texcoord.size(), 108U);
   EXPECT_EQ(coarse.attributes.normal.size(), 108U);
@@ -147,8 +147,8 @@ TEST_F(LodsCommand, AttributesWithoutSeamsAreCarriedOver) {
     EXPECT_EQ(t.x, std::floor(t.x));
     EXPECT_LE(t.x, 6.0F);
   }
-  const Model input = read_model(folder_ / "s.obj");
-  const Model fine = read_model(folder_ / "o_lod0.obj");
+  const Model input = io::read_model(folder_ / "s.obj");
+  const Model fine = io::read_model(folder_ / "o_lod0.obj");
   EXPECT_TRUE(fine.attributes.texcoord == input.attributes.texcoord);
 }
 

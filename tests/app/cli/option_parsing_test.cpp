@@ -44,44 +44,47 @@ void expect_choices_parsed(const std::array<Option<S>, N>& table) {
 }
 
 TEST(OptionParsing, EveryChoiceIsParsedAndPrinted) {
-  expect_choices_parsed(kSimplifyRules);
-  expect_choices_parsed(kSubdivideRules);
+  expect_choices_parsed(simplify::kSimplifyRules);
+  expect_choices_parsed(subdivide::kSubdivideRules);
   expect_choices_parsed(render::kRenderOptions);
-  EXPECT_EQ(parsed(kSimplifyRules, {"--cost", "qem"}).cost, CostPolicy::quadric);
+  EXPECT_EQ(parsed(simplify::kSimplifyRules, {"--cost", "qem"}).cost,
+            simplify::CostPolicy::quadric);
 }
 
 TEST(OptionParsing, NoArgumentsGiveDefaults) {
-  EXPECT_EQ(parsed(kSimplifyRules, {}), SimplifyOptions{});
-  EXPECT_EQ(parsed(kSubdivideRules, {}), SubdivideOptions{});
+  EXPECT_EQ(parsed(simplify::kSimplifyRules, {}), simplify::SimplifyOptions{});
+  EXPECT_EQ(parsed(subdivide::kSubdivideRules, {}), subdivide::SubdivideOptions{});
   EXPECT_EQ(parsed(render::kRenderOptions, {}), render::Settings{});
 }
 
 TEST(OptionParsing, NumbersAndFlagsReachTheirMembers) {
-  const SimplifyOptions o = parsed(kSimplifyRules, {"--crease-angle", "30", "--seed",
-                                                    "18446744073709551615", "--no-intersections"});
+  const simplify::SimplifyOptions o =
+      parsed(simplify::kSimplifyRules,
+             {"--crease-angle", "30", "--seed", "18446744073709551615", "--no-intersections"});
   EXPECT_EQ(o.crease_angle_deg, 30.0F);
   EXPECT_EQ(o.seed, ~std::uint64_t{0});
   EXPECT_TRUE(o.no_intersections);
-  EXPECT_TRUE(parsed(kSubdivideRules, {"--limit"}).limit);
+  EXPECT_TRUE(parsed(subdivide::kSubdivideRules, {"--limit"}).limit);
 }
 
 TEST(OptionParsing, NumbersOutOfRangeAreRejected) {
   for (const char* angle : {"-1", "180.5", "nan", "inf", "x", "", "30x"})
-    EXPECT_THROW((void)parsed(kSimplifyRules, {"--crease-angle", angle}), CLI::ParseError) << angle;
+    EXPECT_THROW((void)parsed(simplify::kSimplifyRules, {"--crease-angle", angle}), CLI::ParseError)
+        << angle;
   for (const char* seed : {"-1", "1.5", "x", "18446744073709551616"})
-    EXPECT_THROW((void)parsed(kSimplifyRules, {"--seed", seed}), CLI::ParseError) << seed;
+    EXPECT_THROW((void)parsed(simplify::kSimplifyRules, {"--seed", seed}), CLI::ParseError) << seed;
 }
 
 TEST(OptionParsing, HelpNamesUnitAndDefault) {
-  EXPECT_EQ(help_text(option_named(kSimplifyRules, "cost")),
+  EXPECT_EQ(help_text(option_named(simplify::kSimplifyRules, "cost")),
             "which edge to collapse first (default: quadric)");
-  EXPECT_EQ(help_text(option_named(kSimplifyRules, "crease-angle")),
+  EXPECT_EQ(help_text(option_named(simplify::kSimplifyRules, "crease-angle")),
             "also keep edges as creases whose face normals differ by more than this [deg] "
             "(default: 180: tagged only)");
 }
 
 TEST(OptionParsing, JsonKeysContainUnit) {
-  const Json json = options_json(kSimplifyRules, SimplifyOptions{});
+  const Json json = options_json(simplify::kSimplifyRules, simplify::SimplifyOptions{});
   EXPECT_EQ(json["crease_angle_deg"], 180.0F);
   EXPECT_EQ(json["no_intersections"], false);
   EXPECT_EQ(options_json(kProgressiveOptions, ProgressiveSettings{})["tolerance_px"], 1.0F);

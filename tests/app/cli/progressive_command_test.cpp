@@ -35,7 +35,7 @@ using Triangle = std::array<std::array<float, 3>, 3>;
 /// Returns the positions of the corners of each face, sorted. Each face starts at its smallest
 /// corner.
 std::vector<Triangle> surface(const std::filesystem::path& file) {
-  const Model model = read_model(file);
+  const Model model = io::read_model(file);
   std::vector<Triangle> faces;
   for (std::uint32_t f = 0; f < model.mesh.face_count(); ++f) {
     Triangle t;

@@ -61,15 +61,15 @@ std::string keys_text(const Command& command) {
   return text;
 }
 
-const char* text_of(Holds holds) {
+const char* text_of(io::Holds holds) {
   switch (holds) {
-    case Holds::nothing:
+    case io::Holds::nothing:
       return "no";
-    case Holds::one_per_vertex:
+    case io::Holds::one_per_vertex:
       return "one per vertex";
-    case Holds::all_or_none:
+    case io::Holds::all_or_none:
       return "if no corner lacks it";
-    case Holds::each_corner:
+    case io::Holds::each_corner:
       return "yes";
   }
   return "";
@@ -82,8 +82,9 @@ std::string reference_page() {
   write_table(
       page, "Simplification",
       "`simplify`, `progressive` and `lods` take these options; so does the Simplify panel.",
-      kSimplifyRules);
-  write_table(page, "Subdivision", "`subdivide` and the Subdivide panel.", kSubdivideRules);
+      simplify::kSimplifyRules);
+  write_table(page, "Subdivision", "`subdivide` and the Subdivide panel.",
+              subdivide::kSubdivideRules);
   write_table(page, "Looks", "`view`, `render` and the Shading panel.", render::kRenderOptions);
   write_table(page, "Progressive mode",
               "The Progressive mesh panel. `progressive` takes `--base-faces`.",
@@ -91,7 +92,7 @@ std::string reference_page() {
   page << "\n## Formats\n\n| format | extension | creases | groups | texture coordinates | normals "
           "| "
           "colors |\n|---|---|---|---|---|---|---|\n";
-  for (const FormatInfo& format : formats()) {
+  for (const io::FormatInfo& format : io::formats()) {
     if (format.write == nullptr) continue;
     page << "| " << format.name << " | `" << format.extension << "` | "
          << (format.holds.creases ? "yes" : "no") << " | " << (format.holds.groups ? "yes" : "no")

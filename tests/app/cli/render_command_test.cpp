@@ -46,7 +46,7 @@ class RenderCommand : public ProgramTest {
     arguments.insert(arguments.end(), {"-o", "r.png", "--size", "160", "--validation"});
     const Finished run = mesher(arguments);
     EXPECT_EQ(run.exit_code, 0) << run.err;
-    return read_png(folder_ / "r.png");
+    return io::read_png(folder_ / "r.png");
   }
 };
 

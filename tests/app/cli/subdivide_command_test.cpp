@@ -28,7 +28,7 @@ class SubdivideCommand : public testing::Test {
     arguments.insert(arguments.begin(), start.begin(), start.end());
     return test::run_program(arguments);
   }
-  Model read(const char* file) { return read_model(folder_ / file); }
+  Model read(const char* file) { return io::read_model(folder_ / file); }
 
   test::TempFolder folder_;
 };

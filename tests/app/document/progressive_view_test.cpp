@@ -68,7 +68,7 @@ TEST_F(ProgressiveViewTest, PEntersAtFullDetailAndRestoresModelOnLeaving) {
   EXPECT_EQ(&shown_mesh(session_), &session_.model.mesh);
   EXPECT_TRUE(has_same_arrays(session_.model.mesh, before));
   EXPECT_EQ(session_.edits.history.undo_depth(), 0U);
-  EXPECT_EQ(shown_settings(session_), session_.settings);
+  EXPECT_EQ(shown_settings(session_.settings, session_.progressive), session_.settings);
 }
 
 TEST_F(ProgressiveViewTest, ProgressiveMeshIsKeptUntilModelChanges) {
@@ -160,7 +160,7 @@ TEST_F(ProgressiveViewTest, PlaysBackAndForth) {
 
 TEST_F(ProgressiveViewTest, LevelErrorsDecreaseToZero) {
   press(session_, "p");
-  const LevelErrors& errors = view().levels().errors;
+  const progressive::LevelErrors& errors = view().levels().errors;
   const std::uint32_t splits = view().mesh().split_count();
   EXPECT_GT(errors.error(0), 0.0);
   EXPECT_EQ(errors.error(splits), 0.0);
@@ -176,7 +176,7 @@ TEST_F(ProgressiveViewTest, LevelErrorsDecreaseToZero) {
 
 TEST_F(ProgressiveViewTest, AutomaticLevelHasHysteresis) {
   press(session_, "p");
-  const LevelErrors& errors = view().levels().errors;
+  const progressive::LevelErrors& errors = view().levels().errors;
   const double unit = 0.5 / errors.error(300);  // screen-space error of level 300: half a pixel
   const std::uint32_t level = automatic_level(errors, 0, 0.5, unit);
   EXPECT_LE(level, 300U);
@@ -255,7 +255,7 @@ TEST_F(ProgressiveViewTest, EnteringModeEndsCreaseMode) {
   press(session_, "c ctrl+a p");
   EXPECT_TRUE(view().is_on());
   EXPECT_FALSE(session_.creases.is_on);
-  EXPECT_TRUE(marked_edges(session_).selected.empty());
+  EXPECT_TRUE(marked_edges(session_.creases).selected.empty());
 }
 
 TEST_F(ProgressiveViewTest, UsedLevelCanBeEditedAndUndone) {
@@ -376,7 +376,7 @@ TEST_F(ProgressiveViewTest, ShownSettingsDescribeGeomorph) {
   press(session_, "p");
   view().move_to(0.5);
   press(session_, "shift+b");
-  const render::Settings settings = shown_settings(session_);
+  const render::Settings settings = shown_settings(session_.settings, session_.progressive);
   EXPECT_TRUE(settings.colors_by_split_order);
   EXPECT_EQ(settings.first_split_vertex, view().mesh().base_vertex_count());
   EXPECT_EQ(settings.geomorph, view().growth());

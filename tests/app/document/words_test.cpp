@@ -16,8 +16,8 @@ TEST(Words, LongNumbersHaveCommas) {
 TEST(Words, DistancesAreInPercentOfDiagonal) {
   EXPECT_EQ(percent_text(12.3456), "12.3 %");
   EXPECT_EQ(far_from("the input", 5.25), "far from the input: 5.25 % of the diagonal (RMS)");
-  EXPECT_EQ(stop_text(StopReason::target_reached), "target reached");
-  EXPECT_EQ(stop_text(StopReason::far_from_input),
+  EXPECT_EQ(stop_text(simplify::StopReason::target_reached), "target reached");
+  EXPECT_EQ(stop_text(simplify::StopReason::far_from_input),
             "fewer faces would be further than 5 % of the diagonal from the input");
 }
 

@@ -342,7 +342,7 @@ TEST_F(CreaseEdits, HoverReportsChangeOfEdge) {
   EXPECT_TRUE(hover_edge(s_, at(6, 7)));
   EXPECT_EQ(s_.creases.hovered, edge(6, 7));
   EXPECT_FALSE(hover_edge(s_, at(6, 7)));
-  EXPECT_EQ(marked_edges(s_).hovered, edge(6, 7));
+  EXPECT_EQ(marked_edges(s_.creases).hovered, edge(6, 7));
   EXPECT_TRUE(hover_edge(s_, std::nullopt));
   EXPECT_FALSE(s_.creases.hovered.is_valid());
 }

@@ -82,12 +82,12 @@ TEST_F(EditRunnerTest, CancelRestoresRulesOfShownLevel) {
   runner_.finish();
   ask(request_subdivide);
   runner_.advance();
-  session_.subdivide.scheme = Scheme::butterfly;
+  session_.subdivide.scheme = subdivide::Scheme::butterfly;
   apply_subdivide_settings(session_);
   runner_.cancel();
   runner_.finish();
   EXPECT_EQ(session_.subdivide, session_.edits.subdivision->rules);
-  EXPECT_EQ(session_.subdivide.scheme, Scheme::loop);
+  EXPECT_EQ(session_.subdivide.scheme, subdivide::Scheme::loop);
 }
 
 TEST_F(EditRunnerTest, StopLeavesModelUnchanged) {

@@ -26,7 +26,7 @@ Session session_with(Soup soup) {
 
 Session session_with_cactus() {
   Session session;
-  show_model(session, read_model(MESHER_SOURCE_DIR "/assets/cactus.obj"), "cactus.obj");
+  show_model(session, io::read_model(MESHER_SOURCE_DIR "/assets/cactus.obj"), "cactus.obj");
   return session;
 }
 
@@ -139,7 +139,7 @@ TEST(Edits, SliderRestoresDetail) {
   expect_consistent(s);
   simplify_to(s, 240);
   EXPECT_TRUE(is_same(s.model.mesh, opened));
-  EXPECT_EQ(s.edits.last->report.reason, StopReason::already_there);
+  EXPECT_EQ(s.edits.last->report.reason, simplify::StopReason::already_there);
   press(s, "ctrl+z ctrl+z");
   EXPECT_TRUE(is_same(s.model.mesh, coarse));
   press(s, "ctrl+z");
@@ -183,20 +183,20 @@ TEST(Edits, SliderStartsFromOpenedModel) {
 }
 
 TEST(Edits, SettingsArePassedToSimplifier) {
-  const SimplifySettings settings{.rules = {.cost = CostPolicy::random,
-                                            .placement = Placement::midpoint,
-                                            .boundary = BoundaryRule::lock,
+  const SimplifySettings settings{.rules = {.cost = simplify::CostPolicy::random,
+                                            .placement = simplify::Placement::midpoint,
+                                            .boundary = simplify::BoundaryRule::lock,
                                             .crease_angle_deg = 40.0F,
                                             .seed = 9},
                                   .max_error_percent = 2.0F};
-  const SimplifyOptions options = options_of(settings, 10.0);
-  EXPECT_EQ(options.cost, CostPolicy::random);
-  EXPECT_EQ(options.placement, Placement::midpoint);
-  EXPECT_EQ(options.boundary, BoundaryRule::lock);
+  const simplify::SimplifyOptions options = options_of(settings, 10.0);
+  EXPECT_EQ(options.cost, simplify::CostPolicy::random);
+  EXPECT_EQ(options.placement, simplify::Placement::midpoint);
+  EXPECT_EQ(options.boundary, simplify::BoundaryRule::lock);
   EXPECT_EQ(options.crease_angle_deg, 40.0F);
   EXPECT_NEAR(options.max_error, 0.2, 1e-6);
   EXPECT_EQ(options.seed, 9U);
-  EXPECT_EQ(options.order, ResultOrder::fill_holes);
+  EXPECT_EQ(options.order, simplify::ResultOrder::fill_holes);
 
   Session s = session_with(test::grid(6));
   s.simplify = settings;
@@ -206,19 +206,19 @@ TEST(Edits, SettingsArePassedToSimplifier) {
   EXPECT_EQ(task->title(), "Simplifying to 64 faces");
   task->perform(nullptr);
   task->finish(s);
-  SimplifyOptions same = options_of(settings, s.edits.last->diagonal);
+  simplify::SimplifyOptions same = options_of(settings, s.edits.last->diagonal);
   same.target_faces = 64;
-  EXPECT_TRUE(is_same(s.model.mesh, simplify(build_mesh(test::grid(6)).mesh, same).mesh));
+  EXPECT_TRUE(is_same(s.model.mesh, simplify::simplify(build_mesh(test::grid(6)).mesh, same).mesh));
 }
 
 TEST(Edits, EditUsesSettingsAtTimeOfRequest) {
   Session early = session_with(test::grid(6));
-  early.simplify.rules.cost = CostPolicy::random;
+  early.simplify.rules.cost = simplify::CostPolicy::random;
   request_remove_tenth(early);
-  early.simplify.rules.cost = CostPolicy::quadric;
+  early.simplify.rules.cost = simplify::CostPolicy::quadric;
   run_waiting_edits(early);
   Session steady = session_with(test::grid(6));
-  steady.simplify.rules.cost = CostPolicy::random;
+  steady.simplify.rules.cost = simplify::CostPolicy::random;
   request_remove_tenth(steady);
   run_waiting_edits(steady);
   EXPECT_TRUE(is_same(early.model.mesh, steady.model.mesh));

@@ -18,7 +18,8 @@ TEST(BytesText, ChoosesReadableUnit) {
   EXPECT_EQ(bytes_text(50'000'000'000'000'000), "50000 TB");
 }
 
-constexpr SubdivisionSize kSize{.faces = 4'000'000, .result_bytes = 100'000, .peak_bytes = 160'000};
+constexpr subdivide::SubdivisionSize kSize{
+    .faces = 4'000'000, .result_bytes = 100'000, .peak_bytes = 160'000};
 
 TEST(SubdivisionRefusal, IsEmptyIfAFifthOfMemoryStaysFree) {
   EXPECT_EQ(subdivision_refusal(kSize, 2, {.available = 200'000, .copies = 1}), "");
@@ -45,7 +46,7 @@ TEST(SubdivisionRefusal, NamesNeededAndFreeMemory) {
 }
 
 TEST(SubdivisionRefusal, IndexOverflowDoesNotDependOnMemory) {
-  SubdivisionSize size = kSize;
+  subdivide::SubdivisionSize size = kSize;
   size.has_ids = false;
   EXPECT_EQ(subdivision_refusal(
                 size, 9, {.available = std::numeric_limits<std::uint64_t>::max(), .copies = 1}),

@@ -51,9 +51,9 @@ TEST(Subdivision, SSplitsFacesIntoFourAndKeepsCamera) {
   const render::Camera camera = s.camera;
   press(s, "s");
   EXPECT_EQ(s.statistics.faces, 4 * coarse.face_count());
-  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {}).mesh));
+  EXPECT_TRUE(is_same(s.model.mesh, subdivide::subdivide(coarse, {}).mesh));
   EXPECT_TRUE(s.camera == camera);
-  EXPECT_EQ(shown_level(s), 1U);
+  EXPECT_EQ(shown_level(s.edits), 1U);
   EXPECT_EQ(s.statistics.boundary_edges, 0U);
 }
 
@@ -77,7 +77,7 @@ TEST(Subdivision, RepeatedStepsEqualOneSubdivisionOfSeveralLevels) {
   Session s = session_with(creased_cube());
   const Mesh coarse = s.model.mesh;
   press(s, "s s s");
-  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.levels = 3}).mesh));
+  EXPECT_TRUE(is_same(s.model.mesh, subdivide::subdivide(coarse, {.levels = 3}).mesh));
 }
 
 TEST(Subdivision, LevelsGoUpAndDownWithoutLoss) {
@@ -89,7 +89,7 @@ TEST(Subdivision, LevelsGoUpAndDownWithoutLoss) {
   }
   for (std::uint32_t level = 3; level-- > 0;) {
     press(s, "shift+s");
-    EXPECT_EQ(shown_level(s), level);
+    EXPECT_EQ(shown_level(s.edits), level);
     EXPECT_TRUE(is_same(s.model.mesh, levels[level]));
   }
   press(s, "shift+s");
@@ -104,12 +104,12 @@ TEST(Subdivision, UndoAndRedoRestoreLevel) {
   press(s, "s s");
   const Mesh fine = s.model.mesh;
   press(s, "ctrl+z");
-  EXPECT_EQ(shown_level(s), 1U);
+  EXPECT_EQ(shown_level(s.edits), 1U);
   press(s, "ctrl+z");
-  EXPECT_EQ(shown_level(s), 0U);
+  EXPECT_EQ(shown_level(s.edits), 0U);
   EXPECT_TRUE(is_same(s.model.mesh, coarse));
   press(s, "ctrl+y ctrl+y");
-  EXPECT_EQ(shown_level(s), 2U);
+  EXPECT_EQ(shown_level(s.edits), 2U);
   EXPECT_TRUE(is_same(s.model.mesh, fine));
   press(s, "shift+s shift+s");
   EXPECT_TRUE(is_same(s.model.mesh, coarse));
@@ -118,7 +118,7 @@ TEST(Subdivision, UndoAndRedoRestoreLevel) {
 TEST(Subdivision, CombinesWithSimplificationInAnyOrder) {
   Session s = session_with(creased_cube());
   press(s, "s s s d d");
-  EXPECT_EQ(shown_level(s), 0U);  // the simplified model is not a level
+  EXPECT_EQ(shown_level(s.edits), 0U);  // the simplified model is not a level
   EXPECT_GT(s.statistics.crease_edges, 0U);
   const Mesh simplified = s.model.mesh;
   press(s, "s");
@@ -127,9 +127,9 @@ TEST(Subdivision, CombinesWithSimplificationInAnyOrder) {
   press(s, "shift+s");
   EXPECT_TRUE(is_same(s.model.mesh, simplified));
   press(s, "ctrl+z ctrl+z ctrl+z ctrl+z");
-  EXPECT_EQ(shown_level(s), 3U);  // as before the simplification
+  EXPECT_EQ(shown_level(s.edits), 3U);  // as before the simplification
   press(s, "shift+s");
-  EXPECT_EQ(shown_level(s), 2U);
+  EXPECT_EQ(shown_level(s.edits), 2U);
 }
 
 TEST(Subdivision, CreaseEditStartsFromShownLevel) {
@@ -139,7 +139,7 @@ TEST(Subdivision, CreaseEditStartsFromShownLevel) {
   s.creases.selected = {level.edge(Halfedge(0))};
   request_crease_edit(s, {.kind = CreaseRequest::Kind::set, .value = 3.0F});
   run_waiting_edits(s);
-  EXPECT_EQ(shown_level(s), 0U);
+  EXPECT_EQ(shown_level(s.edits), 0U);
   press(s, "shift+s");
   EXPECT_EQ(s.notice, "already at the coarsest level");
   press(s, "s shift+s");
@@ -153,16 +153,19 @@ TEST(Subdivision, ChangedRulesRebuildLevel) {
   const Mesh coarse = s.model.mesh;
   press(s, "s s r");
   EXPECT_EQ(s.notice, "subdivision: loop, derose98");
-  EXPECT_TRUE(is_same(s.model.mesh,
-                      subdivide(coarse, {.levels = 2, .creases = CreaseRules::derose98}).mesh));
+  EXPECT_TRUE(is_same(
+      s.model.mesh,
+      subdivide::subdivide(coarse, {.levels = 2, .creases = subdivide::CreaseRules::derose98})
+          .mesh));
   press(s, "m");
-  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.levels = 2,
-                                                       .scheme = Scheme::butterfly,
-                                                       .creases = CreaseRules::derose98})
-                                        .mesh));
+  EXPECT_TRUE(is_same(s.model.mesh,
+                      subdivide::subdivide(coarse, {.levels = 2,
+                                                    .scheme = subdivide::Scheme::butterfly,
+                                                    .creases = subdivide::CreaseRules::derose98})
+                          .mesh));
   press(s, "m m r");
-  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.levels = 2}).mesh));
-  EXPECT_EQ(shown_level(s), 2U);
+  EXPECT_TRUE(is_same(s.model.mesh, subdivide::subdivide(coarse, {.levels = 2}).mesh));
+  EXPECT_EQ(shown_level(s.edits), 2U);
 }
 
 TEST(Subdivision, RulesChangedAtLevelZeroAreKept) {
@@ -178,14 +181,14 @@ TEST(Subdivision, LimitSurfaceHasItsNormals) {
   Session s = session_with(creased_cube());
   const Mesh coarse = s.model.mesh;
   press(s, "s s");
-  EXPECT_TRUE(shading_normals(s).empty());
+  EXPECT_TRUE(shading_normals(s.model, s.edits).empty());
   press(s, "l");
-  const Subdivided expected = subdivide(coarse, {.levels = 2, .limit = true});
+  const subdivide::Subdivided expected = subdivide::subdivide(coarse, {.levels = 2, .limit = true});
   EXPECT_TRUE(is_same(s.model.mesh, expected.mesh));
-  EXPECT_TRUE(std::ranges::equal(shading_normals(s), expected.limit_normal));
+  EXPECT_TRUE(std::ranges::equal(shading_normals(s.model, s.edits), expected.limit_normal));
   press(s, "l");
-  EXPECT_TRUE(shading_normals(s).empty());
-  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.levels = 2}).mesh));
+  EXPECT_TRUE(shading_normals(s.model, s.edits).empty());
+  EXPECT_TRUE(is_same(s.model.mesh, subdivide::subdivide(coarse, {.levels = 2}).mesh));
 }
 
 TEST(Subdivision, LevelUsesRulesAtTimeOfRequest) {
@@ -194,25 +197,26 @@ TEST(Subdivision, LevelUsesRulesAtTimeOfRequest) {
   run(s, "subdivide");
   run(s, "next_scheme");  // while the first edit is still queued
   run_waiting_edits(s);
-  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.scheme = Scheme::butterfly}).mesh));
+  EXPECT_TRUE(is_same(s.model.mesh,
+                      subdivide::subdivide(coarse, {.scheme = subdivide::Scheme::butterfly}).mesh));
   press(s, "ctrl+z");
-  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {}).mesh));
+  EXPECT_TRUE(is_same(s.model.mesh, subdivide::subdivide(coarse, {}).mesh));
 }
 
 TEST(Subdivision, ShownRulesAreThoseOfShownLevel) {
   Session s = session_with(creased_cube());
   press(s, "s s r");
-  EXPECT_EQ(s.subdivide.creases, CreaseRules::derose98);
+  EXPECT_EQ(s.subdivide.creases, subdivide::CreaseRules::derose98);
   press(s, "ctrl+z");
-  EXPECT_EQ(s.subdivide.creases, CreaseRules::hoppe94);
+  EXPECT_EQ(s.subdivide.creases, subdivide::CreaseRules::hoppe94);
   press(s, "ctrl+y");
-  EXPECT_EQ(s.subdivide.creases, CreaseRules::derose98);
+  EXPECT_EQ(s.subdivide.creases, subdivide::CreaseRules::derose98);
   EXPECT_EQ(level_refusal(s, kMaxLevel + 1, {}), "already at the finest level");
-  s.subdivide.scheme = Scheme::butterfly;
+  s.subdivide.scheme = subdivide::Scheme::butterfly;
   const MemoryLimit nothing(1);
   press(s, "s");
   EXPECT_NE(s.notice.find("of memory; "), std::string::npos) << s.notice;
-  EXPECT_EQ(s.subdivide.scheme, Scheme::loop);
+  EXPECT_EQ(s.subdivide.scheme, subdivide::Scheme::loop);
 }
 
 TEST(Subdivision, UndoKeepsRulesRequestedAfterIt) {
@@ -222,15 +226,16 @@ TEST(Subdivision, UndoKeepsRulesRequestedAfterIt) {
   run(s, "undo");
   run(s, "next_scheme");
   run_waiting_edits(s);
-  EXPECT_TRUE(is_same(s.model.mesh, subdivide(coarse, {.scheme = Scheme::butterfly}).mesh));
-  EXPECT_EQ(s.subdivide.scheme, Scheme::butterfly);
+  EXPECT_TRUE(is_same(s.model.mesh,
+                      subdivide::subdivide(coarse, {.scheme = subdivide::Scheme::butterfly}).mesh));
+  EXPECT_EQ(s.subdivide.scheme, subdivide::Scheme::butterfly);
 }
 
 TEST(Subdivision, RulesWithSameResultAreNotAppliedAgain) {
   Session s = session_with(test::cube());
   press(s, "s r");
   EXPECT_EQ(s.edits.history.undo_depth(), 1U);
-  EXPECT_EQ(s.edits.subdivision->rules.creases, CreaseRules::derose98);
+  EXPECT_EQ(s.edits.subdivision->rules.creases, subdivide::CreaseRules::derose98);
   request_same_level(s);
   EXPECT_FALSE(start_next_edit(s));
 }
@@ -245,12 +250,12 @@ TEST(Subdivision, TakenBackEditCannotBeRedone) {
   EXPECT_TRUE(take_back_last_edit(s));
   EXPECT_TRUE(is_same(s.model.mesh, level));
   EXPECT_EQ(s.statistics.faces, level.face_count());
-  EXPECT_EQ(shown_level(s), 1U);
-  EXPECT_EQ(s.subdivide.scheme, Scheme::loop);
+  EXPECT_EQ(shown_level(s.edits), 1U);
+  EXPECT_EQ(s.subdivide.scheme, subdivide::Scheme::loop);
   EXPECT_EQ(s.edits.history.redo_depth(), 0U);
   EXPECT_GT(s.edits.revision, revision);
   EXPECT_TRUE(take_back_last_edit(s));
-  EXPECT_EQ(shown_level(s), 0U);
+  EXPECT_EQ(shown_level(s.edits), 0U);
   EXPECT_EQ(s.statistics.faces, 12U);
 }
 
@@ -259,11 +264,11 @@ TEST(Subdivision, TakingBackUndoRedoesEdit) {
   press(s, "s s shift+s shift+s");
   const Mesh coarse = s.model.mesh;
   press(s, "ctrl+z ctrl+z");
-  EXPECT_EQ(shown_level(s), 2U);
+  EXPECT_EQ(shown_level(s.edits), 2U);
   EXPECT_TRUE(take_back_last_edit(s));
-  EXPECT_EQ(shown_level(s), 1U);
+  EXPECT_EQ(shown_level(s.edits), 1U);
   EXPECT_TRUE(take_back_last_edit(s));
-  EXPECT_EQ(shown_level(s), 0U);
+  EXPECT_EQ(shown_level(s.edits), 0U);
   EXPECT_TRUE(is_same(s.model.mesh, coarse));
   EXPECT_EQ(s.edits.history.undo_depth(), 4U);
 }
@@ -284,11 +289,11 @@ TEST(Subdivision, CountsShownModelButAllowsLevelZero) {
   const MemoryLimit scarce(twice);  // level 1 needs an eighth of that
   const std::string refusal = level_refusal(s, 1, {});
   EXPECT_NE(refusal.find("of memory; "), std::string::npos) << refusal;
-  EXPECT_NE(level_refusal(s, 3, {.scheme = Scheme::butterfly}), "");
+  EXPECT_NE(level_refusal(s, 3, {.scheme = subdivide::Scheme::butterfly}), "");
   EXPECT_EQ(level_refusal(s, 0, {}), "");
   press(s, "shift+s");
   EXPECT_NE(s.notice.find("of memory; "), std::string::npos) << s.notice;
-  EXPECT_EQ(shown_level(s), 3U);
+  EXPECT_EQ(shown_level(s.edits), 3U);
 }
 
 TEST(Subdivision, ModelIsCopiedOnce) {
@@ -337,7 +342,7 @@ TEST(Subdivision, CancelLeavesModelUnchanged) {
   Progress progress;
   progress.cancel();
   EXPECT_THROW(task->perform(&progress), Cancelled);
-  EXPECT_EQ(shown_level(s), 0U);
+  EXPECT_EQ(shown_level(s.edits), 0U);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include "app/input/commands.h"
 #include "engine/core/memory.h"
 #include "engine/progressive/build.h"
-#include "engine/progressive/pm_write.h"
+#include "engine/progressive/codec/pm_write.h"
 #include "tests/support/meshes.h"
 #include "tests/support/temp_folder.h"
 
@@ -26,10 +26,10 @@ class ArrivalRunnerTest : public testing::Test {
     show_model(session_, std::move(model), "cube.obj");
   }
   std::filesystem::path torus_file(std::uint32_t around = 40, std::uint32_t across = 30) {
-    Progressive progressive =
-        make_progressive(build_mesh(test::torus(around, across)).mesh, {.target_faces = 100});
+    progressive::Progressive progressive = progressive::make_progressive(
+        build_mesh(test::torus(around, across)).mesh, {.target_faces = 100});
     std::string bytes;
-    write_pm(progressive.mesh, {}, [&](std::span<const std::byte> piece) {
+    progressive::write_pm(progressive.mesh, {}, [&](std::span<const std::byte> piece) {
       bytes.append(reinterpret_cast<const char*>(piece.data()), piece.size());
     });
     return file_of(bytes, "torus.pm");

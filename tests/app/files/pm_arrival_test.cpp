@@ -16,7 +16,7 @@
 #include "engine/core/error.h"
 #include "engine/io/pm_file.h"
 #include "engine/progressive/build.h"
-#include "engine/progressive/pm_write.h"
+#include "engine/progressive/codec/pm_write.h"
 #include "tests/support/meshes.h"
 #include "tests/support/temp_folder.h"
 
@@ -28,10 +28,10 @@ using Bytes = std::vector<std::byte>;
 class PmArrivalTest : public testing::Test {
  protected:
   PmArrivalTest() {
-    Progressive progressive =
-        make_progressive(build_mesh(test::torus(120, 80)).mesh, {.target_faces = 200});
+    progressive::Progressive progressive =
+        progressive::make_progressive(build_mesh(test::torus(120, 80)).mesh, {.target_faces = 200});
     mesh_ = std::move(progressive.mesh);
-    write_pm(mesh_, {}, [&](std::span<const std::byte> piece) {
+    progressive::write_pm(mesh_, {}, [&](std::span<const std::byte> piece) {
       bytes_.insert(bytes_.end(), piece.begin(), piece.end());
     });
     mesh_.go_to(mesh_.split_count());
@@ -76,20 +76,20 @@ class PmArrivalTest : public testing::Test {
   ProgressiveView& view() { return session_.progressive; }
 
   test::TempFolder folder_;
-  ProgressiveMesh mesh_;
+  progressive::ProgressiveMesh mesh_;
   Bytes bytes_;
   int pipe_ = -1;
   Session session_;
 };
 
 TEST_F(PmArrivalTest, DetectsProgressiveMeshFiles) {
-  EXPECT_TRUE(is_pm_file("model.pm"));
-  EXPECT_TRUE(is_pm_file("MODEL.PM"));
-  EXPECT_FALSE(is_pm_file("model.obj"));
-  EXPECT_FALSE(is_pm_file("no such file"));
-  EXPECT_TRUE(is_pm_file(file_of(bytes_, "without ending")));
-  EXPECT_FALSE(is_pm_file(file_of(std::span(bytes_).first(4), "short")));
-  EXPECT_TRUE(is_pm_file(pipe()));
+  EXPECT_TRUE(io::is_pm_file("model.pm"));
+  EXPECT_TRUE(io::is_pm_file("MODEL.PM"));
+  EXPECT_FALSE(io::is_pm_file("model.obj"));
+  EXPECT_FALSE(io::is_pm_file("no such file"));
+  EXPECT_TRUE(io::is_pm_file(file_of(bytes_, "without ending")));
+  EXPECT_FALSE(io::is_pm_file(file_of(std::span(bytes_).first(4), "short")));
+  EXPECT_TRUE(io::is_pm_file(pipe()));
   close();
   EXPECT_THROW(PmArrival("no such file.pm"), InputError);
 }
@@ -217,7 +217,7 @@ TEST_F(PmArrivalTest, PipeWithoutWriterDoesNotBlock) {
   ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
   PmArrival arrival(file);
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  EXPECT_FALSE(arrival.has_news(session_)) << "no writer does not mean end of file";
+  EXPECT_FALSE(arrival.has_news(session_.progressive)) << "no writer does not mean end of file";
   pipe_ = ::open(file.c_str(), O_WRONLY);
   std::thread writer([this] {
     put(bytes_);
@@ -253,8 +253,8 @@ TEST_F(PmArrivalTest, SilentPipeDoesNotBlock) {
 }
 
 TEST_F(PmArrivalTest, StreamLargerThanReadAheadIsReadCompletely) {
-  Bytes large(3 * ByteStream::kMostAhead, std::byte{1});
-  ByteStream stream(file_of(large, "large"));
+  Bytes large(3 * io::ByteStream::kMostAhead, std::byte{1});
+  io::ByteStream stream(file_of(large, "large"));
   stream.wait();
   std::size_t taken = 0;
   while (!stream.is_at_end()) {

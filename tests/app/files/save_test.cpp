@@ -63,7 +63,7 @@ TEST_F(SaveTest, SavedFileRestoresEverySharpness) {
   save(folder_ / "out.obj");
   EXPECT_FALSE(s_.saving.shows_dialog);
   EXPECT_EQ(s_.notice, "saved " + (folder_ / "out.obj").string() + ": 12 faces");
-  const Model back = read_model(folder_ / "out.obj");
+  const Model back = io::read_model(folder_ / "out.obj");
   EXPECT_TRUE(difference(mesh, back.mesh).is_empty());
   EXPECT_TRUE(back.report.is_clean());
 }
@@ -91,7 +91,7 @@ TEST_F(SaveTest, OverwritesOnlyAfterConfirmation) {
   submit(file);
   ASSERT_TRUE(s_.saving.waiting);
   run_waiting_save(s_);
-  EXPECT_EQ(read_model(file).mesh.face_count(), 12U);
+  EXPECT_EQ(io::read_model(file).mesh.face_count(), 12U);
   EXPECT_EQ(test::read_bytes(other), "other");
   run(s_, "save_file");
   submit(file);

@@ -54,7 +54,7 @@ TEST_F(ScriptedSessionTest, ScreenshotKeyWritesShownPicture) {
   setenv("XDG_PICTURES_DIR", folder.path().c_str(), 1);
   script_.press(parse_keys("g f12"));
   unsetenv("XDG_PICTURES_DIR");
-  EXPECT_EQ(read_png(folder / "mesher-cube.png").rgba, script_.picture().rgba);
+  EXPECT_EQ(io::read_png(folder / "mesher-cube.png").rgba, script_.picture().rgba);
   EXPECT_NE(session_.notice.find("mesher-cube.png"), std::string::npos);
 }
 

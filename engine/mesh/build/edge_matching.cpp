@@ -1,0 +1,237 @@
+#include "engine/mesh/build/edge_matching.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <optional>
+
+#include "engine/core/parallel.h"
+#include "engine/mesh/mesh.h"
+
+namespace mesher {
+namespace {
+
+constexpr std::size_t kVertexChunk = 1 << 14;
+
+struct Entry {
+  std::uint32_t upper;
+  std::uint32_t h;
+  friend auto operator<=>(const Entry&, const Entry&) = default;
+};
+
+Vertex target(const Array<Vertex>& origin, std::uint32_t h) {
+  return origin[Mesh::next(Halfedge(h)).index()];
+}
+
+Vertex apex(const Array<Vertex>& origin, std::uint32_t h) {
+  return origin[Mesh::prev(Halfedge(h)).index()];
+}
+
+/// Returns the edge's vertex other than `lower`, without a branch.
+std::uint32_t upper(const Array<Vertex>& origin, std::uint32_t h, std::uint32_t lower) {
+  return origin[h].index() ^ target(origin, h).index() ^ lower;
+}
+
+/// Chains the half-edges of each lower vertex by increasing index. `first` holds the head per
+/// vertex, `link` the next half-edge per half-edge.
+Array<Halfedge> chain(const Array<Vertex>& origin, std::uint32_t vertex_count,
+                      Array<Halfedge>& link) {
+  Array<Halfedge> first(vertex_count, Halfedge{});
+  for (auto f = static_cast<std::uint32_t>(origin.size() / 3); f-- > 0;) {
+    const Vertex a = origin[3 * f];
+    const Vertex b = origin[3 * f + 1];
+    const Vertex c = origin[3 * f + 2];
+    const auto push = [&](Vertex lower, std::uint32_t h) {
+      link[h] = first[lower.index()];
+      first[lower.index()] = Halfedge(h);
+    };
+    push(std::min(c, a), 3 * f + 2);
+    push(std::min(b, c), 3 * f + 1);
+    push(std::min(a, b), 3 * f);
+  }
+  return first;
+}
+
+/// The half-edges of one lower vertex, usually few, in parallel arrays. Each is compared with all
+/// others at once, without sorting and without a branch that could be mispredicted. The slot past
+/// the last stands for none.
+class FewHalfedges {
+ public:
+  static constexpr std::size_t kMost = 16;
+
+  FewHalfedges() {
+    upper_.fill(kNone);
+    from_[kMost] = apex_[kMost] = h_[kMost] = kNone;
+  }
+
+  std::size_t size() const { return size_; }
+  void push(const Array<Vertex>& origin, std::uint32_t lower, std::uint32_t h) {
+    upper_[size_] = upper(origin, h, lower);
+    from_[size_] = origin[h].index();
+    apex_[size_] = apex(origin, h).index();
+    h_[size_++] = h;
+  }
+
+  /// Writes all twins and returns the number of pairs that run in the same direction. Returns
+  /// nothing, and writes nothing, if an edge has more than two half-edges or two faces are the
+  /// same.
+  std::optional<std::uint64_t> match(Array<Halfedge>& twin) const {
+    std::array<std::size_t, kMost> mate;
+    bool is_plain = true;
+    for (std::size_t i = 0; i < size_; ++i) {
+      const std::uint32_t same = equal_to(upper_[i]) ^ 1U << i;
+      mate[i] = static_cast<std::size_t>(std::countr_zero(same | 1U << kMost));
+      is_plain &= (same & (same - 1)) == 0 && apex_[i] != apex_[mate[i]];
+    }
+    if (!is_plain) return std::nullopt;
+    std::uint64_t disagreeing = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      twin[h_[i]] = Halfedge(h_[mate[i]]);
+      disagreeing += from_[i] == from_[mate[i]] ? 1U : 0U;
+    }
+    return disagreeing / 2;  // each pair was counted from both sides
+  }
+
+ private:
+  using Numbers = std::array<std::uint32_t, kMost + 1>;
+  using Four = std::uint32_t __attribute__((vector_size(16)));
+
+  /// Returns one bit per slot whose upper vertex is `upper`.
+  std::uint32_t equal_to(std::uint32_t upper) const {
+    constexpr Four kBits{1U << 0, 1U << 1, 1U << 2, 1U << 3};
+    Four bits{};
+    for (std::uint32_t k = 0; k < kMost; k += 4) {
+      Four four;
+      std::memcpy(&four, &upper_[k], sizeof four);
+      bits |= (four == upper) & kBits << k;
+    }
+    return (bits[0] | bits[1]) | (bits[2] | bits[3]);
+  }
+
+  std::size_t size_ = 0;
+  std::array<std::uint32_t, kMost> upper_;
+  Numbers from_;
+  Numbers apex_;
+  Numbers h_;
+};
+
+/// The findings for one chunk of vertices, joined in chunk order.
+struct Findings {
+  std::uint64_t disagreeing_edges = 0;
+  std::vector<std::uint32_t> crowded;
+  std::vector<std::uint32_t> crowd_sizes;
+  std::vector<std::uint32_t> duplicate_faces;
+};
+
+class Matcher {
+ public:
+  Matcher(const Array<Vertex>& origin, Array<Halfedge>& twin, Findings& findings)
+      : origin_(origin), twin_(twin), findings_(findings) {}
+
+  /// Matches the edges with this lower vertex, whose chain starts at `first`. The links of the
+  /// chain are in the memory of the twins: they are read before the first twin is written, and no
+  /// other chain uses them.
+  void match_chain(std::uint32_t lower, Halfedge first) {
+    FewHalfedges few;
+    Halfedge h = first;
+    for (; h.is_valid() && few.size() < FewHalfedges::kMost; h = twin_[h.index()])
+      few.push(origin_, lower, h.index());
+    if (!h.is_valid()) {
+      if (const std::optional<std::uint64_t> disagreeing = few.match(twin_)) {
+        findings_.disagreeing_edges += *disagreeing;
+        return;
+      }
+    }
+    many_.clear();
+    for (h = first; h.is_valid(); h = twin_[h.index()])
+      many_.push_back(entry_of(h, lower));
+    std::sort(many_.begin(), many_.end());
+    match_sorted(many_);
+  }
+
+ private:
+  Entry entry_of(Halfedge h, std::uint32_t lower) const {
+    return {upper(origin_, h.index(), lower), h.index()};
+  }
+
+  void match_sorted(std::span<const Entry> entries) {
+    for (std::size_t begin = 0; begin < entries.size();) {
+      std::size_t end = begin + 1;
+      while (end < entries.size() && entries[end].upper == entries[begin].upper)
+        ++end;
+      match_edge(entries.subspan(begin, end - begin));
+      begin = end;
+    }
+  }
+
+  void match_edge(std::span<const Entry> edge) {
+    if (edge.size() == 2) {
+      const std::uint32_t a = edge[0].h;
+      const std::uint32_t b = edge[1].h;
+      twin_[a] = Halfedge(b);
+      twin_[b] = Halfedge(a);
+      findings_.disagreeing_edges += origin_[a] == origin_[b] ? 1 : 0;
+      if (apex(origin_, a) == apex(origin_, b)) findings_.duplicate_faces.push_back(b / 3);
+      return;
+    }
+    for (const Entry& entry : edge)
+      twin_[entry.h] = Halfedge{};
+    if (edge.size() > 2) note_crowd(edge);
+  }
+
+  void note_crowd(std::span<const Entry> edge) {
+    for (const Entry& entry : edge)
+      findings_.crowded.push_back(entry.h);
+    findings_.crowd_sizes.push_back(static_cast<std::uint32_t>(edge.size()));
+    // Faces at one edge are the same if their third vertices are.
+    std::vector<Entry> by_apex;
+    for (const Entry& entry : edge)
+      by_apex.push_back({apex(origin_, entry.h).index(), entry.h});
+    std::sort(by_apex.begin(), by_apex.end());
+    for (std::size_t i = 1; i < by_apex.size(); ++i) {
+      if (by_apex[i].upper == by_apex[i - 1].upper) {
+        findings_.duplicate_faces.push_back(by_apex[i].h / 3);
+      }
+    }
+  }
+
+  const Array<Vertex>& origin_;
+  Array<Halfedge>& twin_;
+  Findings& findings_;
+  std::vector<Entry> many_;
+};
+
+void join(const std::vector<Findings>& all, EdgeMatching& matching) {
+  for (const Findings& part : all) {
+    matching.disagreeing_edges += part.disagreeing_edges;
+    matching.crowded.insert(matching.crowded.end(), part.crowded.begin(), part.crowded.end());
+    for (const std::uint32_t size : part.crowd_sizes) {
+      matching.crowd_start.push_back(matching.crowd_start.back() + size);
+    }
+    matching.duplicate_faces.insert(matching.duplicate_faces.end(), part.duplicate_faces.begin(),
+                                    part.duplicate_faces.end());
+  }
+  // Each duplicate was found at three edges.
+  auto& faces = matching.duplicate_faces;
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+}
+
+}  // namespace
+
+EdgeMatching match_edges(const Array<Vertex>& origin, std::uint32_t vertex_count) {
+  EdgeMatching matching;
+  matching.twin.resize(origin.size());
+  const Array<Halfedge> first = chain(origin, vertex_count, matching.twin);
+  std::vector<Findings> findings(chunk_count(vertex_count, kVertexChunk));
+  parallel_chunks(vertex_count, kVertexChunk, [&](std::size_t i, IndexRange range) {
+    Matcher matcher(origin, matching.twin, findings[i]);
+    for (std::size_t v = range.begin; v < range.end; ++v)
+      matcher.match_chain(static_cast<std::uint32_t>(v), first[v]);
+  });
+  join(findings, matching);
+  return matching;
+}
+
+}  // namespace mesher

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/core/array.h"
+#include "engine/mesh/build/edge_matching.h"
+#include "engine/mesh/build/report.h"
+#include "engine/mesh/mesh.h"
+
+namespace mesher {
+
+struct CrowdEntry;
+
+/// Makes matched triangles manifold, so that the invariants of Mesh hold. Crowded edges (three or
+/// more faces) are paired around the edge, and vertices where several fans meet are split. If no
+/// edge of the input joined the fans, the vertex was a bow-tie vertex, and its copies are listed as
+/// such. If the surface was cut along an edge, the copies may move apart. Internal to building.
+/// Pre: no duplicate faces; orientation is settled.
+class ManifoldCutter {
+ public:
+  /// `mesh` has positions and origins. `vertex_source` maps each vertex to its source. Copies made
+  /// by splitting are appended to both.
+  ManifoldCutter(MeshArrays& mesh, Array<std::uint32_t>& vertex_source, BuildReport& report)
+      : mesh_(mesh), vertex_source_(vertex_source), report_(report) {}
+
+  /// Fills mesh.twin, mesh.outgoing and mesh.bow_tie_copies. O(F + V), plus O(k log k) per edge of
+  /// k faces.
+  void run(EdgeMatching&& matching);
+
+ private:
+  void cut_disagreeing(std::uint64_t expected);
+  void pair_crowds();
+  void pair_crowd(std::span<const std::uint32_t> crowd);
+  bool has_single_fans() const;
+  void split_vertices();
+  bool has_parallel_edges(std::span<const std::uint32_t> crowd) const;
+  bool cut_parallel_crowds();
+  void undo_splits();
+  std::uint64_t count_split_vertices() const;
+  void list_bow_tie_copies();
+  std::vector<Vertex> fans_joined_by_cut_edges() const;
+  void stitch(std::span<const std::uint32_t> crowd);
+  std::vector<CrowdEntry> sorted_by_ends(std::span<const std::uint32_t> crowd) const;
+  /// Returns the vertex of the input that `v` is a copy of, or `v` itself.
+  Vertex before_split(Vertex v) const {
+    return v.index() < original_vertices_ ? v : split_from_[v.index() - original_vertices_];
+  }
+  Vertex target(std::uint32_t h) const { return mesh_.origin[Mesh::next(Halfedge(h)).index()]; }
+
+  MeshArrays& mesh_;
+  Array<std::uint32_t>& vertex_source_;
+  BuildReport& report_;
+  EdgeMatching matching_;
+  std::size_t original_vertices_ = 0;
+  std::vector<Vertex> split_from_;  ///< per vertex past the original ones
+  std::vector<std::size_t> cut_crowds_;
+  std::vector<std::uint32_t> cut_disagreeing_;  ///< pairs: each cut half-edge and its twin
+};
+
+}  // namespace mesher

@@ -1,0 +1,243 @@
+#include "engine/progressive/codec/pm_read.h"
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+#include <utility>
+
+#include "engine/core/error.h"
+#include "engine/mesh/outgoing.h"
+#include "engine/mesh/validate.h"
+#include "engine/progressive/codec/pm_base.h"
+#include "engine/progressive/codec/pm_format.h"
+#include "engine/progressive/codec/range_coder.h"
+#include "engine/progressive/codec/split_coder.h"
+#include "engine/progressive/split_appender.h"
+
+namespace mesher::progressive {
+namespace {
+
+std::string grouped(std::uint64_t number) {
+  std::string text = std::to_string(number);
+  for (std::size_t i = text.size(); i > 3;)
+    text.insert(i -= 3, ",");
+  return text;
+}
+
+/// The part of the file expected next.
+enum class Stage { header, base, block, done, damaged };
+
+}  // namespace
+
+struct PmReader::State {
+  std::string name;
+  Stage stage = Stage::header;
+  Array<std::byte> waiting;      ///< bytes that have arrived but were not consumed
+  std::uint64_t used_bytes = 0;  ///< number of consumed bytes before `waiting`
+  PmHeader header;
+  std::uint32_t check = 0;  ///< checksum of everything so far
+  ProgressiveMesh mesh;
+  bool has_base = false;
+  std::unique_ptr<SplitCoder<RangeDecoder>> coder;
+  std::string damage;
+
+  explicit State(std::string&& file) : name(std::move(file)) {}
+
+  std::string at_byte(std::uint64_t byte, std::string_view reason) const {
+    return "byte " + grouped(byte) + ": " + std::string(reason);
+  }
+
+  [[noreturn]] void refuse(std::uint64_t byte, std::string_view reason) {
+    stage = Stage::damaged;
+    damage = at_byte(byte, reason);
+    throw InputError(name, 0, damage);
+  }
+
+  void end_early(std::uint64_t byte, std::string_view reason) {
+    stage = Stage::damaged;
+    damage = at_byte(byte, reason) + "; " + grouped(mesh.split_count()) + " of " +
+             grouped(header.splits) + " splits were read";
+  }
+
+  /// Consumes the complete part at the start of `bytes`; returns its size. `used_bytes` precede it.
+  std::size_t take(std::span<const std::byte> bytes) {
+    switch (stage) {
+      case Stage::header:
+        return take_header(bytes);
+      case Stage::base:
+        return take_base(bytes);
+      case Stage::block:
+        return take_block(bytes);
+      case Stage::done:
+        if (!bytes.empty()) end_early(used_bytes, "bytes follow after the last split");
+        return 0;
+      case Stage::damaged:
+        return 0;
+    }
+    return 0;
+  }
+
+  std::size_t take_header(std::span<const std::byte> bytes) {
+    const std::size_t shown = std::min(bytes.size(), kPmMagic.size());
+    if (std::memcmp(bytes.data(), kPmMagic.data(), shown) != 0) {
+      refuse(used_bytes, "not a progressive mesh, or one that was sent as text");
+    }
+    if (bytes.size() < kPmHeaderBytes) return 0;
+    const std::string_view why = pm_parse(bytes.first(kPmHeaderBytes), header);
+    if (!why.empty()) refuse(used_bytes, why);
+    stage = Stage::base;
+    return kPmHeaderBytes;
+  }
+
+  std::size_t take_base(std::span<const std::byte> bytes) {
+    if (bytes.size() < header.base_bytes) return 0;
+    const auto payload = bytes.first(header.base_bytes);
+    if (pm_check(header.check, payload) != header.base_check) {
+      refuse(used_bytes, "the checksum of the base mesh is wrong");
+    }
+    PmBase base;
+    const std::string_view why = decode_base(header, payload, base);
+    if (!why.empty()) refuse(used_bytes, why);
+    fill_outgoing(base.arrays);
+    Mesh first = std::move(base.arrays).finish();
+    const auto violations = validate(first, 1);
+    if (!violations.empty()) refuse(used_bytes, "the base is no mesh: " + violations.front().what);
+    mesh = ProgressiveMesh(std::move(first));
+    mesh.mesh().changes().note_all();  // nobody has seen it, so later changes need not be recorded
+    coder = std::make_unique<SplitCoder<RangeDecoder>>(header, std::move(base.grid));
+    check = header.base_check;
+    has_base = true;
+    stage = header.splits == 0 ? Stage::done : Stage::block;
+    return header.base_bytes;
+  }
+
+  std::size_t take_block(std::span<const std::byte> bytes) {
+    if (bytes.size() < kPmBlockHeaderBytes) return 0;
+    const PmBlockHeader block = pm_parse_block(bytes.first(kPmBlockHeaderBytes));
+    const std::string_view why = objection(block);
+    if (!why.empty()) {
+      end_early(used_bytes, why);
+      return 0;
+    }
+    if (bytes.size() - kPmBlockHeaderBytes < block.bytes) return 0;
+    const auto payload = bytes.subspan(kPmBlockHeaderBytes, block.bytes);
+    check = pm_block_check(check, block.splits, payload);
+    if (check != block.check) {
+      end_early(used_bytes, "the checksum of a block is wrong");
+      return 0;
+    }
+    try {
+      if (!append(block.splits, payload)) return 0;
+    } catch (const std::bad_alloc&) {
+      // The models have adapted to splits that the mesh lacks, so the rest cannot be decoded.
+      end_early(used_bytes, "memory ran out");
+      throw;
+    }
+    if (mesh.split_count() == header.splits) stage = Stage::done;
+    return kPmBlockHeaderBytes + block.bytes;
+  }
+
+  std::string_view objection(const PmBlockHeader& block) const {
+    if (block.splits == 0 || block.splits > kPmMostBlockSplits ||
+        block.splits > header.splits - mesh.split_count() ||
+        block.bytes < pm_least_bytes(block.splits) || block.bytes > pm_most_bytes(block.splits)) {
+      return "the header of a block makes no sense";
+    }
+    return {};
+  }
+
+  /// Reserves memory for as many splits as the arrived bytes may hold (most splits take more
+  /// bytes), or for several times the current number: unwritten memory costs nothing, but moving
+  /// arrays does.
+  void reserve(std::uint32_t count) {
+    constexpr std::uint64_t usual_bytes = 4;
+    constexpr std::uint64_t growth = 4;
+    const std::uint64_t before = mesh.split_count();
+    if (before + count <= mesh.split_capacity()) return;
+    const std::uint64_t expected =
+        std::max({before + count, before + waiting.size() / usual_bytes, growth * before});
+    mesh.reserve(static_cast<std::uint32_t>(std::min<std::uint64_t>(expected, header.splits)));
+  }
+
+  bool append(std::uint32_t count, std::span<const std::byte> payload) {
+    reserve(count);
+    RangeDecoder decoder(payload);
+    coder->begin_block(mesh.split_count(), mesh.split_count() + count);
+    SplitAppender appender(mesh, count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      NewSplit split;
+      const std::string_view why = coder->code(decoder, mesh, split);
+      if (!why.empty()) {
+        end_early(used_bytes, why);
+        return false;
+      }
+      appender.append(split, coder->fan());
+    }
+    return true;
+  }
+
+  void feed(std::span<const std::byte> bytes) {
+    if (stage == Stage::damaged) return;
+    waiting.insert(waiting.end(), bytes.begin(), bytes.end());
+    if (has_base) mesh.go_to(mesh.split_count());
+    std::size_t used = 0;
+    while (stage != Stage::damaged && used < waiting.size()) {
+      const std::size_t now = take(std::span(waiting).subspan(used));
+      if (now == 0) break;
+      used += now;
+      used_bytes += now;
+    }
+    waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(used));
+  }
+};
+
+PmReader::PmReader(std::string name) : state_(std::make_unique<State>(std::move(name))) {}
+PmReader::~PmReader() = default;
+PmReader::PmReader(PmReader&&) noexcept = default;
+PmReader& PmReader::operator=(PmReader&&) noexcept = default;
+
+bool PmReader::is_pm(std::span<const std::byte> begin) {
+  return begin.size() >= kPmMagic.size() &&
+         std::memcmp(begin.data(), kPmMagic.data(), kPmMagic.size()) == 0;
+}
+
+void PmReader::feed(std::span<const std::byte> bytes) {
+  state_->feed(bytes);
+}
+
+void PmReader::finish() {
+  State& s = *state_;
+  const std::uint64_t end = s.used_bytes + s.waiting.size();
+  if (!s.has_base && s.stage != Stage::damaged) {
+    s.refuse(end, "the file ends within its header or base mesh");
+  }
+  if (s.stage == Stage::block) s.end_early(end, "the file ends early");
+}
+
+bool PmReader::has_base() const {
+  return state_->has_base;
+}
+bool PmReader::is_complete() const {
+  return state_->has_base && state_->mesh.split_count() == state_->header.splits;
+}
+std::string_view PmReader::damage() const {
+  return state_->damage;
+}
+std::uint32_t PmReader::announced_splits() const {
+  return state_->header.splits;
+}
+unsigned PmReader::coordinate_bits() const {
+  return state_->header.coordinate_bits;
+}
+
+ProgressiveMesh& PmReader::mesh() {
+  MESHER_ASSERT(has_base());
+  return state_->mesh;
+}
+
+ProgressiveMesh PmReader::take() && {
+  MESHER_ASSERT(has_base());
+  return std::move(state_->mesh);
+}
+
+}  // namespace mesher::progressive

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "engine/progressive/progressive_mesh.h"
+
+namespace mesher::progressive {
+
+/// Reads a progressive mesh (docs/pm-format.md) while its bytes arrive, in pieces of any size: from
+/// a file, a pipe, or the network. The mesh grows by whole blocks and is valid at any time.
+///
+/// The reader does not trust the file: it allocates memory only in proportion to the bytes that
+/// have arrived.
+class PmReader {
+ public:
+  /// `name`: name of the file, for messages.
+  explicit PmReader(std::string name);
+  ~PmReader();
+  PmReader(PmReader&&) noexcept;
+  PmReader& operator=(PmReader&&) noexcept;
+
+  /// Returns whether a file that begins like this is a progressive mesh. Needs 8 bytes.
+  static bool is_pm(std::span<const std::byte> begin);
+
+  /// Reads the next bytes. O(bytes + splits). Throws InputError (file, byte, reason) if header or
+  /// base are invalid; there is no mesh then. An invalid block ends the reading: see damage().
+  /// Running out of memory also ends it, and throws std::bad_alloc.
+  void feed(std::span<const std::byte> bytes);
+  /// Declares the end of the input. Throws InputError if there is no base; reports missing blocks
+  /// in damage().
+  void finish();
+
+  /// Returns whether the header and the base mesh have arrived.
+  bool has_base() const;
+  /// Returns whether every split announced by the header has arrived.
+  bool is_complete() const;
+  /// Returns why the rest cannot be used ("byte 1,234: checksum of a block is wrong; 5,000 of 8,000
+  /// splits were read"); empty if nothing is wrong so far.
+  std::string_view damage() const;
+  /// Returns the number of splits announced by the header. Use it for progress bars only.
+  std::uint32_t announced_splits() const;
+  /// Returns the bits per coordinate; 0: lossless.
+  unsigned coordinate_bits() const;
+
+  /// Returns the mesh. `feed` first goes to the finest level and leaves the mesh there; in between,
+  /// the caller may change the level. Pre: has_base().
+  ProgressiveMesh& mesh();
+  /// Moves the mesh out. Feed nothing afterwards. Pre: has_base().
+  ProgressiveMesh take() &&;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace mesher::progressive
