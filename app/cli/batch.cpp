@@ -1,14 +1,15 @@
 #include "app/cli/batch.h"
 
+#include <fmt/format.h>
+
 #include <glm/trigonometric.hpp>
-#include <iomanip>
 #include <iostream>
 
 #include "app/cli/progress_line.h"
-#include "app/document/words.h"
 #include "app/files/paths.h"
 #include "engine/analysis/self_intersections.h"
 #include "engine/core/error.h"
+#include "engine/core/text.h"
 #include "engine/io/atomic_file.h"
 #include "engine/io/format.h"
 #include "engine/io/losses.h"
@@ -20,18 +21,18 @@ namespace mesher::app {
 namespace {
 
 void print(const char* label, const std::string& value) {
-  std::cout << std::left << std::setw(19) << label << value << '\n';
+  std::cout << fmt::format("{:<19}{}\n", label, value);
 }
 
 void print(const char* label, std::int64_t value) {
-  print(label, std::to_string(value));
+  print(label, count_text(value));
 }
 
-std::string size_text(const Box& box) {
+std::string extent_text(const Box& box) {
   if (box.is_empty()) return "empty";
   const glm::dvec3 size = glm::dvec3(box.max) - glm::dvec3(box.min);
-  return short_number(size.x) + " x " + short_number(size.y) + " x " + short_number(size.z) +
-         ", diagonal " + short_number(box.diagonal());
+  return fmt::format("{} x {} x {}, diagonal {}", number_text(size.x), number_text(size.y),
+                     number_text(size.z), number_text(box.diagonal()));
 }
 
 void print_statistics(const Statistics& s) {
@@ -45,36 +46,41 @@ void print_statistics(const Statistics& s) {
   print("crease edges", s.crease_edges);
   if (s.isolated_vertices > 0) print("isolated vertices", s.isolated_vertices);
   if (s.zero_area_faces > 0) print("zero-area faces", s.zero_area_faces);
-  print("size", size_text(s.box));
-  print("area", short_number(s.area));
-  if (s.is_closed()) print("volume", short_number(s.volume));
+  print("size", extent_text(s.box));
+  print("area", number_text(s.area));
+  if (s.is_closed()) print("volume", number_text(s.volume));
 }
 
 void say_repairs(const BuildReport& report) {
   for (std::size_t i = 0; i < kRepairs.size(); ++i) {
     const auto repair = static_cast<Repair>(i);
     if (report[repair] == 0) continue;
-    std::cerr << "mesher: " << report[repair] << ' ' << describe(repair) << '\n';
+    say(fmt::format("{} {}", count_text(report[repair]), describe(repair)));
   }
 }
 
 /// Prints even with --quiet, because the result is not the complete model.
 void say_damage(const LoadedModel& loaded) {
   if (loaded.pm->damage.empty()) return;
-  say(loaded.file.string() + ": DAMAGED: " + loaded.pm->damage +
-      "; using the intact part before it: " + with_commas(loaded.pm->faces) + " faces");
+  say(fmt::format("{}: DAMAGED: {}; using the intact part before it: {}", loaded.file.string(),
+                  loaded.pm->damage, count_text(loaded.pm->faces, "face")));
 }
 
 void print_pm(const io::PmSummary& pm) {
   print("progressive mesh", pm.coordinate_bits == 0
                                 ? std::string("lossless")
-                                : std::to_string(pm.coordinate_bits) + "-bit positions");
+                                : fmt::format("{}-bit positions", pm.coordinate_bits));
   print("base vertices", pm.base_vertices);
   print("base faces", pm.base_faces);
   print("splits", pm.splits);
   print("bytes",
-        with_commas(pm.bytes) + ", " + short_number(pm.bytes_per_vertex()) + " per vertex");
+        fmt::format("{}, {} per vertex", count_text(pm.bytes), number_text(pm.bytes_per_vertex())));
   print("complete", pm.damage.empty() ? "yes" : "no: " + pm.damage);
+}
+
+void say_written(const std::string& output, const Mesh& mesh) {
+  say(fmt::format("{}: {} vertices, {}", output, count_text(mesh.vertex_count()),
+                  count_text(mesh.face_count(), "face")));
 }
 
 Json model_json(const LoadedModel& loaded) {
@@ -97,6 +103,11 @@ void say(const std::string& words) {
   std::cerr << "mesher: " << words << '\n';
 }
 
+void say_losses(const std::string& output, const std::vector<std::string>& losses) {
+  for (const std::string& loss : losses)
+    say(fmt::format("{} cannot hold {}", output, loss));
+}
+
 void check_format(const std::string& output) {
   io::writable_format(output);
 }
@@ -112,11 +123,8 @@ std::vector<std::string> write_result(const std::string& output, const Model& mo
       io::losses_in_format(output, model.mesh, model.attributes);
   io::write_model(output, model.mesh, model.attributes);
   if (!common.quiet) {
-    const std::string cannot_hold = output + " cannot hold ";
-    for (const std::string& loss : losses)
-      say(cannot_hold + loss);
-    say(output + ": " + with_commas(model.mesh.vertex_count()) + " vertices, " +
-        with_commas(model.mesh.face_count()) + " faces");
+    say_losses(output, losses);
+    say_written(output, model.mesh);
   }
   return losses;
 }
@@ -176,11 +184,8 @@ void run_convert(const InputOptions& input, const std::string& output, bool asci
       io::losses_in_format(output, mesh, loaded.model.attributes);
   io::write_model(output, mesh, loaded.model.attributes, {.ascii = ascii});
   if (!common.quiet) {
-    for (const std::string& loss : losses) {
-      std::cerr << "mesher: " << output << " cannot hold " << loss << '\n';
-    }
-    std::cerr << "mesher: " << output << ": " << mesh.vertex_count() << " vertices, "
-              << mesh.face_count() << " faces\n";
+    say_losses(output, losses);
+    say_written(output, mesh);
   }
   if (common.json) {
     Json json = model_json(loaded);
@@ -225,18 +230,19 @@ void run_compare(const InputOptions& first, const InputOptions& second, std::uin
     return print_json(json);
   }
   const auto row = [&](const char* label, const analysis::OneSidedDistance& side) {
-    print(label, "rms " + short_number(side.rms) + " (" + short_number(distance.percent(side.rms)) +
-                     " %), mean " + short_number(side.mean) + ", max " + short_number(side.max) +
-                     " (" + short_number(distance.percent(side.max)) + " %)");
+    print(label, fmt::format("rms {} ({}), mean {}, max {} ({})", number_text(side.rms),
+                             percent_text(distance.percent(side.rms)), number_text(side.mean),
+                             number_text(side.max), percent_text(distance.percent(side.max))));
   };
   row("first to second", distance.forward);
   row("second to first", distance.backward);
   row("two-sided", distance.two_sided());
-  print("self-intersections", with_commas(first_pairs) + " pairs of faces in the first, " +
-                                  with_commas(second_pairs) + " in the second");
-  print("certified max", short_number(certified.lower) + " to " + short_number(certified.upper) +
-                             " (" + short_number(distance.percent(certified.lower)) + " to " +
-                             short_number(distance.percent(certified.upper)) + " %)");
+  print("self-intersections", fmt::format("{} pairs of faces in the first, {} in the second",
+                                          count_text(first_pairs), count_text(second_pairs)));
+  print("certified max",
+        fmt::format("{} to {} ({} to {})", number_text(certified.lower),
+                    number_text(certified.upper), percent_text(distance.percent(certified.lower)),
+                    percent_text(distance.percent(certified.upper))));
 }
 
 }  // namespace mesher::app

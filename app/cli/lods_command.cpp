@@ -1,5 +1,7 @@
 #include "app/cli/lods_command.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -10,6 +12,7 @@
 #include "app/document/words.h"
 #include "app/edit/distance_from_input.h"
 #include "engine/core/error.h"
+#include "engine/core/text.h"
 #include "engine/io/format.h"
 #include "engine/io/losses.h"
 #include "engine/mesh/normals.h"
@@ -212,17 +215,19 @@ void say_levels(const Source& source, const std::vector<Level>& levels,
     const simplify::StopReason reason = level.pruned ? level.pruned->report.reason : report.reason;
     const bool is_read = source.loaded.pm && !level.pruned;
     const std::string why = is_read ? "it is the base of the progressive mesh" : stop_text(reason);
-    const std::string name = "level " + std::to_string(i) + ": ";
-    say(name + with_commas(level.mesh.vertex_count()) + " vertices, " + with_commas(faces) +
-        " faces, for a coverage of at least " + short_number(level.coverage) +
-        (faces > level.asked_faces
-             ? "; asked for " + with_commas(level.asked_faces) + " faces: " + why
-             : "") +
-        (repeats(levels, i) ? "; the same mesh as level " + std::to_string(i - 1) : ""));
+    const std::string name = fmt::format("level {}: ", i);
+    say(fmt::format(
+        "{}{} vertices, {}, for a coverage of at least {}{}{}", name,
+        count_text(level.mesh.vertex_count()), count_text(faces, "face"),
+        number_text(level.coverage),
+        faces > level.asked_faces
+            ? fmt::format("; asked for {}: {}", count_text(level.asked_faces, "face"), why)
+            : "",
+        repeats(levels, i) ? fmt::format("; the same mesh as level {}", i - 1) : ""));
     if (level.pruned) say(name + pruned_words(*level.pruned));
     if (level.error >= 0.0) {
-      say("warning: level " + std::to_string(i) + " is " +
-          far_from("the input", 100.0 * level.error / source.diagonal()));
+      say(fmt::format("warning: level {} is {}", i,
+                      far_from("the input", 100.0 * level.error / source.diagonal())));
     }
     const std::string dropped_words = name + "dropped ";
     for (const std::string& dropped : level.dropped)
@@ -285,8 +290,9 @@ std::vector<double> parse_coverage(const std::string& text, std::size_t levels) 
   const std::vector<double> coverage = parse_numbers(text).value_or(std::vector<double>{});
   if (coverage.size() != levels || !is_falling(coverage) || coverage.front() > 1.0 ||
       coverage.back() < 0.0) {
-    throw UsageError("--coverage: '" + text + "' is not a decreasing list of " +
-                     std::to_string(levels) + " numbers from 0 to 1, one per level");
+    throw UsageError(fmt::format(
+        "--coverage: '{}' is not a decreasing list of {} numbers from 0 to 1, one per level", text,
+        levels));
   }
   return coverage;
 }
@@ -299,7 +305,7 @@ std::vector<double> default_coverage(const std::vector<double>& ratios) {
 
 fs::path level_file(const fs::path& output, std::size_t level) {
   fs::path file = output.parent_path() / output.stem();
-  file += "_lod" + std::to_string(level);
+  file += fmt::format("_lod{}", level);
   file += output.extension();
   return file;
 }
@@ -323,9 +329,7 @@ void run_lods(const InputOptions& input, const std::string& output, const LodArg
   const std::vector<std::string> losses =
       io::losses_in_format(output, levels.front().mesh, levels.front().attributes);
   if (!common.quiet) {
-    const std::string cannot_hold = output + " cannot hold ";
-    for (const std::string& loss : losses)
-      say(cannot_hold + loss);
+    say_losses(output, losses);
     say_levels(source, levels, files);
   }
   if (common.json) print_levels(source, output, levels, files, losses);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <array>
 #include <charconv>
@@ -31,7 +33,7 @@ inline CLI::Validator number_between(double least, double most) {
 
 /// A CLI11 check: an integer from `least` to `most`. (CLI11 clamps larger ones silently.)
 inline CLI::Validator integer_between(std::uint64_t least, std::uint64_t most) {
-  const std::string range = std::to_string(least) + " to " + std::to_string(most);
+  const std::string range = fmt::format("{} to {}", least, most);
   return {[least, most, range](const std::string& text) -> std::string {
             std::uint64_t value = 0;
             const char* end = text.data() + text.size();

@@ -1,5 +1,7 @@
 #include "app/cli/options.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <vector>
@@ -33,8 +35,8 @@ std::optional<double> number(const std::string& text) {
 std::uint32_t parse_side(const std::string& side, const std::string& text) {
   const auto value = number(side);
   if (!value || *value < 1 || *value > kMaxSide || *value != std::floor(*value)) {
-    throw UsageError("--size: '" + text + "' is not N or WxH with sides from 1 to " +
-                     std::to_string(kMaxSide));
+    throw UsageError(
+        fmt::format("--size: '{}' is not N or WxH with sides from 1 to {}", text, kMaxSide));
   }
   return static_cast<std::uint32_t>(*value);
 }

@@ -1,5 +1,6 @@
 #include "app/cli/progress_line.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -27,8 +28,10 @@ void ProgressLine::run() {
   bool has_written = false;
   for (auto pause = 300ms; !ended_.wait_for(lock, pause, [this] { return is_over_; });
        pause = 100ms) {
+    // Rounded down, because 100 % means that the work is done.
     const int percent = static_cast<int>(100.0F * progress_.fraction());
-    std::fprintf(stderr, "\r\033[K%s %d %%", progress_.stage().c_str(), percent);
+    const std::string text = fmt::format("\r\033[K{} {} %", progress_.stage(), percent);
+    std::fputs(text.c_str(), stderr);
     std::fflush(stderr);
     has_written = true;
   }

@@ -1,5 +1,7 @@
 #include "app/cli/progressive_command.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -10,6 +12,7 @@
 #include "app/document/words.h"
 #include "app/edit/distance_from_input.h"
 #include "engine/core/error.h"
+#include "engine/core/text.h"
 #include "engine/progressive/base.h"
 #include "engine/progressive/build.h"
 
@@ -92,23 +95,25 @@ double share_of_indexed(const io::PmSummary& pm) {
 void say_written(const std::string& output, const Written& written) {
   const simplify::SimplifyReport& r = written.outcome.report;
   const io::PmSummary& pm = written.summary;
-  say("base: " + with_commas(pm.base_faces) + " of " + with_commas(r.faces_before) + " faces, " +
-      (r.faces_asked > 0 ? "asked for " + with_commas(r.faces_asked) : "chosen by size and error") +
-      ": " + stop_text(r.reason) + "; " + with_commas(pm.splits) + " splits, in " +
-      short_number(r.seconds.total() + written.build_s) + " s");
-  say("estimated error of the base (RMS): " + percent_text(written.outcome.error_percent()) +
-      " of the diagonal");
+  say(fmt::format(
+      "base: {} of {}, {}: {}; {}, in {}", count_text(pm.base_faces),
+      count_text(r.faces_before, "face"),
+      r.faces_asked > 0 ? "asked for " + count_text(r.faces_asked) : "chosen by size and error",
+      stop_text(r.reason), count_text(pm.splits, "split"),
+      seconds_text(r.seconds.total() + written.build_s)));
+  say(fmt::format("estimated error of the base (RMS): {} of the diagonal",
+                  percent_text(written.outcome.error_percent())));
   if (written.outcome.is_far()) {
     say(r.faces_asked > 0 ? "warning: the base is far from the input; give a larger --base-faces "
                             "to keep its shape"
                           : "warning: the base is far from the input, which has few faces");
   }
-  say(output + ": " + with_commas(pm.bytes) + " bytes in " + short_number(written.write_s) +
-      " s, " + short_number(pm.bytes_per_vertex()) + " per vertex (" +
-      (pm.coordinate_bits == 0 ? "lossless"
-                               : std::to_string(pm.coordinate_bits) + "-bit positions") +
-      "), " + short_number(100.0 * share_of_indexed(pm)) +
-      " % of the plain arrays; the base takes " + with_commas(written.sizes.base) + " bytes");
+  say(fmt::format(
+      "{}: {} in {}, {} per vertex ({}), {} of the plain arrays; the base takes {}", output,
+      count_text(pm.bytes, "byte"), seconds_text(written.write_s),
+      number_text(pm.bytes_per_vertex()),
+      pm.coordinate_bits == 0 ? "lossless" : fmt::format("{}-bit positions", pm.coordinate_bits),
+      percent_text(100.0 * share_of_indexed(pm)), count_text(written.sizes.base, "byte")));
   for (const std::string& name : written.outcome.dropped)
     say(name + " are not preserved");
 }
@@ -134,7 +139,8 @@ void say_level(const progressive::ProgressiveMesh& mesh, const DetailArguments& 
   if (arguments.faces && mesh.level() == mesh.split_count() && faces < *arguments.faces) {
     why = ", full detail: the mesh has no more faces";
   }
-  say("level " + with_commas(mesh.level()) + " of " + with_commas(mesh.split_count()) + why);
+  say(fmt::format("level {} of {}{}", count_text(mesh.level()), count_text(mesh.split_count()),
+                  why));
 }
 
 }  // namespace

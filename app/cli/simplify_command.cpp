@@ -1,5 +1,7 @@
 #include "app/cli/simplify_command.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -7,11 +9,11 @@
 #include "app/cli/batch.h"
 #include "app/cli/progress_line.h"
 #include "app/document/json.h"
-#include "app/document/words.h"
 #include "engine/analysis/distance.h"
 #include "engine/analysis/hausdorff.h"
 #include "engine/analysis/self_intersections.h"
 #include "engine/core/error.h"
+#include "engine/core/text.h"
 #include "engine/io/format.h"
 #include "engine/io/losses.h"
 #include "engine/io/write.h"
@@ -35,23 +37,26 @@ double parse_max_error(const std::string& text, double diagonal) {
 }
 
 std::string with_percent(const SimplifyOutcome& outcome, double error) {
-  return short_number(error) + " (" + short_number(outcome.percent(error)) + " % of the diagonal)";
+  return fmt::format("{} ({} of the diagonal)", number_text(error),
+                     percent_text(outcome.percent(error)));
 }
 
 void say_outcome(const SimplifyOutcome& outcome, bool prunes) {
   const simplify::SimplifyReport& r = outcome.report;
-  say((r.faces_asked > 0 ? "asked for " + with_commas(r.faces_asked) + " faces, " : std::string()) +
-      "reached " + with_commas(r.faces_reached) + " of " + with_commas(r.faces_before) + " in " +
-      short_number(r.seconds.total()) + " s: " + std::string(describe(r.reason)) +
-      (r.faces_reached < r.faces_asked && r.collapses > 0
-           ? " (inside a surface a collapse removes two faces)"
-           : ""));
+  say(fmt::format(
+      "{}reached {} of {} in {}: {}{}",
+      r.faces_asked > 0 ? fmt::format("asked for {}, ", count_text(r.faces_asked, "face")) : "",
+      count_text(r.faces_reached), count_text(r.faces_before), seconds_text(r.seconds.total()),
+      describe(r.reason),
+      r.faces_reached < r.faces_asked && r.collapses > 0
+          ? " (inside a surface a collapse removes two faces)"
+          : ""));
   std::string refused;
   for (std::size_t i = 0; i < simplify::kRejections.size(); ++i) {
     const auto cause = static_cast<simplify::Rejection>(i);
     if (r[cause] == 0) continue;
-    refused += (refused.empty() ? "" : ", ") + with_commas(r[cause]) + " by " +
-               std::string(describe(cause));
+    refused += fmt::format("{}{} by {}", refused.empty() ? "" : ", ", count_text(r[cause]),
+                           describe(cause));
   }
   if (!refused.empty()) say("collapses refused: " + refused);
   if (prunes) say(pruned_words(outcome));
@@ -77,11 +82,12 @@ struct Measured {
 
 void say_distance(const Measured& measured) {
   const auto text = [&](double distance) {
-    return short_number(distance) + " (" + short_number(measured.sampled.percent(distance)) + " %)";
+    return fmt::format("{} ({})", number_text(distance),
+                       percent_text(measured.sampled.percent(distance)));
   };
   const analysis::OneSidedDistance both = measured.sampled.two_sided();
-  say("distance, both directions: rms " + text(both.rms) + ", max " + text(both.max) +
-      ", certified at most " + text(measured.certified.upper));
+  say(fmt::format("distance, both directions: rms {}, max {}, certified at most {}", text(both.rms),
+                  text(both.max), text(measured.certified.upper)));
 }
 
 /// Returns none unless both meshes have faces.
@@ -115,7 +121,7 @@ simplify::SimplifyOptions simplify_options(const SimplifyArguments& arguments, s
   if (arguments.faces) options.target_faces = *arguments.faces;
   if (arguments.ratio) {
     if (!(*arguments.ratio > 0.0 && *arguments.ratio <= 1.0)) {
-      throw UsageError("--ratio: " + short_number(*arguments.ratio) +
+      throw UsageError("--ratio: " + number_text(*arguments.ratio) +
                        " is not above 0 and at most 1");
     }
     options.target_faces =
@@ -162,11 +168,12 @@ SimplifyOutcome simplify_model(LoadedModel& loaded, simplify::SimplifyOptions op
 std::string pruned_words(const SimplifyOutcome& outcome) {
   const simplify::SimplifyReport& r = outcome.report;
   if (r.pruned_parts == 0) return "pruned nothing: no part is smaller than the error";
-  return "pruned " + with_commas(r.pruned_parts) + (r.pruned_parts == 1 ? " part (" : " parts (") +
-         with_commas(r.pruned_faces) + " faces), the largest " +
-         percent_text(outcome.percent(r.largest_pruned)) +
-         " of the diagonal in size; with them the estimated error would be " +
-         percent_text(outcome.percent(r.error_unpruned));
+  return fmt::format(
+      "pruned {} ({}), the largest {} of the diagonal in size; with them the estimated error would "
+      "be {}",
+      count_text(r.pruned_parts, "part"), count_text(r.pruned_faces, "face"),
+      percent_text(outcome.percent(r.largest_pruned)),
+      percent_text(outcome.percent(r.error_unpruned)));
 }
 
 void run_simplify(const InputOptions& input, const std::string& output,
@@ -186,8 +193,8 @@ void run_simplify(const InputOptions& input, const std::string& output,
   const auto intersections_after = counted(mesh, arguments, common);
   if (distance && !common.quiet) say_distance(*distance);
   if (intersections_before && !common.quiet) {
-    say("self-intersections (pairs of faces): " + with_commas(*intersections_before) + " before, " +
-        with_commas(*intersections_after) + " after");
+    say(fmt::format("self-intersections (pairs of faces): {} before, {} after",
+                    count_text(*intersections_before), count_text(*intersections_after)));
   }
   if (!common.json) return;
   Json json{{"input", loaded.file.string()}, {"output", output}};

@@ -1,14 +1,16 @@
 #include "app/cli/subdivide_command.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 
 #include "app/cli/batch.h"
 #include "app/cli/progress_line.h"
 #include "app/document/json.h"
-#include "app/document/words.h"
 #include "app/edit/memory_budget.h"
 #include "engine/core/error.h"
 #include "engine/core/memory.h"
+#include "engine/core/text.h"
 #include "engine/subdivide/attributes.h"
 #include "engine/subdivide/subdivide.h"
 
@@ -57,8 +59,8 @@ void run_subdivide(const InputOptions& input, const std::string& output,
   const double seconds = subdivide_model(model, options, common);
   const bool drops_normals = has_normals && model.attributes.normal.empty();
   if (!common.quiet) {
-    say("subdivided " + std::to_string(options.levels) + "x (" + std::string(key(options.scheme)) +
-        ") in " + short_number(seconds) + " s");
+    say(fmt::format("subdivided {}x ({}) in {}", options.levels, key(options.scheme),
+                    seconds_text(seconds)));
     if (drops_normals) say("dropped normals (they belong to the coarse surface)");
     if (options.limit && !subdivide::traits(options.scheme).has_limit) {
       say("--limit has no effect: the vertices of this scheme are on their limit surface");

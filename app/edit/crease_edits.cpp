@@ -1,13 +1,15 @@
 #include "app/edit/crease_edits.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <glm/trigonometric.hpp>
 #include <iterator>
 #include <string>
 
 #include "app/document/session.h"
-#include "app/document/words.h"
 #include "app/edit/model_edit.h"
+#include "engine/core/text.h"
 #include "engine/mesh/creases.h"
 #include "engine/render/pick.h"
 
@@ -16,10 +18,6 @@ namespace {
 
 constexpr const char* kBoundaryNotice =
     "boundary edges are always sharp: their sharpness cannot be changed";
-
-std::string edges_text(std::size_t count) {
-  return with_commas(count) + (count == 1 ? " edge" : " edges");
-}
 
 bool is_selected(const CreaseMode& creases, Edge e) {
   return std::binary_search(creases.selected.begin(), creases.selected.end(), e);
@@ -70,20 +68,20 @@ float wanted_sharpness(const CreaseRequest& request, float before) {
 
 /// Name of the edit in the history.
 std::string name_of(const CreaseRequest& request, std::size_t count) {
-  const std::string edges = edges_text(count);
+  const std::string edges = count_text(count, "edge");
   switch (request.kind) {
     case CreaseRequest::Kind::change:
       return "make " + edges + (request.value > 0.0F ? " sharper" : " smoother");
     case CreaseRequest::Kind::clear_all:
       return "clear all creases";
     case CreaseRequest::Kind::tag_by_angle:
-      return "mark " + edges + " by an angle of " + short_number(request.value) + " degrees";
+      return fmt::format("mark {} by an angle of {} degrees", edges, number_text(request.value));
     case CreaseRequest::Kind::set:
       break;
   }
   if (request.value == 0.0F) return "make " + edges + " smooth";
   if (request.value == kInfinitelySharp) return "make " + edges + " infinitely sharp";
-  return "set " + edges + " to sharpness " + short_number(request.value);
+  return fmt::format("set {} to sharpness {}", edges, number_text(request.value));
 }
 
 /// Why a request changes nothing.
@@ -93,8 +91,8 @@ std::string notice_of_nothing(const CreaseMode& creases, const CreaseRequest& re
     case CreaseRequest::Kind::clear_all:
       return "there are no creases";
     case CreaseRequest::Kind::tag_by_angle:
-      return "no unmarked edge has face normals that differ by more than " +
-             short_number(request.value) + " degrees";
+      return fmt::format("no unmarked edge has face normals that differ by more than {} degrees",
+                         number_text(request.value));
     case CreaseRequest::Kind::set:
     case CreaseRequest::Kind::change:
       break;
@@ -171,7 +169,7 @@ void select_sharp_edges(Session& session) {
   session.creases.selected = sharp_edges(session.model.mesh);
   session.notice = session.creases.selected.empty()
                        ? "there are no creases"
-                       : edges_text(session.creases.selected.size()) + " selected";
+                       : count_text(session.creases.selected.size(), "edge") + " selected";
 }
 
 void edit_creases(Session& session, const CreaseRequest& request) {

@@ -7,9 +7,6 @@
 
 namespace mesher::app {
 
-/// "1.5 GB"
-std::string bytes_text(std::uint64_t bytes);
-
 /// The free memory, and what is needed besides the mesh of the result.
 struct MemoryBudget {
   std::uint64_t available = 0;  ///< bytes

@@ -1,5 +1,7 @@
 #include "app/edit/progressive_edits.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <memory>
 #include <string>
@@ -12,6 +14,7 @@
 #include "app/edit/edits.h"
 #include "app/edit/model_edit.h"
 #include "app/edit/simplify_edit.h"
+#include "engine/core/text.h"
 #include "engine/progressive/base.h"
 #include "engine/progressive/build.h"
 
@@ -40,10 +43,10 @@ void show_levels(Session& session, DetailLevels&& levels) {
   enter_progressive(session);
   if (!is_new) return;
   const progressive::ProgressiveMesh& mesh = view.mesh();
-  session.notice = with_commas(mesh.base_face_count()) + " to " +
-                   with_commas(mesh.full_face_count()) +
-                   " faces: Space plays, PageUp and PageDown refine" +
-                   remark_on_base(session.progressive, session.statistics);
+  session.notice =
+      fmt::format("{} to {} faces: Space plays, PageUp and PageDown refine{}",
+                  count_text(mesh.base_face_count()), count_text(mesh.full_face_count()),
+                  remark_on_base(session.progressive, session.statistics));
 }
 
 /// Builds the progressive mesh of the model.
@@ -126,7 +129,7 @@ class KeepLevel final : public ModelEdit {
   bool prepare(Session& session) override {
     take_shown(session);
     kept_ = shown_shape(session);
-    const std::string faces = with_commas(kept_.mesh.face_count()) + " faces";
+    const std::string faces = count_text(kept_.mesh.face_count(), "face");
     title_ = "Using the level of " + faces;
     edit_.name = "use the level of " + faces + " as the model";
     return true;

@@ -1,5 +1,7 @@
 #include "app/edit/simplify_edit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -7,6 +9,7 @@
 #include "app/document/words.h"
 #include "app/edit/distance_from_input.h"
 #include "app/edit/model_edit.h"
+#include "engine/core/text.h"
 #include "engine/simplify/attributes.h"
 #include "engine/simplify/simplify.h"
 
@@ -19,8 +22,8 @@ std::string notice_for(const SimplifyOutcome& outcome) {
   const simplify::SimplifyReport& report = outcome.report;
   if (report.reason == simplify::StopReason::no_legal_collapse ||
       report.reason == simplify::StopReason::error_bound) {
-    notice = std::string(describe(report.reason)) + ": " + with_commas(report.faces_reached) +
-             (report.faces_reached == 1 ? " face" : " faces");
+    notice =
+        fmt::format("{}: {}", describe(report.reason), count_text(report.faces_reached, "face"));
   }
   for (const std::string& dropped : outcome.dropped)
     notice += (notice.empty() ? "dropped " : "; dropped ") + dropped;
@@ -45,7 +48,7 @@ class SimplifyEdit final : public ModelEdit {
         simplify::carry_attributes(start_->attributes, start_->mesh.origins(), simplified);
     edit_.name = target_ == Target::one_edge
                      ? "collapse an edge"
-                     : "simplify to " + with_commas(simplified.report.faces_reached) + " faces";
+                     : "simplify to " + count_text(simplified.report.faces_reached, "face");
     outcome_ = {simplified.report, statistics_.box.diagonal(), std::move(carried.dropped)};
     if (opened_ != start_ && simplified.mesh.face_count() <= kManyFaces) {
       outcome_.error_from_opened = distance_from_input(opened_->mesh, simplified.mesh);
@@ -66,7 +69,7 @@ class SimplifyEdit final : public ModelEdit {
     options_.target_faces = target_faces(start_->mesh.face_count());
     title_ = target_ == Target::one_edge
                  ? "Collapsing an edge"
-                 : "Simplifying to " + with_commas(options_.target_faces) + " faces";
+                 : "Simplifying to " + count_text(options_.target_faces, "face");
     return true;
   }
 

@@ -1,5 +1,7 @@
 #include "app/edit/subdivide_edit.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <span>
 #include <string>
@@ -39,16 +41,15 @@ std::uint64_t shown_bytes(const Model& model) {
 }
 
 std::string rules_text(const subdivide::SubdivideOptions& rules) {
-  return "subdivision: " + std::string(key(rules.scheme)) + ", " + std::string(key(rules.creases)) +
-         (rules.limit ? ", limit surface" : "");
+  return fmt::format("subdivision: {}, {}{}", key(rules.scheme), key(rules.creases),
+                     rules.limit ? ", limit surface" : "");
 }
 
 /// Name of the edit in the history.
 std::string name_of(std::uint32_t level_before, std::uint32_t level) {
-  const std::string text = std::to_string(level);
-  if (level < level_before) return "back to level " + text;
-  if (level == level_before) return "change the rules at level " + text;
-  return "subdivide to level " + text;
+  if (level < level_before) return fmt::format("back to level {}", level);
+  if (level == level_before) return fmt::format("change the rules at level {}", level);
+  return fmt::format("subdivide to level {}", level);
 }
 
 Shape subdivided(const SubdivisionLevel& wanted, Progress* progress) {
@@ -95,7 +96,7 @@ class SubdivideEdit final : public ModelEdit {
     }
     take_shown(session);
     wanted_ = {before.base ? before.base : shown_, level, rules_};
-    title_ = "Subdividing to level " + std::to_string(level);
+    title_ = fmt::format("Subdividing to level {}", level);
     edit_.name = name_of(before.level, level);
     return true;
   }

@@ -1,5 +1,7 @@
 #include "app/files/paths.h"
 
+#include <fmt/format.h>
+
 #include <cctype>
 #include <cstdlib>
 
@@ -45,9 +47,7 @@ fs::path find_model(const std::string& name) {
 fs::path free_name(const fs::path& folder, const std::string& stem, const std::string& extension) {
   fs::path file = folder / (stem + extension);
   for (int i = 2; is_there(file); ++i) {
-    std::string name = stem;
-    name.append("-").append(std::to_string(i)).append(extension);
-    file = folder / name;
+    file = folder / fmt::format("{}-{}{}", stem, i, extension);
   }
   return file;
 }

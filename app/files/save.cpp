@@ -1,9 +1,11 @@
 #include "app/files/save.h"
 
+#include <fmt/format.h>
+
 #include "app/document/session.h"
 #include "app/document/shown.h"
-#include "app/document/words.h"
 #include "app/files/paths.h"
+#include "engine/core/text.h"
 #include "engine/io/format.h"
 #include "engine/io/losses.h"
 #include "engine/io/write.h"
@@ -78,8 +80,8 @@ Saved perform(const SaveTask& task) {
 }
 
 void finish_save(Session& session, const Saved& saved) {
-  session.notice = "saved " + saved.file.string() + ": " + with_commas(saved.faces) +
-                   (saved.faces == 1 ? " face" : " faces");
+  session.notice =
+      fmt::format("saved {}: {}", saved.file.string(), count_text(saved.faces, "face"));
   for (std::size_t i = 0; i < saved.losses.size(); ++i)
     session.notice += (i == 0 ? "; the format cannot hold " : ", ") + saved.losses[i];
 }

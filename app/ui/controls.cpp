@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cfloat>
-#include <cinttypes>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
+
+#include "engine/core/text.h"
 
 namespace mesher::app {
 namespace {
@@ -38,11 +38,8 @@ std::string number_format(double value, const NumberRange& range) {
   if (unit == "%") return "%.3f %%";
   if (unit == "px") return "%.2f pixels";
   if (unit == "s") return "%.1f s";
-  if (range.most <= 1.0) {  // a share; ImGui shows a format without a number as it is
-    char percent[32];
-    std::snprintf(percent, sizeof percent, "%.1f %%%%", 100.0 * value);
-    return percent;
-  }
+  // A share. ImGui shows a format without a number as it is, and "%%" as "%".
+  if (range.most <= 1.0) return percent_text(100.0 * value) + "%";
   return "%.3g";
 }
 
@@ -163,29 +160,6 @@ bool edit_number(const char* what, std::uint64_t& value, const NumberRange& rang
   value = std::max(value, static_cast<std::uint64_t>(range.least));
   wrapped_tooltip(range.help);
   return is_changed;
-}
-
-std::string seconds_text(double seconds) {
-  constexpr double kShort = 0.1;
-  char text[32];
-  if (seconds < kShort) {
-    std::snprintf(text, sizeof text, "%.2f ms", 1e3 * seconds);
-  } else {
-    std::snprintf(text, sizeof text, "%.3f s", seconds);
-  }
-  return text;
-}
-
-std::string size_text(std::uint64_t bytes) {
-  char text[32];
-  if (bytes < 10'000) {
-    std::snprintf(text, sizeof text, "%" PRIu64 " bytes", bytes);
-  } else {
-    std::snprintf(text, sizeof text, "%.*f %s", bytes < 1'000'000 ? 1 : 2,
-                  static_cast<double>(bytes) / (bytes < 1'000'000 ? 1e3 : 1e6),
-                  bytes < 1'000'000 ? "kB" : "MB");
-  }
-  return text;
 }
 
 }  // namespace mesher::app

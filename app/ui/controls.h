@@ -30,9 +30,6 @@ void tooltip(const char* text);
 void row(const char* name, const std::string& value);
 /// A button of half the panel's width.
 bool half_button(const char* name, bool is_possible, const char* help);
-std::string seconds_text(double seconds);
-/// "3.4 MB"
-std::string size_text(std::uint64_t bytes);
 
 // The widgets of options.
 

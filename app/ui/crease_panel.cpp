@@ -1,14 +1,15 @@
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cfloat>
 #include <glm/trigonometric.hpp>
 
-#include "app/document/words.h"
 #include "app/edit/crease_edits.h"
 #include "app/edit/edits.h"
 #include "app/ui/controls.h"
 #include "app/ui/panels.h"
+#include "engine/core/text.h"
 #include "engine/mesh/creases.h"
 
 namespace mesher::app {
@@ -20,11 +21,11 @@ void ask(Session& session, const CreaseRequest& request) {
 
 void draw_counts(const CreaseMode& creases, const Statistics& statistics) {
   label("creases");
-  ImGui::Text("%s", with_commas(statistics.crease_edges).c_str());
+  ImGui::TextUnformatted(count_text(statistics.crease_edges).c_str());
   label("selected");
   const std::size_t selected = creases.selected.size();
   if (selected > 0) {
-    ImGui::Text("%s", with_commas(selected).c_str());
+    ImGui::TextUnformatted(count_text(selected).c_str());
   } else {
     ImGui::TextDisabled("click an edge");
   }
@@ -99,8 +100,7 @@ void draw_tagging(Session& session, TagCount& last) {
   tooltip("Minimum angle between the face normals of the edges to mark.");
   const std::uint32_t edges = count_untagged(session, last);
   ImGui::BeginDisabled(edges == 0);
-  const std::string text =
-      "mark " + with_commas(edges) + (edges == 1 ? " edge" : " edges") + " by angle###tag";
+  const std::string text = fmt::format("mark {} by angle###tag", count_text(edges, "edge"));
   if (ImGui::Button(text.c_str(), {-FLT_MIN, 0.0F})) {
     ask(session,
         {.kind = CreaseRequest::Kind::tag_by_angle, .value = session.creases.tag_angle_deg});

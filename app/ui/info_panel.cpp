@@ -1,28 +1,18 @@
+#include <fmt/format.h>
 #include <imgui.h>
-
-#include <cinttypes>
-#include <cstdio>
 
 #include "app/document/shown.h"
 #include "app/edit/crease_edits.h"
 #include "app/edit/progressive_edits.h"
 #include "app/ui/controls.h"
 #include "app/ui/panels.h"
+#include "engine/core/text.h"
 
 namespace mesher::app {
 namespace {
 
-void row(const char* label, const char* format, ...) IM_FMTARGS(2);
-
-void row(const char* label, const char* format, ...) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::TextDisabled("%s", label);
-  ImGui::TableNextColumn();
-  va_list values;
-  va_start(values, format);
-  ImGui::TextV(format, values);
-  va_end(values);
+void row_of_count(const char* label, std::int64_t count) {
+  row(label, count_text(count));
 }
 
 bool begin_table(const char* name) {
@@ -39,29 +29,29 @@ bool begin_section(const char* name) {
 /// Counts of a level. Collapses change neither the genus nor the number of boundary loops.
 void draw_level_counts(const Mesh& mesh, const Statistics& of_model) {
   if (!begin_section("Mesh") || !begin_table("counts")) return;
-  row("vertices", "%" PRIu32, mesh.vertex_count());
-  row("edges", "%" PRIi64,
-      std::int64_t(mesh.vertex_count()) + mesh.face_count() - of_model.euler_characteristic);
-  row("faces", "%" PRIu32, mesh.face_count());
-  row("boundary loops", "%" PRIu32, of_model.boundary_loops);
-  row("components", "%" PRIu32, of_model.components);
-  row("Euler characteristic", "%" PRIi64, of_model.euler_characteristic);
+  row_of_count("vertices", mesh.vertex_count());
+  row_of_count("edges", std::int64_t(mesh.vertex_count()) + mesh.face_count() -
+                            of_model.euler_characteristic);
+  row_of_count("faces", mesh.face_count());
+  row_of_count("boundary loops", of_model.boundary_loops);
+  row_of_count("components", of_model.components);
+  row_of_count("Euler characteristic", of_model.euler_characteristic);
   ImGui::EndTable();
 }
 
 void draw_counts(const Statistics& s) {
   if (!begin_section("Mesh") || !begin_table("counts")) return;
-  row("vertices", "%" PRIu32, s.vertices);
-  row("edges", "%" PRIu32, s.edges);
-  row("faces", "%" PRIu32, s.faces);
-  row("boundary edges", "%" PRIu32, s.boundary_edges);
-  row("boundary loops", "%" PRIu32, s.boundary_loops);
-  row("components", "%" PRIu32, s.components);
-  row("Euler characteristic", "%" PRIi64, s.euler_characteristic);
-  row("crease edges", "%" PRIu32, s.crease_edges);
-  row("diagonal", "%.6g", s.box.diagonal());
-  row("area", "%.6g", s.area);
-  if (s.is_closed() && s.faces > 0) row("volume", "%.6g", s.volume);
+  row_of_count("vertices", s.vertices);
+  row_of_count("edges", s.edges);
+  row_of_count("faces", s.faces);
+  row_of_count("boundary edges", s.boundary_edges);
+  row_of_count("boundary loops", s.boundary_loops);
+  row_of_count("components", s.components);
+  row_of_count("Euler characteristic", s.euler_characteristic);
+  row_of_count("crease edges", s.crease_edges);
+  row("diagonal", number_text(s.box.diagonal()));
+  row("area", number_text(s.area));
+  if (s.is_closed() && s.faces > 0) row("volume", number_text(s.volume));
   ImGui::EndTable();
 }
 
@@ -74,7 +64,8 @@ void draw_repairs(const BuildReport& report) {
   for (std::size_t i = 0; i < kRepairs.size(); ++i) {
     const auto repair = static_cast<Repair>(i);
     if (report[repair] == 0) continue;
-    ImGui::TextWrapped("%" PRIu64 " %s", report[repair], std::string(describe(repair)).c_str());
+    const std::string text = fmt::format("{} {}", count_text(report[repair]), describe(repair));
+    ImGui::TextWrapped("%s", text.c_str());
   }
 }
 
@@ -135,9 +126,9 @@ void draw_colors(render::Settings& settings) {
 
 void draw_gpu(const PanelFacts& facts) {
   if (!begin_section("GPU") || !begin_table("gpu")) return;
-  if (facts.frame_ms > 0.0) row("frame", "%.1f ms", facts.frame_ms);
-  row("uploaded", "%s", size_text(facts.upload.uploaded_bytes).c_str());
-  row("in total", "%s", size_text(facts.upload.total_bytes).c_str());
+  if (facts.frame_ms > 0.0) row("frame", seconds_text(1e-3 * facts.frame_ms));
+  row("uploaded", bytes_text(facts.upload.uploaded_bytes));
+  row("in total", bytes_text(facts.upload.total_bytes));
   ImGui::EndTable();
   ImGui::PushTextWrapPos();
   ImGui::TextDisabled("%s", facts.device.c_str());

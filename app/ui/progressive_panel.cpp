@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -9,12 +10,13 @@
 #include "app/edit/progressive_edits.h"
 #include "app/ui/controls.h"
 #include "app/ui/panels.h"
+#include "engine/core/text.h"
 
 namespace mesher::app {
 namespace {
 
 std::string of_text(std::uint64_t part, std::uint64_t whole) {
-  return with_commas(part) + " of " + with_commas(whole);
+  return fmt::format("{} of {}", count_text(part), count_text(whole));
 }
 
 void draw_arrival(ProgressiveView& view) {
@@ -30,7 +32,7 @@ void draw_arrival(ProgressiveView& view) {
 /// Applies the level while the slider is dragged.
 void draw_slider(ProgressiveView& view) {
   auto position = static_cast<float>(view.position());
-  const std::string text = with_commas(view.mesh().mesh().face_count()) + " faces";
+  const std::string text = count_text(view.mesh().mesh().face_count(), "face");
   ImGui::SetNextItemWidth(-FLT_MIN);
   constexpr ImGuiSliderFlags kFlags =
       ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat;
@@ -83,7 +85,8 @@ void draw_automatic(const Session& session, ProgressiveSettings& settings) {
   if (view.has_geomorph()) {
     label("screen error");
     const double error = view.levels().errors.error(view.mesh().level());
-    ImGui::Text("%.3g pixels", error * shown_pixels_per_unit(session));
+    const double pixels = error * shown_pixels_per_unit(session);
+    ImGui::TextUnformatted(fmt::format("{:.3g} pixels", pixels).c_str());
     tooltip(
         "Estimated screen-space error: the largest distance that a later split moves the surface.");
   }
@@ -109,7 +112,7 @@ void draw_base(Session& session, ProgressiveSettings& settings, bool is_busy) {
   ProgressiveView& view = session.progressive;
   if (view.levels().vertex_source.empty()) {
     label("base");
-    return ImGui::TextUnformatted((with_commas(view.mesh().base_face_count()) + " faces").c_str());
+    return ImGui::TextUnformatted(count_text(view.mesh().base_face_count(), "face").c_str());
   }
   label("base");
   bool is_chosen = settings.base_faces == 0;
@@ -156,9 +159,9 @@ float draw_progressive_panel(Session& session, const PanelFacts& facts, float to
     draw_automatic(session, settings);
     ImGui::Separator();
     label("uploaded");
-    ImGui::TextUnformatted(
-        (size_text(facts.upload.uploaded_bytes) + " of " + size_text(facts.upload.total_bytes))
-            .c_str());
+    const std::string text = fmt::format("{} of {}", bytes_text(facts.upload.uploaded_bytes),
+                                         bytes_text(facts.upload.total_bytes));
+    ImGui::TextUnformatted(text.c_str());
     tooltip("Bytes that the last step uploaded to the GPU, of all bytes of the mesh there.");
     draw_base(session, settings, is_busy);
     view.change(settings);

@@ -1,12 +1,13 @@
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cfloat>
 
-#include "app/document/words.h"
 #include "app/edit/edits.h"
 #include "app/ui/controls.h"
 #include "app/ui/panels.h"
+#include "engine/core/text.h"
 
 namespace mesher::app {
 namespace {
@@ -51,9 +52,7 @@ void draw_buttons(Session& session) {
 }
 
 std::string error_text(const SimplifyOutcome& outcome, double error) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.3g (%.3g %%)", error, outcome.percent(error));
-  return text;
+  return fmt::format("{} ({})", number_text(error), percent_text(outcome.percent(error)));
 }
 
 void draw_report(const SimplifyOutcome& outcome) {
@@ -61,14 +60,15 @@ void draw_report(const SimplifyOutcome& outcome) {
   if (!ImGui::BeginTable("report", 2, ImGuiTableFlags_SizingFixedFit)) return;
   ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, kFieldX - 20.0F);
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-  row("target", report.faces_asked > 0 ? with_commas(report.faces_asked) : "no face target");
-  row("result", with_commas(report.faces_reached) + " of " + with_commas(report.faces_before));
+  row("target", report.faces_asked > 0 ? count_text(report.faces_asked) : "no face target");
+  row("result",
+      fmt::format("{} of {}", count_text(report.faces_reached), count_text(report.faces_before)));
   row("why it stopped", std::string(describe(report.reason)));
-  row("collapses", with_commas(report.collapses));
+  row("collapses", count_text(report.collapses));
   for (std::size_t i = 0; i < simplify::kRejections.size(); ++i) {
     const auto cause = static_cast<simplify::Rejection>(i);
     if (report[cause] == 0) continue;
-    row("refused", with_commas(report[cause]) + " by " + std::string(describe(cause)));
+    row("refused", fmt::format("{} by {}", count_text(report[cause]), describe(cause)));
   }
   row("error, RMS", error_text(outcome, report.estimated_error));
   tooltip("Estimate of the RMS distance from the input.");

@@ -1,12 +1,12 @@
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include "app/document/shown.h"
-#include "app/document/words.h"
 #include "app/edit/edits.h"
-#include "app/edit/memory_budget.h"
 #include "app/edit/subdivide_edit.h"
 #include "app/ui/controls.h"
 #include "app/ui/panels.h"
+#include "engine/core/text.h"
 
 namespace mesher::app {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 std::string next_level_text(const Statistics& s) {
   constexpr std::uint64_t kBytesPerFace = 44;  // as docs/architecture.md counts them
   const std::uint64_t faces = 4 * static_cast<std::uint64_t>(s.faces);
-  return with_commas(faces) + " faces, " + bytes_text(kBytesPerFace * faces);
+  return fmt::format("{} faces, {}", count_text(faces), bytes_text(kBytesPerFace * faces));
 }
 
 void draw_levels(Session& session) {
@@ -47,8 +47,9 @@ float draw_subdivide_panel(Session& session, float top, PanelAreas& areas) {
       apply_subdivide_settings(session);
     if (const auto& last = session.edits.last_subdivision) {
       label("last");
-      ImGui::Text("%s",
-                  (with_commas(last->faces) + " faces in " + seconds_text(last->seconds)).c_str());
+      const std::string text =
+          fmt::format("{} in {}", count_text(last->faces, "face"), seconds_text(last->seconds));
+      ImGui::TextUnformatted(text.c_str());
     }
   }
   return end_side_panel(areas);

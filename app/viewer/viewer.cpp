@@ -1,5 +1,7 @@
 #include "app/viewer/viewer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -17,6 +19,7 @@
 #include "app/viewer/scene_mirror.h"
 #include "app/viewer/state_log.h"
 #include "app/viewer/window.h"
+#include "engine/core/text.h"
 #include "engine/gpu/presenter.h"
 #include "engine/io/png.h"
 #include "engine/render/offscreen.h"
@@ -272,8 +275,8 @@ class Viewer {
   }
 
   void update_title() {
-    const std::string title = session_.model.name + " - " +
-                              std::to_string(shown_mesh(session_).face_count()) + " faces - mesher";
+    const std::string title = fmt::format("{} - {} - mesher", session_.model.name,
+                                          count_text(shown_mesh(session_).face_count(), "face"));
     if (title != title_) window_.set_title(title);
     title_ = title;
   }

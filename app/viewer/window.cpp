@@ -3,6 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #define GLFW_INCLUDE_VULKAN
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 
 #include <map>
 #include <optional>
@@ -26,7 +27,7 @@ std::string key_name(int key) {
     return name;
   }
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) {
-    return std::string("f").append(std::to_string(key - GLFW_KEY_F1 + 1));
+    return fmt::format("f{}", key - GLFW_KEY_F1 + 1);
   }
   if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return std::to_string(key - GLFW_KEY_KP_0);
   static const std::map<int, std::string> kNamed{

@@ -1,18 +1,14 @@
 #include "engine/core/error.h"
 
+#include <fmt/format.h>
+
 namespace mesher {
 namespace {
 
 std::string located(std::string_view file, std::uint64_t line, std::string_view reason) {
-  std::string text;
-  if (!file.empty()) {
-    text += file;
-    if (line != 0) text += ":" + std::to_string(line);
-    text += ": ";
-  } else if (line != 0) {
-    text += "line " + std::to_string(line) + ": ";
-  }
-  return text += reason;
+  if (line == 0) return file.empty() ? std::string(reason) : fmt::format("{}: {}", file, reason);
+  if (file.empty()) return fmt::format("line {}: {}", line, reason);
+  return fmt::format("{}:{}: {}", file, line, reason);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -11,6 +10,7 @@
 #include <variant>
 
 #include "engine/core/choice.h"
+#include "engine/core/text.h"
 
 namespace mesher {
 
@@ -97,10 +97,8 @@ std::string default_text(const Option<S>& option) {
       return defaults.*member ? "on" : "off";
     } else {
       const auto value = static_cast<double>(defaults.*member);
-      char digits[32];
-      std::snprintf(digits, sizeof digits, "%g", value);
-      if (value != option.special.value) return digits;
-      return std::string(digits) + ": " + option.special.label;
+      if (value != option.special.value) return number_text(value);
+      return number_text(value) + ": " + option.special.label;
     }
   };
   return std::visit(text, option.member);

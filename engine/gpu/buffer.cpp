@@ -1,11 +1,14 @@
 #include "engine/gpu/buffer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstring>
 #include <string>
 
 #include "engine/core/assert.h"
 #include "engine/core/error.h"
+#include "engine/core/text.h"
 #include "engine/gpu/memory_barrier.h"
 #include "engine/gpu/result.h"
 
@@ -36,9 +39,9 @@ Buffer::Buffer(Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, Mem
     : size_(bytes) {
   if (bytes == 0) return;
   if (bytes > device.max_buffer_bytes()) {
-    throw DeviceError("the mesh is too large for " + device.name() + ": it needs a buffer of " +
-                      std::to_string(bytes >> 20) + " MiB, and the limit is " +
-                      std::to_string(device.max_buffer_bytes() >> 20) + " MiB");
+    throw DeviceError(
+        fmt::format("the mesh is too large for {}: it needs a buffer of {}, and the limit is {}",
+                    device.name(), bytes_text(bytes), bytes_text(device.max_buffer_bytes())));
   }
   const VkBufferCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
                                 .pNext = nullptr,

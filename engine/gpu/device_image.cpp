@@ -1,10 +1,13 @@
 #include "engine/gpu/device_image.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/text.h"
 #include "engine/gpu/buffer.h"
 #include "engine/gpu/memory_barrier.h"
 #include "engine/gpu/result.h"
@@ -20,10 +23,10 @@ void check_size(const Device& device, const DeviceImageOptions& options) {
   if (has_size && kTexelBytes * width * height * options.samples <= device.max_allocation_bytes()) {
     return;
   }
-  throw DeviceError("a picture of " + std::to_string(width) + "x" + std::to_string(height) +
-                    " pixels is not possible: " + device.name() + " supports 1 to " +
-                    std::to_string(limit) + " pixels per side and " +
-                    std::to_string(device.max_allocation_bytes() >> 20) + " MiB in total");
+  throw DeviceError(fmt::format(
+      "a picture of {}x{} pixels is not possible: {} supports 1 to {} pixels per side and {} in "
+      "total",
+      width, height, device.name(), limit, bytes_text(device.max_allocation_bytes())));
 }
 
 VkImage create_image(Device& device, const DeviceImageOptions& options) {

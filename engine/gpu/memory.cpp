@@ -1,10 +1,13 @@
 #include "engine/gpu/memory.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <string>
 
 #include "engine/core/error.h"
+#include "engine/core/text.h"
 #include "engine/gpu/result.h"
 
 namespace mesher::gpu {
@@ -58,9 +61,9 @@ std::optional<std::uint32_t> choose_type(const VkPhysicalDeviceMemoryProperties&
 Memory allocate(Device& device, const VkMemoryRequirements& requirements, MemoryIntent intent,
                 bool with_address) {
   if (requirements.size > device.max_allocation_bytes()) {
-    throw DeviceError(device.name() + " cannot allocate " +
-                      std::to_string(requirements.size >> 20) + " MiB at once; the limit is " +
-                      std::to_string(device.max_allocation_bytes() >> 20) + " MiB");
+    throw DeviceError(fmt::format("{} cannot allocate {} at once; the limit is {}", device.name(),
+                                  bytes_text(requirements.size),
+                                  bytes_text(device.max_allocation_bytes())));
   }
   const auto type = choose_type(device.memory(), requirements.memoryTypeBits, intent);
   if (!type) throw DeviceError("the Vulkan device has no suitable memory type");

@@ -1,5 +1,7 @@
 #include "engine/gpu/result.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -49,7 +51,7 @@ std::string result_name(VkResult result) {
   const auto found = std::find_if(kNames.begin(), kNames.end(),
                                   [result](const auto& entry) { return entry.first == result; });
   if (found != kNames.end()) return std::string(found->second);
-  return "VkResult " + std::to_string(static_cast<int>(result));
+  return fmt::format("VkResult {}", static_cast<int>(result));
 }
 
 void check(VkResult result, std::string_view call) {

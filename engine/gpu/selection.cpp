@@ -1,5 +1,7 @@
 #include "engine/gpu/selection.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -77,9 +79,9 @@ Candidate describe(VkPhysicalDevice physical, VkSurfaceKHR surface) {
   candidate.queue_family = family.value_or(0);
   candidate.description.name = properties.deviceName;
   candidate.description.kind = kind_name(properties.deviceType);
-  candidate.description.api_version = std::to_string(VK_API_VERSION_MAJOR(version)) + "." +
-                                      std::to_string(VK_API_VERSION_MINOR(version)) + "." +
-                                      std::to_string(VK_API_VERSION_PATCH(version));
+  candidate.description.api_version =
+      fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version),
+                  VK_API_VERSION_PATCH(version));
   candidate.description.is_usable = version >= VK_API_VERSION_1_3 && family.has_value() &&
                                     (surface == VK_NULL_HANDLE || has_swapchains(physical));
   return candidate;
@@ -95,7 +97,7 @@ std::string lower(std::string_view text) {
 std::string list_names(const std::vector<Candidate>& candidates) {
   std::string names;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    names += (i == 0 ? "" : "; ") + std::to_string(i) + " " + candidates[i].description.name;
+    names += fmt::format("{}{} {}", i == 0 ? "" : "; ", i, candidates[i].description.name);
   }
   return names;
 }

@@ -1,5 +1,7 @@
 #include "engine/io/gltf_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -201,7 +203,7 @@ std::optional<std::vector<double>> GltfFile::find_vector(const Json& object, con
     }
   }
   if (values.size() != size || found->size() != size) {
-    fail(std::string(key) + " must be an array of " + std::to_string(size) + " numbers");
+    fail(fmt::format("{} must be an array of {} numbers", key, size));
   }
   return values;
 }

@@ -1,6 +1,8 @@
 #include "engine/mesh/validate.h"
 #include "engine/mesh/circulators.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -94,8 +96,8 @@ class Validator {
     std::sort(triples.begin(), triples.end());
     const auto twice = std::adjacent_find(triples.begin(), triples.end());
     if (twice != triples.end()) {
-      fail(6, "two faces share vertices " + std::to_string((*twice)[0]) + ", " +
-                  std::to_string((*twice)[1]) + ", " + std::to_string((*twice)[2]));
+      fail(6, fmt::format("two faces share vertices {}, {}, {}", (*twice)[0], (*twice)[1],
+                          (*twice)[2]));
     }
   }
 
@@ -126,8 +128,7 @@ class Validator {
       ++met;
     } while (at.advance() && met <= degree);
     if (met != degree) {
-      fail(8, name(v) + ": a sweep visits " + std::to_string(met) + " of " +
-                  std::to_string(degree) + " half-edges");
+      fail(8, fmt::format("{}: a sweep visits {} of {} half-edges", name(v), met, degree));
     }
     if (!at.is_closed() && mesh_.twin(start).is_valid()) {
       fail(9, name(v) + ": the sweep does not start at the boundary");
@@ -151,8 +152,7 @@ class Validator {
       const Entry& a = entries[i - 1];
       const Entry& b = entries[i];
       if (a.low == b.low && a.high == b.high && mesh_.twin(Halfedge(a.h)) != Halfedge(b.h)) {
-        fail(10, "vertices " + std::to_string(a.low) + " and " + std::to_string(a.high) +
-                     " are joined by more than one edge");
+        fail(10, fmt::format("vertices {} and {} are joined by more than one edge", a.low, a.high));
       }
     }
   }

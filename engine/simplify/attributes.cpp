@@ -1,5 +1,7 @@
 #include "engine/simplify/attributes.h"
 
+#include <fmt/format.h>
+
 #include <cstring>
 #include <string_view>
 
@@ -45,8 +47,8 @@ Array<T> carry(const Array<T>& values, std::span<const Vertex> origins, const Su
   for (const Vertex source : result.vertex_source)
     seams += input.has_seam[source.index()] ? 1 : 0;
   if (seams > 0) {
-    dropped.push_back(std::string(name) + " (seams at " + std::to_string(seams) + " of the " +
-                      std::to_string(result.vertex_source.size()) + " vertices that are left)");
+    dropped.push_back(fmt::format("{} (seams at {} of the {} vertices that are left)", name, seams,
+                                  result.vertex_source.size()));
     return {};
   }
   Array<T> carried(result.mesh.halfedge_count());

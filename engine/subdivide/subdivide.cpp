@@ -1,5 +1,7 @@
 #include "engine/subdivide/subdivide.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -61,8 +63,8 @@ class Subdivision {
   /// Runs all levels. Without `keeps_connectivity`, the last level has positions and origins only.
   void run(bool keeps_connectivity) {
     for (std::uint32_t i = 1; i <= options_.levels; ++i) {
-      begin_stage(options_.progress, "subdividing, level " + std::to_string(i) + " of " +
-                                         std::to_string(options_.levels));
+      begin_stage(options_.progress,
+                  fmt::format("subdividing, level {} of {}", i, options_.levels));
       const bool is_bare = i == options_.levels && !keeps_connectivity;
       Level finer = step(is_bare);
       if (!is_bare) features_ = next_features(features_, finer, options_);

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "engine/core/error.h"
+#include "engine/core/text.h"
 #include "tests/support/gpu_test.h"
 
 namespace mesher::gpu {
@@ -52,11 +53,14 @@ TEST_F(BufferTest, ZeroBytesGiveANullBuffer) {
 }
 
 TEST_F(BufferTest, OversizedRequestFailsAndNamesBothSizes) {
+  const std::uint64_t limit = device().max_buffer_bytes();
   try {
-    const Buffer buffer(device(), device().max_buffer_bytes() + 1, 0, MemoryIntent::fixed);
+    const Buffer buffer(device(), limit + 1, 0, MemoryIntent::fixed);
     FAIL() << "the buffer was created";
   } catch (const DeviceError& error) {
-    EXPECT_NE(std::string(error.what()).find("MiB"), std::string::npos) << error.what();
+    const std::string expected =
+        "a buffer of " + bytes_text(limit + 1) + ", and the limit is " + bytes_text(limit);
+    EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
   }
 }
 

@@ -1,11 +1,14 @@
 #include "engine/progressive/codec/pm_read.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstring>
 #include <new>
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/text.h"
 #include "engine/mesh/outgoing.h"
 #include "engine/mesh/validate.h"
 #include "engine/progressive/codec/pm_base.h"
@@ -16,13 +19,6 @@
 
 namespace mesher::progressive {
 namespace {
-
-std::string grouped(std::uint64_t number) {
-  std::string text = std::to_string(number);
-  for (std::size_t i = text.size(); i > 3;)
-    text.insert(i -= 3, ",");
-  return text;
-}
 
 /// The part of the file expected next.
 enum class Stage { header, base, block, done, damaged };
@@ -44,7 +40,7 @@ struct PmReader::State {
   explicit State(std::string&& file) : name(std::move(file)) {}
 
   std::string at_byte(std::uint64_t byte, std::string_view reason) const {
-    return "byte " + grouped(byte) + ": " + std::string(reason);
+    return fmt::format("byte {}: {}", count_text(byte), reason);
   }
 
   [[noreturn]] void refuse(std::uint64_t byte, std::string_view reason) {
@@ -55,8 +51,8 @@ struct PmReader::State {
 
   void end_early(std::uint64_t byte, std::string_view reason) {
     stage = Stage::damaged;
-    damage = at_byte(byte, reason) + "; " + grouped(mesh.split_count()) + " of " +
-             grouped(header.splits) + " splits were read";
+    damage = fmt::format("{}; {} of {} splits were read", at_byte(byte, reason),
+                         count_text(mesh.split_count()), count_text(header.splits));
   }
 
   /// Consumes the complete part at the start of `bytes`; returns its size. `used_bytes` precede it.

@@ -197,7 +197,7 @@ TEST_F(LodsCommand, UsesLevelsOfProgressiveMesh) {
 TEST_F(LodsCommand, ReportsWhyTargetIsNotReached) {
   const Finished run = mesher({"lods", "cube", "-o", "c.stl", "--ratios", "1,0.1"});
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_TRUE(holds(run.err, "asked for 1 faces: no legal collapse is left")) << run.err;
+  EXPECT_TRUE(holds(run.err, "asked for 1 face: no legal collapse is left")) << run.err;
 }
 
 TEST_F(LodsCommand, DefaultLevelsStopBeforeErrorLimit) {

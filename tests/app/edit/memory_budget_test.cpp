@@ -7,17 +7,6 @@
 namespace mesher::app {
 namespace {
 
-TEST(BytesText, ChoosesReadableUnit) {
-  EXPECT_EQ(bytes_text(0), "0 B");
-  EXPECT_EQ(bytes_text(999), "999 B");
-  EXPECT_EQ(bytes_text(1000), "1 kB");
-  EXPECT_EQ(bytes_text(1'540), "1.5 kB");
-  EXPECT_EQ(bytes_text(12'400'000), "12 MB");
-  EXPECT_EQ(bytes_text(1'500'000'000), "1.5 GB");
-  EXPECT_EQ(bytes_text(3'210'000'000'000), "3.2 TB");
-  EXPECT_EQ(bytes_text(50'000'000'000'000'000), "50000 TB");
-}
-
 constexpr subdivide::SubdivisionSize kSize{
     .faces = 4'000'000, .result_bytes = 100'000, .peak_bytes = 160'000};
 
@@ -63,13 +52,6 @@ TEST(MemoryBudget, CountsMemoryOfShownModel) {
             "");
   EXPECT_NE(subdivision_refusal(kSize, 2, {.available = 324'990, .copies = 1, .held = 100'000}),
             "");
-}
-
-TEST(MemoryBudget, TextHasAtMostThreeDigits) {
-  EXPECT_EQ(bytes_text(999), "999 B");
-  EXPECT_EQ(bytes_text(999'400), "999 kB");
-  EXPECT_EQ(bytes_text(999'999), "1 MB");
-  EXPECT_EQ(bytes_text(999'999'999), "1 GB");
 }
 
 }  // namespace

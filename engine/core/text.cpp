@@ -1,0 +1,67 @@
+#include "engine/core/text.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace mesher {
+namespace {
+
+/// From here on, three significant digits round to the next power of ten.
+constexpr double kRoundsToThousand = 999.5;
+
+/// Whole numbers up to here are exact in double precision.
+constexpr double kLargestWhole = 9e15;
+
+std::string three_digits(double value) {
+  const double size = std::abs(value);
+  if (size >= kRoundsToThousand && size <= kLargestWhole) return count_text(std::llround(value));
+  return fmt::format("{:.3g}", value);
+}
+
+}  // namespace
+
+std::string count_text(std::int64_t count) {
+  // The negation of the least value has no signed representation.
+  const auto bits = static_cast<std::uint64_t>(count);
+  return count < 0 ? fmt::format("-{}", fmt::group_digits(0 - bits))
+                   : fmt::format("{}", fmt::group_digits(bits));
+}
+
+std::string count_text(std::int64_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count_text(count), noun, count == 1 ? "" : "s");
+}
+
+std::string number_text(double value) {
+  return fmt::format("{:.6g}", value);
+}
+
+std::string percent_text(double percent) {
+  return three_digits(percent) + " %";
+}
+
+std::string bytes_text(std::uint64_t bytes) {
+  constexpr std::array kUnits{"kB", "MB", "GB", "TB", "PB", "EB"};
+  if (bytes < 1000) return count_text(static_cast<std::int64_t>(bytes), "byte");
+  double value = static_cast<double>(bytes) / 1000.0;
+  std::size_t unit = 0;
+  for (; value >= kRoundsToThousand; ++unit)
+    value /= 1000.0;
+  return fmt::format("{:.3g} {}", value, kUnits.at(unit));
+}
+
+std::string seconds_text(double seconds) {
+  constexpr double kLongest = 1e12;
+  if (!(seconds >= 0.0 && seconds <= kLongest)) return number_text(seconds) + " s";
+  // Each limit is the first duration that rounds to one of the next unit.
+  if (seconds < 1e-7) return "0 ms";
+  if (seconds < 0.9995) return fmt::format("{:.3g} ms", 1e3 * seconds);
+  if (seconds < 59.95) return fmt::format("{:.3g} s", seconds);
+  const std::int64_t whole = std::llround(seconds);
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  const std::int64_t minutes = std::llround(seconds / 60.0);
+  return fmt::format("{} h {} min", count_text(minutes / 60), minutes % 60);
+}
+
+}  // namespace mesher
