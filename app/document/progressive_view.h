@@ -99,7 +99,7 @@ class ProgressiveView {
   /// Shows the splits that a reader has read, and follows it until a person changes the level.
   /// Splits are not animated until `show` provides a geomorph. Pre: the reader has the base.
   void show(std::unique_ptr<PmReader> reader);
-  /// The reader, or null. It is fed at full detail; call `reader_was_fed` afterwards.
+  /// The reader, or null. It is fed at full detail; call `reader_was_fed` afterward.
   PmReader* reader() { return reader_.get(); }
   void reader_was_fed();
   /// Keeps the mesh of the reader, which is not fed any more. Pre: there is a reader.
@@ -139,8 +139,8 @@ class ProgressiveView {
   /// Changes the settings. Finished splits stay finished.
   void change(const ProgressiveSettings& settings);
   bool is_playing() const { return is_playing_; }
-  /// Starts or stops playing back and forth between the base and full detail. It starts upwards, or
-  /// downwards at full detail. Ends the automatic level.
+  /// Starts or stops playing back and forth between the base and full detail. It starts upward, or
+  /// downward at full detail. Ends the automatic level.
   void play(bool on);
   /// Advances the animation by `seconds`, with model units of this size on the screen. Returns
   /// whether the animation continues.
