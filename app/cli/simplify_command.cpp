@@ -44,7 +44,7 @@ void say_outcome(const SimplifyOutcome& outcome, bool prunes) {
       "reached " + with_commas(r.faces_reached) + " of " + with_commas(r.faces_before) + " in " +
       short_number(r.seconds.total()) + " s: " + std::string(describe(r.reason)) +
       (r.faces_reached < r.faces_asked && r.collapses > 0
-           ? " (inside a surface a collapse removes two faces)"
+           ? " (an interior collapse removes two faces)"
            : ""));
   std::string refused;
   for (std::size_t i = 0; i < kRejections.size(); ++i) {

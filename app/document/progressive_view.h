@@ -21,7 +21,7 @@ struct ProgressiveSettings {
   bool geomorphs = true;          ///< vertices move to their new positions; otherwise they jump
   float geomorph_range = 0.125F;  ///< share of the vertices, see DetailRange
   bool colors_by_split_order = false;  ///< faces are colored by split order
-  float seconds = 6.0F;                ///< duration of playing from one end to the other
+  float seconds = 6.0F;                ///< duration of playback from the base to full detail
   bool is_automatic = false;           ///< the level follows from the screen-space error
   float tolerance_px = 1.0F;           ///< the largest screen-space error of the automatic level
 
@@ -31,10 +31,10 @@ inline constexpr std::array kProgressiveOptions{
     Option<ProgressiveSettings>{
         .key = "base-faces",
         .label = "base faces",
-        .help = "faces of the coarsest level",
+        .help = "number of faces of the base, the coarsest level",
         .member = &ProgressiveSettings::base_faces,
         .special = {0.0,
-                    "200, or an eighth of a small model; more where the base would otherwise "
+                    "200, or an eighth of a small model; more if the base would otherwise "
                     "be further than 5 % of the diagonal from the model"}},
     Option<ProgressiveSettings>{.key = "geomorphs",
                                 .label = "geomorphs",
@@ -53,7 +53,7 @@ inline constexpr std::array kProgressiveOptions{
                                 .member = &ProgressiveSettings::colors_by_split_order},
     Option<ProgressiveSettings>{.key = "seconds",
                                 .label = "duration",
-                                .help = "duration of playing from one end to the other",
+                                .help = "duration of playback from the base to full detail",
                                 .member = &ProgressiveSettings::seconds,
                                 .unit = "s",
                                 .least = 1.0,

@@ -137,7 +137,7 @@ void draw_gpu(const PanelFacts& facts) {
   if (!begin_section("GPU") || !begin_table("gpu")) return;
   if (facts.frame_ms > 0.0) row("frame", "%.1f ms", facts.frame_ms);
   row("uploaded", "%s", size_text(facts.upload.uploaded_bytes).c_str());
-  row("in total", "%s", size_text(facts.upload.total_bytes).c_str());
+  row("whole mesh", "%s", size_text(facts.upload.total_bytes).c_str());
   ImGui::EndTable();
   ImGui::PushTextWrapPos();
   ImGui::TextDisabled("%s", facts.device.c_str());
