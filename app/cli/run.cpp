@@ -105,7 +105,8 @@ class CommandLine {
 
   void add_look(CLI::App* command) {
     add_options(*command, render::kRenderOptions, look_.settings);
-    command->add_option("--size", look_.size, "N or WxH [pixels] (default: 800x600)");
+    command->add_option("--size", look_.size,
+                        "N or WxH [pixels] (default: 1280x800 for view, 800x600 for render)");
     command->add_flag("--gouraud", look_.gouraud, "short for --shading gouraud");
     command->add_flag("--dark", look_.dark, "short for --background dark");
     command->add_option("--camera", look_.camera,
@@ -115,7 +116,7 @@ class CommandLine {
     command->add_flag("--orthographic", look_.orthographic, "no perspective");
     command->add_option("--device", look_.device, "GPU: its number or part of its name");
     command->add_flag("--validation", look_.validation,
-                      "use the Vulkan validation layer; its messages are errors");
+                      "enable the Vulkan validation layer and treat its messages as errors");
   }
 
   void add_view() {
@@ -140,7 +141,7 @@ class CommandLine {
     add_input(command)->required();
     command->add_option("-o,--output", output_, "PNG to write")->required();
     add_detail(command, "simplify to this number of faces first",
-               "level of detail, from 0 (the base that `progressive` chooses) to 1 (all)");
+               "level of detail, from 0 (the base that `progressive` chooses) to 1 (full detail)");
     add_look(command);
   }
 
@@ -183,12 +184,12 @@ class CommandLine {
         ->excludes(faces);
     command->add_option(
         "--max-error", simplify_.max_error,
-        "largest distance between input and result, in model units or as 0.5% of the "
-        "diagonal; with --faces or --ratio, the first target reached counts");
+        "upper bound on the distance between input and result, in model units or in percent of the "
+        "diagonal (0.5%); with --faces or --ratio, stop at the first limit reached");
     add_options(*command, simplify::kSimplifyRules, simplify_.rules);
     add_prune(command, simplify_);
     command->add_flag("--bound", simplify_.bound,
-                      "print a certified upper bound of the distance between input and result");
+                      "print a certified upper bound on the distance between input and result");
     command->add_flag("--measure", simplify_.measure,
                       "measure the distance between input and result, and count the intersecting "
                       "pairs of faces in both");
@@ -222,7 +223,7 @@ class CommandLine {
     add_input(command)->required();
     command->add_option("OUT,-o,--output", output_, "file to write")->required();
     add_detail(command, "the finest level of at most this number of faces",
-               "level of detail, from 0 (the base) to 1 (all)");
+               "level of detail, from 0 (the base) to 1 (full detail)");
   }
 
   void add_lods() {
@@ -232,9 +233,10 @@ class CommandLine {
         [this] { run_lods(input_, output_, lods_, common_); });
     add_input(command)->required();
     command->add_option("OUT,-o,--output", output_, "file to write")->required();
-    command->add_option("--ratios", lods_.ratios,
-                        "share of the faces of each level, decreasing (default: 1,0.5,0.25 without "
-                        "levels further than 5 % of the diagonal from the model)");
+    command->add_option(
+        "--ratios", lods_.ratios,
+        "share of the faces that each level keeps, decreasing (default: 1,0.5,0.25, "
+        "but no level further than 5 % of the diagonal from the model)");
     command->add_option(
         "--coverage", lods_.coverage,
         "minimum screen coverage of each level, decreasing (default: the next level's "
@@ -245,11 +247,11 @@ class CommandLine {
 
   void add_subdivide() {
     CLI::App* command =
-        add_command("subdivide", "split each face into four, on a smooth surface",
+        add_command("subdivide", "split each face into four (Loop, butterfly or midpoint)",
                     [this] { run_subdivide(input_, output_, subdivide_, common_); });
     add_input(command)->required();
     command->add_option("OUT,-o,--output", output_, "file to write")->required();
-    command->add_option("--levels", subdivide_.levels, "number of refinements (default: 1)")
+    command->add_option("--levels", subdivide_.levels, "number of subdivision levels (default: 1)")
         ->check(CLI::Range(0U, 16U));
     add_options(*command, subdivide::kSubdivideRules, subdivide_);
   }
@@ -262,11 +264,11 @@ class CommandLine {
     command->add_option("SECOND", second_.model, "the other model")->required();
     command
         ->add_option("--samples", samples_,
-                     "sample points per surface, spread evenly over the area")
+                     "sample points per surface, distributed uniformly by area (default: 300000)")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
   }
 
-  CLI::App app_{"mesher: mesh levels of detail, interactive and in batch", "mesher"};
+  CLI::App app_{"mesher: a mesh level-of-detail workbench", "mesher"};
   CommonOptions common_;
   InputOptions input_;
   LookOptions look_;

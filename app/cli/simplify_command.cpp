@@ -49,7 +49,7 @@ void say_outcome(const SimplifyOutcome& outcome, bool prunes) {
       count_text(r.faces_reached), count_text(r.faces_before), seconds_text(r.seconds.total()),
       describe(r.reason),
       r.faces_reached < r.faces_asked && r.collapses > 0
-          ? " (inside a surface a collapse removes two faces)"
+          ? " (an interior collapse removes two faces)"
           : ""));
   std::string refused;
   for (std::size_t i = 0; i < simplify::kRejections.size(); ++i) {

@@ -21,7 +21,7 @@ struct ProgressiveSettings {
   bool geomorphs = true;          ///< vertices move to their new positions; otherwise they jump
   float geomorph_range = 0.125F;  ///< share of the vertices, see DetailRange
   bool colors_by_split_order = false;  ///< faces are colored by split order
-  float seconds = 6.0F;                ///< duration of playing from one end to the other
+  float seconds = 6.0F;                ///< duration of playback from the base to full detail
   bool is_automatic = false;           ///< the level follows from the screen-space error
   float tolerance_px = 1.0F;           ///< the largest screen-space error of the automatic level
 
@@ -31,10 +31,10 @@ inline constexpr std::array kProgressiveOptions{
     Option<ProgressiveSettings>{
         .key = "base-faces",
         .label = "base faces",
-        .help = "faces of the coarsest level",
+        .help = "number of faces of the base, the coarsest level",
         .member = &ProgressiveSettings::base_faces,
         .special = {0.0,
-                    "200, or an eighth of a small model; more where the base would otherwise "
+                    "200, or an eighth of a small model; more if the base would otherwise "
                     "be further than 5 % of the diagonal from the model"}},
     Option<ProgressiveSettings>{.key = "geomorphs",
                                 .label = "geomorphs",
@@ -53,7 +53,7 @@ inline constexpr std::array kProgressiveOptions{
                                 .member = &ProgressiveSettings::colors_by_split_order},
     Option<ProgressiveSettings>{.key = "seconds",
                                 .label = "duration",
-                                .help = "duration of playing from one end to the other",
+                                .help = "duration of playback from the base to full detail",
                                 .member = &ProgressiveSettings::seconds,
                                 .unit = "s",
                                 .least = 1.0,
@@ -99,7 +99,7 @@ class ProgressiveView {
   /// Shows the splits that a reader has read, and follows it until a person changes the level.
   /// Splits are not animated until `show` provides a geomorph. Pre: the reader has the base.
   void show(std::unique_ptr<progressive::PmReader> reader);
-  /// The reader, or null. It is fed at full detail; call `reader_was_fed` afterwards.
+  /// The reader, or null. It is fed at full detail; call `reader_was_fed` afterward.
   progressive::PmReader* reader() { return reader_.get(); }
   void reader_was_fed();
   /// Keeps the mesh of the reader, which is not fed any more. Pre: there is a reader.
@@ -141,8 +141,8 @@ class ProgressiveView {
   /// Changes the settings. Finished splits stay finished.
   void change(const ProgressiveSettings& settings);
   bool is_playing() const { return is_playing_; }
-  /// Starts or stops playing back and forth between the base and full detail. It starts upwards, or
-  /// downwards at full detail. Ends the automatic level.
+  /// Starts or stops playing back and forth between the base and full detail. It starts upward, or
+  /// downward at full detail. Ends the automatic level.
   void play(bool on);
   /// Advances the animation by `seconds`, with model units of this size on the screen. Returns
   /// whether the animation continues.

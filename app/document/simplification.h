@@ -22,8 +22,8 @@ inline constexpr std::array kSimplifyLimits{Option<SimplifySettings>{
     .key = "max-error",
     .label = "max error",
     .help =
-        "largest distance from the model that the edit starts from, in percent of the diagonal; "
-        "takes several times as long",
+        "upper bound on the distance from the model that the edit starts from, in percent of the "
+        "diagonal; makes the edit several times slower",
     .member = &SimplifySettings::max_error_percent,
     .unit = "%",
     .special = {0.0, "no bound"}}};

@@ -128,7 +128,7 @@ void draw_gpu(const PanelFacts& facts) {
   if (!begin_section("GPU") || !begin_table("gpu")) return;
   if (facts.frame_ms > 0.0) row("frame", seconds_text(1e-3 * facts.frame_ms));
   row("uploaded", bytes_text(facts.upload.uploaded_bytes));
-  row("in total", bytes_text(facts.upload.total_bytes));
+  row("whole mesh", bytes_text(facts.upload.total_bytes));
   ImGui::EndTable();
   ImGui::PushTextWrapPos();
   ImGui::TextDisabled("%s", facts.device.c_str());

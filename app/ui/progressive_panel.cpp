@@ -88,7 +88,8 @@ void draw_automatic(const Session& session, ProgressiveSettings& settings) {
     const double pixels = error * shown_pixels_per_unit(session);
     ImGui::TextUnformatted(fmt::format("{:.3g} pixels", pixels).c_str());
     tooltip(
-        "Estimated screen-space error: the largest distance that a later split moves the surface.");
+        "Estimated screen-space error: the largest distance by which a remaining split moves the "
+        "surface.");
   }
   end_disabled();
 }
@@ -120,7 +121,7 @@ void draw_base(Session& session, ProgressiveSettings& settings, bool is_busy) {
     settings.base_faces = is_chosen ? 0 : view.mesh().base_face_count();
   }
   tooltip(
-      "The base has 200 faces, or an eighth of a small model; more where it would otherwise be\n"
+      "The base has 200 faces, or an eighth of a small model; more if it would otherwise be\n"
       "further than 5 % of the diagonal from the model. Off: set the number of faces below.");
   label("base faces");
   ImGui::BeginDisabled(is_chosen);

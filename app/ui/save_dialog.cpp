@@ -15,7 +15,7 @@ void draw_save_dialog(Session& session, bool submits, PanelAreas& areas) {
   constexpr ImGuiWindowFlags kFlags =
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove;
   if (ImGui::Begin("Save the model", &is_open, kFlags)) {
-    ImGui::TextDisabled("%s; only obj can hold creases", io::writable_formats().c_str());
+    ImGui::TextDisabled("%s; only OBJ stores creases", io::writable_formats().c_str());
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(380.0F);
     // Typing replaces the suggestion. `submits` alone reports Enter, as in the open dialog.

@@ -30,7 +30,7 @@ inline int sign(double value) {
 
 }  // namespace detail
 
-/// Returns 1 if `a`, `b`, `c` turn counter-clockwise, -1 if clockwise, 0 if they are collinear.
+/// Returns 1 if `a`, `b`, `c` turn counterclockwise, -1 if clockwise, 0 if they are collinear.
 /// O(1).
 inline int orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   constexpr double kBound = (3.0 + 16.0 * detail::kHalfUlp) * detail::kHalfUlp;
@@ -41,7 +41,7 @@ inline int orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec
   return detail::exact_orientation(a, b, c);
 }
 
-/// Returns 1 if `d` is on the side of the plane from which `a`, `b`, `c` appear counter-clockwise,
+/// Returns 1 if `d` is on the side of the plane from which `a`, `b`, `c` appear counterclockwise,
 /// -1 if it is on the other side, 0 if the four are coplanar. O(1).
 inline int orientation(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                        const glm::dvec3& d) {

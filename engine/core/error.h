@@ -63,10 +63,10 @@ class OutputError : public Error {
   OutputError(std::string_view file, std::string_view reason);
 };
 
-/// Thrown when a progress token was cancelled; not a failure.
+/// Thrown when a progress token was canceled; not a failure.
 class Cancelled : public std::runtime_error {
  public:
-  Cancelled() : std::runtime_error("cancelled") {}
+  Cancelled() : std::runtime_error("canceled") {}
 };
 
 }  // namespace mesher

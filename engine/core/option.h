@@ -30,8 +30,8 @@ struct SpecialValue {
 };
 
 /// A row of the table that describes an options struct: one of its members. The command line,
-/// --help, JSON, panels with their tooltips, and docs/options.md are generated from these tables.
-/// The default is the member's own. To add an option, add the member and its row.
+/// --help, JSON, panels with their tooltips, and docs/reference.md follow from these tables. The
+/// default is the member's own. To add an option, add the member and its row.
 template <class S>
 struct Option {
   using Member =

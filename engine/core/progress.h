@@ -7,7 +7,7 @@
 
 namespace mesher {
 
-/// The progress of a long operation, and whether it has been cancelled. The worker writes the
+/// The progress of a long operation, and whether it has been canceled. The worker writes the
 /// progress; another thread reads it and may cancel. Passed as a pointer; null: nobody is watching.
 class Progress {
  public:
@@ -28,11 +28,11 @@ class Progress {
   std::string stage_;
 };
 
-/// Sets the fraction, or throws Cancelled if `progress` was cancelled. Does nothing if it is null.
+/// Sets the fraction, or throws Cancelled if `progress` was canceled. Does nothing if it is null.
 /// Call it between units of work, not in inner loops.
 void report(Progress* progress, float fraction);
 
-/// Starts a stage, or throws Cancelled if `progress` was cancelled. Does nothing if it is null.
+/// Starts a stage, or throws Cancelled if `progress` was canceled. Does nothing if it is null.
 void begin_stage(Progress* progress, std::string_view stage);
 
 }  // namespace mesher

@@ -38,7 +38,7 @@ void wait_for_data(int descriptor, Progress* progress) {
 
 MappedFile::MappedFile(const std::filesystem::path& file, Progress* progress)
     : name_(file.string()) {
-  // Open without blocking: a pipe without a writer must not delay cancelling.
+  // Open without blocking: a pipe without a writer must not delay cancellation.
   const Descriptor in{::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
   if (in.fd < 0) fail("cannot open");
   struct stat status = {};

@@ -23,7 +23,7 @@ class MappedFile {
   static constexpr std::size_t kPadding = 64;
 
   /// Throws InputError if the file is missing, unreadable, a directory or a device; Cancelled if
-  /// `progress` is cancelled while a pipe has no data.
+  /// `progress` is canceled while a pipe has no data.
   explicit MappedFile(const std::filesystem::path& file, Progress* progress = nullptr);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;

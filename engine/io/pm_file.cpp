@@ -45,7 +45,7 @@ void check_kind(const std::string& name, std::span<const std::byte> begin) {
 class Pipe {
  public:
   Pipe(std::string name, Progress* progress) : name_(std::move(name)), progress_(progress) {
-    // Open without blocking: a pipe without a writer must not delay cancelling.
+    // Open without blocking: a pipe without a writer must not delay cancellation.
     descriptor_ = ::open(name_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor_ < 0) fail("cannot open");
   }

@@ -63,7 +63,7 @@ class Circulator {
   Halfedge at_;
 };
 
-/// Returns the half-edge, out of the same vertex as `h`, at which a counter-clockwise walk visits
+/// Returns the half-edge, out of the same vertex as `h`, at which a counterclockwise walk visits
 /// all faces: the one on the boundary, or `h` itself if the faces close around the vertex.
 /// O(valence).
 template <Connectivity C>
@@ -75,7 +75,7 @@ Halfedge first_of_fan(const C& connectivity, Halfedge h) {
   return at.is_closed() ? h : first;
 }
 
-/// A counter-clockwise sweep around a vertex, starting at outgoing(v), as a range. The projection
+/// A counterclockwise sweep around a vertex, starting at outgoing(v), as a range. The projection
 /// defines the value of each step. A step is a *spoke*: an edge at the vertex. A boundary vertex
 /// has one spoke more than faces, and its last spoke has only an incoming half-edge. Projections
 /// that yield edges or neighbors include the last spoke; those that yield faces or outgoing

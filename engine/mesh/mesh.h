@@ -24,7 +24,7 @@ enum class EdgeClass : std::uint8_t { ordinary = 0, crease = 1, boundary = 2 };
 /// meshes", 1998).
 ///
 /// Face `f` owns half-edges 3f, 3f+1, 3f+2; half-edge h runs from `origin(h)` to `origin(next(h))`,
-/// counter-clockwise around its face. Next, previous and face are arithmetic; only the twin is
+/// counterclockwise around its face. Next, previous and face are arithmetic; only the twin is
 /// stored. `origins()` is the index buffer, `positions()` the vertex buffer. 44 bytes per face at V
 /// = F/2.
 ///
@@ -76,7 +76,7 @@ class Mesh {
   /// Returns the half-edge at which the sweep around `v` starts: on a boundary vertex, the
   /// half-edge without a face on its right. None if no face uses `v`.
   Halfedge outgoing(Vertex v) const { return outgoing_[v.index()]; }
-  /// Returns the next half-edge out of origin(h), counter-clockwise; none after the last face of a
+  /// Returns the next half-edge out of origin(h), counterclockwise; none after the last face of a
   /// boundary vertex.
   Halfedge rotate_ccw(Halfedge h) const { return twin(prev(h)); }
   /// Returns the next half-edge out of origin(h), clockwise; none at the first face of a boundary

@@ -12,7 +12,7 @@ class OpenedArrays {
  public:
   explicit OpenedArrays(Mesh& mesh) : arrays_(MeshArrays::open(mesh)) {}
 
-  /// Throws std::bad_alloc; sizes may differ afterwards, but no data is lost: resize to the
+  /// Throws std::bad_alloc; sizes may differ afterward, but no data is lost: resize to the
   /// previous sizes.
   void resize(std::size_t vertices, std::size_t faces) {
     arrays_.position.resize(vertices);

@@ -10,7 +10,7 @@
 
 namespace mesher::progressive {
 
-/// The half-edges out of a parent, counter-clockwise from outgoing(parent), and whether their faces
+/// The half-edges out of a parent, counterclockwise from outgoing(parent), and whether their faces
 /// close around it. They are in slots 0 to k-1 (see SplitCut).
 struct ParentFan {
   std::span<const Halfedge> out;

@@ -24,7 +24,7 @@ struct SplitStep;
 ///  P2. A level's arrays do not depend on the path to it.
 ///  P3. outgoing(v) of an interior vertex is its lowest outgoing half-edge.
 ///  P4. moved(i) are the corners of faces of level i at the parent of split i that belong to its
-///      child in level i + 1: first those that follow left -> child counter-clockwise; then, if
+///      child in level i + 1: first those that follow left -> child counterclockwise; then, if
 ///      these end at a boundary, those that precede child -> right clockwise.
 ///
 /// The copies of bow-tie vertices are listed at every level. An appended split may move one, so a

@@ -51,11 +51,11 @@ struct SplitCornerSharpness {
   friend bool operator==(const SplitCornerSharpness&, const SplitCornerSharpness&) = default;
 };
 
-/// Where a split cuts the faces around its parent. The edges at the parent, counter-clockwise from
+/// Where a split cuts the faces around its parent. The edges at the parent, counterclockwise from
 /// outgoing(parent), have slots 0 to k-1. At a boundary there is one more slot, k, for the last
 /// edge, which has no half-edge out of the parent.
 ///
-/// With `right`, or inside the surface: the faces from slot `left` counter-clockwise to slot
+/// With `right`, or inside the surface: the faces from slot `left` counterclockwise to slot
 /// `right` become the child's (past the end of an open fan, it continues at the beginning). Without
 /// `right`, one face opens at the boundary: the faces from slot `left` to the end become the
 /// child's.

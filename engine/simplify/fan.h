@@ -14,7 +14,7 @@
 namespace mesher::simplify {
 
 /// The faces around the merged vertex of an edge: those of both stars except the one or two at the
-/// edge, counter-clockwise, from one boundary to the other or all the way around. Stored as arrays,
+/// edge, counterclockwise, from one boundary to the other or all the way around. Stored as arrays,
 /// in groups of four faces, and reused from edge to edge so that nothing is allocated.
 class Fan {
  public:

@@ -15,15 +15,15 @@ class CollapseObserver;
 /// Which edge is collapsed first.
 enum class CostPolicy : std::uint8_t {
   /// Squared distance to the planes of the current faces, weighted by area, at a position that
-  /// keeps
-  /// the volume (the default). Goal: the smallest distance to the input.
+  /// preserves the volume (the default).
+  /// Goal: the smallest distance to the input.
   quadric,
   /// Quadrics accumulated along all collapses (M. Garland, P. Heckbert, "Surface simplification
-  /// using quadric error metrics", 1997). Goal: the classic, for comparison.
+  /// using quadric error metrics", 1997). Goal: the classic method, for comparison.
   accumulated_quadric,
   /// The shortest legal edge. Goal: even spacing, at the cost of accuracy.
   edge_length,
-  /// Triangles as close to equilateral as possible, for meshes that are computed on.
+  /// Triangles as close to equilateral as possible, for meshes used in numerical computation.
   shape,
   /// Any legal edge, all equally likely, seeded. Goal: a baseline, and a test of the rest.
   random,
@@ -32,17 +32,17 @@ inline constexpr Choices<CostPolicy, 5> kCostPolicies{{
     {CostPolicy::quadric,
      {"quadric", "quadric",
       "The smallest distance to the input: squared distance to the planes of the current faces, "
-      "weighted by area, at a position that keeps the volume.",
+      "weighted by area, at a position that preserves the volume.",
       "qem"}},
     {CostPolicy::accumulated_quadric,
      {"accumulated", "accumulated quadric",
-      "The classic of Garland and Heckbert, for comparison: quadrics accumulated along all "
+      "The classic method of Garland and Heckbert, for comparison: quadrics accumulated along all "
       "collapses."}},
     {CostPolicy::edge_length,
      {"length", "edge length", "The shortest edge first: even spacing, at the cost of accuracy."}},
     {CostPolicy::shape,
      {"shape", "triangle shape",
-      "Triangles as close to equilateral as possible, for meshes that are computed on."}},
+      "Triangles as close to equilateral as possible, for meshes used in numerical computation."}},
     {CostPolicy::random,
      {"random", "random", "Any legal edge, all equally likely: a baseline for the others."}},
 }};
@@ -62,7 +62,7 @@ inline constexpr Choices<Placement, 3> kPlacements{{
     {Placement::midpoint, {"midpoint", "midpoint", "The middle of the edge."}},
     {Placement::endpoint,
      {"endpoint", "endpoint",
-      "The end of the edge that costs less: positions stay a subset of the input's."}},
+      "The cheaper end of the edge: positions stay a subset of the input's."}},
 }};
 static_assert(is_complete(kPlacements));
 constexpr const auto& choices(Placement) {
@@ -71,13 +71,13 @@ constexpr const auto& choices(Placement) {
 
 /// How boundary edges are simplified.
 enum class BoundaryRule : std::uint8_t {
-  preserve,  ///< loops are kept and simplified along themselves
-  lock,      ///< no vertex on a boundary moves or vanishes
+  preserve,  ///< loops are kept and simplified along the boundary
+  lock,      ///< no boundary vertex moves or is removed
 };
 inline constexpr Choices<BoundaryRule, 2> kBoundaryRules{{
     {BoundaryRule::preserve,
-     {"preserve", "preserve", "Boundary loops stay loops and are simplified along themselves."}},
-    {BoundaryRule::lock, {"lock", "lock", "No vertex on a boundary moves or vanishes."}},
+     {"preserve", "preserve", "Boundary loops are kept and are simplified along the boundary."}},
+    {BoundaryRule::lock, {"lock", "lock", "No boundary vertex moves or is removed."}},
 }};
 static_assert(is_complete(kBoundaryRules));
 constexpr const auto& choices(BoundaryRule) {
@@ -90,42 +90,44 @@ enum class ResultOrder : std::uint8_t {
   fill_holes,  ///< survivors keep their indices and the last ones fill the holes: fewest changes
 };
 
-/// How many times the true distance a certified bound may be.
+/// Largest allowed ratio of a certified bound to the true distance.
 inline constexpr double kBoundRatio = 5.0;
-/// The same for a model of so many faces: of a small one an exact bound takes no time.
+/// The same for a model of this many faces. For a small model, a tight bound takes no time.
 inline double bound_ratio(std::uint32_t faces) {
   constexpr std::uint32_t kFewFaces = 4096;
   return faces <= kFewFaces ? 1.1 : kBoundRatio;
 }
 
-/// Where the RMS distance from the input passes this part of the diagonal, a model is hard to
+/// Share of the diagonal. A model whose RMS distance from the input exceeds it is hard to
 /// recognize.
 inline constexpr double kFarFromInput = 0.05;
 
-/// What to simplify to, and by which rules. The first target reached ends the work.
+/// The targets of a simplification, and its rules. It ends at the first target reached.
 struct SimplifyOptions {
-  std::uint32_t target_faces = 0;  ///< 0: as far as it goes
-  /// Upper bound for the distance between input and result, both ways, in model units; infinite:
-  /// none. Pre: not negative.
+  std::uint32_t target_faces = 0;  ///< 0: as few as possible
+  /// Upper bound on the distance between input and result, in both directions, in model units;
+  /// infinite: none. Pre: not negative.
   double max_error = std::numeric_limits<double>::infinity();
-  /// Find an upper bound for that distance (SimplifyReport::certified_bound), at most bound_ratio
-  /// times the distance itself. Always found where there is a max_error.
+  /// Compute an upper bound on that distance (SimplifyReport::certified_bound), at most bound_ratio
+  /// times the distance itself. It is always computed if there is a max_error.
   bool certifies = false;
-  /// Stop before the estimated error (SimplifyReport::estimated_error) passes this, in model units;
-  /// infinite: do not. It is estimated in steps, so more faces may be left than must be: a tenth as
-  /// a rule, four times as many where the error jumps. Pre: not negative.
+  /// Stop before the estimated error (SimplifyReport::estimated_error) exceeds this, in model
+  /// units; infinite: never. The error is estimated in steps, so more faces may be left than
+  /// necessary: usually a tenth more, up to four times as many if the error jumps. Pre: not
+  /// negative.
   double stop_before_error = std::numeric_limits<double>::infinity();
-  /// The error ends the work only where fewer faces than this are left.
+  /// `stop_before_error` applies only when fewer faces than this are left.
   std::uint32_t stop_below_faces = std::numeric_limits<std::uint32_t>::max();
 
   CostPolicy cost = CostPolicy::quadric;
   Placement placement = Placement::optimal;
   BoundaryRule boundary = BoundaryRule::preserve;
-  /// Edges whose faces turn by more count as creases, besides those that are tagged. 180: none.
+  /// Edges whose face normals differ by more count as creases, besides those that are tagged. 180:
+  /// none.
   float crease_angle_deg = 180.0F;
   std::uint64_t seed = 1;  ///< of the random policy
-  /// Refuses collapses that would make two faces intersect that do not yet (`do_intersect` in
-  /// engine/analysis/triangle_pair.h says what counts).
+  /// Refuses collapses that would make two faces intersect that did not before (`do_intersect` in
+  /// engine/analysis/triangle_pair.h defines an intersection).
   bool no_intersections = false;
 
   ResultOrder order = ResultOrder::input;
@@ -152,7 +154,7 @@ inline constexpr std::array kSimplifyRules{
     Option<SimplifyOptions>{
         .key = "crease-angle",
         .label = "crease angle",
-        .help = "also keep edges as creases whose face normals differ by more than this",
+        .help = "also treat edges whose face normals differ by more than this as creases",
         .member = &SimplifyOptions::crease_angle_deg,
         .unit = "deg",
         .most = 180.0,

@@ -17,9 +17,10 @@ enum class StopReason : std::uint8_t {
 };
 inline constexpr Choices<StopReason, 5> kStopReasons{{
     {StopReason::target_reached, {"target_reached", "target reached"}},
-    {StopReason::already_there, {"already_there", "had no more faces than asked for"}},
+    {StopReason::already_there, {"already_there", "already had no more faces than requested"}},
     {StopReason::no_legal_collapse, {"no_legal_collapse", "no legal collapse is left"}},
-    {StopReason::error_bound, {"error_bound", "every collapse left would exceed the error bound"}},
+    {StopReason::error_bound,
+     {"error_bound", "every remaining collapse would exceed the error bound"}},
     {StopReason::far_from_input, {"far_from_input", "fewer faces would be too far from the input"}},
 }};
 static_assert(is_complete(kStopReasons));

@@ -49,7 +49,7 @@ struct SharpLookup {
 /// summing each stencil would be O(valence).
 class HubStencils {
  public:
-  /// Sums the ring counter-clockwise, from any spoke.
+  /// Sums the ring counterclockwise, from any spoke.
   HubStencils(const LevelView& level, Halfedge start) {
     Halfedge h = start;
     do {

@@ -39,7 +39,7 @@ class TangentMasks {
   std::array<std::array<glm::dvec2, kCommon>, kCommon> common_{};
 };
 
-/// Computes the limit as if everything were smooth; sharp vertices are corrected afterwards.
+/// Computes the limit as if everything were smooth; sharp vertices are corrected afterward.
 class SmoothLimit {
  public:
   SmoothLimit(const LevelView& level, LimitSurface& limit) : level_(level), limit_(limit) {}

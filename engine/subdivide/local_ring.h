@@ -30,7 +30,7 @@ class LocalRing {
   /// Returns unit normals of the limit surface, one per half-edge out of the vertex, in the order
   /// of `halfedges()`; creases split them. O(valence). Pre: settled.
   std::span<const glm::dvec3> limit_normals();
-  /// Returns the half-edges out of the vertex, counter-clockwise; on a boundary, from the first one
+  /// Returns the half-edges out of the vertex, counterclockwise; on a boundary, from the first one
   /// on.
   std::span<const Halfedge> halfedges() const { return halfedges_; }
 

@@ -31,7 +31,7 @@ constexpr const auto& choices(Scheme) {
 struct SchemeTraits {
   bool interpolates;      ///< the vertices of the mesh keep their positions
   bool has_limit;         ///< SubdivideOptions::limit has an effect
-  bool has_crease_rules;  ///< so have SubdivideOptions::creases and ::boundary
+  bool has_crease_rules;  ///< SubdivideOptions::creases and ::boundary have an effect
 };
 constexpr SchemeTraits traits(Scheme scheme) {
   switch (scheme) {
@@ -83,7 +83,7 @@ constexpr const auto& choices(BoundaryRounding) {
   return kBoundaryRoundings;
 }
 
-/// How the sharpness of a semi-sharp edge falls from level to level.
+/// How the sharpness of a semi-sharp edge decreases from level to level.
 enum class CreaseDecay : std::uint8_t {
   uniform,  ///< by 1
   chaikin,  ///< averaged with its neighbors on the crease, then by 1
@@ -92,7 +92,7 @@ inline constexpr Choices<CreaseDecay, 2> kCreaseDecays{{
     {CreaseDecay::uniform, {"uniform", "uniform", "Semi-sharp edges lose 1 per level."}},
     {CreaseDecay::chaikin,
      {"chaikin", "Chaikin",
-      "The sharpness of semi-sharp edges is averaged along the crease, then falls by 1."}},
+      "The sharpness of semi-sharp edges is averaged along the crease, then decreases by 1."}},
 }};
 static_assert(is_complete(kCreaseDecays));
 constexpr const auto& choices(CreaseDecay) {
@@ -102,7 +102,7 @@ constexpr const auto& choices(CreaseDecay) {
 /// An edge or vertex of this sharpness or more never becomes smooth (as in OpenSubdiv).
 inline constexpr float kSharpForEver = 10.0F;
 
-/// How often to subdivide, and by which rules.
+/// The number of levels and the rules of a subdivision.
 struct SubdivideOptions {
   std::uint32_t levels = 1;
   Scheme scheme = Scheme::loop;
@@ -126,7 +126,7 @@ inline constexpr std::array kSubdivideRules{
     Option<SubdivideOptions>{
         .key = "creases",
         .label = "crease rules",
-        .help = "how sharp edges shape the surface",
+        .help = "rules for sharp edges",
         .member = enum_member<&SubdivideOptions::creases>(),
         .applies = [](const SubdivideOptions& o) { return traits(o.scheme).has_crease_rules; }},
     Option<SubdivideOptions>{
@@ -137,7 +137,7 @@ inline constexpr std::array kSubdivideRules{
         .applies = [](const SubdivideOptions& o) { return traits(o.scheme).has_crease_rules; }},
     Option<SubdivideOptions>{.key = "crease-decay",
                              .label = "crease decay",
-                             .help = "how the sharpness of semi-sharp edges falls per level",
+                             .help = "how the sharpness of semi-sharp edges decreases per level",
                              .member = enum_member<&SubdivideOptions::decay>()},
     Option<SubdivideOptions>{
         .key = "limit",

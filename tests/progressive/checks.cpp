@@ -20,7 +20,7 @@ void expect_lowest_outgoing(const Mesh& mesh) {
 }
 
 /// Checks P4 as documented: which corners of this level are at the parent now and at the child
-/// afterwards.
+/// afterward.
 void expect_moved(const progressive::ProgressiveMesh& mesh) {
   const std::uint32_t split = mesh.level();
   for (const Halfedge h : mesh.moved(split)) {

@@ -140,7 +140,7 @@ void for_each_tangent(const Check& check) {
     for (const subdivide::VertexKind kind : kCreaseKinds) {
       for (std::size_t n = 2; n <= 12; ++n) {
         SCOPED_TRACE("rules " + std::to_string(int(rules)) + ", kind " + std::to_string(int(kind)) +
-                     ", " + std::to_string(n) + " neighbours");
+                     ", " + std::to_string(n) + " neighbors");
         check(rules, kind, tangent(rules, kind, n));
       }
     }

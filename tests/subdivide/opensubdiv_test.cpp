@@ -26,11 +26,9 @@ struct Disagreement {
   const char* reason;
 };
 constexpr const char* kOvershoot =
-    "an edge of sharpness s > 1, made dull within one level by duller neighbours, blends s times "
-    "the "
-    "sharp point with 1 - s < 0 times the smooth one: the point lands beyond the crease. We clamp "
-    "s "
-    "to 1.";
+    "less sharp neighbors reduce an edge of sharpness s > 1 to zero within one level; OpenSubdiv "
+    "then blends s times the sharp point with 1 - s < 0 times the smooth point, which lands beyond "
+    "the crease. We clamp s to 1.";
 constexpr Disagreement kDisagreements[] = {
     {"torus, varying loop", subdivide::CreaseDecay::chaikin, kOvershoot},
     {"bipyramid of 7, spokes of all kinds", subdivide::CreaseDecay::chaikin, kOvershoot},

@@ -50,7 +50,7 @@ class PmReader {
   /// Returns the mesh. `feed` first goes to the finest level and leaves the mesh there; in between,
   /// the caller may change the level. Pre: has_base().
   ProgressiveMesh& mesh();
-  /// Moves the mesh out. Feed nothing afterwards. Pre: has_base().
+  /// Moves the mesh out. Feed nothing afterward. Pre: has_base().
   ProgressiveMesh take() &&;
 
  private:

@@ -79,7 +79,7 @@ TEST(OptionParsing, HelpNamesUnitAndDefault) {
   EXPECT_EQ(help_text(option_named(simplify::kSimplifyRules, "cost")),
             "which edge to collapse first (default: quadric)");
   EXPECT_EQ(help_text(option_named(simplify::kSimplifyRules, "crease-angle")),
-            "also keep edges as creases whose face normals differ by more than this [deg] "
+            "also treat edges whose face normals differ by more than this as creases [deg] "
             "(default: 180: tagged only)");
 }
 

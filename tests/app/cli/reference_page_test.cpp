@@ -77,17 +77,20 @@ const char* text_of(io::Holds holds) {
 
 std::string reference_page() {
   std::ostringstream page;
-  page << "# Reference\n\nThe tables of this page are made from the tables in the sources. A test "
-          "compares them.\n";
+  page
+      << "# Reference\n\nThis page is generated from the tables in the sources. A test compares it "
+         "with them.\n";
   write_table(
       page, "Simplification",
       "`simplify`, `progressive` and `lods` take these options; so does the Simplify panel.",
       simplify::kSimplifyRules);
-  write_table(page, "Subdivision", "`subdivide` and the Subdivide panel.",
+  write_table(page, "Subdivision", "`subdivide` and the Subdivide panel take these options.",
               subdivide::kSubdivideRules);
-  write_table(page, "Looks", "`view`, `render` and the Shading panel.", render::kRenderOptions);
+  write_table(page, "Rendering",
+              "`view` and `render` take these options; the info panel sets most of them.",
+              render::kRenderOptions);
   write_table(page, "Progressive mode",
-              "The Progressive mesh panel. `progressive` takes `--base-faces`.",
+              "The Progressive mesh panel sets these options; `progressive` takes `--base-faces`.",
               kProgressiveOptions);
   page << "\n## Formats\n\n| format | extension | creases | groups | texture coordinates | normals "
           "| "
@@ -99,7 +102,7 @@ std::string reference_page() {
          << " | " << text_of(format.holds.texcoord) << " | " << text_of(format.holds.normal)
          << " | " << text_of(format.holds.color) << " |\n";
   }
-  page << "\n## Keys\n\nThe ids are for scripts.\n";
+  page << "\n## Keys\n\nThe sources refer to a command by its id.\n";
   for (const Choice<CommandGroup>& group : kCommandGroups) {
     page << "\n### " << group.text.label << "\n\n| key | command | id |\n|---|---|---|\n";
     for (const Command& command : commands()) {
