@@ -135,7 +135,7 @@ void add_undo(std::uint32_t faces, const std::string& part, double kept) {
         ->Unit(benchmark::kMillisecond);
   };
   add_step("difference", true);
-  add_step("taking back", false);
+  add_step("revert", false);
 }
 
 }  // namespace
