@@ -110,9 +110,8 @@ bool Fan::gather_closed(const Mesh& mesh, std::size_t limit) {
   const Halfedge end_at_origin = Mesh::next(t);
   const Halfedge end = Mesh::next(edge_);
   const Halfedge first_at_target = mesh.rotate_ccw(t);
-  // One loop around both ends of the edge, with a branch-free jump from one to the other: a
-  // circulator over MergedView tests twice per step for the edge's faces, and its ends would be
-  // unpredictable.
+  // One loop around both ends of the edge, with a branch-free jump from one to the other. Not a
+  // circulator over MergedView: its branches where the edge's faces are would be unpredictable.
   const std::uint32_t jump = end_at_origin.index() ^ first_at_target.index();
   const auto onward = [&](Halfedge s) {
     return Halfedge(s.index() ^ (jump & (0U - static_cast<std::uint32_t>(s == end_at_origin))));

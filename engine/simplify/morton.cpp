@@ -76,7 +76,7 @@ Array<Vertex> morton_order(std::span<const glm::vec3> positions, std::span<const
   const float shift = grid.shift * 0.5F * cells;
   const auto cell = [&](float x, float low) {
     const float at = (x - low) * scale + shift;
-    // Not so for sizes beyond the range of float.
+    // A model whose size is beyond the range of float gives NaN or infinity.
     return at < cells ? spread(static_cast<std::uint32_t>(at)) : 0U;
   };
   Array<Item> items(vertices.size());

@@ -23,27 +23,6 @@ std::vector<const Model*> models_with_bow_ties() {
   return found;
 }
 
-std::vector<subdivide::SubdivideOptions> every_rule(std::uint32_t levels) {
-  std::vector<subdivide::SubdivideOptions> all{
-      {.levels = levels, .scheme = subdivide::Scheme::butterfly},
-      {.levels = levels, .scheme = subdivide::Scheme::midpoint}};
-  for (const subdivide::CreaseRules creases :
-       {subdivide::CreaseRules::hoppe94, subdivide::CreaseRules::derose98}) {
-    for (const subdivide::BoundaryRounding boundary : kBoundaries) {
-      for (const subdivide::CreaseDecay decay : kDecays) {
-        for (const bool limit : {false, true}) {
-          all.push_back({.levels = levels,
-                         .creases = creases,
-                         .boundary = boundary,
-                         .decay = decay,
-                         .limit = limit});
-        }
-      }
-    }
-  }
-  return all;
-}
-
 Mesh without_copies(const Mesh& mesh) {
   MeshArrays arrays = MeshArrays::take(Mesh(mesh));
   arrays.bow_tie_copies.clear();

@@ -19,6 +19,27 @@ bool is_near(double a, double b) {
 
 }  // namespace
 
+std::vector<subdivide::SubdivideOptions> every_rule(std::uint32_t levels) {
+  std::vector<subdivide::SubdivideOptions> all{
+      {.levels = levels, .scheme = subdivide::Scheme::butterfly},
+      {.levels = levels, .scheme = subdivide::Scheme::midpoint}};
+  for (const subdivide::CreaseRules creases :
+       {subdivide::CreaseRules::hoppe94, subdivide::CreaseRules::derose98}) {
+    for (const subdivide::BoundaryRounding boundary : kBoundaries) {
+      for (const subdivide::CreaseDecay decay : kDecays) {
+        for (const bool limit : {false, true}) {
+          all.push_back({.levels = levels,
+                         .creases = creases,
+                         .boundary = boundary,
+                         .decay = decay,
+                         .limit = limit});
+        }
+      }
+    }
+  }
+  return all;
+}
+
 std::vector<Triangle> triangles_of(const Mesh& mesh) {
   std::vector<Triangle> triangles(mesh.face_count());
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "engine/mesh/mesh.h"
@@ -15,6 +16,9 @@ inline constexpr subdivide::BoundaryRounding kBoundaries[] = {
     subdivide::BoundaryRounding::edge_only, subdivide::BoundaryRounding::edge_and_corner};
 inline constexpr subdivide::CreaseDecay kDecays[] = {subdivide::CreaseDecay::uniform,
                                                      subdivide::CreaseDecay::chaikin};
+
+/// One of every combination of scheme, creases, boundary and decay that gives a different result.
+std::vector<subdivide::SubdivideOptions> every_rule(std::uint32_t levels);
 
 std::vector<Triangle> triangles_of(const Mesh& mesh);
 

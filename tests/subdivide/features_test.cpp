@@ -15,7 +15,7 @@
 namespace mesher::test {
 namespace {
 
-std::vector<subdivide::SubdivideOptions> every_rule() {
+std::vector<subdivide::SubdivideOptions> every_crease_rule() {
   std::vector<subdivide::SubdivideOptions> all;
   for (const subdivide::CreaseRules creases :
        {subdivide::CreaseRules::hoppe94, subdivide::CreaseRules::derose98}) {
@@ -127,7 +127,7 @@ void expect_next_is_scan(const Model& model, const subdivide::SubdivideOptions& 
 }
 
 TEST(Features, NextLevelMatchesAFullScan) {
-  for (const subdivide::SubdivideOptions& options : every_rule()) {
+  for (const subdivide::SubdivideOptions& options : every_crease_rule()) {
     SCOPED_TRACE("creases " + std::to_string(int(options.creases)) + ", boundary " +
                  std::to_string(int(options.boundary)) + ", decay " +
                  std::to_string(int(options.decay)));

@@ -16,28 +16,6 @@
 namespace mesher::test {
 namespace {
 
-/// One of every combination of scheme, creases, boundary and decay that gives a different result.
-std::vector<subdivide::SubdivideOptions> every_rule(std::uint32_t levels) {
-  std::vector<subdivide::SubdivideOptions> all{
-      {.levels = levels, .scheme = subdivide::Scheme::butterfly},
-      {.levels = levels, .scheme = subdivide::Scheme::midpoint}};
-  for (const subdivide::CreaseRules creases :
-       {subdivide::CreaseRules::hoppe94, subdivide::CreaseRules::derose98}) {
-    for (const subdivide::BoundaryRounding boundary : kBoundaries) {
-      for (const subdivide::CreaseDecay decay : kDecays) {
-        for (const bool limit : {false, true}) {
-          all.push_back({.levels = levels,
-                         .creases = creases,
-                         .boundary = boundary,
-                         .decay = decay,
-                         .limit = limit});
-        }
-      }
-    }
-  }
-  return all;
-}
-
 std::string describe(const subdivide::SubdivideOptions& o) {
   return "scheme " + std::to_string(int(o.scheme)) + ", creases " + std::to_string(int(o.creases)) +
          ", boundary " + std::to_string(int(o.boundary)) + ", decay " +
