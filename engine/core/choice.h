@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
-#include <utility>
 
 namespace mesher {
 
@@ -36,27 +35,11 @@ consteval bool is_enumerator() {
   return name[name.rfind(kParameter) + kParameter.size()] != '(';
 }
 
-/// Returns the number of enumerators, which have the values 0, 1, 2 and so on; at most 64.
-template <class Enum>
-consteval std::size_t enum_count() {
-  return []<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
-    std::size_t count = 0;
-    bool is_end = false;
-    const auto count_one = [&](bool is_there) {
-      is_end = is_end || !is_there;
-      if (!is_end) ++count;
-    };
-    (count_one(is_enumerator<static_cast<Enum>(kIndex)>()), ...);
-    return count;
-  }
-  (std::make_index_sequence<64>());
-}
-
 /// Returns whether a table has one row per enumerator, in their order. Assert it beside the table,
-/// so that a missing row does not compile.
+/// so that a missing row does not compile. Pre: the enumerators have the values 0, 1, 2 and so on.
 template <class Enum, std::size_t N>
 consteval bool is_complete(const Choices<Enum, N>& table) {
-  if (N != enum_count<Enum>()) return false;
+  if (is_enumerator<static_cast<Enum>(N)>()) return false;
   for (std::size_t i = 0; i < N; ++i) {
     if (static_cast<std::size_t>(table[i].value) != i || table[i].text.key == nullptr) return false;
   }
