@@ -78,21 +78,21 @@ CameraAngles parse_camera(const std::string& text) {
   return {values[0] * kDegree, values[1] * kDegree, values.size() == 3 ? values[2] : 1.0};
 }
 
-void apply_look(Session& session, const LookOptions& look) {
-  apply_shading(session.settings, look);
-  set_default_view(session.camera);
+void apply_look(View& view, const Box& box, const LookOptions& look) {
+  apply_shading(view.settings, look);
+  set_default_view(view.camera);
   double zoom = 1.0;
-  if (look.view == "front") session.camera.set_view(render::View::front);
-  if (look.view == "right") session.camera.set_view(render::View::right);
-  if (look.view == "top") session.camera.set_view(render::View::top);
+  if (look.view == "front") view.camera.set_view(render::View::front);
+  if (look.view == "right") view.camera.set_view(render::View::right);
+  if (look.view == "top") view.camera.set_view(render::View::top);
   if (!look.camera.empty()) {
     const CameraAngles angles = parse_camera(look.camera);
-    session.camera.set_angles(angles.yaw_rad, angles.pitch_rad);
+    view.camera.set_angles(angles.yaw_rad, angles.pitch_rad);
     zoom = angles.zoom;
   }
-  session.camera.set_orthographic(look.orthographic);
-  session.camera.frame(session.statistics.box, session.aspect());
-  session.camera.zoom(zoom);
+  view.camera.set_orthographic(look.orthographic);
+  view.camera.frame(box, view.aspect());
+  view.camera.zoom(zoom);
 }
 
 }  // namespace mesher::app

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/document/session.h"
+#include "app/document/view.h"
 
 namespace mesher::app {
 
@@ -60,8 +60,8 @@ struct CameraAngles {
 /// "30,20" or "30,20,2". Throws UsageError.
 CameraAngles parse_camera(const std::string& text);
 
-/// Sets settings and camera of a session. Pre: the model is shown, and the size of the window is
-/// known. Throws UsageError.
-void apply_look(Session& session, const LookOptions& look);
+/// Sets settings and camera, and frames a model with this bounding box. Pre: the size of the window
+/// is known. Throws UsageError.
+void apply_look(View& view, const Box& box, const LookOptions& look);
 
 }  // namespace mesher::app

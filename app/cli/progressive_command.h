@@ -6,6 +6,7 @@
 
 #include "app/cli/options.h"
 #include "app/cli/simplify_command.h"
+#include "app/document/progressive_view.h"
 
 namespace mesher::app {
 

@@ -34,9 +34,9 @@ progressive::ProgressiveMesh progressive_of(const LoadedModel& loaded, Progress*
 
 void show(Session& session, LoadedModel&& loaded, const LookOptions& look) {
   const Size size = parse_size(look.size.empty() ? "800x600" : look.size);
-  session.window = {size.width, size.height};
+  session.view.window = {size.width, size.height};
   show_model(session, std::move(loaded.model), loaded.statistics, loaded.file);
-  apply_look(session, look);
+  apply_look(session.view, session.document.statistics.box, look);
 }
 
 /// Opens the model for a picture at `lod`. The camera is framed on the full model.
@@ -50,8 +50,8 @@ Detail open_detail(Session& session, LoadedLevels&& opened, double lod, const Lo
   detail.moment = detail_moment(lod, detail.mesh.base_vertex_count(), detail.mesh.split_count());
   detail.mesh.go_to(detail.moment.level);
   detail.geomorph = progressive::Geomorph(detail.mesh, line.progress());
-  session.settings.geomorph = detail.moment.growth;
-  session.statistics = statistics(detail.mesh.mesh());
+  session.view.settings.geomorph = detail.moment.growth;
+  session.document.statistics = statistics(detail.mesh.mesh());
   return detail;
 }
 
@@ -59,11 +59,12 @@ Image picture_of(Detail& detail, const Session& session, const LookOptions& look
   gpu::Instance instance({.extensions = {}, .validation = look.validation});
   gpu::Device device(instance, {.select = look.device});
   const progressive::Geomorph& geomorph = detail.geomorph;
-  Image image = render::render_image(
-      device, detail.mesh.mesh(), session.camera, session.settings,
-      static_cast<std::uint32_t>(session.window.x), static_cast<std::uint32_t>(session.window.y),
-      {.vertex_normals = geomorph.normals(),
-       .morph = {.heads = geomorph.heads(), .splits = geomorph.splits()}});
+  Image image =
+      render::render_image(device, detail.mesh.mesh(), session.view.camera, session.view.settings,
+                           static_cast<std::uint32_t>(session.view.window.x),
+                           static_cast<std::uint32_t>(session.view.window.y),
+                           {.vertex_normals = geomorph.normals(),
+                            .morph = {.heads = geomorph.heads(), .splits = geomorph.splits()}});
   if (instance.messages().count() > 0) {
     throw DeviceError("validation: " + instance.messages().list().front());
   }

@@ -67,8 +67,8 @@ std::vector<KeyPress> checked_keys(const std::string& text) {
 /// Loads the rest. Prints what is damaged, as there is no window that shows it.
 void finish(Session& session, PmArrival& arrival) {
   arrival.finish(session);
-  if (!session.error.empty()) say("DAMAGED: " + session.error);
-  run_waiting_edits(session);
+  if (!session.document.error.empty()) say("DAMAGED: " + session.document.error);
+  run_waiting_edits(session.document);
 }
 
 /// Shows the model, or the base of a progressive mesh. Returns the arrival that loads the rest, or
@@ -107,12 +107,12 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
   }
   refuse_mistyped_command(input.model);
   Session session;
-  session.window = {size.width, size.height};
+  session.view.window = {size.width, size.height};
   std::unique_ptr<PmArrival> arrival = open_model(session, input, view, common);
-  apply_look(session, look);
+  apply_look(session.view, session.document.statistics.box, look);
   // On a small window the panel would hide the model.
   session.shows_info = size.width >= kPanelFitsWidth;
-  if (!session.shows_info) session.notice = "F1: keys   Tab: panel";
+  if (!session.shows_info) session.document.notice = "F1: keys   Tab: panel";
   std::string output = view.screenshot;
   if (!output.empty()) {
     io::write_png(output, scripted_picture(session, keys, look, view));
@@ -128,7 +128,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
     } catch (const NoDisplay& no_display) {
       if (arrival) finish(session, *arrival);
       const Image picture = scripted_picture(session, keys, look, view);
-      output = free_picture_name("", session.file.stem().string()).string();
+      output = free_picture_name("", session.document.file.stem().string()).string();
       io::write_png(output, picture);
       std::cerr << "mesher: " << no_display.what() << "; wrote a picture instead: " << output
                 << '\n';

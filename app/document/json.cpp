@@ -193,31 +193,32 @@ Json to_json(const SimplifyOutcome& outcome) {
 }
 
 Json to_json(const Session& session) {
-  const Edits& edits = session.edits;
-  Json json{{"file", session.file.string()},
-            {"vertices", session.statistics.vertices},
-            {"faces", session.statistics.faces},
-            {"crease_edges", session.statistics.crease_edges},
-            {"opened_faces", edits.opened_faces},
-            {"undo_depth", edits.history.undo_depth()},
-            {"redo_depth", edits.history.redo_depth()},
-            {"simplify", to_json(session.simplify)},
-            {"last_simplification", edits.last ? to_json(*edits.last) : Json()},
-            {"creases",
-             to_json(session.creases, selected_sharpness(session.model.mesh, session.creases))},
-            {"subdivide", options_json(subdivide::kSubdivideRules, session.subdivide)},
-            {"subdivision_level", shown_level(session.edits)},
-            {"last_subdivision", last_subdivision(edits)},
-            {"progressive", to_json(session.progressive)}};
-  json.update(options_json(render::kRenderOptions, session.settings));
-  json.update({{"camera", to_json(session.camera)},
-               {"window", {session.window.x, session.window.y}},
+  const Edits& edits = session.document.edits;
+  Json json{
+      {"file", session.document.file.string()},
+      {"vertices", session.document.statistics.vertices},
+      {"faces", session.document.statistics.faces},
+      {"crease_edges", session.document.statistics.crease_edges},
+      {"opened_faces", edits.opened_faces},
+      {"undo_depth", edits.history.undo_depth()},
+      {"redo_depth", edits.history.redo_depth()},
+      {"simplify", to_json(session.document.simplify)},
+      {"last_simplification", edits.last ? to_json(*edits.last) : Json()},
+      {"creases", to_json(session.document.creases, selected_sharpness(session.document.model.mesh,
+                                                                       session.document.creases))},
+      {"subdivide", options_json(subdivide::kSubdivideRules, session.document.subdivide)},
+      {"subdivision_level", shown_level(session.document.edits)},
+      {"last_subdivision", last_subdivision(edits)},
+      {"progressive", to_json(session.document.progressive)}};
+  json.update(options_json(render::kRenderOptions, session.view.settings));
+  json.update({{"camera", to_json(session.view.camera)},
+               {"window", {session.view.window.x, session.view.window.y}},
                {"info", session.shows_info},
                {"help", session.shows_help},
                {"open_dialog", session.shows_open_dialog},
                {"save_dialog", session.saving.shows_dialog},
-               {"error", session.error},
-               {"notice", session.notice}});
+               {"error", session.document.error},
+               {"notice", session.document.notice}});
   return json;
 }
 

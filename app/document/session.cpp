@@ -1,5 +1,7 @@
 #include "app/document/session.h"
 
+#include <utility>
+
 namespace mesher::app {
 
 void show_model(Session& session, Model&& model, const std::filesystem::path& file) {
@@ -9,23 +11,9 @@ void show_model(Session& session, Model&& model, const std::filesystem::path& fi
 
 void show_model(Session& session, Model&& model, const Statistics& stats,
                 const std::filesystem::path& file) {
-  session.model = std::move(model);
-  session.statistics = stats;
-  session.file = file;
-  session.edits = {};
-  session.edits.opened_faces = stats.faces;
+  replace_model(session.document, std::move(model), stats, file);
   session.saving = {};
-  session.progressive.forget();
-  session.creases.forget_edges();
-  session.error.clear();
-  session.notice.clear();
-  ++session.model_generation;
-  session.camera.frame(session.statistics.box, session.aspect());
-}
-
-void set_default_view(render::Camera& camera) {
-  constexpr double kDegree = 3.14159265358979 / 180.0;
-  camera.set_angles(25.0 * kDegree, 15.0 * kDegree);
+  session.view.camera.frame(stats.box, session.view.aspect());
 }
 
 }  // namespace mesher::app

@@ -25,29 +25,31 @@ simplify::Simplified as_simplified(const progressive::ProgressiveMesh& mesh,
 
 }  // namespace
 
-const Mesh& shown_mesh(const Session& session) {
-  return session.progressive.is_on() ? session.progressive.mesh().mesh() : session.model.mesh;
+const Mesh& shown_mesh(const Document& document) {
+  return document.progressive.is_on() ? document.progressive.mesh().mesh() : document.model.mesh;
 }
 
-Mesh& shown_mesh(Session& session) {
-  return session.progressive.is_on() ? session.progressive.mesh().mesh() : session.model.mesh;
+Mesh& shown_mesh(Document& document) {
+  return document.progressive.is_on() ? document.progressive.mesh().mesh() : document.model.mesh;
 }
 
-Shape shown_shape(const Session& session) {
-  if (!session.progressive.is_on()) return {session.model.mesh, session.model.attributes};
-  const DetailLevels& levels = session.progressive.levels();
-  const Model& model = session.model;
+Shape shown_shape(const Document& document) {
+  if (!document.progressive.is_on()) return {document.model.mesh, document.model.attributes};
+  const DetailLevels& levels = document.progressive.levels();
+  const Model& model = document.model;
   if (levels.vertex_source.empty() || model.attributes.is_empty()) {
-    return {shown_mesh(session), {}};
+    return {shown_mesh(document), {}};
   }
   simplify::Simplified level =
-      as_simplified(session.progressive.mesh(), levels, model.mesh.vertex_count());
+      as_simplified(document.progressive.mesh(), levels, model.mesh.vertex_count());
   Attributes attributes =
       simplify::carry_attributes(model.attributes, model.mesh.origins(), level).attributes;
   return {std::move(level.mesh), std::move(attributes)};
 }
 
-render::Settings shown_settings(render::Settings settings, const ProgressiveView& view) {
+render::Settings shown_settings(render::Settings settings, const Document& document) {
+  settings.line_edges |= document.creases.is_on;
+  const ProgressiveView& view = document.progressive;
   if (!view.is_on()) return settings;
   settings.geomorph = view.growth();
   settings.colors_by_split_order = view.settings().colors_by_split_order;
@@ -55,9 +57,9 @@ render::Settings shown_settings(render::Settings settings, const ProgressiveView
   return settings;
 }
 
-render::Sources shown_sources(const Session& session) {
-  const ProgressiveView& view = session.progressive;
-  if (!view.is_on()) return {.corner_normals = shading_normals(session.model, session.edits)};
+render::Sources shown_sources(const Document& document) {
+  const ProgressiveView& view = document.progressive;
+  if (!view.is_on()) return {.corner_normals = shading_normals(document.model, document.edits)};
   if (!view.has_geomorph()) return {};
   const progressive::Geomorph& geomorph = view.levels().geomorph;
   return {.vertex_normals = geomorph.normals(),
@@ -81,8 +83,8 @@ std::uint32_t shown_level(const Edits& edits) {
   return edits.subdivision ? edits.subdivision->level : 0;
 }
 
-double shown_pixels_per_unit(const Session& session) {
-  return pixels_per_unit(session.camera, session.statistics.box, session.window);
+double shown_pixels_per_unit(const Document& document, const View& view) {
+  return pixels_per_unit(view.camera, document.statistics.box, view.window);
 }
 
 }  // namespace mesher::app

@@ -2,8 +2,9 @@
 
 #include <span>
 
-#include "app/document/session.h"
+#include "app/document/document.h"
 #include "app/document/shape.h"
+#include "app/document/view.h"
 #include "engine/render/gpu_mesh.h"
 #include "engine/render/settings.h"
 #include "engine/render/sources.h"
@@ -12,14 +13,15 @@ namespace mesher::app {
 
 // The drawn mesh is the model or, in progressive mode, a level of its progressive mesh.
 
-const Mesh& shown_mesh(const Session& session);
+const Mesh& shown_mesh(const Document& document);
 /// For the GPU's mirror of the mesh, which clears the mesh's change log.
-Mesh& shown_mesh(Session& session);
+Mesh& shown_mesh(Document& document);
 /// That mesh with all geomorphs finished, and its attributes.
-Shape shown_shape(const Session& session);
-/// The settings of the look, with the state of the geomorph.
-render::Settings shown_settings(render::Settings settings, const ProgressiveView& view);
-render::Sources shown_sources(const Session& session);
+Shape shown_shape(const Document& document);
+/// The settings to draw with: those of the view, with the lines of crease editing and the state of
+/// the geomorph.
+render::Settings shown_settings(render::Settings settings, const Document& document);
+render::Sources shown_sources(const Document& document);
 /// The edges that the renderer highlights: the selection, and the edge under the cursor.
 render::MarkedEdges marked_edges(const CreaseMode& creases);
 /// Normals to shade the model with, one per corner: those of the limit surface if it is shown;
@@ -28,6 +30,6 @@ std::span<const glm::vec3> shading_normals(const Model& model, const Edits& edit
 /// The level of subdivision that the model shows: 0 if it is not subdivided.
 std::uint32_t shown_level(const Edits& edits);
 /// Pixels per model unit on the screen.
-double shown_pixels_per_unit(const Session& session);
+double shown_pixels_per_unit(const Document& document, const View& view);
 
 }  // namespace mesher::app

@@ -7,7 +7,8 @@
 #include <iterator>
 #include <string>
 
-#include "app/document/session.h"
+#include "app/document/document.h"
+#include "app/document/view.h"
 #include "app/edit/model_edit.h"
 #include "engine/core/text.h"
 #include "engine/mesh/creases.h"
@@ -117,29 +118,29 @@ Statistics counted(const Model& model, const Statistics& statistics,
 }
 
 /// The steps of one drag become one step of the history: each replaces the one before.
-void take_back_same_drag(Session& session, std::uint64_t drag) {
-  History& history = session.edits.history;
+void take_back_same_drag(Document& document, std::uint64_t drag) {
+  History& history = document.edits.history;
   if (drag == 0 || history.undo_depth() == 0 || history.undo_edit().drag != drag) return;
-  const Edit taken_back = history.take_back(session.model, session.statistics);
-  session.edits.subdivision = taken_back.subdivision_before;
+  const Edit taken_back = history.take_back(document.model, document.statistics);
+  document.edits.subdivision = taken_back.subdivision_before;
 }
 
 }  // namespace
 
-void set_crease_mode(Session& session, bool is_on) {
-  if (is_on && refuse_in_progressive(session)) return;
-  CreaseMode& creases = session.creases;
+void set_crease_mode(Document& document, bool is_on) {
+  if (is_on && refuse_in_progressive(document)) return;
+  CreaseMode& creases = document.creases;
   creases.is_on = is_on;
-  session.settings.line_edges = is_on;
-  session.creases.forget_edges();
-  if (is_on) session.notice = "creases: click an edge, Shift+click a chain, Ctrl+click for more";
+  document.creases.forget_edges();
+  if (is_on) document.notice = "creases: click an edge, Shift+click a chain, Ctrl+click for more";
 }
 
-void click_edge(Session& session, const glm::dvec2& at, const EdgeClick& click) {
-  const Mesh& mesh = session.model.mesh;
-  CreaseMode& creases = session.creases;
-  session.notice.clear();
-  const auto hit = render::pick_edge(mesh, session.camera, {at, session.window});
+void click_edge(Document& document, const View& view, const glm::dvec2& at,
+                const EdgeClick& click) {
+  const Mesh& mesh = document.model.mesh;
+  CreaseMode& creases = document.creases;
+  document.notice.clear();
+  const auto hit = render::pick_edge(mesh, view.camera, {at, view.window});
   if (!hit) {
     if (!click.toggles) creases.selected.clear();
     return;
@@ -149,46 +150,46 @@ void click_edge(Session& session, const glm::dvec2& at, const EdgeClick& click) 
   if (click.chain || click.is_second) edges = crease_chain(mesh, hit->edge);
   if (!click.toggles) creases.selected.clear();
   include(creases.selected, std::move(edges), !click.toggles || was_in == click.is_second);
-  if (mesh.is_boundary(hit->edge)) session.notice = kBoundaryNotice;
+  if (mesh.is_boundary(hit->edge)) document.notice = kBoundaryNotice;
 }
 
-bool hover_edge(Session& session, const std::optional<glm::dvec2>& at) {
+bool hover_edge(Document& document, const View& view, const std::optional<glm::dvec2>& at) {
   Edge hovered;
-  if (session.creases.is_on && at) {
-    const auto hit = render::pick_edge(session.model.mesh, session.camera, {*at, session.window});
+  if (document.creases.is_on && at) {
+    const auto hit = render::pick_edge(document.model.mesh, view.camera, {*at, view.window});
     if (hit) hovered = hit->edge;
   }
-  if (hovered == session.creases.hovered) return false;
-  session.creases.hovered = hovered;
+  if (hovered == document.creases.hovered) return false;
+  document.creases.hovered = hovered;
   return true;
 }
 
-void select_sharp_edges(Session& session) {
-  if (refuse_in_progressive(session)) return;
-  if (!session.creases.is_on) set_crease_mode(session, true);
-  session.creases.selected = sharp_edges(session.model.mesh);
-  session.notice = session.creases.selected.empty()
-                       ? "there are no creases"
-                       : count_text(session.creases.selected.size(), "edge") + " selected";
+void select_sharp_edges(Document& document) {
+  if (refuse_in_progressive(document)) return;
+  if (!document.creases.is_on) set_crease_mode(document, true);
+  document.creases.selected = sharp_edges(document.model.mesh);
+  document.notice = document.creases.selected.empty()
+                        ? "there are no creases"
+                        : count_text(document.creases.selected.size(), "edge") + " selected";
 }
 
-void edit_creases(Session& session, const CreaseRequest& request) {
-  take_back_same_drag(session, request.drag);
-  const Mesh& mesh = session.model.mesh;
+void edit_creases(Document& document, const CreaseRequest& request) {
+  take_back_same_drag(document, request.drag);
+  const Mesh& mesh = document.model.mesh;
   std::vector<EdgeSharpness> wanted;
-  for (const Edge e : edges_of(session.model, session.creases, request)) {
+  for (const Edge e : edges_of(document.model, document.creases, request)) {
     wanted.push_back({e, wanted_sharpness(request, mesh.sharpness(Mesh::halfedge(e)))});
   }
-  const Attributes& attributes = session.model.attributes;
+  const Attributes& attributes = document.model.attributes;
   Edit edit{.name = name_of(request, wanted.size()),
             .mesh = sharpness_difference(mesh, wanted),
             .attributes = difference(attributes, attributes),
-            .before = session.statistics,
-            .after = counted(session.model, session.statistics, wanted),
+            .before = document.statistics,
+            .after = counted(document.model, document.statistics, wanted),
             .drag = request.drag};
-  if (edit.changes_anything()) return record_edit(session, std::move(edit));
-  session.notice = notice_of_nothing(session.creases, request, wanted.size());
-  note_model_changed(session, true);
+  if (edit.changes_anything()) return record_edit(document, std::move(edit));
+  document.notice = notice_of_nothing(document.creases, request, wanted.size());
+  note_model_changed(document, true);
 }
 
 float changed_sharpness(float sharpness, float by) {

@@ -6,7 +6,8 @@
 
 namespace mesher::app {
 
-struct Session;
+struct Document;
+struct View;
 
 /// A change of the sharpness of edges. It applies to the edges that are selected when it runs,
 /// because earlier edits may change the mesh.
@@ -32,19 +33,19 @@ struct EdgeClick {
 };
 
 /// Turns crease editing on or off. While it is on, creases and boundaries are drawn.
-void set_crease_mode(Session& session, bool is_on);
+void set_crease_mode(Document& document, bool is_on);
 /// Handles a click at a point of the window. A click that hits no edge clears the selection, unless
 /// it toggles.
-void click_edge(Session& session, const glm::dvec2& at, const EdgeClick& click);
+void click_edge(Document& document, const View& view, const glm::dvec2& at, const EdgeClick& click);
 /// Call when the cursor has moved (none: it is not over the model). Returns whether the edge under
 /// it has changed. O(F), parallel.
-bool hover_edge(Session& session, const std::optional<glm::dvec2>& at);
+bool hover_edge(Document& document, const View& view, const std::optional<glm::dvec2>& at);
 /// Selects all creases.
-void select_sharp_edges(Session& session);
+void select_sharp_edges(Document& document);
 
 /// Changes the sharpness of edges, as an edit that can be undone. If nothing changes, the notice
 /// says why. O(selected edges) for `set` and `change`; O(E) for the other kinds.
-void edit_creases(Session& session, const CreaseRequest& request);
+void edit_creases(Document& document, const CreaseRequest& request);
 
 /// The largest finite sharpness that the slider and the keys reach.
 inline constexpr float kMaxFiniteSharpness = 10.0F;

@@ -20,7 +20,7 @@ bool EditRunner::advance() {
     take();
     has_changed = true;
   }
-  while (!job_ && !session_.edits.waiting.empty()) {
+  while (!job_ && !document_.edits.waiting.empty()) {
     start();
     has_changed = true;
   }
@@ -29,7 +29,7 @@ bool EditRunner::advance() {
 
 void EditRunner::start() {
   try {
-    const std::shared_ptr<EditTask> task = start_next_edit(session_);
+    const std::shared_ptr<EditTask> task = start_next_edit(document_);
     if (!task) return;
     job_ = std::make_unique<EditJob>(
         task->title(),
@@ -39,9 +39,9 @@ void EditRunner::start() {
         },
         wake_);
   } catch (const std::bad_alloc&) {
-    session_.edits.waiting.clear();
-    session_.error = kNoMemory;
-    follow_shown_level(session_.edits, session_.subdivide);
+    document_.edits.waiting.clear();
+    document_.error = kNoMemory;
+    follow_shown_level(document_.edits, document_.subdivide);
   }
 }
 
@@ -51,26 +51,26 @@ void EditRunner::take() {
     const std::shared_ptr<EditTask> task = job->take();
     if (job->progress().is_cancelled())
       throw Cancelled();  // it was canceled when the work had already ended
-    task->finish(session_);
+    task->finish(document_);
   } catch (const Cancelled&) {
-    session_.notice = "canceled";
+    document_.notice = "canceled";
   } catch (const std::bad_alloc&) {
-    session_.edits.waiting.clear();
-    session_.error = kNoMemory;
+    document_.edits.waiting.clear();
+    document_.error = kNoMemory;
   } catch (const std::exception& error) {
-    session_.edits.waiting.clear();
-    session_.error = error.what();
+    document_.edits.waiting.clear();
+    document_.error = error.what();
   }
-  follow_shown_level(session_.edits, session_.subdivide);
+  follow_shown_level(document_.edits, document_.subdivide);
 }
 
 void EditRunner::cancel() {
-  session_.edits.waiting.clear();
+  document_.edits.waiting.clear();
   if (job_) job_->cancel();
 }
 
 void EditRunner::stop() {
-  session_.edits.waiting.clear();
+  document_.edits.waiting.clear();
   job_.reset();
 }
 

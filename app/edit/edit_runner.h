@@ -2,20 +2,20 @@
 
 #include <memory>
 
+#include "app/document/document.h"
 #include "app/document/edit_task.h"
-#include "app/document/session.h"
 #include "engine/core/job.h"
 
 namespace mesher::app {
 
-/// Runs the requested edits of a session in order, and long ones on another thread. Edits that are
+/// Runs the requested edits of a document in order, and long ones on another thread. Edits that are
 /// requested meanwhile are queued.
 class EditRunner {
  public:
   /// `wake` as for Job.
-  EditRunner(Session& session, void (*wake)()) : session_(session), wake_(wake) {}
+  EditRunner(Document& document, void (*wake)()) : document_(document), wake_(wake) {}
 
-  /// Puts a finished edit into the session and starts the next one. Returns whether anything has
+  /// Puts a finished edit into the document and starts the next one. Returns whether anything has
   /// changed that a person can see.
   bool advance();
   bool is_running() const { return job_ != nullptr; }
@@ -38,7 +38,7 @@ class EditRunner {
   void start();
   void take();
 
-  Session& session_;
+  Document& document_;
   void (*wake_)();
   std::unique_ptr<EditJob> job_;
 };

@@ -12,17 +12,17 @@ namespace {
 /// An edit that is fast enough to run on the main thread.
 class InstantEdit final : public ModelEdit {
  public:
-  explicit InstantEdit(std::function<void(Session&)> change) : change_(std::move(change)) {}
+  explicit InstantEdit(std::function<void(Document&)> change) : change_(std::move(change)) {}
 
  private:
-  bool prepare(Session& session) override {
-    change_(session);
+  bool prepare(Document& document) override {
+    change_(document);
     return false;
   }
   void perform(Progress*) override {}
-  void report(Session&) override {}
+  void report(Document&) override {}
 
-  std::function<void(Session&)> change_;
+  std::function<void(Document&)> change_;
 };
 
 }  // namespace
@@ -31,57 +31,57 @@ void request(Edits& edits, std::unique_ptr<EditTask> task) {
   edits.waiting.push_back(std::move(task));
 }
 
-void request_remove_tenth(Session& session) {
-  request(session.edits, remove_tenth_edit(session.simplify));
+void request_remove_tenth(Document& document) {
+  request(document.edits, remove_tenth_edit(document.simplify));
 }
 
-void request_collapse_edge(Session& session) {
-  request(session.edits, collapse_edge_edit(session.simplify));
+void request_collapse_edge(Document& document) {
+  request(document.edits, collapse_edge_edit(document.simplify));
 }
 
-void request_simplify_to(Session& session, std::uint32_t faces) {
-  request(session.edits, simplify_to_edit(session.simplify, faces));
+void request_simplify_to(Document& document, std::uint32_t faces) {
+  request(document.edits, simplify_to_edit(document.simplify, faces));
 }
 
-void request_subdivide(Session& session) {
-  request(session.edits, subdivide_edit(session.subdivide, LevelStep::finer));
+void request_subdivide(Document& document) {
+  request(document.edits, subdivide_edit(document.subdivide, LevelStep::finer));
 }
 
-void request_previous_level(Session& session) {
-  request(session.edits, subdivide_edit(session.subdivide, LevelStep::coarser));
+void request_previous_level(Document& document) {
+  request(document.edits, subdivide_edit(document.subdivide, LevelStep::coarser));
 }
 
-void request_same_level(Session& session) {
-  request(session.edits, subdivide_edit(session.subdivide, LevelStep::none));
+void request_same_level(Document& document) {
+  request(document.edits, subdivide_edit(document.subdivide, LevelStep::none));
 }
 
-void request_crease_edit(Session& session, const CreaseRequest& crease_request) {
-  request(session.edits, std::make_unique<InstantEdit>(
-                             [crease_request](Session& s) { edit_creases(s, crease_request); }));
+void request_crease_edit(Document& document, const CreaseRequest& crease_request) {
+  request(document.edits, std::make_unique<InstantEdit>(
+                              [crease_request](Document& s) { edit_creases(s, crease_request); }));
 }
 
-void request_undo(Session& session) {
-  request(session.edits, std::make_unique<InstantEdit>(undo));
+void request_undo(Document& document) {
+  request(document.edits, std::make_unique<InstantEdit>(undo));
 }
 
-void request_redo(Session& session) {
-  request(session.edits, std::make_unique<InstantEdit>(redo));
+void request_redo(Document& document) {
+  request(document.edits, std::make_unique<InstantEdit>(redo));
 }
 
-std::unique_ptr<EditTask> start_next_edit(Session& session) {
-  std::unique_ptr<EditTask> task = std::move(session.edits.waiting.front());
-  session.edits.waiting.pop_front();
-  session.notice.clear();
-  if (!task->start(session)) task.reset();
+std::unique_ptr<EditTask> start_next_edit(Document& document) {
+  std::unique_ptr<EditTask> task = std::move(document.edits.waiting.front());
+  document.edits.waiting.pop_front();
+  document.notice.clear();
+  if (!task->start(document)) task.reset();
   return task;
 }
 
-void run_waiting_edits(Session& session) {
-  while (!session.edits.waiting.empty()) {
-    const std::unique_ptr<EditTask> task = start_next_edit(session);
+void run_waiting_edits(Document& document) {
+  while (!document.edits.waiting.empty()) {
+    const std::unique_ptr<EditTask> task = start_next_edit(document);
     if (!task) continue;
     task->perform(nullptr);
-    task->finish(session);
+    task->finish(document);
   }
 }
 

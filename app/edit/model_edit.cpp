@@ -18,28 +18,28 @@ bool has_same_surface(const Mesh& a, const Mesh& b) {
 
 }  // namespace
 
-bool ModelEdit::start(Session& session) {
-  if (refuse_in_progressive(session)) {
-    follow_shown_level(session.edits, session.subdivide);
+bool ModelEdit::start(Document& document) {
+  if (refuse_in_progressive(document)) {
+    follow_shown_level(document.edits, document.subdivide);
     return false;
   }
-  return prepare(session);
+  return prepare(document);
 }
 
-void ModelEdit::finish(Session& session) {
+void ModelEdit::finish(Document& document) {
   // The mode may have been turned on while the edit was running.
-  const bool was_progressive = session.progressive.is_on();
-  report(session);
-  if (edit_.changes_anything()) record_edit(session, std::move(edit_));
-  if (was_progressive) leave_progressive(session);
-  follow_shown_level(session.edits, session.subdivide);
+  const bool was_progressive = document.progressive.is_on();
+  report(document);
+  if (edit_.changes_anything()) record_edit(document, std::move(edit_));
+  if (was_progressive) leave_progressive(document);
+  follow_shown_level(document.edits, document.subdivide);
 }
 
-void ModelEdit::take_shown(Session& session) {
-  Edits& edits = session.edits;
-  shown_ = copy_of(session.model);
+void ModelEdit::take_shown(Document& document) {
+  Edits& edits = document.edits;
+  shown_ = copy_of(document.model);
   if (!edits.opened) edits.opened = shown_;
-  statistics_ = session.statistics;
+  statistics_ = document.statistics;
 }
 
 void ModelEdit::record(const Shape& shape) {
@@ -49,76 +49,76 @@ void ModelEdit::record(const Shape& shape) {
   edit_.after = statistics(shape.mesh);
 }
 
-void record_edit(Session& session, Edit&& edit) {
-  edit.subdivision_before = session.edits.subdivision;
+void record_edit(Document& document, Edit&& edit) {
+  edit.subdivision_before = document.edits.subdivision;
   const bool keeps_topology = edit.mesh.keeps_topology();
-  History& history = session.edits.history;
-  history.perform(std::move(edit), session.model, session.statistics);
-  session.edits.subdivision = history.undo_edit().subdivision_after;
-  session.edits.was_undone = false;
-  note_model_changed(session, keeps_topology);
+  History& history = document.edits.history;
+  history.perform(std::move(edit), document.model, document.statistics);
+  document.edits.subdivision = history.undo_edit().subdivision_after;
+  document.edits.was_undone = false;
+  note_model_changed(document, keeps_topology);
 }
 
-void undo(Session& session) {
-  History& history = session.edits.history;
+void undo(Document& document) {
+  History& history = document.edits.history;
   if (history.undo_depth() == 0) {
-    session.notice = "nothing to undo";
+    document.notice = "nothing to undo";
     return;
   }
   std::string notice = "undone: " + history.undo_name();
   const bool keeps_topology = history.undo_edit().mesh.keeps_topology();
-  history.undo(session.model, session.statistics);
-  session.notice = std::move(notice);
-  session.edits.subdivision = history.redo_edit().subdivision_before;
-  session.edits.was_undone = true;
-  note_model_changed(session, keeps_topology);
-  follow_shown_level(session.edits, session.subdivide);
+  history.undo(document.model, document.statistics);
+  document.notice = std::move(notice);
+  document.edits.subdivision = history.redo_edit().subdivision_before;
+  document.edits.was_undone = true;
+  note_model_changed(document, keeps_topology);
+  follow_shown_level(document.edits, document.subdivide);
 }
 
-void redo(Session& session) {
-  History& history = session.edits.history;
+void redo(Document& document) {
+  History& history = document.edits.history;
   if (history.redo_depth() == 0) {
-    session.notice = "nothing to redo";
+    document.notice = "nothing to redo";
     return;
   }
   std::string notice = "redone: " + history.redo_name();
   const bool keeps_topology = history.redo_edit().mesh.keeps_topology();
-  history.redo(session.model, session.statistics);
-  session.notice = std::move(notice);
-  session.edits.subdivision = history.undo_edit().subdivision_after;
-  session.edits.was_undone = false;
-  note_model_changed(session, keeps_topology);
-  follow_shown_level(session.edits, session.subdivide);
+  history.redo(document.model, document.statistics);
+  document.notice = std::move(notice);
+  document.edits.subdivision = history.undo_edit().subdivision_after;
+  document.edits.was_undone = false;
+  note_model_changed(document, keeps_topology);
+  follow_shown_level(document.edits, document.subdivide);
 }
 
-bool take_back_last_edit(Session& session) {
-  History& history = session.edits.history;
-  if (session.edits.was_undone && history.redo_depth() > 0) {
-    redo(session);
-    session.edits.was_undone = true;  // the next call redoes the undo before this one
+bool take_back_last_edit(Document& document) {
+  History& history = document.edits.history;
+  if (document.edits.was_undone && history.redo_depth() > 0) {
+    redo(document);
+    document.edits.was_undone = true;  // the next call redoes the undo before this one
     return true;
   }
   if (history.undo_depth() == 0) return false;
-  const Edit taken_back = history.take_back(session.model, session.statistics);
-  session.edits.subdivision = taken_back.subdivision_before;
-  note_model_changed(session, taken_back.mesh.keeps_topology());
-  follow_shown_level(session.edits, session.subdivide);
+  const Edit taken_back = history.take_back(document.model, document.statistics);
+  document.edits.subdivision = taken_back.subdivision_before;
+  note_model_changed(document, taken_back.mesh.keeps_topology());
+  follow_shown_level(document.edits, document.subdivide);
   return true;
 }
 
-void note_model_changed(Session& session, bool keeps_topology) {
-  Edits& edits = session.edits;
+void note_model_changed(Document& document, bool keeps_topology) {
+  Edits& edits = document.edits;
   ++edits.revision;
-  forget_progressive(session);
-  if (!keeps_topology) return session.creases.forget_edges();
-  if (edits.opened && has_same_surface(edits.opened->mesh, session.model.mesh)) {
+  forget_progressive(document);
+  if (!keeps_topology) return document.creases.forget_edges();
+  if (edits.opened && has_same_surface(edits.opened->mesh, document.model.mesh)) {
     edits.opened.reset();
   }
 }
 
-bool refuse_in_progressive(Session& session) {
-  if (!session.progressive.is_on()) return false;
-  session.notice =
+bool refuse_in_progressive(Document& document) {
+  if (!document.progressive.is_on()) return false;
+  document.notice =
       "progressive mode shows a level of detail: press P to leave it, or K to use this level as "
       "the model";
   return true;

@@ -34,19 +34,19 @@ std::string remark_on_base(const ProgressiveView& progressive, const Statistics&
 }
 
 /// Shows the levels. The first ones turn the mode on, unless creases are being edited.
-void show_levels(Session& session, DetailLevels&& levels) {
-  ProgressiveView& view = session.progressive;
+void show_levels(Document& document, DetailLevels&& levels) {
+  ProgressiveView& view = document.progressive;
   const bool is_new = !view.has_mesh();
   view.show(std::move(levels));
   // If the mode was left meanwhile, or creases are being edited, the mode does not change.
-  if (!view.is_on() && (!is_new || session.creases.is_on)) return;
-  enter_progressive(session);
+  if (!view.is_on() && (!is_new || document.creases.is_on)) return;
+  enter_progressive(document);
   if (!is_new) return;
   const progressive::ProgressiveMesh& mesh = view.mesh();
-  session.notice =
+  document.notice =
       fmt::format("{} to {} faces: Space plays, PageUp and PageDown refine{}",
                   count_text(mesh.base_face_count()), count_text(mesh.full_face_count()),
-                  remark_on_base(session.progressive, session.statistics));
+                  remark_on_base(document.progressive, document.statistics));
 }
 
 /// Builds the progressive mesh of the model.
@@ -55,13 +55,13 @@ class BuildProgressive final : public EditTask {
   BuildProgressive(const SimplifySettings& settings, bool rebuilds)
       : settings_(settings), rebuilds_(rebuilds) {}
 
-  bool start(Session& session) override {
-    if (session.progressive.has_mesh() && !rebuilds_) return false;
-    start_ = copy_of(session.model);
-    const double diagonal = session.statistics.box.diagonal();
+  bool start(Document& document) override {
+    if (document.progressive.has_mesh() && !rebuilds_) return false;
+    start_ = copy_of(document.model);
+    const double diagonal = document.statistics.box.diagonal();
     options_ = options_of(settings_, diagonal);
     options_.max_error = std::numeric_limits<double>::infinity();
-    const std::uint32_t base_faces = session.progressive.settings().base_faces;
+    const std::uint32_t base_faces = document.progressive.settings().base_faces;
     if (base_faces > 0) {
       options_.target_faces = base_faces;
     } else {
@@ -80,7 +80,7 @@ class BuildProgressive final : public EditTask {
     levels_.report = report;
   }
 
-  void finish(Session& session) override { show_levels(session, std::move(levels_)); }
+  void finish(Document& document) override { show_levels(document, std::move(levels_)); }
 
  private:
   SimplifySettings settings_;
@@ -93,8 +93,8 @@ class BuildProgressive final : public EditTask {
 /// Computes the geomorphs and level errors, which a file does not contain.
 class BuildGeomorph final : public EditTask {
  public:
-  bool start(Session& session) override {
-    const ProgressiveView& view = session.progressive;
+  bool start(Document& document) override {
+    const ProgressiveView& view = document.progressive;
     if (!view.is_on() || view.is_arriving() || view.has_geomorph()) return false;
     progressive_.mesh = view.mesh();
     title_ = "Preparing geomorphs";
@@ -105,7 +105,7 @@ class BuildGeomorph final : public EditTask {
     levels_ = detail_levels(std::move(progressive_), progress);
   }
 
-  void finish(Session& session) override { show_levels(session, std::move(levels_)); }
+  void finish(Document& document) override { show_levels(document, std::move(levels_)); }
 
  private:
   progressive::Progressive progressive_;
@@ -115,9 +115,9 @@ class BuildGeomorph final : public EditTask {
 /// Uses the shown level as the model.
 class KeepLevel final : public ModelEdit {
  public:
-  bool start(Session& session) override {
-    const ProgressiveView& view = session.progressive;
-    return view.is_on() && !view.is_arriving() && prepare(session);
+  bool start(Document& document) override {
+    const ProgressiveView& view = document.progressive;
+    return view.is_on() && !view.is_arriving() && prepare(document);
   }
 
   void perform(Progress*) override {
@@ -126,17 +126,17 @@ class KeepLevel final : public ModelEdit {
   }
 
  private:
-  bool prepare(Session& session) override {
-    take_shown(session);
-    kept_ = shown_shape(session);
+  bool prepare(Document& document) override {
+    take_shown(document);
+    kept_ = shown_shape(document);
     const std::string faces = count_text(kept_.mesh.face_count(), "face");
     title_ = "Using the level of " + faces;
     edit_.name = "use the level of " + faces + " as the model";
     return true;
   }
 
-  void report(Session& session) override {
-    if (far_percent_) session.notice = far_from("the model", *far_percent_);
+  void report(Document& document) override {
+    if (far_percent_) document.notice = far_from("the model", *far_percent_);
   }
 
   Shape kept_;
@@ -145,59 +145,59 @@ class KeepLevel final : public ModelEdit {
 
 }  // namespace
 
-void toggle_progressive(Session& session) {
-  ProgressiveView& view = session.progressive;
+void toggle_progressive(Document& document) {
+  ProgressiveView& view = document.progressive;
   if (view.is_on()) {
     if (view.is_arriving()) {
-      session.notice = kArriving;
+      document.notice = kArriving;
     } else {
-      leave_progressive(session);
+      leave_progressive(document);
     }
   } else if (view.has_mesh()) {
-    enter_progressive(session);
-  } else if (session.model.mesh.face_count() == 0) {
-    session.notice = "the model has no faces to build a progressive mesh from";
+    enter_progressive(document);
+  } else if (document.model.mesh.face_count() == 0) {
+    document.notice = "the model has no faces to build a progressive mesh from";
   } else {
     // Not when the mesh is built: if creases are edited meanwhile, their mode stays on.
-    if (session.creases.is_on) set_crease_mode(session, false);
-    request(session.edits, std::make_unique<BuildProgressive>(session.simplify, false));
+    if (document.creases.is_on) set_crease_mode(document, false);
+    request(document.edits, std::make_unique<BuildProgressive>(document.simplify, false));
   }
 }
 
-void enter_progressive(Session& session) {
-  if (session.creases.is_on) set_crease_mode(session, false);
-  session.progressive.turn(true);
-  ++session.model_generation;
-  const ProgressiveView& view = session.progressive;
-  if (!view.has_geomorph() && !view.is_arriving()) request_geomorph(session);
+void enter_progressive(Document& document) {
+  if (document.creases.is_on) set_crease_mode(document, false);
+  document.progressive.turn(true);
+  ++document.model_generation;
+  const ProgressiveView& view = document.progressive;
+  if (!view.has_geomorph() && !view.is_arriving()) request_geomorph(document);
 }
 
-void leave_progressive(Session& session) {
-  if (!session.progressive.is_on()) return;
-  session.progressive.turn(false);
-  ++session.model_generation;
+void leave_progressive(Document& document) {
+  if (!document.progressive.is_on()) return;
+  document.progressive.turn(false);
+  ++document.model_generation;
 }
 
-void forget_progressive(Session& session) {
-  leave_progressive(session);
-  session.progressive.forget();
+void forget_progressive(Document& document) {
+  leave_progressive(document);
+  document.progressive.forget();
 }
 
-void request_rebuilt_progressive(Session& session) {
-  request(session.edits, std::make_unique<BuildProgressive>(session.simplify, true));
+void request_rebuilt_progressive(Document& document) {
+  request(document.edits, std::make_unique<BuildProgressive>(document.simplify, true));
 }
 
-void request_geomorph(Session& session) {
-  request(session.edits, std::make_unique<BuildGeomorph>());
+void request_geomorph(Document& document) {
+  request(document.edits, std::make_unique<BuildGeomorph>());
 }
 
-void request_keep_level(Session& session) {
-  if (session.progressive.is_on() && session.progressive.is_arriving()) {
-    session.notice = kArriving;
-  } else if (session.progressive.is_on()) {
-    request(session.edits, std::make_unique<KeepLevel>());
+void request_keep_level(Document& document) {
+  if (document.progressive.is_on() && document.progressive.is_arriving()) {
+    document.notice = kArriving;
+  } else if (document.progressive.is_on()) {
+    request(document.edits, std::make_unique<KeepLevel>());
   } else {
-    session.notice = "press P first: this key works in progressive mode";
+    document.notice = "press P first: this key works in progressive mode";
   }
 }
 

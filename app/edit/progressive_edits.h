@@ -1,25 +1,25 @@
 #pragma once
 
+#include "app/document/document.h"
 #include "app/document/progressive_view.h"
-#include "app/document/session.h"
 
 namespace mesher::app {
 
 /// Turns progressive mode on or off. In this mode the window shows a progressive mesh of the model,
 /// which itself does not change and cannot be edited. The progressive mesh is kept until the model
 /// changes; if there is none, it is requested.
-void toggle_progressive(Session& session);
+void toggle_progressive(Document& document);
 /// Turns the mode on, and requests missing geomorphs. Pre: there is a progressive mesh.
-void enter_progressive(Session& session);
-void leave_progressive(Session& session);
+void enter_progressive(Document& document);
+void leave_progressive(Document& document);
 /// Drops the progressive mesh. Call when the model has changed.
-void forget_progressive(Session& session);
+void forget_progressive(Document& document);
 
 /// Rebuilds the progressive mesh by the current rules.
-void request_rebuilt_progressive(Session& session);
+void request_rebuilt_progressive(Document& document);
 /// Requests the geomorphs that a progressive mesh from a file lacks.
-void request_geomorph(Session& session);
+void request_geomorph(Document& document);
 /// Uses the shown level as the model. This is an edit that can be undone.
-void request_keep_level(Session& session);
+void request_keep_level(Document& document);
 
 }  // namespace mesher::app

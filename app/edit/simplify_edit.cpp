@@ -57,15 +57,15 @@ class SimplifyEdit final : public ModelEdit {
   }
 
  private:
-  bool prepare(Session& session) override {
-    if (session.model.mesh.face_count() == 0) {
-      session.notice = "there is nothing to simplify";
+  bool prepare(Document& document) override {
+    if (document.model.mesh.face_count() == 0) {
+      document.notice = "there is nothing to simplify";
       return false;
     }
-    take_shown(session);
-    opened_ = session.edits.opened;
+    take_shown(document);
+    opened_ = document.edits.opened;
     start_ = target_ == Target::faces ? opened_ : shown_;
-    options_ = options_of(settings_, session.statistics.box.diagonal());
+    options_ = options_of(settings_, document.statistics.box.diagonal());
     options_.target_faces = target_faces(start_->mesh.face_count());
     title_ = target_ == Target::one_edge
                  ? "Collapsing an edge"
@@ -73,9 +73,9 @@ class SimplifyEdit final : public ModelEdit {
     return true;
   }
 
-  void report(Session& session) override {
-    session.notice = notice_for(outcome_);
-    session.edits.last = std::move(outcome_);
+  void report(Document& document) override {
+    document.notice = notice_for(outcome_);
+    document.edits.last = std::move(outcome_);
   }
 
   std::uint32_t target_faces(std::uint32_t faces) const {

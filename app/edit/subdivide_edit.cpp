@@ -78,33 +78,33 @@ class SubdivideEdit final : public ModelEdit {
   }
 
  private:
-  bool prepare(Session& session) override {
-    if (step_ == LevelStep::none) session.notice = rules_text(rules_);
-    const SubdivisionLevel before = shown_as_level(session.edits);
+  bool prepare(Document& document) override {
+    if (step_ == LevelStep::none) document.notice = rules_text(rules_);
+    const SubdivisionLevel before = shown_as_level(document.edits);
     if (step_ == LevelStep::coarser && before.level == 0) {
-      session.notice = "already at the coarsest level";
+      document.notice = "already at the coarsest level";
       return false;
     }
     const std::uint32_t level = step_ == LevelStep::finer     ? before.level + 1
                                 : step_ == LevelStep::coarser ? before.level - 1
                                                               : before.level;
     if (level == before.level && (level == 0 || before.rules == rules_)) return false;
-    if (std::string reason = level_refusal(session, level, rules_); !reason.empty()) {
-      session.notice = std::move(reason);
-      follow_shown_level(session.edits, session.subdivide);
+    if (std::string reason = level_refusal(document, level, rules_); !reason.empty()) {
+      document.notice = std::move(reason);
+      follow_shown_level(document.edits, document.subdivide);
       return false;
     }
-    take_shown(session);
+    take_shown(document);
     wanted_ = {before.base ? before.base : shown_, level, rules_};
     title_ = fmt::format("Subdividing to level {}", level);
     edit_.name = name_of(before.level, level);
     return true;
   }
 
-  void report(Session& session) override {
-    session.edits.last_subdivision = outcome_;
+  void report(Document& document) override {
+    document.edits.last_subdivision = outcome_;
     // Other rules may give the same surface: that is not an edit.
-    if (!edit_.changes_anything()) session.edits.subdivision = std::move(edit_.subdivision_after);
+    if (!edit_.changes_anything()) document.edits.subdivision = std::move(edit_.subdivision_after);
   }
 
   subdivide::SubdivideOptions rules_;
@@ -119,19 +119,19 @@ std::unique_ptr<EditTask> subdivide_edit(const subdivide::SubdivideOptions& rule
   return std::make_unique<SubdivideEdit>(rules, step);
 }
 
-std::string level_refusal(const Session& session, std::uint32_t level,
+std::string level_refusal(const Document& document, std::uint32_t level,
                           const subdivide::SubdivideOptions& rules) {
   if (level == 0) return "";  // needs no memory, so it stays possible when memory runs out
-  const SubdivisionLevel shown = shown_as_level(session.edits);
-  const Mesh& base = shown.base ? shown.base->mesh : session.model.mesh;
-  const Attributes& attributes = shown.base ? shown.base->attributes : session.model.attributes;
+  const SubdivisionLevel shown = shown_as_level(document.edits);
+  const Mesh& base = shown.base ? shown.base->mesh : document.model.mesh;
+  const Attributes& attributes = shown.base ? shown.base->attributes : document.model.attributes;
   if (base.face_count() == 0) return "there is nothing to subdivide";
   if (level > kMaxLevel) return "already at the finest level";
   return subdivision_refusal(subdivide::subdivision_size(base, at_level(rules, level)), level,
                              {.available = available_memory_bytes(),
                               .copies = kCopies,
                               .beside = subdivide::subdivided_attribute_bytes(attributes, level),
-                              .held = kCopiesBefore * shown_bytes(session.model)});
+                              .held = kCopiesBefore * shown_bytes(document.model)});
 }
 
 void follow_shown_level(Edits& edits, subdivide::SubdivideOptions& subdivide) {
@@ -141,9 +141,9 @@ void follow_shown_level(Edits& edits, subdivide::SubdivideOptions& subdivide) {
   }
 }
 
-void apply_subdivide_settings(Session& session) {
-  session.notice = rules_text(session.subdivide);
-  request_same_level(session);
+void apply_subdivide_settings(Document& document) {
+  document.notice = rules_text(document.subdivide);
+  request_same_level(document);
 }
 
 }  // namespace mesher::app

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "app/document/document.h"
 #include "app/document/edit_task.h"
-#include "app/document/session.h"
 #include "app/document/subdivision.h"
 
 namespace mesher::app {
@@ -18,16 +18,16 @@ std::unique_ptr<EditTask> subdivide_edit(const subdivide::SubdivideOptions& rule
 
 /// Returns why the model cannot be shown at this level by these rules, with the memory that it
 /// would need; empty if it can.
-std::string level_refusal(const Session& session, std::uint32_t level,
+std::string level_refusal(const Document& document, std::uint32_t level,
                           const subdivide::SubdivideOptions& rules);
 
-/// Resets the session's rules to those of the shown level. Rules whose edit was refused or undone
+/// Resets the document's rules to those of the shown level. Rules whose edit was refused or undone
 /// would otherwise stay. Does nothing at level 0, or if an edit that may change the level is
 /// requested.
 void follow_shown_level(Edits& edits, subdivide::SubdivideOptions& subdivide);
 
-/// Call after the session's rules have changed. Requests the shown level by these rules, and sets
+/// Call after the document's rules have changed. Requests the shown level by these rules, and sets
 /// the notice to the rules.
-void apply_subdivide_settings(Session& session);
+void apply_subdivide_settings(Document& document);
 
 }  // namespace mesher::app

@@ -18,13 +18,13 @@ bool ArrivalRunner::open(const std::filesystem::path& file) {
     take_over(std::move(next));
     return true;
   } catch (const std::exception& error) {
-    session_.error = error.what();
+    session_.document.error = error.what();
     return false;
   }
 }
 
 bool ArrivalRunner::has_news() const {
-  return arrival_ && (arrival_->is_done() || arrival_->has_news(session_.progressive));
+  return arrival_ && (arrival_->is_done() || arrival_->has_news(session_.document.progressive));
 }
 
 bool ArrivalRunner::advance(double seconds) {
@@ -37,7 +37,7 @@ bool ArrivalRunner::advance(double seconds) {
     if (arrival_->is_done()) arrival_.reset();
   } catch (const std::exception& error) {
     if (!had_base && arrival_->has_base()) edits_.drop();
-    session_.error = error.what();
+    session_.document.error = error.what();
     stop();
   }
   return is_new;
@@ -52,11 +52,11 @@ void ArrivalRunner::finish() {
 void ArrivalRunner::stop() {
   if (!arrival_) return;
   try {
-    if (arrival_->has_base() && !arrival_->is_done()) arrival_->stop(session_);
+    if (arrival_->has_base() && !arrival_->is_done()) arrival_->stop(session_.document);
   } catch (const std::exception& error) {
     // Out of memory: the loaded levels are dropped, and the base stays.
-    forget_progressive(session_);
-    session_.error = error.what();
+    forget_progressive(session_.document);
+    session_.document.error = error.what();
   }
   arrival_.reset();
 }

@@ -27,9 +27,9 @@ PmArrival::PmArrival(const fs::path& file)
     : file_(file), reader_(std::make_unique<progressive::PmReader>(file.string())), stream_(file) {}
 
 bool PmArrival::advance(Session& session, double seconds) {
-  if (is_done_ || !has_news(session.progressive)) return false;
+  if (is_done_ || !has_news(session.document.progressive)) return false;
   bool is_new = feed(session, seconds);
-  if (is_over(session.progressive)) {
+  if (is_over(session.document.progressive)) {
     end(session);
     is_new = true;
   }
@@ -58,19 +58,19 @@ double PmArrival::climb(ProgressiveView& progressive) const {
 }
 
 bool PmArrival::feed(Session& session, double seconds) {
-  const double least = climb(session.progressive);
+  const double least = climb(session.document.progressive);
   const double end = now_s() + std::max(seconds, least);
   bool is_new = false;
   do {
     const io::ByteStream::Block block = stream_.take();
     if (block.empty()) break;
-    progressive::PmReader& reader = has_base_ ? *session.progressive.reader() : *reader_;
+    progressive::PmReader& reader = has_base_ ? *session.document.progressive.reader() : *reader_;
     reader.feed(block);
     if (!has_base_ && reader.has_base()) show_base(session);
     is_new = is_new || has_base_;
-  } while (now_s() < end && !is_over(session.progressive));
+  } while (now_s() < end && !is_over(session.document.progressive));
   last_fed_s_ = now_s();
-  if (is_new) session.progressive.reader_was_fed();
+  if (is_new) session.document.progressive.reader_was_fed();
   return is_new;
 }
 
@@ -79,8 +79,8 @@ void PmArrival::show_base(Session& session) {
   model.name = file_.filename().string();
   model.mesh = reader_->mesh().mesh();
   show_model(session, std::move(model), file_);
-  session.progressive.show(std::move(reader_));
-  enter_progressive(session);
+  session.document.progressive.show(std::move(reader_));
+  enter_progressive(session.document);
   has_base_ = true;
 }
 
@@ -92,19 +92,19 @@ void PmArrival::end(Session& session) {
       throw InputError(file_.string(), 0, "ends before the base mesh is complete");
     show_base(session);
   } else {
-    session.progressive.reader()->finish();
+    session.document.progressive.reader()->finish();
   }
-  const std::string damage(session.progressive.reader()->damage());
+  const std::string damage(session.document.progressive.reader()->damage());
   const std::string failure = stream_.failure();
   stream_.close();
-  stop(session);
-  if (!damage.empty()) session.error = file_.string() + ": " + damage;
-  if (!failure.empty()) session.error = file_.string() + ": " + failure;
+  stop(session.document);
+  if (!damage.empty()) session.document.error = file_.string() + ": " + damage;
+  if (!failure.empty()) session.document.error = file_.string() + ": " + failure;
 }
 
-void PmArrival::stop(Session& session) {
+void PmArrival::stop(Document& document) {
   is_done_ = true;
-  ProgressiveView& view = session.progressive;
+  ProgressiveView& view = document.progressive;
   view.end_reading();
   progressive::ProgressiveMesh& mesh = view.mesh();
   const std::uint32_t level = mesh.level();
@@ -112,10 +112,10 @@ void PmArrival::stop(Session& session) {
   // Everything that needs memory comes first, so that a failure leaves the model unchanged.
   Mesh whole = mesh.mesh();
   mesh.go_to(level);
-  session.statistics = statistics(whole);
-  session.model.mesh = std::move(whole);
-  session.edits.opened_faces = session.statistics.faces;
-  request_geomorph(session);
+  document.statistics = statistics(whole);
+  document.model.mesh = std::move(whole);
+  document.edits.opened_faces = document.statistics.faces;
+  request_geomorph(document);
 }
 
 void PmArrival::wait_for_base(Session& session) {

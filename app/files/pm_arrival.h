@@ -9,6 +9,7 @@
 namespace mesher::app {
 
 class ProgressiveView;
+struct Document;
 struct Session;
 
 /// Loads a progressive mesh from a file or a pipe into a session, which shows the part that is
@@ -36,7 +37,7 @@ class PmArrival {
   /// Returns when everything is loaded. Throws as `advance`.
   void finish(Session& session);
   /// Stops loading; the part that was loaded becomes the whole mesh. Pre: the base is shown.
-  void stop(Session& session);
+  void stop(Document& document);
   bool is_done() const { return is_done_; }
   bool has_base() const { return has_base_; }
 

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "app/document/session.h"
+#include "app/document/document.h"
+#include "app/document/saving.h"
 #include "app/document/shown.h"
 #include "app/files/paths.h"
 #include "engine/core/text.h"
@@ -29,47 +30,48 @@ bool has_creases(const Model& model, const Statistics& statistics) {
   return statistics.crease_edges > 0 || !model.mesh.vertex_sharpnesses().empty();
 }
 
-fs::path suggested(const Session& session) {
-  const std::string own = session.file.extension().string();
+fs::path suggested(const Document& document) {
+  const std::string own = document.file.extension().string();
   const std::string extension =
-      has_creases(session.model, session.statistics) || !is_writable(session.file) ? ".obj" : own;
-  return free_name(session.file.parent_path(), session.file.stem().string() + "-edited", extension);
+      has_creases(document.model, document.statistics) || !is_writable(document.file) ? ".obj"
+                                                                                      : own;
+  return free_name(document.file.parent_path(), document.file.stem().string() + "-edited",
+                   extension);
 }
 
 /// Returns why the requested file cannot be written; empty if it can.
-std::string objection(Session& session, const fs::path& file) {
-  if (session.statistics.faces == 0) return "there is nothing to save";
+std::string objection(Saving& saving, const Statistics& statistics, const fs::path& file) {
+  if (statistics.faces == 0) return "there is nothing to save";
   if (file.empty()) return "enter a file name";
   if (!is_writable(file)) return "the name must end in " + io::writable_formats();
-  if (!is_there(file) || session.saving.asked == file) return "";
-  session.saving.asked = file;
+  if (!is_there(file) || saving.asked == file) return "";
+  saving.asked = file;
   return file.filename().string() + " already exists; press Enter again to overwrite it";
 }
 
 }  // namespace
 
-void open_save_dialog(Session& session) {
-  session.saving = {.shows_dialog = true,
-                    .typed = suggested(session).string(),
-                    .remark = {},
-                    .asked = {},
-                    .waiting = session.saving.waiting};
+void open_save_dialog(Saving& saving, const Document& document) {
+  saving = {.shows_dialog = true,
+            .typed = suggested(document).string(),
+            .remark = {},
+            .asked = {},
+            .waiting = saving.waiting};
 }
 
-void submit_save(Session& session) {
-  Saving& saving = session.saving;
+void submit_save(Saving& saving, const Document& document) {
   const fs::path file = typed_path(saving.typed);
-  saving.remark = objection(session, file);
+  saving.remark = objection(saving, document.statistics, file);
   if (!saving.remark.empty()) return;
   saving.waiting = file;
   saving.shows_dialog = false;
   saving.asked.clear();
 }
 
-std::optional<SaveTask> begin_save(Session& session) {
-  if (!session.saving.waiting) return std::nullopt;
-  SaveTask task{*session.saving.waiting, std::make_shared<const Shape>(shown_shape(session))};
-  session.saving.waiting.reset();
+std::optional<SaveTask> begin_save(Saving& saving, const Document& document) {
+  if (!saving.waiting) return std::nullopt;
+  SaveTask task{*saving.waiting, std::make_shared<const Shape>(shown_shape(document))};
+  saving.waiting.reset();
   return task;
 }
 
@@ -79,15 +81,16 @@ Saved perform(const SaveTask& task) {
   return {task.file, mesh.face_count(), io::losses_in_format(task.file, mesh, attributes)};
 }
 
-void finish_save(Session& session, const Saved& saved) {
-  session.notice =
+std::string notice_of(const Saved& saved) {
+  std::string notice =
       fmt::format("saved {}: {}", saved.file.string(), count_text(saved.faces, "face"));
   for (std::size_t i = 0; i < saved.losses.size(); ++i)
-    session.notice += (i == 0 ? "; the format cannot hold " : ", ") + saved.losses[i];
+    notice += (i == 0 ? "; the format cannot hold " : ", ") + saved.losses[i];
+  return notice;
 }
 
-void run_waiting_save(Session& session) {
-  if (const auto task = begin_save(session)) finish_save(session, perform(*task));
+void run_waiting_save(Saving& saving, Document& document) {
+  if (const auto task = begin_save(saving, document)) document.notice = notice_of(perform(*task));
 }
 
 }  // namespace mesher::app

@@ -9,15 +9,16 @@
 
 namespace mesher::app {
 
-struct Session;
+struct Document;
+struct Saving;
 struct Shape;
 
 /// Opens the save dialog with a new name in the folder of the opened file, such as
 /// "bunny-edited.obj". The format is that of the file, or OBJ if only that can hold the creases.
-void open_save_dialog(Session& session);
+void open_save_dialog(Saving& saving, const Document& document);
 /// Handles the dialog's button: requests the file and closes the dialog, or sets the remark to the
 /// reason why it cannot. An existing file is overwritten only if its path is submitted twice.
-void submit_save(Session& session);
+void submit_save(Saving& saving, const Document& document);
 
 /// A copy of everything that is written, so that another thread can write it.
 struct SaveTask {
@@ -31,13 +32,13 @@ struct Saved {
 };
 
 /// Takes the requested file, if there is one. O(V + F), because the model is copied.
-std::optional<SaveTask> begin_save(Session& session);
-/// Writes the file; touches no session. Throws OutputError.
+std::optional<SaveTask> begin_save(Saving& saving, const Document& document);
+/// Writes the file; touches no document. Throws OutputError.
 Saved perform(const SaveTask& task);
-/// Sets the notice to the file's name and to what it could not hold.
-void finish_save(Session& session, const Saved& saved);
+/// Returns the file's name and what the file could not hold.
+std::string notice_of(const Saved& saved);
 
 /// Writes the requested file, on this thread. Throws OutputError.
-void run_waiting_save(Session& session);
+void run_waiting_save(Saving& saving, Document& document);
 
 }  // namespace mesher::app

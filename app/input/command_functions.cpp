@@ -23,27 +23,28 @@ Enum next(Enum value) {
   return static_cast<Enum>((static_cast<std::size_t>(value) + 1) % choices(value).size());
 }
 
-void change_sharpness(Session& session, CreaseRequest::Kind kind, float value) {
-  request_crease_edit(session, {.kind = kind, .value = value});
+void change_sharpness(Document& document, CreaseRequest::Kind kind, float value) {
+  request_crease_edit(document, {.kind = kind, .value = value});
 }
 
-void toggle_setting(Session& session, bool ProgressiveSettings::*member, const std::string& what) {
-  ProgressiveSettings settings = session.progressive.settings();
+void toggle_setting(Document& document, bool ProgressiveSettings::*member,
+                    const std::string& what) {
+  ProgressiveSettings settings = document.progressive.settings();
   toggle(settings.*member);
-  session.progressive.change(settings);
-  session.notice = what + (settings.*member ? " on" : " off");
+  document.progressive.change(settings);
+  document.notice = what + (settings.*member ? " on" : " off");
 }
 
 }  // namespace
 
-void toggle_wireframe(Session& session) {
-  render::Settings& s = session.settings;
+void toggle_wireframe(View& view) {
+  render::Settings& s = view.settings;
   if (s.shading == render::Shading::none) s.shading = render::Shading::flat;
   toggle(s.wireframe);
 }
 
-void toggle_surface(Session& session) {
-  render::Settings& s = session.settings;
+void toggle_surface(View& view) {
+  render::Settings& s = view.settings;
   if (s.shading == render::Shading::none) {
     s.shading = render::Shading::flat;
   } else {
@@ -52,106 +53,106 @@ void toggle_surface(Session& session) {
   }
 }
 
-void toggle_gouraud(Session& session) {
+void toggle_gouraud(View& view) {
   using render::Shading;
-  Shading& shading = session.settings.shading;
+  Shading& shading = view.settings.shading;
   shading = shading == Shading::gouraud ? Shading::flat : Shading::gouraud;
 }
 
-void toggle_background(Session& session) {
-  session.settings.background = next(session.settings.background);
+void toggle_background(View& view) {
+  view.settings.background = next(view.settings.background);
 }
 
-void toggle_orthographic(Session& session) {
-  session.camera.set_orthographic(!session.camera.is_orthographic());
+void toggle_orthographic(View& view) {
+  view.camera.set_orthographic(!view.camera.is_orthographic());
 }
 
 void frame_model(Session& session) {
-  session.camera.frame(session.statistics.box, session.aspect());
+  session.view.camera.frame(session.document.statistics.box, session.view.aspect());
 }
 
-void toggle_limit(Session& session) {
-  toggle(session.subdivide.limit);
-  apply_subdivide_settings(session);
+void toggle_limit(Document& document) {
+  toggle(document.subdivide.limit);
+  apply_subdivide_settings(document);
 }
 
-void next_scheme(Session& session) {
-  session.subdivide.scheme = next(session.subdivide.scheme);
-  apply_subdivide_settings(session);
+void next_scheme(Document& document) {
+  document.subdivide.scheme = next(document.subdivide.scheme);
+  apply_subdivide_settings(document);
 }
 
-void toggle_crease_rules(Session& session) {
-  session.subdivide.creases = next(session.subdivide.creases);
-  apply_subdivide_settings(session);
+void toggle_crease_rules(Document& document) {
+  document.subdivide.creases = next(document.subdivide.creases);
+  apply_subdivide_settings(document);
 }
 
-void toggle_creases(Session& session) {
-  set_crease_mode(session, !session.creases.is_on);
+void toggle_creases(Document& document) {
+  set_crease_mode(document, !document.creases.is_on);
 }
 
-void sharpen(Session& session) {
-  change_sharpness(session, CreaseRequest::Kind::change, 1.0F);
+void sharpen(Document& document) {
+  change_sharpness(document, CreaseRequest::Kind::change, 1.0F);
 }
 
-void smoothen(Session& session) {
-  change_sharpness(session, CreaseRequest::Kind::change, -1.0F);
+void smoothen(Document& document) {
+  change_sharpness(document, CreaseRequest::Kind::change, -1.0F);
 }
 
-void sharpen_fully(Session& session) {
-  change_sharpness(session, CreaseRequest::Kind::set, kInfinitelySharp);
+void sharpen_fully(Document& document) {
+  change_sharpness(document, CreaseRequest::Kind::set, kInfinitelySharp);
 }
 
-void make_smooth(Session& session) {
-  change_sharpness(session, CreaseRequest::Kind::set, 0.0F);
+void make_smooth(Document& document) {
+  change_sharpness(document, CreaseRequest::Kind::set, 0.0F);
 }
 
-void mark_creases_by_angle(Session& session) {
-  change_sharpness(session, CreaseRequest::Kind::tag_by_angle, session.creases.tag_angle_deg);
+void mark_creases_by_angle(Document& document) {
+  change_sharpness(document, CreaseRequest::Kind::tag_by_angle, document.creases.tag_angle_deg);
 }
 
-const char* need_progressive(const Session& session) {
-  return session.progressive.is_on() ? nullptr
-                                     : "press P first: this key works in progressive mode";
+const char* need_progressive(const Document& document) {
+  return document.progressive.is_on() ? nullptr
+                                      : "press P first: this key works in progressive mode";
 }
 
-void play(Session& session) {
-  session.progressive.play(!session.progressive.is_playing());
+void play(Document& document) {
+  document.progressive.play(!document.progressive.is_playing());
 }
 
-void detail_up(Session& session) {
-  session.progressive.move_to(session.progressive.position() + kDetailStep);
+void detail_up(Document& document) {
+  document.progressive.move_to(document.progressive.position() + kDetailStep);
 }
 
-void detail_down(Session& session) {
-  session.progressive.move_to(session.progressive.position() - kDetailStep);
+void detail_down(Document& document) {
+  document.progressive.move_to(document.progressive.position() - kDetailStep);
 }
 
-void one_split_up(Session& session) {
-  session.progressive.move_by(1);
+void one_split_up(Document& document) {
+  document.progressive.move_by(1);
 }
 
-void one_split_down(Session& session) {
-  session.progressive.move_by(-1);
+void one_split_down(Document& document) {
+  document.progressive.move_by(-1);
 }
 
-void most_detail(Session& session) {
-  session.progressive.move_to(1.0);
+void most_detail(Document& document) {
+  document.progressive.move_to(1.0);
 }
 
-void least_detail(Session& session) {
-  session.progressive.move_to(0.0);
+void least_detail(Document& document) {
+  document.progressive.move_to(0.0);
 }
 
-void toggle_geomorphs(Session& session) {
-  toggle_setting(session, &ProgressiveSettings::geomorphs, "geomorphs");
+void toggle_geomorphs(Document& document) {
+  toggle_setting(document, &ProgressiveSettings::geomorphs, "geomorphs");
 }
 
-void toggle_automatic(Session& session) {
-  toggle_setting(session, &ProgressiveSettings::is_automatic, "automatic level");
+void toggle_automatic(Document& document) {
+  toggle_setting(document, &ProgressiveSettings::is_automatic, "automatic level");
 }
 
-void toggle_split_colors(Session& session) {
-  toggle_setting(session, &ProgressiveSettings::colors_by_split_order, "colors by split order");
+void toggle_split_colors(Document& document) {
+  toggle_setting(document, &ProgressiveSettings::colors_by_split_order, "colors by split order");
 }
 
 void toggle_info(Session& session) {
@@ -169,7 +170,7 @@ void toggle_open_dialog(Session& session) {
 
 void show_save_dialog(Session& session) {
   session.shows_open_dialog = false;
-  open_save_dialog(session);
+  open_save_dialog(session.saving, session.document);
 }
 
 void request_screenshot(Session& session) {
@@ -183,14 +184,14 @@ void escape(Session& session) {
     session.saving.shows_dialog = false;
   } else if (session.shows_help) {
     session.shows_help = false;
-  } else if (!session.error.empty()) {
-    session.error.clear();
-  } else if (!session.creases.selected.empty()) {
-    session.creases.selected.clear();
-  } else if (session.creases.is_on) {
-    set_crease_mode(session, false);
-  } else if (session.progressive.is_on() && !session.progressive.is_arriving()) {
-    leave_progressive(session);
+  } else if (!session.document.error.empty()) {
+    session.document.error.clear();
+  } else if (!session.document.creases.selected.empty()) {
+    session.document.creases.selected.clear();
+  } else if (session.document.creases.is_on) {
+    set_crease_mode(session.document, false);
+  } else if (session.document.progressive.is_on() && !session.document.progressive.is_arriving()) {
+    leave_progressive(session.document);
   } else {
     session.wants_quit = true;
   }

@@ -4,44 +4,44 @@
 
 namespace mesher::app {
 
-// The functions that the rows of app/input/commands.cpp call, besides those of app/edit and
-// app/files.
+// The functions that the rows of app/input/commands.cpp call, besides those of app/edit. Each takes
+// the part of the session that it needs.
 
-void toggle_wireframe(Session& session);
+void toggle_wireframe(View& view);
 /// Hides the surface, or shows it again. While it is hidden, the wireframe is shown.
-void toggle_surface(Session& session);
-void toggle_gouraud(Session& session);
-void toggle_background(Session& session);
+void toggle_surface(View& view);
+void toggle_gouraud(View& view);
+void toggle_background(View& view);
 template <render::View kView>
-void set_view(Session& session) {
-  session.camera.set_view(kView);
+void set_view(View& view) {
+  view.camera.set_view(kView);
 }
-void toggle_orthographic(Session& session);
+void toggle_orthographic(View& view);
 void frame_model(Session& session);
 
-void toggle_limit(Session& session);
-void next_scheme(Session& session);
-void toggle_crease_rules(Session& session);
+void toggle_limit(Document& document);
+void next_scheme(Document& document);
+void toggle_crease_rules(Document& document);
 
-void toggle_creases(Session& session);
-void sharpen(Session& session);
-void smoothen(Session& session);
-void sharpen_fully(Session& session);
-void make_smooth(Session& session);
-void mark_creases_by_angle(Session& session);
+void toggle_creases(Document& document);
+void sharpen(Document& document);
+void smoothen(Document& document);
+void sharpen_fully(Document& document);
+void make_smooth(Document& document);
+void mark_creases_by_angle(Document& document);
 
 /// Returns why commands of progressive mode cannot run: the mode is off. Null: they can run.
-const char* need_progressive(const Session& session);
-void play(Session& session);
-void detail_up(Session& session);
-void detail_down(Session& session);
-void one_split_up(Session& session);
-void one_split_down(Session& session);
-void most_detail(Session& session);
-void least_detail(Session& session);
-void toggle_geomorphs(Session& session);
-void toggle_automatic(Session& session);
-void toggle_split_colors(Session& session);
+const char* need_progressive(const Document& document);
+void play(Document& document);
+void detail_up(Document& document);
+void detail_down(Document& document);
+void one_split_up(Document& document);
+void one_split_down(Document& document);
+void most_detail(Document& document);
+void least_detail(Document& document);
+void toggle_geomorphs(Document& document);
+void toggle_automatic(Document& document);
+void toggle_split_colors(Document& document);
 
 void toggle_info(Session& session);
 void toggle_help(Session& session);

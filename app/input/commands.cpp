@@ -80,6 +80,16 @@ constexpr Command kCommands[] = {
     {"quit", "q", Group::program, "quit", quit},
 };
 
+void call(void (*function)(Session&), Session& session) {
+  function(session);
+}
+void call(void (*function)(Document&), Session& session) {
+  function(session.document);
+}
+void call(void (*function)(View&), Session& session) {
+  function(session.view);
+}
+
 }  // namespace
 
 std::span<const Command> commands() {
@@ -100,12 +110,12 @@ const Command* command_named(std::string_view id) {
 }
 
 void run(Session& session, const Command& command) {
-  session.notice.clear();
-  const char* reason = command.blocked != nullptr ? command.blocked(session) : nullptr;
+  session.document.notice.clear();
+  const char* reason = command.blocked != nullptr ? command.blocked(session.document) : nullptr;
   if (reason != nullptr) {
-    session.notice = reason;
+    session.document.notice = reason;
   } else {
-    command.function(session);
+    std::visit([&](auto* function) { call(function, session); }, command.function);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "app/document/session.h"
 #include "app/input/keys.h"
@@ -32,10 +33,11 @@ struct Command {
   const char* keys;  ///< separated by spaces: "f1 h shift+/"
   CommandGroup group;
   const char* help;  ///< "show or hide the wireframe"
-  void (*function)(Session& session);
+  /// Takes the part of the session that it needs.
+  std::variant<void (*)(Session&), void (*)(Document&), void (*)(View&)> function;
   /// Returns why the command cannot run now, as a notice; null: it can run. A null pointer: the
   /// command can always run.
-  const char* (*blocked)(const Session& session) = nullptr;
+  const char* (*blocked)(const Document& document) = nullptr;
 };
 
 /// All commands, in the order in which help lists them.

@@ -19,7 +19,7 @@ void Gestures::press(MouseButton button, Modifiers modifiers, const glm::dvec2& 
   last_press_time_ = is_double ? -1e9 : time;
   last_press_at_ = at;
   drag_ = modifiers.shift ? Drag::pan : Drag::orbit;
-  if (session_.creases.is_on) {
+  if (document_.creases.is_on) {
     click_ =
         EdgeClick{.toggles = modifiers.control, .chain = modifiers.shift, .is_second = is_double};
   } else if (is_double) {
@@ -30,7 +30,7 @@ void Gestures::press(MouseButton button, Modifiers modifiers, const glm::dvec2& 
 void Gestures::release() {
   drag_ = Drag::none;
   if (!click_) return;
-  click_edge(session_, at_, *click_);
+  click_edge(document_, view_, at_, *click_);
   click_.reset();
 }
 
@@ -41,21 +41,20 @@ bool Gestures::move(const glm::dvec2& at) {
   at_ = at;
   if (drag_ == Drag::none || delta == glm::dvec2(0.0)) return false;
   if (drag_ == Drag::orbit) {
-    session_.camera.orbit(delta, session_.window);
+    view_.camera.orbit(delta, view_.window);
   } else {
-    session_.camera.pan(delta, session_.window);
+    view_.camera.pan(delta, view_.window);
   }
   return true;
 }
 
 void Gestures::scroll(double steps, const glm::dvec2& at) {
-  session_.camera.zoom(steps, {at, session_.window});
+  view_.camera.zoom(steps, {at, view_.window});
 }
 
 void Gestures::recenter() {
-  const auto hit =
-      render::pick(shown_mesh(session_), session_.camera.pick_ray({at_, session_.window}));
-  if (hit) session_.camera.recenter(hit->point);
+  const auto hit = render::pick(shown_mesh(document_), view_.camera.pick_ray({at_, view_.window}));
+  if (hit) view_.camera.recenter(hit->point);
 }
 
 }  // namespace mesher::app

@@ -3,7 +3,8 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
-#include "app/document/session.h"
+#include "app/document/document.h"
+#include "app/document/view.h"
 #include "app/edit/crease_edits.h"
 
 namespace mesher::app {
@@ -27,7 +28,7 @@ class Gestures {
   /// A press that moves farther is a drag.
   static constexpr double kClickPixels = 4.0;
 
-  explicit Gestures(Session& session) : session_(session) {}
+  Gestures(Document& document, View& view) : document_(document), view_(view) {}
 
   void press(MouseButton button, Modifiers modifiers, const glm::dvec2& at, double time);
   /// Call for any button.
@@ -42,7 +43,8 @@ class Gestures {
 
   void recenter();
 
-  Session& session_;
+  Document& document_;
+  View& view_;
   Drag drag_ = Drag::none;
   std::optional<EdgeClick> click_;  ///< the click that a release makes; none: the press is a drag
   glm::dvec2 at_{0.0};

@@ -88,10 +88,9 @@ void draw_all_rows(float window_width) {
 
 }  // namespace
 
-void draw_help_panel(Session& session, PanelAreas& areas) {
+void draw_help_panel(bool& is_open, PanelAreas& areas) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
-  bool is_open = true;
   constexpr ImGuiWindowFlags kFlags =
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove;
   if (ImGui::Begin("Keys and mouse", &is_open, kFlags)) {
@@ -102,7 +101,6 @@ void draw_help_panel(Session& session, PanelAreas& areas) {
   }
   note_area(areas);
   ImGui::End();
-  session.shows_help = is_open;
 }
 
 }  // namespace mesher::app

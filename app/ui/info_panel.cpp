@@ -81,16 +81,15 @@ void draw_shading_choice(render::Settings& settings) {
   if (settings.shading == Shading::none) settings.wireframe = true;
 }
 
-void draw_look(Session& session) {
+void draw_look(Document& document, render::Settings& settings) {
   if (!begin_section("Shading")) return;
-  render::Settings& settings = session.settings;
   draw_shading_choice(settings);
   ImGui::BeginDisabled(settings.shading == render::Shading::none);
   ImGui::Checkbox("wireframe", &settings.wireframe);
   ImGui::EndDisabled();
   ImGui::SameLine(130.0F);
-  bool edits_creases = session.creases.is_on;
-  if (ImGui::Checkbox("edit creases", &edits_creases)) set_crease_mode(session, edits_creases);
+  bool edits_creases = document.creases.is_on;
+  if (ImGui::Checkbox("edit creases", &edits_creases)) set_crease_mode(document, edits_creases);
   constexpr const auto& kAngle = option_named(render::kRenderOptions, "crease-angle");
   ImGui::BeginDisabled(!kAngle.applies(settings));
   ImGui::SetNextItemWidth(120.0F);
@@ -98,8 +97,8 @@ void draw_look(Session& session) {
                      static_cast<float>(kAngle.most), "%.0f deg", ImGuiSliderFlags_AlwaysClamp);
   tooltip(kAngle.help);
   ImGui::EndDisabled();
-  bool is_progressive = session.progressive.is_on();
-  if (ImGui::Checkbox("progressive mode", &is_progressive)) toggle_progressive(session);
+  bool is_progressive = document.progressive.is_on();
+  if (ImGui::Checkbox("progressive mode", &is_progressive)) toggle_progressive(document);
 }
 
 void draw_colors(render::Settings& settings) {
@@ -137,27 +136,26 @@ void draw_gpu(const PanelFacts& facts) {
 
 }  // namespace
 
-void draw_info_panel(Session& session, const PanelFacts& facts, PanelAreas& areas) {
+void draw_info_panel(Document& document, render::Settings& settings, const PanelFacts& facts,
+                     bool& is_open, PanelAreas& areas) {
   ImGui::SetNextWindowPos({10.0F, 10.0F}, ImGuiCond_FirstUseEver);
   const float height = ImGui::GetIO().DisplaySize.y - 20.0F;
   ImGui::SetNextWindowSizeConstraints({270.0F, 60.0F}, {270.0F, std::max(height, 80.0F)});
-  bool is_open = true;
-  const std::string title = session.model.name + "###info";
+  const std::string title = document.model.name + "###info";
   if (ImGui::Begin(title.c_str(), &is_open, ImGuiWindowFlags_AlwaysAutoResize)) {
-    if (session.progressive.is_on()) {
-      draw_level_counts(shown_mesh(session), session.statistics);
+    if (document.progressive.is_on()) {
+      draw_level_counts(shown_mesh(document), document.statistics);
     } else {
-      draw_counts(session.statistics);
+      draw_counts(document.statistics);
     }
-    draw_repairs(session.model.report);
-    draw_look(session);
-    draw_colors(session.settings);
+    draw_repairs(document.model.report);
+    draw_look(document, settings);
+    draw_colors(settings);
     draw_gpu(facts);
     ImGui::TextDisabled("F1: all keys");
   }
   note_area(areas);
   ImGui::End();
-  session.shows_info = is_open;
 }
 
 }  // namespace mesher::app

@@ -7,11 +7,10 @@
 
 namespace mesher::app {
 
-void draw_open_dialog(Session& session, std::string& typed, bool submits, PanelActions& actions,
+void draw_open_dialog(bool& is_open, std::string& typed, bool submits, PanelActions& actions,
                       PanelAreas& areas) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x / 2, size.y / 3}, ImGuiCond_Always, {0.5F, 0.5F});
-  bool is_open = true;
   constexpr ImGuiWindowFlags kFlags =
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove;
   if (ImGui::Begin("Open a model", &is_open, kFlags)) {
@@ -27,7 +26,7 @@ void draw_open_dialog(Session& session, std::string& typed, bool submits, PanelA
   }
   note_area(areas);
   ImGui::End();
-  session.shows_open_dialog = is_open && actions.open.empty();
+  is_open = is_open && actions.open.empty();
 }
 
 }  // namespace mesher::app

@@ -8,31 +8,32 @@ PanelActions Panels::draw(Session& session, const PanelFacts& facts) {
   PanelActions actions;
   areas_.clear();
   if (session.shows_info) {
-    draw_info_panel(session, facts, areas_);
-    draw_right_column(session, facts);
+    draw_info_panel(session.document, session.view.settings, facts, session.shows_info, areas_);
+    draw_right_column(session.document, session.view, facts);
   }
-  if (session.shows_help) draw_help_panel(session, areas_);
+  if (session.shows_help) draw_help_panel(session.shows_help, areas_);
   if (session.shows_open_dialog) {
-    draw_open_dialog(session, typed_path_, submits_path_, actions, areas_);
+    draw_open_dialog(session.shows_open_dialog, typed_path_, submits_path_, actions, areas_);
   }
-  if (session.saving.shows_dialog) draw_save_dialog(session, submits_save_, areas_);
+  if (session.saving.shows_dialog)
+    draw_save_dialog(session.saving, session.document, submits_save_, areas_);
   submits_path_ = submits_save_ = false;
-  draw_message_bar(session, facts, actions, areas_);
+  draw_message_bar(session.document, facts, actions, areas_);
   if (ImGui::IsAnyItemActive()) actions.wants_frames = true;
   return actions;
 }
 
-void Panels::draw_right_column(Session& session, const PanelFacts& facts) {
+void Panels::draw_right_column(Document& document, const View& view, const PanelFacts& facts) {
   float top = kPanelMargin;
-  if (session.progressive.is_on()) {  // the model cannot be edited
-    draw_progressive_panel(session, facts, top, areas_);
+  if (document.progressive.is_on()) {  // the model cannot be edited
+    draw_progressive_panel(document, view, facts, top, areas_);
     return;
   }
-  if (session.creases.is_on) {
-    top = kPanelMargin + draw_crease_panel(session, facts, top, tag_count_, areas_);
+  if (document.creases.is_on) {
+    top = kPanelMargin + draw_crease_panel(document, facts, top, tag_count_, areas_);
   }
-  top = kPanelMargin + draw_subdivide_panel(session, top, areas_);
-  draw_simplify_panel(session, facts, top, slider_faces_, areas_);
+  top = kPanelMargin + draw_subdivide_panel(document, top, areas_);
+  draw_simplify_panel(document, facts, top, slider_faces_, areas_);
 }
 
 bool Panels::covers(const glm::dvec2& at) const {

@@ -54,7 +54,7 @@ class Panels {
   bool covers(const glm::dvec2& at) const;
 
  private:
-  void draw_right_column(Session& session, const PanelFacts& facts);
+  void draw_right_column(Document& document, const View& view, const PanelFacts& facts);
 
   PanelAreas areas_;
   std::string typed_path_;
@@ -65,27 +65,28 @@ class Panels {
 };
 
 // One panel per file. Each notes the area that it covers.
-void draw_info_panel(Session& session, const PanelFacts& facts, PanelAreas& areas);
-void draw_help_panel(Session& session, PanelAreas& areas);
-void draw_message_bar(Session& session, const PanelFacts& facts, PanelActions& actions,
+void draw_info_panel(Document& document, render::Settings& settings, const PanelFacts& facts,
+                     bool& is_open, PanelAreas& areas);
+void draw_help_panel(bool& is_open, PanelAreas& areas);
+void draw_message_bar(Document& document, const PanelFacts& facts, PanelActions& actions,
                       PanelAreas& areas);
 /// `submits`: acts as if the button were pressed.
-void draw_open_dialog(Session& session, std::string& typed, bool submits, PanelActions& actions,
+void draw_open_dialog(bool& is_open, std::string& typed, bool submits, PanelActions& actions,
                       PanelAreas& areas);
-void draw_save_dialog(Session& session, bool submits, PanelAreas& areas);
+void draw_save_dialog(Saving& saving, const Document& document, bool submits, PanelAreas& areas);
 
 // The panels at the right border, one below the other. `top` is the upper end of each.
 
 /// Returns the lower end of the panel.
-float draw_crease_panel(Session& session, const PanelFacts& facts, float top, TagCount& last,
+float draw_crease_panel(Document& document, const PanelFacts& facts, float top, TagCount& last,
                         PanelAreas& areas);
 /// Returns the lower end of the panel.
-float draw_progressive_panel(Session& session, const PanelFacts& facts, float top,
-                             PanelAreas& areas);
+float draw_progressive_panel(Document& document, const View& view, const PanelFacts& facts,
+                             float top, PanelAreas& areas);
 /// Returns the lower end of the panel.
-float draw_subdivide_panel(Session& session, float top, PanelAreas& areas);
+float draw_subdivide_panel(Document& document, float top, PanelAreas& areas);
 /// `slider_faces`: the value of the slider while it is dragged and until the edit is finished.
-void draw_simplify_panel(Session& session, const PanelFacts& facts, float top, int& slider_faces,
+void draw_simplify_panel(Document& document, const PanelFacts& facts, float top, int& slider_faces,
                          PanelAreas& areas);
 
 /// Adds the current ImGui window. Call between its Begin and End.

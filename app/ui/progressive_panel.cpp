@@ -44,8 +44,8 @@ void draw_slider(ProgressiveView& view) {
       "PageUp, PageDown: by a tenth. [ and ]: by one split. Home, End: base and full mesh.");
 }
 
-void draw_buttons(Session& session, bool is_busy) {
-  ProgressiveView& view = session.progressive;
+void draw_buttons(Document& document, bool is_busy) {
+  ProgressiveView& view = document.progressive;
   if (half_button(view.is_playing() ? "pause###play" : "play###play", true,
                   "Space: play back and forth between the base and the full mesh.")) {
     view.play(!view.is_playing());
@@ -54,7 +54,7 @@ void draw_buttons(Session& session, bool is_busy) {
   if (half_button("use this level", !is_busy && !view.is_arriving(),
                   "K: use this level as the model and leave progressive mode.\n"
                   "Undo restores the model.")) {
-    request_keep_level(session);
+    request_keep_level(document);
   }
 }
 
@@ -77,15 +77,16 @@ void draw_geomorphs(const ProgressiveView& view, ProgressiveSettings& settings) 
   edit_option(option_named(kProgressiveOptions, "split-colors"), settings);
 }
 
-void draw_automatic(const Session& session, ProgressiveSettings& settings) {
-  const ProgressiveView& view = session.progressive;
+/// `pixels_per_unit`: of the model on the screen.
+void draw_automatic(const ProgressiveView& view, double pixels_per_unit,
+                    ProgressiveSettings& settings) {
   begin_disabled(!view.has_geomorph());
   edit_option(option_named(kProgressiveOptions, "automatic"), settings);
   edit_option(option_named(kProgressiveOptions, "tolerance"), settings);
   if (view.has_geomorph()) {
     label("screen error");
     const double error = view.levels().errors.error(view.mesh().level());
-    const double pixels = error * shown_pixels_per_unit(session);
+    const double pixels = error * pixels_per_unit;
     ImGui::TextUnformatted(fmt::format("{:.3g} pixels", pixels).c_str());
     tooltip(
         "Estimated screen-space error: the largest distance by which a remaining split moves the "
@@ -109,8 +110,8 @@ void draw_report(const ProgressiveView& progressive, const Statistics& statistic
 }
 
 /// The size of the base, and a button to rebuild it if there is a model to build it from.
-void draw_base(Session& session, ProgressiveSettings& settings, bool is_busy) {
-  ProgressiveView& view = session.progressive;
+void draw_base(Document& document, ProgressiveSettings& settings, bool is_busy) {
+  ProgressiveView& view = document.progressive;
   if (view.levels().vertex_source.empty()) {
     label("base");
     return ImGui::TextUnformatted(count_text(view.mesh().base_face_count(), "face").c_str());
@@ -132,43 +133,43 @@ void draw_base(Session& session, ProgressiveSettings& settings, bool is_busy) {
   }
   ImGui::EndDisabled();
   tooltip("Number of faces of the base. The rules are those of the Simplify panel.");
-  draw_report(session.progressive, session.statistics);
+  draw_report(document.progressive, document.statistics);
   ImGui::BeginDisabled(is_busy);
   if (ImGui::Button("rebuild", {-FLT_MIN, 0.0F})) {
     view.change(settings);
-    request_rebuilt_progressive(session);
+    request_rebuilt_progressive(document);
   }
   ImGui::EndDisabled();
 }
 
 }  // namespace
 
-float draw_progressive_panel(Session& session, const PanelFacts& facts, float top,
-                             PanelAreas& areas) {
-  ProgressiveView& view = session.progressive;
+float draw_progressive_panel(Document& document, const View& view, const PanelFacts& facts,
+                             float top, PanelAreas& areas) {
+  ProgressiveView& progressive = document.progressive;
   bool is_open = true;
   if (begin_side_panel("Progressive mesh", top, &is_open)) {
     const bool is_busy = facts.job != nullptr;
-    draw_arrival(view);
-    draw_slider(view);
-    draw_buttons(session, is_busy);
-    draw_numbers(view);
-    ProgressiveSettings settings = view.settings();
+    draw_arrival(progressive);
+    draw_slider(progressive);
+    draw_buttons(document, is_busy);
+    draw_numbers(progressive);
+    ProgressiveSettings settings = progressive.settings();
     ImGui::Separator();
-    draw_geomorphs(view, settings);
+    draw_geomorphs(progressive, settings);
     ImGui::Separator();
-    draw_automatic(session, settings);
+    draw_automatic(progressive, shown_pixels_per_unit(document, view), settings);
     ImGui::Separator();
     label("uploaded");
     const std::string text = fmt::format("{} of {}", bytes_text(facts.upload.uploaded_bytes),
                                          bytes_text(facts.upload.total_bytes));
     ImGui::TextUnformatted(text.c_str());
     tooltip("Bytes that the last step uploaded to the GPU, of all bytes of the mesh there.");
-    draw_base(session, settings, is_busy);
-    view.change(settings);
+    draw_base(document, settings, is_busy);
+    progressive.change(settings);
   }
   const float bottom = end_side_panel(areas);
-  if (!is_open) toggle_progressive(session);
+  if (!is_open) toggle_progressive(document);
   return bottom;
 }
 

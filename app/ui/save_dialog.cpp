@@ -7,14 +7,12 @@
 
 namespace mesher::app {
 
-void draw_save_dialog(Session& session, bool submits, PanelAreas& areas) {
+void draw_save_dialog(Saving& saving, const Document& document, bool submits, PanelAreas& areas) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x / 2, size.y / 3}, ImGuiCond_Always, {0.5F, 0.5F});
-  Saving& saving = session.saving;
-  bool is_open = true;
   constexpr ImGuiWindowFlags kFlags =
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove;
-  if (ImGui::Begin("Save the model", &is_open, kFlags)) {
+  if (ImGui::Begin("Save the model", &saving.shows_dialog, kFlags)) {
     ImGui::TextDisabled("%s; only OBJ stores creases", io::writable_formats().c_str());
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(380.0F);
@@ -23,7 +21,7 @@ void draw_save_dialog(Session& session, bool submits, PanelAreas& areas) {
     ImGui::SameLine();
     const bool overwrites = !saving.asked.empty() && !saving.remark.empty();
     if (ImGui::Button(overwrites ? "Overwrite###save" : "Save###save") || submits) {
-      submit_save(session);
+      submit_save(saving, document);
     }
     if (!saving.remark.empty()) {
       ImGui::TextColored({1.0F, 0.75F, 0.4F, 1.0F}, "%s", saving.remark.c_str());
@@ -31,7 +29,6 @@ void draw_save_dialog(Session& session, bool submits, PanelAreas& areas) {
   }
   note_area(areas);
   ImGui::End();
-  if (!is_open) saving.shows_dialog = false;
 }
 
 }  // namespace mesher::app

@@ -19,9 +19,9 @@ void draw_rules(SimplifySettings& settings) {
 
 /// Simplifies when the slider is released. If the model has more faces than it was opened with, the
 /// slider is at its right end.
-void draw_target(Session& session, bool is_busy, int& slider_faces) {
-  const auto most = static_cast<int>(session.edits.opened_faces);
-  const int fewest = std::min(session.statistics.is_closed() ? 4 : 1, most);
+void draw_target(Document& document, bool is_busy, int& slider_faces) {
+  const auto most = static_cast<int>(document.edits.opened_faces);
+  const int fewest = std::min(document.statistics.is_closed() ? 4 : 1, most);
   ImGui::SetNextItemWidth(-FLT_MIN);
   ImGui::SliderInt("##faces", &slider_faces, fewest, std::max(most, fewest + 1), "%d faces",
                    ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
@@ -29,26 +29,27 @@ void draw_target(Session& session, bool is_busy, int& slider_faces) {
       "Release to simplify the opened model to this number of faces. Drag to the right to restore\n"
       "detail, up to that of the opened model. Detail that a subdivision added is lost.");
   if (ImGui::IsItemDeactivatedAfterEdit()) {
-    request_simplify_to(session, static_cast<std::uint32_t>(slider_faces));
-  } else if (!ImGui::IsItemActive() && !is_busy && session.edits.waiting.empty()) {
-    slider_faces = std::min(static_cast<int>(session.statistics.faces), std::max(most, fewest + 1));
+    request_simplify_to(document, static_cast<std::uint32_t>(slider_faces));
+  } else if (!ImGui::IsItemActive() && !is_busy && document.edits.waiting.empty()) {
+    slider_faces =
+        std::min(static_cast<int>(document.statistics.faces), std::max(most, fewest + 1));
   }
 }
 
-void draw_buttons(Session& session) {
-  const History& history = session.edits.history;
-  const bool has_faces = session.statistics.faces > 0;
+void draw_buttons(Document& document) {
+  const History& history = document.edits.history;
+  const bool has_faces = document.statistics.faces > 0;
   const bool can_undo = history.undo_depth() > 0;
   const bool can_redo = history.redo_depth() > 0;
   const std::string undo_help = can_undo ? "Ctrl+Z: " + history.undo_name() : "nothing to undo";
   const std::string redo_help =
       can_redo ? "Ctrl+Shift+Z: " + history.redo_name() : "nothing to redo";
-  if (half_button("remove 10 %", has_faces, "D")) request_remove_tenth(session);
+  if (half_button("remove 10 %", has_faces, "D")) request_remove_tenth(document);
   ImGui::SameLine();
-  if (half_button("one edge", has_faces, "Shift+D")) request_collapse_edge(session);
-  if (half_button("undo", can_undo, undo_help.c_str())) request_undo(session);
+  if (half_button("one edge", has_faces, "Shift+D")) request_collapse_edge(document);
+  if (half_button("undo", can_undo, undo_help.c_str())) request_undo(document);
   ImGui::SameLine();
-  if (half_button("redo", can_redo, redo_help.c_str())) request_redo(session);
+  if (half_button("redo", can_redo, redo_help.c_str())) request_redo(document);
 }
 
 std::string error_text(const SimplifyOutcome& outcome, double error) {
@@ -97,18 +98,18 @@ void draw_report(const SimplifyOutcome& outcome) {
 
 }  // namespace
 
-void draw_simplify_panel(Session& session, const PanelFacts& facts, float top, int& slider_faces,
+void draw_simplify_panel(Document& document, const PanelFacts& facts, float top, int& slider_faces,
                          PanelAreas& areas) {
   if (begin_side_panel("Simplify", top)) {
-    ImGui::BeginDisabled(session.statistics.faces == 0);
-    draw_target(session, facts.job != nullptr, slider_faces);
+    ImGui::BeginDisabled(document.statistics.faces == 0);
+    draw_target(document, facts.job != nullptr, slider_faces);
     ImGui::EndDisabled();
-    draw_buttons(session);
+    draw_buttons(document);
     ImGui::Separator();
-    draw_rules(session.simplify);
-    if (session.edits.last) {
+    draw_rules(document.simplify);
+    if (document.edits.last) {
       ImGui::Separator();
-      draw_report(*session.edits.last);
+      draw_report(*document.edits.last);
     }
   }
   end_side_panel(areas);

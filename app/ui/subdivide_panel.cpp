@@ -18,17 +18,17 @@ std::string next_level_text(const Statistics& s) {
   return fmt::format("{} faces, {}", count_text(faces), bytes_text(kBytesPerFace * faces));
 }
 
-void draw_levels(Session& session) {
-  const std::uint32_t level = shown_level(session.edits);
-  const bool has_faces = session.statistics.faces > 0;
+void draw_levels(Document& document) {
+  const std::uint32_t level = shown_level(document.edits);
+  const bool has_faces = document.statistics.faces > 0;
   if (half_button("subdivide", has_faces && level < kMaxLevel,
-                  ("S: " + next_level_text(session.statistics)).c_str())) {
-    request_subdivide(session);
+                  ("S: " + next_level_text(document.statistics)).c_str())) {
+    request_subdivide(document);
   }
   ImGui::SameLine();
   if (half_button("previous level", level > 0,
                   level > 0 ? "Shift+S" : "already at the coarsest level")) {
-    request_previous_level(session);
+    request_previous_level(document);
   }
   label("level");
   ImGui::Text("%u", level);
@@ -39,13 +39,13 @@ void draw_levels(Session& session) {
 
 }  // namespace
 
-float draw_subdivide_panel(Session& session, float top, PanelAreas& areas) {
+float draw_subdivide_panel(Document& document, float top, PanelAreas& areas) {
   if (begin_side_panel("Subdivide", top)) {
-    draw_levels(session);
+    draw_levels(document);
     ImGui::Separator();
-    if (edit_options(subdivide::kSubdivideRules, session.subdivide))
-      apply_subdivide_settings(session);
-    if (const auto& last = session.edits.last_subdivision) {
+    if (edit_options(subdivide::kSubdivideRules, document.subdivide))
+      apply_subdivide_settings(document);
+    if (const auto& last = document.edits.last_subdivision) {
       label("last");
       const std::string text =
           fmt::format("{} in {}", count_text(last->faces, "face"), seconds_text(last->seconds));

@@ -20,13 +20,13 @@ BackgroundWork::BackgroundWork(Session& session, const io::ReadOptions& read,
       read_(read),
       show_(std::move(show)),
       wake_(wake),
-      edits_(session, wake),
+      edits_(session.document, wake),
       arrivals_(session, edits_, wake) {}
 
 void BackgroundWork::open(const std::filesystem::path& file) {
   session_.shows_open_dialog = false;
   session_.saving.shows_dialog = false;
-  session_.error.clear();
+  session_.document.error.clear();
   if (io::is_pm_file(file)) {
     if (arrivals_.open(file)) load_.reset();
     return;
@@ -71,9 +71,9 @@ bool BackgroundWork::finish_load() {
   try {
     show_(job->take());
   } catch (const Cancelled&) {
-    session_.notice = "canceled: " + job->file().string();
+    session_.document.notice = "canceled: " + job->file().string();
   } catch (const std::exception& error) {
-    session_.error = error.what();
+    session_.document.error = error.what();
   }
   return true;
 }
@@ -84,17 +84,17 @@ bool BackgroundWork::advance_save() {
     if (save_ && save_->is_done()) {
       const std::unique_ptr<JobOf<Saved>> job = std::move(save_);
       is_changed = true;
-      finish_save(session_, job->take());
+      session_.document.notice = notice_of(job->take());
     }
     if (!save_) start_save();
   } catch (const std::exception& error) {
-    session_.error = error.what();
+    session_.document.error = error.what();
   }
   return is_changed;
 }
 
 void BackgroundWork::start_save() {
-  const auto task = begin_save(session_);
+  const auto task = begin_save(session_.saving, session_.document);
   if (!task) return;
   save_ = std::make_unique<JobOf<Saved>>(
       "Saving " + task->file.filename().string(),

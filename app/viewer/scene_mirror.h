@@ -3,20 +3,21 @@
 #include <cstdint>
 #include <optional>
 
-#include "app/document/session.h"
+#include "app/document/document.h"
 #include "engine/render/gpu_mesh.h"
 #include "engine/render/settings.h"
 
 namespace mesher::app {
 
-/// The GPU's copy of what a session shows. The window and scripts keep it up to date the same way.
+/// The GPU's copy of what a document shows. The window and scripts keep it up to date the same way.
 class SceneMirror {
  public:
   explicit SceneMirror(gpu::Device& device) : mesh_(device) {}
 
-  /// Uploads what has changed since the last call. Returns whether the picture changes. Throws
-  /// DeviceError if memory runs out. O(changed bytes); O(V + F) for another model.
-  bool update(Session& session);
+  /// Uploads what has changed since the last call. `chosen`: the settings of the view. Returns
+  /// whether the picture changes. Throws DeviceError if memory runs out. O(changed bytes); O(V + F)
+  /// for another model.
+  bool update(Document& document, const render::Settings& chosen);
   /// Makes the next update upload everything.
   void invalidate() { mesh_.invalidate(); }
 

@@ -52,36 +52,37 @@ void ScriptedSession::press(std::span<const KeyPress> keys) {
     if (command == nullptr)
       throw UsageError("--keys: '" + to_text(key) + "' is not bound to a command");
     run(session_, *command);
-    run_waiting_edits(session_);
-    session_.progressive.settle(shown_pixels_per_unit(session_));
-    run_waiting_save(session_);
+    run_waiting_edits(session_.document);
+    session_.document.progressive.settle(shown_pixels_per_unit(session_.document, session_.view));
+    run_waiting_save(session_.saving, session_.document);
     if (session_.wants_quit) return;
     if (!session_.wants_screenshot) continue;
     session_.wants_screenshot = false;
-    const std::filesystem::path file = next_screenshot(session_.model.name);
+    const std::filesystem::path file = next_screenshot(session_.document.model.name);
     io::write_png(file, picture());
-    session_.notice = "saved " + file.string();
+    session_.document.notice = "saved " + file.string();
   }
 }
 
 Image ScriptedSession::picture() {
   if (!gpu_) gpu_ = std::make_unique<Gpu>(options_);
-  gpu_->mirror.update(session_);
+  gpu_->mirror.update(session_.document, session_.view.settings);
   if (options_.panels) return picture_with_panels();
-  return render::render_image(gpu_->device, gpu_->renderer, gpu_->mirror.mesh(), session_.camera,
-                              gpu_->mirror.settings(), extent().width, extent().height);
+  return render::render_image(gpu_->device, gpu_->renderer, gpu_->mirror.mesh(),
+                              session_.view.camera, gpu_->mirror.settings(), extent().width,
+                              extent().height);
 }
 
 VkExtent2D ScriptedSession::extent() const {
-  return {static_cast<std::uint32_t>(session_.window.x),
-          static_cast<std::uint32_t>(session_.window.y)};
+  return {static_cast<std::uint32_t>(session_.view.window.x),
+          static_cast<std::uint32_t>(session_.view.window.y)};
 }
 
 // The same steps as a frame in a window, but into an image.
 Image ScriptedSession::picture_with_panels() {
   if (!panel_layer_) panel_layer_ = std::make_unique<PanelLayer>(*gpu_);
   gpu::Device& device = gpu_->device;
-  const unsigned samples = device.supported_samples(session_.settings.samples);
+  const unsigned samples = device.supported_samples(session_.view.settings.samples);
   const render::SceneTarget target(device, extent(), samples, PanelLayer::kFormat);
   const gpu::DeviceImage image(
       device, {.format = PanelLayer::kFormat,
@@ -89,13 +90,13 @@ Image ScriptedSession::picture_with_panels() {
                .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                         VK_IMAGE_USAGE_TRANSFER_DST_BIT});
   for (int frame = 0; frame < kFramesToSettle; ++frame) {
-    panel_layer_->overlay.begin(session_.window);
+    panel_layer_->overlay.begin(session_.view.window);
     panel_layer_->panels.draw(session_,
                               {.upload = gpu_->mirror.last_upload(), .device = device.name()});
     panel_layer_->overlay.end();
   }
   device.run_once([&](VkCommandBuffer commands) {
-    gpu_->renderer.draw(commands, target, gpu_->mirror.mesh(), session_.camera,
+    gpu_->renderer.draw(commands, target, gpu_->mirror.mesh(), session_.view.camera,
                         gpu_->mirror.settings());
     target.copy_to(commands, image.handle());
     panel_layer_->overlay.draw(commands, image.view(), extent());

@@ -30,7 +30,8 @@ class ScriptedSession {
   /// Presses keys in order, until one quits. A screenshot key writes next_screenshot(). Throws
   /// UsageError for a key that is not bound to a command.
   void press(std::span<const KeyPress> keys);
-  /// Draws the model as the session shows it, at the size of session.window. Throws DeviceError.
+  /// Draws the model as the session shows it, at the size of session.view.window. Throws
+  /// DeviceError.
   Image picture();
   /// Throws DeviceError with the first validation message, if there is one.
   void expect_no_messages() const;

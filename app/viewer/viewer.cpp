@@ -59,14 +59,14 @@ class Viewer {
  public:
   Viewer(Session& session, const ViewerOptions& options, std::unique_ptr<PmArrival>& arrival)
       : session_(session),
-        window_(glm::ivec2(session.window), "mesher"),
+        window_(glm::ivec2(session.view.window), "mesher"),
         instance_({.extensions = Window::instance_extensions(), .validation = options.validation}),
         surface_(instance_, window_.create_surface(instance_.handle())),
         device_(instance_, {.select = options.device, .surface = surface_.handle()}),
         presenter_(device_, surface_.handle()),
         renderer_(device_),
         mirror_(device_),
-        gestures_(session),
+        gestures_(session.document, session.view),
         work_(
             session, options.read,
             [this](LoadedModel&& loaded) { recovery_.show(std::move(loaded)); }, Window::wake),
@@ -110,7 +110,7 @@ class Viewer {
     for (const KeyPress& key : keys) {
       press_key(key);
       work_.finish_edits();
-      session_.progressive.settle(shown_pixels_per_unit(session_));
+      session_.document.progressive.settle(shown_pixels_per_unit(session_.document, session_.view));
       update_scene();
       if (session_.wants_screenshot) save_screenshot();
       if (session_.wants_quit) break;
@@ -165,9 +165,10 @@ class Viewer {
 
   // Called once per frame instead of once per move, because it visits every face.
   void update_hover() {
-    if (!is_hover_outdated_ || !session_.creases.is_on) return;
+    if (!is_hover_outdated_ || !session_.document.creases.is_on) return;
     const bool is_over_model = !gestures_.is_dragging() && !panels_.covers(pointer_.at);
-    if (hover_edge(session_, is_over_model ? std::optional(pointer_.at) : std::nullopt))
+    if (hover_edge(session_.document, session_.view,
+                   is_over_model ? std::optional(pointer_.at) : std::nullopt))
       want_frames();
     is_hover_outdated_ = false;
   }
@@ -198,7 +199,8 @@ class Viewer {
     const double now = Window::time();
     const double step = is_moving_ ? std::min(now - moved_at_s_, kLongestStepSeconds) : 0.0;
     moved_at_s_ = now;
-    is_moving_ = session_.progressive.advance(step, shown_pixels_per_unit(session_));
+    is_moving_ = session_.document.progressive.advance(
+        step, shown_pixels_per_unit(session_.document, session_.view));
     if (is_moving_) want_frames();
   }
 
@@ -220,7 +222,7 @@ class Viewer {
   bool update_scene() {
     const Recovery::Outcome outcome = recovery_.update();
     if (outcome != Recovery::Outcome::unchanged) drawn_.reset();
-    drawable_settings_ = session_.settings;
+    drawable_settings_ = session_.view.settings;
     if (outcome == Recovery::Outcome::reverted) want_frames();
     return outcome != Recovery::Outcome::reverted;
   }
@@ -232,7 +234,7 @@ class Viewer {
     const glm::uvec2 size = window_.framebuffer_size();
     auto frame = presenter_.begin({size.x, size.y});
     if (!frame) return;
-    session_.window = {frame->extent.width, frame->extent.height};
+    session_.view.window = {frame->extent.width, frame->extent.height};
     draw_panels();
     draw_scene(*frame);
     target_->copy_to(frame->commands, frame->image);
@@ -245,7 +247,7 @@ class Viewer {
   void draw_panels() {
     if (presenter_.generation() != framebuffers_of_) overlay_->forget_images();
     framebuffers_of_ = presenter_.generation();
-    overlay_->begin(session_.window);
+    overlay_->begin(session_.view.window);
     const PanelActions actions = panels_.draw(session_, {.job = work_.visible_job(),
                                                          .can_cancel = work_.can_cancel(),
                                                          .upload = mirror_.last_upload(),
@@ -254,11 +256,11 @@ class Viewer {
     overlay_->end();
     if (actions.cancels_job) work_.cancel();
     if (!actions.open.empty()) open(actions.open);
-    if (actions.wants_frames || !session_.edits.waiting.empty()) want_frames();
+    if (actions.wants_frames || !session_.document.edits.waiting.empty()) want_frames();
   }
 
   void draw_scene(const gpu::Frame& frame) {
-    const Drawn now{mirror_.settings(), session_.camera};
+    const Drawn now{mirror_.settings(), session_.view.camera};
     const unsigned samples =
         device_.supported_samples(samples_.choose(now.settings.samples, drawn_ != now, frame_ms_));
     if (samples_.is_hurried()) want_frames();
@@ -268,15 +270,16 @@ class Viewer {
       drawn_.reset();
     }
     // If panels have just changed the settings, the mirror is updated before the next frame.
-    if (session_.settings != drawable_settings_) want_frames();
+    if (session_.view.settings != drawable_settings_) want_frames();
     if (drawn_ == now) return;  // only the panels changed
     renderer_.draw(frame.commands, *target_, mirror_.mesh(), now.camera, now.settings);
     drawn_ = now;
   }
 
   void update_title() {
-    const std::string title = fmt::format("{} - {} - mesher", session_.model.name,
-                                          count_text(shown_mesh(session_).face_count(), "face"));
+    const std::string title =
+        fmt::format("{} - {} - mesher", session_.document.model.name,
+                    count_text(shown_mesh(session_.document).face_count(), "face"));
     if (title != title_) window_.set_title(title);
     title_ = title;
   }
@@ -285,15 +288,15 @@ class Viewer {
     session_.wants_screenshot = false;
     want_frames();
     if (!update_scene()) return;
-    const std::filesystem::path file = next_screenshot(session_.model.name);
+    const std::filesystem::path file = next_screenshot(session_.document.model.name);
     try {
-      io::write_png(file, render::render_image(device_, renderer_, mirror_.mesh(), session_.camera,
-                                               mirror_.settings(),
-                                               static_cast<std::uint32_t>(session_.window.x),
-                                               static_cast<std::uint32_t>(session_.window.y)));
-      session_.notice = "saved " + file.string();
+      io::write_png(file, render::render_image(device_, renderer_, mirror_.mesh(),
+                                               session_.view.camera, mirror_.settings(),
+                                               static_cast<std::uint32_t>(session_.view.window.x),
+                                               static_cast<std::uint32_t>(session_.view.window.y)));
+      session_.document.notice = "saved " + file.string();
     } catch (const Error& error) {
-      session_.error = error.what();
+      session_.document.error = error.what();
     }
   }
 

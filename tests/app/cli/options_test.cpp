@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/document/session.h"
 #include "engine/core/error.h"
 #include "tests/support/meshes.h"
 
@@ -32,27 +33,30 @@ TEST(Options, LookOptionsSetSettingsAndCamera) {
   Model model;
   model.mesh = build_mesh(test::cube()).mesh;
   show_model(session, std::move(model), "cube.obj");
-  apply_look(session, {.settings = {.wireframe = true, .crease_angle_deg = 40.0F},
-                       .gouraud = true,
-                       .camera = "90,0,2",
-                       .orthographic = true,
-                       .dark = true});
-  EXPECT_TRUE(session.settings.wireframe);
-  EXPECT_EQ(session.settings.shading, render::Shading::gouraud);
-  EXPECT_EQ(session.settings.background, render::Background::dark);
-  EXPECT_EQ(session.settings.crease_angle_deg, 40.0F);
-  EXPECT_TRUE(session.camera.is_orthographic());
-  EXPECT_NEAR(session.camera.forward().x, -1.0, 1e-12);
-  const double distance = session.camera.distance();
-  apply_look(session, {.camera = "90,0", .orthographic = true});
-  EXPECT_NEAR(session.camera.distance(), 2.0 * distance, 1e-9);
+  apply_look(session.view, session.document.statistics.box,
+             {.settings = {.wireframe = true, .crease_angle_deg = 40.0F},
+              .gouraud = true,
+              .camera = "90,0,2",
+              .orthographic = true,
+              .dark = true});
+  EXPECT_TRUE(session.view.settings.wireframe);
+  EXPECT_EQ(session.view.settings.shading, render::Shading::gouraud);
+  EXPECT_EQ(session.view.settings.background, render::Background::dark);
+  EXPECT_EQ(session.view.settings.crease_angle_deg, 40.0F);
+  EXPECT_TRUE(session.view.camera.is_orthographic());
+  EXPECT_NEAR(session.view.camera.forward().x, -1.0, 1e-12);
+  const double distance = session.view.camera.distance();
+  apply_look(session.view, session.document.statistics.box,
+             {.camera = "90,0", .orthographic = true});
+  EXPECT_NEAR(session.view.camera.distance(), 2.0 * distance, 1e-9);
 }
 
 TEST(Options, NoShadingTurnsWireframeOn) {
   Session session;
-  apply_look(session, {.settings = {.shading = render::Shading::none}});
-  EXPECT_EQ(session.settings.shading, render::Shading::none);
-  EXPECT_TRUE(session.settings.wireframe);
+  apply_look(session.view, session.document.statistics.box,
+             {.settings = {.shading = render::Shading::none}});
+  EXPECT_EQ(session.view.settings.shading, render::Shading::none);
+  EXPECT_TRUE(session.view.settings.wireframe);
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ TEST(Json, EmptyModelHasNoBox) {
 
 TEST(Json, SessionContainsItsState) {
   Session session;
-  session.settings.shading = render::Shading::gouraud;
-  session.settings.background = render::Background::dark;
+  session.view.settings.shading = render::Shading::gouraud;
+  session.view.settings.background = render::Background::dark;
   const Json json = to_json(session);
   EXPECT_EQ(json["shading"], "gouraud");
   EXPECT_EQ(json["background"], "dark");

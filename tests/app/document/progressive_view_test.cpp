@@ -21,8 +21,8 @@ void press(Session& session, const char* keys) {
     const auto command = command_for(key);
     ASSERT_NE(command, nullptr) << to_text(key);
     run(session, *command);
-    run_waiting_edits(session);
-    session.progressive.settle(shown_pixels_per_unit(session));
+    run_waiting_edits(session.document);
+    session.document.progressive.settle(shown_pixels_per_unit(session.document, session.view));
   }
 }
 
@@ -40,7 +40,7 @@ class ProgressiveViewTest : public testing::Test {
     model.mesh = build_mesh(std::move(soup)).mesh;
     show_model(session_, std::move(model), "torus.obj");
   }
-  ProgressiveView& view() { return session_.progressive; }
+  ProgressiveView& view() { return session_.document.progressive; }
   std::uint32_t faces() { return view().mesh().mesh().face_count(); }
   void change(const auto& how) {
     ProgressiveSettings settings = view().settings();
@@ -52,23 +52,23 @@ class ProgressiveViewTest : public testing::Test {
 };
 
 TEST_F(ProgressiveViewTest, PEntersAtFullDetailAndRestoresModelOnLeaving) {
-  const Mesh before = session_.model.mesh;
+  const Mesh before = session_.document.model.mesh;
   press(session_, "p");
   ASSERT_TRUE(view().is_on());
   EXPECT_TRUE(view().has_geomorph());
   EXPECT_EQ(faces(), 2400U);
   EXPECT_EQ(view().position(), 1.0);
   EXPECT_LE(view().mesh().base_face_count(), 200U);
-  EXPECT_EQ(shown_mesh(session_).face_count(), 2400U);
+  EXPECT_EQ(shown_mesh(session_.document).face_count(), 2400U);
   press(session_, "home");
   EXPECT_EQ(faces(), view().mesh().base_face_count());
-  EXPECT_EQ(&shown_mesh(session_), &view().mesh().mesh());
+  EXPECT_EQ(&shown_mesh(session_.document), &view().mesh().mesh());
   press(session_, "p");
   EXPECT_FALSE(view().is_on());
-  EXPECT_EQ(&shown_mesh(session_), &session_.model.mesh);
-  EXPECT_TRUE(has_same_arrays(session_.model.mesh, before));
-  EXPECT_EQ(session_.edits.history.undo_depth(), 0U);
-  EXPECT_EQ(shown_settings(session_.settings, session_.progressive), session_.settings);
+  EXPECT_EQ(&shown_mesh(session_.document), &session_.document.model.mesh);
+  EXPECT_TRUE(has_same_arrays(session_.document.model.mesh, before));
+  EXPECT_EQ(session_.document.edits.history.undo_depth(), 0U);
+  EXPECT_EQ(shown_settings(session_.view.settings, session_.document), session_.view.settings);
 }
 
 TEST_F(ProgressiveViewTest, ProgressiveMeshIsKeptUntilModelChanges) {
@@ -79,7 +79,7 @@ TEST_F(ProgressiveViewTest, ProgressiveMeshIsKeptUntilModelChanges) {
   press(session_, "p d");
   EXPECT_FALSE(view().has_mesh());
   press(session_, "p");
-  EXPECT_EQ(faces(), session_.statistics.faces);
+  EXPECT_EQ(faces(), session_.document.statistics.faces);
 }
 
 TEST_F(ProgressiveViewTest, EscapeLeavesModeBeforeQuitting) {
@@ -216,29 +216,30 @@ TEST_F(ProgressiveViewTest, AutomaticLevelIsReachedSmoothlyAndStops) {
 
 TEST_F(ProgressiveViewTest, CloserCameraGivesFinerLevel) {
   press(session_, "p a");
-  session_.camera.zoom(0.02);
-  view().settle(shown_pixels_per_unit(session_));
+  session_.view.camera.zoom(0.02);
+  view().settle(shown_pixels_per_unit(session_.document, session_.view));
   const std::uint32_t far = faces();
-  session_.camera.zoom(50.0);
-  view().settle(shown_pixels_per_unit(session_));
+  session_.view.camera.zoom(50.0);
+  view().settle(shown_pixels_per_unit(session_.document, session_.view));
   const std::uint32_t near = faces();
   EXPECT_LT(far, near);
-  session_.camera.zoom(1000.0);
-  EXPECT_LT(shown_pixels_per_unit(session_), 1e9) << "inside the model";
+  session_.view.camera.zoom(1000.0);
+  EXPECT_LT(shown_pixels_per_unit(session_.document, session_.view), 1e9) << "inside the model";
 }
 
 TEST_F(ProgressiveViewTest, EditsAreRefusedWithNotice) {
   press(session_, "d d ctrl+z p");
-  const std::uint32_t faces_before = session_.statistics.faces;
+  const std::uint32_t faces_before = session_.document.statistics.faces;
   for (const char* key :
        {"d", "shift+d", "s", "shift+s", "ctrl+z", "ctrl+y", "c", "shift+c", "+", "ctrl+a", "m"}) {
     press(session_, key);
-    EXPECT_NE(session_.notice.find("or K to use this level as the model"), std::string::npos)
+    EXPECT_NE(session_.document.notice.find("or K to use this level as the model"),
+              std::string::npos)
         << key;
     EXPECT_TRUE(view().is_on());
-    EXPECT_FALSE(session_.creases.is_on);
-    EXPECT_EQ(session_.edits.history.undo_depth(), 1U);
-    EXPECT_EQ(session_.statistics.faces, faces_before);
+    EXPECT_FALSE(session_.document.creases.is_on);
+    EXPECT_EQ(session_.document.edits.history.undo_depth(), 1U);
+    EXPECT_EQ(session_.document.statistics.faces, faces_before);
   }
 }
 
@@ -246,7 +247,8 @@ TEST_F(ProgressiveViewTest, KeysOutsideModeGiveNotice) {
   for (const char* key :
        {"space", "[", "]", "home", "end", "pageup", "shift+g", "a", "shift+b", "k"}) {
     press(session_, key);
-    EXPECT_EQ(session_.notice.find("press P first"), 0U) << key << session_.notice;
+    EXPECT_EQ(session_.document.notice.find("press P first"), 0U)
+        << key << session_.document.notice;
   }
   EXPECT_EQ(view().settings(), ProgressiveSettings());
 }
@@ -254,34 +256,34 @@ TEST_F(ProgressiveViewTest, KeysOutsideModeGiveNotice) {
 TEST_F(ProgressiveViewTest, EnteringModeEndsCreaseMode) {
   press(session_, "c ctrl+a p");
   EXPECT_TRUE(view().is_on());
-  EXPECT_FALSE(session_.creases.is_on);
-  EXPECT_TRUE(marked_edges(session_.creases).selected.empty());
+  EXPECT_FALSE(session_.document.creases.is_on);
+  EXPECT_TRUE(marked_edges(session_.document.creases).selected.empty());
 }
 
 TEST_F(ProgressiveViewTest, UsedLevelCanBeEditedAndUndone) {
-  const Mesh before = session_.model.mesh;
+  const Mesh before = session_.document.model.mesh;
   press(session_, "p");
   view().move_to_level(view().mesh().split_count() / 2);
   const Mesh level = view().mesh().mesh();
   press(session_, "k");
   EXPECT_FALSE(view().is_on());
-  EXPECT_TRUE(has_same_arrays(session_.model.mesh, level));
-  EXPECT_EQ(session_.statistics.faces, level.face_count());
-  EXPECT_TRUE(validate(session_.model.mesh).empty());
-  EXPECT_EQ(session_.edits.history.undo_name(),
+  EXPECT_TRUE(has_same_arrays(session_.document.model.mesh, level));
+  EXPECT_EQ(session_.document.statistics.faces, level.face_count());
+  EXPECT_TRUE(validate(session_.document.model.mesh).empty());
+  EXPECT_EQ(session_.document.edits.history.undo_name(),
             "use the level of " + std::to_string(level.face_count() / 1000) + "," +
                 std::to_string(level.face_count() % 1000 + 1000).substr(1) + " faces as the model");
   press(session_, "d");  // it can be edited
-  EXPECT_LT(session_.statistics.faces, level.face_count());
+  EXPECT_LT(session_.document.statistics.faces, level.face_count());
   press(session_, "ctrl+z ctrl+z");
-  EXPECT_TRUE(has_same_arrays(session_.model.mesh, before));
+  EXPECT_TRUE(has_same_arrays(session_.document.model.mesh, before));
   press(session_, "ctrl+y");
-  EXPECT_TRUE(has_same_arrays(session_.model.mesh, level));
+  EXPECT_TRUE(has_same_arrays(session_.document.model.mesh, level));
 }
 
 TEST_F(ProgressiveViewTest, UsedLevelCarriesAttributesOver) {
-  Attributes& attributes = session_.model.attributes;
-  const Mesh& mesh = session_.model.mesh;
+  Attributes& attributes = session_.document.model.attributes;
+  const Mesh& mesh = session_.document.model.mesh;
   attributes.color.resize(mesh.halfedge_count());
   attributes.group.resize(mesh.face_count());
   attributes.group_names = {"low", "high"};
@@ -293,21 +295,23 @@ TEST_F(ProgressiveViewTest, UsedLevelCarriesAttributesOver) {
     attributes.group[f] = f < 1200 ? 0 : 1;
   press(session_, "p end");
   const auto& source = view().levels().vertex_source;
-  const Shape shape = shown_shape(session_);
+  const Shape shape = shown_shape(session_.document);
   ASSERT_EQ(shape.attributes.color.size(), shape.mesh.halfedge_count());
   for (std::uint32_t h = 0; h < shape.mesh.halfedge_count(); ++h) {
     const std::uint32_t v = source[shape.mesh.origin(Halfedge(h)).index()].index();
     EXPECT_EQ(shape.attributes.color[h], glm::u8vec4(v % 256, v / 256, 7, 255));
   }
   press(session_, "pagedown pagedown k");
-  EXPECT_EQ(session_.model.attributes.color.size(), session_.model.mesh.halfedge_count());
-  EXPECT_EQ(session_.model.attributes.group.size(), session_.model.mesh.face_count());
+  EXPECT_EQ(session_.document.model.attributes.color.size(),
+            session_.document.model.mesh.halfedge_count());
+  EXPECT_EQ(session_.document.model.attributes.group.size(),
+            session_.document.model.mesh.face_count());
 }
 
 TEST_F(ProgressiveViewTest, SavingWritesShownLevel) {
   press(session_, "p pagedown pagedown");
   session_.saving.waiting = "somewhere.obj";
-  const auto task = begin_save(session_);
+  const auto task = begin_save(session_.saving, session_.document);
   ASSERT_TRUE(task);
   EXPECT_EQ(task->shape->mesh.face_count(), faces());
 }
@@ -316,47 +320,52 @@ TEST_F(ProgressiveViewTest, RebuildUsesRequestedBase) {
   press(session_, "p home");
   const std::uint32_t coarse = view().mesh().base_face_count();
   change([](ProgressiveSettings& s) { s.base_faces = 1000; });
-  request_rebuilt_progressive(session_);
-  run_waiting_edits(session_);
+  request_rebuilt_progressive(session_.document);
+  run_waiting_edits(session_.document);
   EXPECT_TRUE(view().is_on());
   EXPECT_GT(view().mesh().base_face_count(), coarse);
   EXPECT_LE(view().mesh().base_face_count(), 1000U);
   EXPECT_EQ(to_json(session_)["progressive"]["base_faces"], 1000);
   change([](ProgressiveSettings& s) { s.base_faces = 0; });
-  request_rebuilt_progressive(session_);
-  run_waiting_edits(session_);
+  request_rebuilt_progressive(session_.document);
+  run_waiting_edits(session_.document);
   EXPECT_EQ(view().mesh().base_face_count(), coarse);
   EXPECT_TRUE(to_json(session_)["progressive"]["base_faces"].is_null());
 }
 
 TEST_F(ProgressiveViewTest, NoticeDescribesBase) {
   press(session_, "p");
-  EXPECT_EQ(session_.notice, "200 to 2,400 faces: Space plays, PageUp and PageDown refine");
+  EXPECT_EQ(session_.document.notice,
+            "200 to 2,400 faces: Space plays, PageUp and PageDown refine");
   ASSERT_TRUE(view().levels().report.has_value());
   EXPECT_EQ(view().levels().report->faces_reached, 200U);
   show(test::cube());
   press(session_, "p");
   EXPECT_LT(view().mesh().base_face_count(), 12U) << "there is something to refine";
-  EXPECT_TRUE(session_.notice.starts_with("4 to 12 faces: ") &&
-              session_.notice.find("; the base is far from the model: ") != std::string::npos)
-      << session_.notice;
+  EXPECT_TRUE(session_.document.notice.starts_with("4 to 12 faces: ") &&
+              session_.document.notice.find("; the base is far from the model: ") !=
+                  std::string::npos)
+      << session_.document.notice;
   // A requested base is built at any error.
   show(test::cube());
   change([](ProgressiveSettings& s) { s.base_faces = 4; });
   press(session_, "p");
   EXPECT_EQ(view().mesh().base_face_count(), 4U);
-  EXPECT_NE(session_.notice.find("far from the model"), std::string::npos) << session_.notice;
+  EXPECT_NE(session_.document.notice.find("far from the model"), std::string::npos)
+      << session_.document.notice;
 }
 
 TEST_F(ProgressiveViewTest, UsingLevelFarFromModelGivesNotice) {
   show(test::cube());
   press(session_, "p home k");
-  EXPECT_EQ(session_.model.mesh.face_count(), 4U);
-  EXPECT_TRUE(session_.notice.starts_with("far from the model: ")) << session_.notice;
+  EXPECT_EQ(session_.document.model.mesh.face_count(), 4U);
+  EXPECT_TRUE(session_.document.notice.starts_with("far from the model: "))
+      << session_.document.notice;
   show(test::torus(40, 30));
   press(session_, "p home k");
-  EXPECT_EQ(session_.model.mesh.face_count(), 200U);
-  EXPECT_EQ(session_.notice.find("far from"), std::string::npos) << session_.notice;
+  EXPECT_EQ(session_.document.model.mesh.face_count(), 200U);
+  EXPECT_EQ(session_.document.notice.find("far from"), std::string::npos)
+      << session_.document.notice;
 }
 
 TEST_F(ProgressiveViewTest, OpeningModelEndsMode) {
@@ -376,13 +385,13 @@ TEST_F(ProgressiveViewTest, ShownSettingsDescribeGeomorph) {
   press(session_, "p");
   view().move_to(0.5);
   press(session_, "shift+b");
-  const render::Settings settings = shown_settings(session_.settings, session_.progressive);
+  const render::Settings settings = shown_settings(session_.view.settings, session_.document);
   EXPECT_TRUE(settings.colors_by_split_order);
   EXPECT_EQ(settings.first_split_vertex, view().mesh().base_vertex_count());
   EXPECT_EQ(settings.geomorph, view().growth());
-  const render::Sources sources = shown_sources(session_);
-  EXPECT_EQ(sources.morph.heads.size(), shown_mesh(session_).vertex_count());
-  EXPECT_EQ(sources.vertex_normals.size(), shown_mesh(session_).vertex_count());
+  const render::Sources sources = shown_sources(session_.document);
+  EXPECT_EQ(sources.morph.heads.size(), shown_mesh(session_.document).vertex_count());
+  EXPECT_EQ(sources.vertex_normals.size(), shown_mesh(session_.document).vertex_count());
   EXPECT_EQ(sources.morph.splits.size(), view().mesh().split_count());
 }
 

@@ -11,20 +11,21 @@
 namespace mesher::app {
 namespace {
 
-using Request = void (*)(Session&);
+using Request = void (*)(Document&);
 
 class EditRunnerTest : public testing::Test {
  protected:
-  EditRunnerTest() { show_torus(session_); }
-  static void show_torus(Session& session) {
+  EditRunnerTest() { show_torus(document_); }
+  static void show_torus(Document& document) {
     Model model;
     model.mesh = build_mesh(test::torus(12, 10)).mesh;
-    show_model(session, std::move(model), "torus.obj");
+    const Statistics stats = statistics(model.mesh);
+    replace_model(document, std::move(model), stats, "torus.obj");
   }
-  void ask(Request request) { request(session_); }
+  void ask(Request request) { request(document_); }
 
-  Session session_;
-  EditRunner runner_{session_, nullptr};
+  Document document_;
+  EditRunner runner_{document_, nullptr};
 };
 
 TEST_F(EditRunnerTest, RunsRequestedEditsInOrder) {
@@ -35,16 +36,16 @@ TEST_F(EditRunnerTest, RunsRequestedEditsInOrder) {
   EXPECT_TRUE(runner_.advance());
   EXPECT_TRUE(runner_.is_running());
   EXPECT_EQ(runner_.job()->title(), "Collapsing an edge");
-  EXPECT_EQ(session_.edits.waiting.size(), 3U);
+  EXPECT_EQ(document_.edits.waiting.size(), 3U);
   runner_.finish();
   EXPECT_FALSE(runner_.is_running());
-  EXPECT_EQ(session_.statistics.faces, 236U);
-  EXPECT_EQ(session_.edits.history.undo_depth(), 2U);
-  test::expect_valid(session_.model.mesh);
+  EXPECT_EQ(document_.statistics.faces, 236U);
+  EXPECT_EQ(document_.edits.history.undo_depth(), 2U);
+  test::expect_valid(document_.model.mesh);
 }
 
 TEST_F(EditRunnerTest, ResultEqualsThatOfScript) {
-  Session script;
+  Document script;
   show_torus(script);
   for (const Request request :
        {request_remove_tenth, request_remove_tenth, request_collapse_edge}) {
@@ -53,7 +54,7 @@ TEST_F(EditRunnerTest, ResultEqualsThatOfScript) {
   }
   runner_.finish();
   run_waiting_edits(script);
-  EXPECT_TRUE(difference(session_.model.mesh, script.model.mesh).is_empty());
+  EXPECT_TRUE(difference(document_.model.mesh, script.model.mesh).is_empty());
 }
 
 TEST_F(EditRunnerTest, CancelDropsRequestedEdits) {
@@ -62,8 +63,8 @@ TEST_F(EditRunnerTest, CancelDropsRequestedEdits) {
   runner_.advance();
   runner_.cancel();
   runner_.finish();
-  EXPECT_TRUE(session_.edits.waiting.empty());
-  EXPECT_EQ(session_.edits.history.undo_depth(), 0U);
+  EXPECT_TRUE(document_.edits.waiting.empty());
+  EXPECT_EQ(document_.edits.history.undo_depth(), 0U);
 }
 
 TEST_F(EditRunnerTest, CancelDropsFinishedEdit) {
@@ -73,8 +74,8 @@ TEST_F(EditRunnerTest, CancelDropsFinishedEdit) {
     std::this_thread::yield();
   runner_.cancel();
   EXPECT_TRUE(runner_.advance());
-  EXPECT_EQ(session_.statistics.faces, 240U);
-  EXPECT_EQ(session_.notice, "canceled");
+  EXPECT_EQ(document_.statistics.faces, 240U);
+  EXPECT_EQ(document_.notice, "canceled");
 }
 
 TEST_F(EditRunnerTest, CancelRestoresRulesOfShownLevel) {
@@ -82,12 +83,12 @@ TEST_F(EditRunnerTest, CancelRestoresRulesOfShownLevel) {
   runner_.finish();
   ask(request_subdivide);
   runner_.advance();
-  session_.subdivide.scheme = subdivide::Scheme::butterfly;
-  apply_subdivide_settings(session_);
+  document_.subdivide.scheme = subdivide::Scheme::butterfly;
+  apply_subdivide_settings(document_);
   runner_.cancel();
   runner_.finish();
-  EXPECT_EQ(session_.subdivide, session_.edits.subdivision->rules);
-  EXPECT_EQ(session_.subdivide.scheme, subdivide::Scheme::loop);
+  EXPECT_EQ(document_.subdivide, document_.edits.subdivision->rules);
+  EXPECT_EQ(document_.subdivide.scheme, subdivide::Scheme::loop);
 }
 
 TEST_F(EditRunnerTest, StopLeavesModelUnchanged) {
@@ -97,15 +98,15 @@ TEST_F(EditRunnerTest, StopLeavesModelUnchanged) {
   runner_.stop();
   EXPECT_FALSE(runner_.is_running());
   EXPECT_FALSE(runner_.advance());
-  EXPECT_EQ(session_.statistics.faces, 240U);
-  EXPECT_EQ(session_.notice, "");
+  EXPECT_EQ(document_.statistics.faces, 240U);
+  EXPECT_EQ(document_.notice, "");
 }
 
 TEST_F(EditRunnerTest, UndoWithoutEditsGivesNotice) {
   ask(request_undo);
   EXPECT_TRUE(runner_.advance());
   EXPECT_FALSE(runner_.is_running());
-  EXPECT_EQ(session_.notice, "nothing to undo");
+  EXPECT_EQ(document_.notice, "nothing to undo");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ Session session_with(Soup soup) {
   Model model;
   model.mesh = build_mesh(std::move(soup)).mesh;
   show_model(session, std::move(model), "model.obj");
-  session.model.mesh.changes().clear();
+  session.document.model.mesh.changes().clear();
   return session;
 }
 
@@ -33,13 +33,13 @@ Session session_with_cactus() {
 void press(Session& session, const char* keys) {
   for (const KeyPress& key : parse_keys(keys)) {
     run(session, *command_for(key));
-    run_waiting_edits(session);
+    run_waiting_edits(session.document);
   }
 }
 
 void simplify_to(Session& session, std::uint32_t faces) {
-  request_simplify_to(session, faces);
-  run_waiting_edits(session);
+  request_simplify_to(session.document, faces);
+  run_waiting_edits(session.document);
 }
 
 bool is_same(const Mesh& a, const Mesh& b) {
@@ -48,129 +48,133 @@ bool is_same(const Mesh& a, const Mesh& b) {
 
 /// Expects a valid mesh, and statistics that match it.
 void expect_consistent(const Session& session) {
-  test::expect_valid(session.model.mesh);
-  const Statistics fresh = statistics(session.model.mesh);
-  EXPECT_EQ(session.statistics.faces, fresh.faces);
-  EXPECT_EQ(session.statistics.vertices, fresh.vertices);
-  EXPECT_EQ(session.statistics.edges, fresh.edges);
-  EXPECT_EQ(session.statistics.area, fresh.area);
+  test::expect_valid(session.document.model.mesh);
+  const Statistics fresh = statistics(session.document.model.mesh);
+  EXPECT_EQ(session.document.statistics.faces, fresh.faces);
+  EXPECT_EQ(session.document.statistics.vertices, fresh.vertices);
+  EXPECT_EQ(session.document.statistics.edges, fresh.edges);
+  EXPECT_EQ(session.document.statistics.area, fresh.area);
 }
 
 TEST(Edits, DRemovesTenPercentAndKeepsCamera) {
   Session s = session_with(test::torus(12, 10));
-  const render::Camera camera = s.camera;
+  const render::Camera camera = s.view.camera;
   press(s, "d");
-  EXPECT_LE(s.statistics.faces, 216U);
-  EXPECT_GE(s.statistics.faces, 215U);
+  EXPECT_LE(s.document.statistics.faces, 216U);
+  EXPECT_GE(s.document.statistics.faces, 215U);
   expect_consistent(s);
-  EXPECT_TRUE(s.camera == camera);
-  EXPECT_EQ(s.model_generation, 1U);
-  ASSERT_TRUE(s.edits.last);
-  EXPECT_EQ(s.edits.last->report.faces_asked, 216U);
-  EXPECT_EQ(s.edits.history.undo_name(),
-            "simplify to " + std::to_string(s.statistics.faces) + " faces");
-  EXPECT_EQ(s.notice, "");
+  EXPECT_TRUE(s.view.camera == camera);
+  EXPECT_EQ(s.document.model_generation, 1U);
+  ASSERT_TRUE(s.document.edits.last);
+  EXPECT_EQ(s.document.edits.last->report.faces_asked, 216U);
+  EXPECT_EQ(s.document.edits.history.undo_name(),
+            "simplify to " + std::to_string(s.document.statistics.faces) + " faces");
+  EXPECT_EQ(s.document.notice, "");
 }
 
 TEST(Edits, ShiftDCollapsesOneEdge) {
   Session s = session_with(test::torus(12, 10));
   press(s, "shift+d");
-  EXPECT_EQ(s.statistics.faces, 238U);
-  EXPECT_EQ(s.edits.last->report.collapses, 1U);
+  EXPECT_EQ(s.document.statistics.faces, 238U);
+  EXPECT_EQ(s.document.edits.last->report.collapses, 1U);
   expect_consistent(s);
   // The change log, which the GPU's mirror reads, holds only the changed elements.
-  EXPECT_FALSE(s.model.mesh.changes().is_whole(GpuArray::origin));
+  EXPECT_FALSE(s.document.model.mesh.changes().is_whole(GpuArray::origin));
   std::uint32_t noted = 0;
-  for (const ChangedRange r : s.model.mesh.changes().merged(GpuArray::origin))
+  for (const ChangedRange r : s.document.model.mesh.changes().merged(GpuArray::origin))
     noted += r.end - r.begin;
   EXPECT_LT(noted, 60U);
 }
 
 TEST(Edits, DStopsAtLastLegalCollapseWithNotice) {
   Session s = session_with(test::cube());
-  const auto is_at_end = [&] { return s.notice.starts_with("no legal collapse is left: "); };
+  const auto is_at_end = [&] {
+    return s.document.notice.starts_with("no legal collapse is left: ");
+  };
   for (int i = 0; i < 20 && !is_at_end(); ++i)
     press(s, "d");
   const std::string notice =
-      "no legal collapse is left: " + std::to_string(s.statistics.faces) + " faces";
-  EXPECT_GE(s.statistics.faces, 4U);
-  EXPECT_TRUE(s.notice.starts_with(notice)) << s.notice;
-  const std::size_t depth = s.edits.history.undo_depth();
+      "no legal collapse is left: " + std::to_string(s.document.statistics.faces) + " faces";
+  EXPECT_GE(s.document.statistics.faces, 4U);
+  EXPECT_TRUE(s.document.notice.starts_with(notice)) << s.document.notice;
+  const std::size_t depth = s.document.edits.history.undo_depth();
   press(s, "d");
-  EXPECT_TRUE(s.notice.starts_with(notice)) << s.notice;
-  EXPECT_EQ(s.edits.history.undo_depth(), depth) << "nothing has changed";
+  EXPECT_TRUE(s.document.notice.starts_with(notice)) << s.document.notice;
+  EXPECT_EQ(s.document.edits.history.undo_depth(), depth) << "nothing has changed";
   press(s, "shift+d");
-  EXPECT_TRUE(s.notice.starts_with(notice)) << s.notice;
+  EXPECT_TRUE(s.document.notice.starts_with(notice)) << s.document.notice;
   expect_consistent(s);
 }
 
 TEST(Edits, UndoAndRedoRestoreArraysExactly) {
   Session s = session_with(test::join(test::torus(12, 10), test::grid(6), {0, 0, 5}));
-  std::vector<Mesh> states{s.model.mesh};
+  std::vector<Mesh> states{s.document.model.mesh};
   for (const char* key : {"d", "shift+d", "d", "d"}) {
     press(s, key);
-    states.push_back(s.model.mesh);
+    states.push_back(s.document.model.mesh);
   }
   for (std::size_t i = states.size() - 1; i-- > 0;) {
     press(s, "ctrl+z");
-    EXPECT_TRUE(is_same(s.model.mesh, states[i])) << i;
+    EXPECT_TRUE(is_same(s.document.model.mesh, states[i])) << i;
     expect_consistent(s);
   }
   press(s, "ctrl+z");
-  EXPECT_EQ(s.notice, "nothing to undo");
+  EXPECT_EQ(s.document.notice, "nothing to undo");
   for (std::size_t i = 1; i < states.size(); ++i) {
     press(s, i % 2 == 0 ? "ctrl+y" : "ctrl+shift+z");
-    EXPECT_TRUE(is_same(s.model.mesh, states[i])) << i;
+    EXPECT_TRUE(is_same(s.document.model.mesh, states[i])) << i;
     expect_consistent(s);
   }
   press(s, "ctrl+y");
-  EXPECT_EQ(s.notice, "nothing to redo");
+  EXPECT_EQ(s.document.notice, "nothing to redo");
 }
 
 TEST(Edits, SliderRestoresDetail) {
   Session s = session_with(test::torus(12, 10));
-  const Mesh opened = s.model.mesh;
+  const Mesh opened = s.document.model.mesh;
   simplify_to(s, 120);
-  EXPECT_LE(s.statistics.faces, 120U);
-  const Mesh coarse = s.model.mesh;
+  EXPECT_LE(s.document.statistics.faces, 120U);
+  const Mesh coarse = s.document.model.mesh;
   simplify_to(s, 150);
-  EXPECT_LE(s.statistics.faces, 150U);
-  EXPECT_GE(s.statistics.faces, 149U);
+  EXPECT_LE(s.document.statistics.faces, 150U);
+  EXPECT_GE(s.document.statistics.faces, 149U);
   expect_consistent(s);
   simplify_to(s, 240);
-  EXPECT_TRUE(is_same(s.model.mesh, opened));
-  EXPECT_EQ(s.edits.last->report.reason, simplify::StopReason::already_there);
+  EXPECT_TRUE(is_same(s.document.model.mesh, opened));
+  EXPECT_EQ(s.document.edits.last->report.reason, simplify::StopReason::already_there);
   press(s, "ctrl+z ctrl+z");
-  EXPECT_TRUE(is_same(s.model.mesh, coarse));
+  EXPECT_TRUE(is_same(s.document.model.mesh, coarse));
   press(s, "ctrl+z");
-  EXPECT_TRUE(is_same(s.model.mesh, opened));
+  EXPECT_TRUE(is_same(s.document.model.mesh, opened));
 }
 
 TEST(Edits, ResultFarFromOpenedModelGivesNotice) {
   Session s = session_with_cactus();
   simplify_to(s, 100);
-  EXPECT_FALSE(s.edits.last->is_far());
-  EXPECT_EQ(s.notice, "");
+  EXPECT_FALSE(s.document.edits.last->is_far());
+  EXPECT_EQ(s.document.notice, "");
   simplify_to(s, 24);
-  EXPECT_TRUE(s.edits.last->is_far());
-  EXPECT_NE(s.notice.find("far from the opened model: "), std::string::npos) << s.notice;
+  EXPECT_TRUE(s.document.edits.last->is_far());
+  EXPECT_NE(s.document.notice.find("far from the opened model: "), std::string::npos)
+      << s.document.notice;
 }
 
 /// No single step is far from the previous one.
 TEST(Edits, DMeasuresDistanceFromOpenedModel) {
   Session s = session_with_cactus();
   press(s, "d");
-  EXPECT_FALSE(s.edits.last->error_from_opened.has_value()) << "it starts from the opened model";
+  EXPECT_FALSE(s.document.edits.last->error_from_opened.has_value())
+      << "it starts from the opened model";
   bool was_near = false;
-  for (int i = 0; i < 60 && s.notice.empty(); ++i) {
-    was_near = !s.edits.last->is_far();
+  for (int i = 0; i < 60 && s.document.notice.empty(); ++i) {
+    was_near = !s.document.edits.last->is_far();
     press(s, "d");
   }
   EXPECT_TRUE(was_near);
-  ASSERT_TRUE(s.edits.last->error_from_opened.has_value());
-  EXPECT_TRUE(s.edits.last->is_far());
-  EXPECT_LT(s.edits.last->percent(s.edits.last->report.estimated_error), 5.0);
-  EXPECT_TRUE(s.notice.starts_with("far from the opened model: ")) << s.notice;
+  ASSERT_TRUE(s.document.edits.last->error_from_opened.has_value());
+  EXPECT_TRUE(s.document.edits.last->is_far());
+  EXPECT_LT(s.document.edits.last->percent(s.document.edits.last->report.estimated_error), 5.0);
+  EXPECT_TRUE(s.document.notice.starts_with("far from the opened model: ")) << s.document.notice;
 }
 
 TEST(Edits, SliderStartsFromOpenedModel) {
@@ -179,7 +183,7 @@ TEST(Edits, SliderStartsFromOpenedModel) {
   simplify_to(by_detour, 100);
   Session direct = session_with(test::torus(12, 10));
   simplify_to(direct, 100);
-  EXPECT_TRUE(is_same(by_detour.model.mesh, direct.model.mesh));
+  EXPECT_TRUE(is_same(by_detour.document.model.mesh, direct.document.model.mesh));
 }
 
 TEST(Edits, SettingsArePassedToSimplifier) {
@@ -199,39 +203,40 @@ TEST(Edits, SettingsArePassedToSimplifier) {
   EXPECT_EQ(options.order, simplify::ResultOrder::fill_holes);
 
   Session s = session_with(test::grid(6));
-  s.simplify = settings;
-  request_remove_tenth(s);
-  const auto task = start_next_edit(s);
+  s.document.simplify = settings;
+  request_remove_tenth(s.document);
+  const auto task = start_next_edit(s.document);
   ASSERT_TRUE(task);
   EXPECT_EQ(task->title(), "Simplifying to 64 faces");
   task->perform(nullptr);
-  task->finish(s);
-  simplify::SimplifyOptions same = options_of(settings, s.edits.last->diagonal);
+  task->finish(s.document);
+  simplify::SimplifyOptions same = options_of(settings, s.document.edits.last->diagonal);
   same.target_faces = 64;
-  EXPECT_TRUE(is_same(s.model.mesh, simplify::simplify(build_mesh(test::grid(6)).mesh, same).mesh));
+  EXPECT_TRUE(is_same(s.document.model.mesh,
+                      simplify::simplify(build_mesh(test::grid(6)).mesh, same).mesh));
 }
 
 TEST(Edits, EditUsesSettingsAtTimeOfRequest) {
   Session early = session_with(test::grid(6));
-  early.simplify.rules.cost = simplify::CostPolicy::random;
-  request_remove_tenth(early);
-  early.simplify.rules.cost = simplify::CostPolicy::quadric;
-  run_waiting_edits(early);
+  early.document.simplify.rules.cost = simplify::CostPolicy::random;
+  request_remove_tenth(early.document);
+  early.document.simplify.rules.cost = simplify::CostPolicy::quadric;
+  run_waiting_edits(early.document);
   Session steady = session_with(test::grid(6));
-  steady.simplify.rules.cost = simplify::CostPolicy::random;
-  request_remove_tenth(steady);
-  run_waiting_edits(steady);
-  EXPECT_TRUE(is_same(early.model.mesh, steady.model.mesh));
+  steady.document.simplify.rules.cost = simplify::CostPolicy::random;
+  request_remove_tenth(steady.document);
+  run_waiting_edits(steady.document);
+  EXPECT_TRUE(is_same(early.document.model.mesh, steady.document.model.mesh));
   Session other = session_with(test::grid(6));
-  request_remove_tenth(other);
-  run_waiting_edits(other);
-  EXPECT_FALSE(is_same(early.model.mesh, other.model.mesh));
+  request_remove_tenth(other.document);
+  run_waiting_edits(other.document);
+  EXPECT_FALSE(is_same(early.document.model.mesh, other.document.model.mesh));
 }
 
 TEST(Edits, DroppedAttributesGiveNoticeAndUndoRestoresThem) {
   Session s = session_with(test::grid(6));
-  Attributes& a = s.model.attributes;
-  const Mesh& mesh = s.model.mesh;
+  Attributes& a = s.document.model.attributes;
+  const Mesh& mesh = s.document.model.mesh;
   for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
     a.texcoord.emplace_back(static_cast<float>(i), 0.0F);  // all seams
     a.color.push_back({static_cast<std::uint8_t>(mesh.origin(Halfedge(i)).index()), 0, 0, 255});
@@ -239,7 +244,8 @@ TEST(Edits, DroppedAttributesGiveNoticeAndUndoRestoresThem) {
   press(s, "d");
   EXPECT_TRUE(a.texcoord.empty());
   EXPECT_EQ(a.color.size(), mesh.halfedge_count());
-  EXPECT_NE(s.notice.find("dropped texture coordinates"), std::string::npos) << s.notice;
+  EXPECT_NE(s.document.notice.find("dropped texture coordinates"), std::string::npos)
+      << s.document.notice;
   press(s, "ctrl+z");
   EXPECT_EQ(a.texcoord.size(), mesh.halfedge_count());
   EXPECT_EQ(a.texcoord[17].x, 17.0F);
@@ -248,7 +254,7 @@ TEST(Edits, DroppedAttributesGiveNoticeAndUndoRestoresThem) {
 TEST(Edits, EmptyModelGivesANotice) {
   Session s = session_with({});
   press(s, "d shift+d");
-  EXPECT_EQ(s.notice, "there is nothing to simplify");
+  EXPECT_EQ(s.document.notice, "there is nothing to simplify");
 }
 
 TEST(Edits, OpeningModelClearsHistory) {
@@ -257,16 +263,16 @@ TEST(Edits, OpeningModelClearsHistory) {
   Model model;
   model.mesh = build_mesh(test::cube()).mesh;
   show_model(s, std::move(model), "cube.obj");
-  EXPECT_EQ(s.edits.history.undo_depth(), 0U);
-  EXPECT_EQ(s.edits.opened, nullptr);
-  EXPECT_EQ(s.edits.opened_faces, 12U);
-  EXPECT_FALSE(s.edits.last);
+  EXPECT_EQ(s.document.edits.history.undo_depth(), 0U);
+  EXPECT_EQ(s.document.edits.opened, nullptr);
+  EXPECT_EQ(s.document.edits.opened_faces, 12U);
+  EXPECT_FALSE(s.document.edits.last);
 }
 
 TEST(Edits, CanceledEditThrows) {
   Session s = session_with(test::torus(12, 10));
-  request_remove_tenth(s);
-  const auto task = start_next_edit(s);
+  request_remove_tenth(s.document);
+  const auto task = start_next_edit(s.document);
   Progress progress;
   progress.cancel();
   EXPECT_THROW(task->perform(&progress), Cancelled);

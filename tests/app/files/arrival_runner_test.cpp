@@ -46,11 +46,11 @@ class ArrivalRunnerTest : public testing::Test {
     }
     EXPECT_FALSE(arrivals_.is_running());
   }
-  ProgressiveView& view() { return session_.progressive; }
+  ProgressiveView& view() { return session_.document.progressive; }
 
   test::TempFolder folder_;
   Session session_;
-  EditRunner edits_{session_, nullptr};
+  EditRunner edits_{session_.document, nullptr};
   ArrivalRunner arrivals_{session_, edits_, nullptr};
 };
 
@@ -61,25 +61,25 @@ TEST_F(ArrivalRunnerTest, FailedOpenKeepsRunningEdits) {
   edits_.advance();
   ASSERT_TRUE(edits_.is_running()) << "geomorphs";
   EXPECT_FALSE(arrivals_.open("no such file.pm"));
-  EXPECT_NE(session_.error, "");
+  EXPECT_NE(session_.document.error, "");
   ASSERT_TRUE(arrivals_.open(file_of("no mesh at all", "wrong.pm")));
   arrive();
-  EXPECT_NE(session_.error.find("wrong.pm"), std::string::npos) << session_.error;
+  EXPECT_NE(session_.document.error.find("wrong.pm"), std::string::npos) << session_.document.error;
   edits_.finish();
   EXPECT_TRUE(view().has_geomorph());
-  EXPECT_EQ(session_.statistics.faces, 2400U);
+  EXPECT_EQ(session_.document.statistics.faces, 2400U);
 }
 
 TEST_F(ArrivalRunnerTest, BaseEndsEditsOfPreviousModel) {
-  request_collapse_edge(session_);
+  request_collapse_edge(session_.document);
   edits_.advance();
   ASSERT_TRUE(edits_.is_running());
   ASSERT_TRUE(arrivals_.open(torus_file()));
   EXPECT_TRUE(edits_.is_running());
   arrive();
   edits_.finish();
-  EXPECT_EQ(session_.statistics.faces, 2400U);
-  EXPECT_EQ(session_.edits.history.undo_depth(), 0U);
+  EXPECT_EQ(session_.document.statistics.faces, 2400U);
+  EXPECT_EQ(session_.document.edits.history.undo_depth(), 0U);
   EXPECT_TRUE(view().has_geomorph()) << "requested after the last split";
 }
 
@@ -97,9 +97,9 @@ TEST_F(ArrivalRunnerTest, OutOfMemoryKeepsBase) {
   EXPECT_FALSE(arrivals_.is_running());
   EXPECT_FALSE(view().has_mesh());
   EXPECT_FALSE(view().is_on());
-  EXPECT_NE(session_.error, "");
-  test::expect_valid(session_.model.mesh);
-  EXPECT_EQ(session_.statistics.faces, session_.model.mesh.face_count());
+  EXPECT_NE(session_.document.error, "");
+  test::expect_valid(session_.document.model.mesh);
+  EXPECT_EQ(session_.document.statistics.faces, session_.document.model.mesh.face_count());
 }
 
 TEST_F(ArrivalRunnerTest, FinishedGeomorphsDoNotReenterMode) {
@@ -108,23 +108,23 @@ TEST_F(ArrivalRunnerTest, FinishedGeomorphsDoNotReenterMode) {
   edits_.advance();
   ASSERT_TRUE(edits_.is_running());
   run(session_, "toggle_progressive");
-  set_crease_mode(session_, true);
+  set_crease_mode(session_.document, true);
   edits_.finish();
   EXPECT_FALSE(view().is_on());
-  EXPECT_TRUE(session_.creases.is_on);
+  EXPECT_TRUE(session_.document.creases.is_on);
   EXPECT_TRUE(view().has_geomorph()) << "kept for the next time";
 }
 
 TEST_F(ArrivalRunnerTest, CreaseModeStaysOnWhileMeshIsBuilt) {
-  set_crease_mode(session_, true);
+  set_crease_mode(session_.document, true);
   run(session_, "toggle_progressive");
-  EXPECT_FALSE(session_.creases.is_on);
+  EXPECT_FALSE(session_.document.creases.is_on);
   edits_.advance();
-  set_crease_mode(session_, true);
+  set_crease_mode(session_.document, true);
   edits_.finish();
   EXPECT_TRUE(view().has_mesh());
   EXPECT_FALSE(view().is_on());
-  EXPECT_TRUE(session_.creases.is_on);
+  EXPECT_TRUE(session_.document.creases.is_on);
 }
 
 TEST_F(ArrivalRunnerTest, CanceledGeomorphsAreRequestedAgain) {

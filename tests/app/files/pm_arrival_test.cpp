@@ -73,7 +73,7 @@ class PmArrivalTest : public testing::Test {
     }
     EXPECT_TRUE(is_enough());
   }
-  ProgressiveView& view() { return session_.progressive; }
+  ProgressiveView& view() { return session_.document.progressive; }
 
   test::TempFolder folder_;
   progressive::ProgressiveMesh mesh_;
@@ -100,23 +100,23 @@ TEST_F(PmArrivalTest, FileBecomesModelInProgressiveMode) {
   EXPECT_TRUE(arrival.is_done());
   EXPECT_TRUE(view().is_on());
   EXPECT_FALSE(view().is_arriving());
-  EXPECT_TRUE(difference(session_.model.mesh, mesh_.mesh()).is_empty());
-  EXPECT_EQ(session_.model.name, "torus.pm");
-  EXPECT_EQ(session_.statistics.faces, 19'200U);
-  EXPECT_EQ(session_.edits.opened_faces, 19'200U);
-  EXPECT_EQ(session_.error, "");
+  EXPECT_TRUE(difference(session_.document.model.mesh, mesh_.mesh()).is_empty());
+  EXPECT_EQ(session_.document.model.name, "torus.pm");
+  EXPECT_EQ(session_.document.statistics.faces, 19'200U);
+  EXPECT_EQ(session_.document.edits.opened_faces, 19'200U);
+  EXPECT_EQ(session_.document.error, "");
   EXPECT_FALSE(view().has_geomorph());
-  run_waiting_edits(session_);
+  run_waiting_edits(session_.document);
   EXPECT_TRUE(view().has_geomorph());
   EXPECT_TRUE(view().is_at_end());
   run(session_, "least_detail");
-  EXPECT_EQ(shown_mesh(session_).face_count(), mesh_.base_face_count());
+  EXPECT_EQ(shown_mesh(session_.document).face_count(), mesh_.base_face_count());
   run(session_, "keep_level");
-  run_waiting_edits(session_);
-  EXPECT_EQ(session_.statistics.faces, mesh_.base_face_count());
+  run_waiting_edits(session_.document);
+  EXPECT_EQ(session_.document.statistics.faces, mesh_.base_face_count());
   run(session_, "undo");
-  run_waiting_edits(session_);
-  EXPECT_EQ(session_.statistics.faces, 19'200U);
+  run_waiting_edits(session_.document);
+  EXPECT_EQ(session_.document.statistics.faces, 19'200U);
 }
 
 TEST_F(PmArrivalTest, PipeIsShownWhileItLoads) {
@@ -126,7 +126,7 @@ TEST_F(PmArrivalTest, PipeIsShownWhileItLoads) {
   arrival.wait_for_base(session_);
   EXPECT_TRUE(view().is_on());
   EXPECT_TRUE(view().is_arriving());
-  EXPECT_GE(session_.statistics.faces, mesh_.base_face_count());
+  EXPECT_GE(session_.document.statistics.faces, mesh_.base_face_count());
   put(bytes_.size() / 4, bytes_.size() / 2);
   advance(arrival, [&] { return view().mesh().split_count() > 0; });
   EXPECT_TRUE(view().is_at_end()) << "follows the loaded splits";
@@ -135,7 +135,7 @@ TEST_F(PmArrivalTest, PipeIsShownWhileItLoads) {
   run(session_, "toggle_progressive");
   EXPECT_TRUE(view().is_on());
   run(session_, "keep_level");
-  EXPECT_NE(session_.notice.find("still loading"), std::string::npos);
+  EXPECT_NE(session_.document.notice.find("still loading"), std::string::npos);
   // After the level was changed by hand, new splits no longer change it.
   run(session_, "least_detail");
   run(session_, "one_split_up");
@@ -147,8 +147,8 @@ TEST_F(PmArrivalTest, PipeIsShownWhileItLoads) {
   close();
   arrival.finish(session_);
   EXPECT_EQ(view().mesh().level(), 1U);
-  EXPECT_TRUE(difference(session_.model.mesh, mesh_.mesh()).is_empty());
-  run_waiting_edits(session_);
+  EXPECT_TRUE(difference(session_.document.model.mesh, mesh_.mesh()).is_empty());
+  run_waiting_edits(session_.document);
   EXPECT_TRUE(view().has_geomorph());
   EXPECT_NEAR(view().range().grown(view().time()), 1.0, 1e-6);
 }
@@ -156,12 +156,12 @@ TEST_F(PmArrivalTest, PipeIsShownWhileItLoads) {
 TEST_F(PmArrivalTest, TruncatedFileIsShownWithError) {
   PmArrival arrival(file_of(std::span(bytes_).first(bytes_.size() / 2)));
   arrival.finish(session_);
-  EXPECT_GT(session_.statistics.faces, mesh_.base_face_count());
-  EXPECT_LT(session_.statistics.faces, 19'200U);
-  EXPECT_NE(session_.error.find("torus.pm"), std::string::npos) << session_.error;
-  run_waiting_edits(session_);
+  EXPECT_GT(session_.document.statistics.faces, mesh_.base_face_count());
+  EXPECT_LT(session_.document.statistics.faces, 19'200U);
+  EXPECT_NE(session_.document.error.find("torus.pm"), std::string::npos) << session_.document.error;
+  run_waiting_edits(session_.document);
   EXPECT_TRUE(view().has_geomorph());
-  test::expect_valid(session_.model.mesh);
+  test::expect_valid(session_.document.model.mesh);
 }
 
 TEST_F(PmArrivalTest, MissingBaseKeepsShownModel) {
@@ -172,7 +172,7 @@ TEST_F(PmArrivalTest, MissingBaseKeepsShownModel) {
   Bytes garbage(100'000, std::byte{0x5A});
   PmArrival arrival(file_of(garbage));
   EXPECT_THROW(arrival.finish(session_), InputError);
-  EXPECT_EQ(session_.statistics.faces, 12U);
+  EXPECT_EQ(session_.document.statistics.faces, 12U);
   EXPECT_FALSE(view().has_mesh());
 }
 
@@ -185,10 +185,10 @@ TEST_F(PmArrivalTest, ReadingEndsAfterLastSplitOrDamage) {
     put(endless);
     arrival.finish(session_);
     EXPECT_TRUE(arrival.is_done());
-    EXPECT_NE(session_.error.find(is_damaged ? "splits were read" : "bytes follow"),
+    EXPECT_NE(session_.document.error.find(is_damaged ? "splits were read" : "bytes follow"),
               std::string::npos)
-        << session_.error;
-    EXPECT_EQ(session_.statistics.faces == 19'200U, !is_damaged);
+        << session_.document.error;
+    EXPECT_EQ(session_.document.statistics.faces == 19'200U, !is_damaged);
     close();
     std::filesystem::remove(folder_ / "pipe");
   }
@@ -217,7 +217,8 @@ TEST_F(PmArrivalTest, PipeWithoutWriterDoesNotBlock) {
   ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
   PmArrival arrival(file);
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  EXPECT_FALSE(arrival.has_news(session_.progressive)) << "no writer does not mean end of file";
+  EXPECT_FALSE(arrival.has_news(session_.document.progressive))
+      << "no writer does not mean end of file";
   pipe_ = ::open(file.c_str(), O_WRONLY);
   std::thread writer([this] {
     put(bytes_);
@@ -225,8 +226,8 @@ TEST_F(PmArrivalTest, PipeWithoutWriterDoesNotBlock) {
   });
   arrival.finish(session_);
   writer.join();
-  EXPECT_EQ(session_.statistics.faces, 19'200U);
-  EXPECT_EQ(session_.error, "");
+  EXPECT_EQ(session_.document.statistics.faces, 19'200U);
+  EXPECT_EQ(session_.document.error, "");
 }
 
 TEST_F(PmArrivalTest, StopKeepsLoadedPart) {
@@ -234,10 +235,10 @@ TEST_F(PmArrivalTest, StopKeepsLoadedPart) {
   put(0, bytes_.size() / 2);
   advance(arrival, [&] { return view().has_mesh() && view().mesh().split_count() > 0; });
   const std::uint32_t faces = view().mesh().full_face_count();
-  arrival.stop(session_);
+  arrival.stop(session_.document);
   EXPECT_TRUE(arrival.is_done());
   EXPECT_FALSE(view().is_arriving());
-  EXPECT_EQ(session_.statistics.faces, faces);
+  EXPECT_EQ(session_.document.statistics.faces, faces);
   EXPECT_FALSE(arrival.advance(session_, 0.1));
   close();
 }

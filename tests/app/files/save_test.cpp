@@ -24,12 +24,12 @@ class SaveTest : public testing::Test {
   }
   void submit(const std::filesystem::path& file) {
     s_.saving.typed = file.string();
-    submit_save(s_);
+    submit_save(s_.saving, s_.document);
   }
   void save(const std::filesystem::path& file) {
     run(s_, "save_file");
     submit(file);
-    run_waiting_save(s_);
+    run_waiting_save(s_.saving, s_.document);
   }
 
   test::TempFolder folder_;
@@ -41,7 +41,7 @@ TEST_F(SaveTest, SuggestsNewNameInFolderOfOpenedFile) {
   EXPECT_TRUE(s_.saving.shows_dialog);
   EXPECT_EQ(s_.saving.typed, (folder_ / "cube-edited.ply").string());
   run(s_, "tag_creases");
-  run_waiting_edits(s_);
+  run_waiting_edits(s_.document);
   run(s_, "save_file");
   EXPECT_EQ(s_.saving.typed, (folder_ / "cube-edited.obj").string()) << "PLY cannot hold creases";
   folder_.write("cube-edited.obj", "somebody's");
@@ -53,7 +53,7 @@ TEST_F(SaveTest, SuggestsNewNameInFolderOfOpenedFile) {
 }
 
 TEST_F(SaveTest, SavedFileRestoresEverySharpness) {
-  Mesh& mesh = s_.model.mesh;
+  Mesh& mesh = s_.document.model.mesh;
   const float values[] = {0.5F, 1.0F / 3.0F, 10.0F, kInfinitelySharp};
   std::uint32_t vertex = 0;
   for (const float value : values) {
@@ -62,7 +62,7 @@ TEST_F(SaveTest, SavedFileRestoresEverySharpness) {
   }
   save(folder_ / "out.obj");
   EXPECT_FALSE(s_.saving.shows_dialog);
-  EXPECT_EQ(s_.notice, "saved " + (folder_ / "out.obj").string() + ": 12 faces");
+  EXPECT_EQ(s_.document.notice, "saved " + (folder_ / "out.obj").string() + ": 12 faces");
   const Model back = io::read_model(folder_ / "out.obj");
   EXPECT_TRUE(difference(mesh, back.mesh).is_empty());
   EXPECT_TRUE(back.report.is_clean());
@@ -70,9 +70,10 @@ TEST_F(SaveTest, SavedFileRestoresEverySharpness) {
 
 TEST_F(SaveTest, ReportsWhatFormatCannotHold) {
   run(s_, "tag_creases");
-  run_waiting_edits(s_);
+  run_waiting_edits(s_.document);
   save(folder_ / "out.stl");
-  EXPECT_NE(s_.notice.find("; the format cannot hold 12 creases"), std::string::npos) << s_.notice;
+  EXPECT_NE(s_.document.notice.find("; the format cannot hold 12 creases"), std::string::npos)
+      << s_.document.notice;
 }
 
 TEST_F(SaveTest, OverwritesOnlyAfterConfirmation) {
@@ -90,7 +91,7 @@ TEST_F(SaveTest, OverwritesOnlyAfterConfirmation) {
   EXPECT_EQ(test::read_bytes(file), "mine");
   submit(file);
   ASSERT_TRUE(s_.saving.waiting);
-  run_waiting_save(s_);
+  run_waiting_save(s_.saving, s_.document);
   EXPECT_EQ(io::read_model(file).mesh.face_count(), 12U);
   EXPECT_EQ(test::read_bytes(other), "other");
   run(s_, "save_file");
@@ -106,7 +107,7 @@ TEST_F(SaveTest, InvalidNamesAreRejected) {
   EXPECT_EQ(s_.saving.remark, "enter a file name");
   EXPECT_TRUE(s_.saving.shows_dialog);
   submit(folder_ / "no such folder" / "cube.obj");
-  EXPECT_THROW(run_waiting_save(s_), OutputError);
+  EXPECT_THROW(run_waiting_save(s_.saving, s_.document), OutputError);
   EXPECT_FALSE(s_.saving.waiting);
   show({}, "empty.obj");
   run(s_, "save_file");

@@ -46,7 +46,8 @@ TEST(Commands, EachHasUniqueIdAndHelpText) {
     EXPECT_TRUE(ids.insert(command.id).second) << command.id;
     EXPECT_EQ(command_named(command.id), &command);
     EXPECT_NE(std::string(command.help), "") << command.id;
-    EXPECT_NE(command.function, nullptr) << command.id;
+    EXPECT_TRUE(std::visit([](auto* function) { return function != nullptr; }, command.function))
+        << command.id;
     EXPECT_EQ(command_for(parse_keys(command.keys).front()), &command) << command.id;
   }
   EXPECT_EQ(command_named("no_such_command"), nullptr);
@@ -57,65 +58,65 @@ TEST(Commands, BlockedCommandGivesNoticeAndChangesNothing) {
   for (const Command& command : commands()) {
     if (command.blocked == nullptr) continue;
     run(s, command);
-    EXPECT_EQ(s.notice, "press P first: this key works in progressive mode") << command.id;
-    EXPECT_FALSE(s.progressive.is_playing());
-    EXPECT_TRUE(s.edits.waiting.empty());
+    EXPECT_EQ(s.document.notice, "press P first: this key works in progressive mode") << command.id;
+    EXPECT_FALSE(s.document.progressive.is_playing());
+    EXPECT_TRUE(s.document.edits.waiting.empty());
   }
 }
 
 TEST(Commands, WTogglesWireframe) {
   Session s = session_with_cube();
-  EXPECT_FALSE(s.settings.wireframe);
+  EXPECT_FALSE(s.view.settings.wireframe);
   press(s, "w");
-  EXPECT_TRUE(s.settings.wireframe);
-  EXPECT_EQ(s.settings.shading, Shading::flat);
+  EXPECT_TRUE(s.view.settings.wireframe);
+  EXPECT_EQ(s.view.settings.shading, Shading::flat);
   press(s, "w");
-  EXPECT_FALSE(s.settings.wireframe);
+  EXPECT_FALSE(s.view.settings.wireframe);
 }
 
 TEST(Commands, GTogglesGouraud) {
   Session s = session_with_cube();
   press(s, "g");
-  EXPECT_EQ(s.settings.shading, Shading::gouraud);
+  EXPECT_EQ(s.view.settings.shading, Shading::gouraud);
   press(s, "g");
-  EXPECT_EQ(s.settings.shading, Shading::flat);
+  EXPECT_EQ(s.view.settings.shading, Shading::flat);
 }
 
 TEST(Commands, SurfaceOrWireframeIsAlwaysShown) {
   Session s = session_with_cube();
   press(s, "shift+w");
-  EXPECT_EQ(s.settings.shading, Shading::none);
-  EXPECT_TRUE(s.settings.wireframe);
+  EXPECT_EQ(s.view.settings.shading, Shading::none);
+  EXPECT_TRUE(s.view.settings.wireframe);
   press(s, "w");  // hides the wireframe, so the surface is shown again
-  EXPECT_FALSE(s.settings.wireframe);
-  EXPECT_EQ(s.settings.shading, Shading::flat);
+  EXPECT_FALSE(s.view.settings.wireframe);
+  EXPECT_EQ(s.view.settings.shading, Shading::flat);
   press(s, "shift+w shift+w");
-  EXPECT_EQ(s.settings.shading, Shading::flat);
+  EXPECT_EQ(s.view.settings.shading, Shading::flat);
 }
 
 TEST(Commands, ViewKeysLookAlongAxes) {
   Session s = session_with_cube();
   press(s, "1");
-  EXPECT_NEAR(s.camera.forward().z, -1.0, 1e-12);
+  EXPECT_NEAR(s.view.camera.forward().z, -1.0, 1e-12);
   press(s, "3");
-  EXPECT_NEAR(s.camera.forward().x, -1.0, 1e-12);
+  EXPECT_NEAR(s.view.camera.forward().x, -1.0, 1e-12);
   press(s, "7");
-  EXPECT_NEAR(s.camera.forward().y, -1.0, 1e-12);
+  EXPECT_NEAR(s.view.camera.forward().y, -1.0, 1e-12);
   press(s, "5");
-  EXPECT_TRUE(s.camera.is_orthographic());
+  EXPECT_TRUE(s.view.camera.is_orthographic());
   press(s, "5");
-  EXPECT_FALSE(s.camera.is_orthographic());
+  EXPECT_FALSE(s.view.camera.is_orthographic());
 }
 
 TEST(Commands, FFramesModel) {
   Session s = session_with_cube();
-  const render::Camera before = s.camera;
-  s.camera.zoom(7.0);
-  s.camera.pan({200, 100}, s.window);
-  EXPECT_FALSE(before == s.camera);
+  const render::Camera before = s.view.camera;
+  s.view.camera.zoom(7.0);
+  s.view.camera.pan({200, 100}, s.view.window);
+  EXPECT_FALSE(before == s.view.camera);
   press(s, "f");
-  EXPECT_NEAR(s.camera.distance(), before.distance(), 1e-12);
-  EXPECT_EQ(s.camera.pivot(), before.pivot());
+  EXPECT_NEAR(s.view.camera.distance(), before.distance(), 1e-12);
+  EXPECT_EQ(s.view.camera.pivot(), before.pivot());
 }
 
 TEST(Commands, HelpHasThreeKeys) {
@@ -128,16 +129,16 @@ TEST(Commands, HelpHasThreeKeys) {
 
 TEST(Commands, EscapeClosesInnermostFirst) {
   Session s = session_with_cube();
-  s.error = "bad file";
+  s.document.error = "bad file";
   press(s, "h ctrl+o");
   press(s, "esc");
   EXPECT_FALSE(s.shows_open_dialog);
   EXPECT_TRUE(s.shows_help);
   press(s, "esc");
   EXPECT_FALSE(s.shows_help);
-  EXPECT_FALSE(s.error.empty());
+  EXPECT_FALSE(s.document.error.empty());
   press(s, "esc");
-  EXPECT_TRUE(s.error.empty());
+  EXPECT_TRUE(s.document.error.empty());
   EXPECT_FALSE(s.wants_quit);
   press(s, "esc");
   EXPECT_TRUE(s.wants_quit);
@@ -147,7 +148,7 @@ TEST(Commands, PanelBackgroundScreenshotAndQuitKeysWork) {
   Session s = session_with_cube();
   press(s, "tab b f12");
   EXPECT_FALSE(s.shows_info);
-  EXPECT_EQ(s.settings.background, render::Background::dark);
+  EXPECT_EQ(s.view.settings.background, render::Background::dark);
   EXPECT_TRUE(s.wants_screenshot);
   EXPECT_FALSE(s.wants_quit);
   press(s, "q");
@@ -157,31 +158,31 @@ TEST(Commands, PanelBackgroundScreenshotAndQuitKeysWork) {
 TEST(Commands, EditsAreQueuedInOrder) {
   Session s = session_with_cube();
   press(s, "d shift+d ctrl+z ctrl+shift+z ctrl+y");
-  ASSERT_EQ(s.edits.waiting.size(), 5U);
-  EXPECT_EQ(s.statistics.faces, 12U);
+  ASSERT_EQ(s.document.edits.waiting.size(), 5U);
+  EXPECT_EQ(s.document.statistics.faces, 12U);
   const char* expected[] = {"Simplifying to 10 faces", "Collapsing an edge"};
   for (const char* title : expected) {
-    const auto task = start_next_edit(s);
+    const auto task = start_next_edit(s.document);
     ASSERT_TRUE(task);
     EXPECT_EQ(task->title(), title);
     task->perform(nullptr);
-    task->finish(s);
+    task->finish(s.document);
   }
-  EXPECT_EQ(s.edits.history.undo_depth(), 2U);
-  EXPECT_FALSE(start_next_edit(s));  // an undo is finished at once
-  EXPECT_EQ(s.edits.history.undo_depth(), 1U);
-  EXPECT_FALSE(start_next_edit(s));
-  EXPECT_EQ(s.edits.history.undo_depth(), 2U);
-  EXPECT_FALSE(start_next_edit(s));
-  EXPECT_EQ(s.notice, "nothing to redo");
+  EXPECT_EQ(s.document.edits.history.undo_depth(), 2U);
+  EXPECT_FALSE(start_next_edit(s.document));  // an undo is finished at once
+  EXPECT_EQ(s.document.edits.history.undo_depth(), 1U);
+  EXPECT_FALSE(start_next_edit(s.document));
+  EXPECT_EQ(s.document.edits.history.undo_depth(), 2U);
+  EXPECT_FALSE(start_next_edit(s.document));
+  EXPECT_EQ(s.document.notice, "nothing to redo");
 }
 
 TEST(Session, ShowModelCountsAndFramesIt) {
   Session s = session_with_cube();
-  EXPECT_EQ(s.statistics.faces, 12U);
-  EXPECT_EQ(s.model_generation, 1U);
-  EXPECT_EQ(s.camera.pivot(), glm::dvec3(0.0));
-  EXPECT_GT(s.camera.distance(), 1.0);
+  EXPECT_EQ(s.document.statistics.faces, 12U);
+  EXPECT_EQ(s.document.model_generation, 1U);
+  EXPECT_EQ(s.view.camera.pivot(), glm::dvec3(0.0));
+  EXPECT_GT(s.view.camera.distance(), 1.0);
 }
 
 }  // namespace

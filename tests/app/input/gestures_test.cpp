@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/document/session.h"
 #include "app/edit/crease_edits.h"
 #include "tests/support/meshes.h"
 
@@ -15,9 +16,9 @@ class GesturesTest : public testing::Test {
   GesturesTest() {
     Model model;
     model.mesh = build_mesh(test::cube()).mesh;
-    session_.window = {400, 400};
+    session_.view.window = {400, 400};
     show_model(session_, std::move(model), "cube.obj");
-    before_ = session_.camera;
+    before_ = session_.view.camera;
   }
 
   void drag(MouseButton button, bool shift, glm::dvec2 from, glm::dvec2 to) {
@@ -27,56 +28,56 @@ class GesturesTest : public testing::Test {
   }
 
   Session session_;
-  Gestures gestures_{session_};
+  Gestures gestures_{session_.document, session_.view};
   render::Camera before_;
 };
 
 TEST_F(GesturesTest, LeftDragOrbits) {
   drag(MouseButton::left, false, {100, 100}, {160, 130});
-  EXPECT_NE(session_.camera.yaw_rad(), before_.yaw_rad());
-  EXPECT_NE(session_.camera.pitch_rad(), before_.pitch_rad());
-  EXPECT_EQ(session_.camera.pivot(), before_.pivot());
-  EXPECT_EQ(session_.camera.distance(), before_.distance());
+  EXPECT_NE(session_.view.camera.yaw_rad(), before_.yaw_rad());
+  EXPECT_NE(session_.view.camera.pitch_rad(), before_.pitch_rad());
+  EXPECT_EQ(session_.view.camera.pivot(), before_.pivot());
+  EXPECT_EQ(session_.view.camera.distance(), before_.distance());
 }
 
 TEST_F(GesturesTest, ShiftDragAndRightDragPanEqually) {
   drag(MouseButton::left, true, {100, 100}, {160, 130});
-  const glm::dvec3 pivot = session_.camera.pivot();
+  const glm::dvec3 pivot = session_.view.camera.pivot();
   EXPECT_NE(pivot, before_.pivot());
-  EXPECT_EQ(session_.camera.yaw_rad(), before_.yaw_rad());
-  session_.camera = before_;
+  EXPECT_EQ(session_.view.camera.yaw_rad(), before_.yaw_rad());
+  session_.view.camera = before_;
   drag(MouseButton::right, false, {100, 100}, {160, 130});
-  EXPECT_EQ(session_.camera.pivot(), pivot);
-  session_.camera = before_;
+  EXPECT_EQ(session_.view.camera.pivot(), pivot);
+  session_.view.camera = before_;
   drag(MouseButton::middle, false, {100, 100}, {160, 130});
-  EXPECT_EQ(session_.camera.pivot(), pivot);
+  EXPECT_EQ(session_.view.camera.pivot(), pivot);
 }
 
 TEST_F(GesturesTest, MoveWithoutButtonDoesNothing) {
   EXPECT_FALSE(gestures_.move({300, 300}));
-  EXPECT_TRUE(session_.camera == before_);
+  EXPECT_TRUE(session_.view.camera == before_);
   drag(MouseButton::left, false, {100, 100}, {100, 100});
-  EXPECT_TRUE(session_.camera == before_);
+  EXPECT_TRUE(session_.view.camera == before_);
 }
 
 TEST_F(GesturesTest, WheelZoomsTowardCursor) {
   gestures_.scroll(2.0, {300, 100});
-  EXPECT_LT(session_.camera.distance(), before_.distance());
-  EXPECT_GT(glm::dot(session_.camera.pivot() - before_.pivot(), before_.right()), 0.0);
-  EXPECT_GT(glm::dot(session_.camera.pivot() - before_.pivot(), before_.up()), 0.0);
+  EXPECT_LT(session_.view.camera.distance(), before_.distance());
+  EXPECT_GT(glm::dot(session_.view.camera.pivot() - before_.pivot(), before_.right()), 0.0);
+  EXPECT_GT(glm::dot(session_.view.camera.pivot() - before_.pivot(), before_.up()), 0.0);
   gestures_.scroll(-2.0, {300, 100});
-  EXPECT_NEAR(session_.camera.distance(), before_.distance(), 1e-12);
-  EXPECT_NEAR(glm::distance(session_.camera.pivot(), before_.pivot()), 0.0, 1e-12);
+  EXPECT_NEAR(session_.view.camera.distance(), before_.distance(), 1e-12);
+  EXPECT_NEAR(glm::distance(session_.view.camera.pivot(), before_.pivot()), 0.0, 1e-12);
 }
 
 TEST_F(GesturesTest, DoubleClickRecentersOnSurface) {
-  session_.camera.set_view(render::View::front);
+  session_.view.camera.set_view(render::View::front);
   gestures_.press(MouseButton::left, {}, {230, 180}, 1.0);
   gestures_.release();
   gestures_.press(MouseButton::left, {}, {231, 180}, 1.2);
   gestures_.release();
-  EXPECT_NEAR(session_.camera.pivot().z, 0.5, 1e-9);
-  EXPECT_GT(session_.camera.pivot().x, 0.0);
+  EXPECT_NEAR(session_.view.camera.pivot().z, 0.5, 1e-9);
+  EXPECT_GT(session_.view.camera.pivot().x, 0.0);
 }
 
 TEST_F(GesturesTest, SlowOrDistantClicksAreNoDoubleClick) {
@@ -86,7 +87,7 @@ TEST_F(GesturesTest, SlowOrDistantClicksAreNoDoubleClick) {
   gestures_.release();
   gestures_.press(MouseButton::left, {}, {200, 180}, 1.6);
   gestures_.release();
-  EXPECT_TRUE(session_.camera == before_);
+  EXPECT_TRUE(session_.view.camera == before_);
 }
 
 TEST_F(GesturesTest, DoubleClickBesideModelChangesNothing) {
@@ -94,22 +95,22 @@ TEST_F(GesturesTest, DoubleClickBesideModelChangesNothing) {
   gestures_.release();
   gestures_.press(MouseButton::left, {}, {2, 2}, 1.1);
   gestures_.release();
-  EXPECT_TRUE(session_.camera == before_);
+  EXPECT_TRUE(session_.view.camera == before_);
 }
 
 /// Shows the front of the cube; its diagonal runs through the middle of the window.
 class CreaseGesturesTest : public GesturesTest {
  protected:
   CreaseGesturesTest() {
-    session_.camera.set_view(render::View::front);
-    set_crease_mode(session_, true);
-    before_ = session_.camera;
+    session_.view.camera.set_view(render::View::front);
+    set_crease_mode(session_.document, true);
+    before_ = session_.view.camera;
   }
   void click(Modifiers modifiers, glm::dvec2 at, double time) {
     gestures_.press(MouseButton::left, modifiers, at, time);
     gestures_.release();
   }
-  std::size_t selected() const { return session_.creases.selected.size(); }
+  std::size_t selected() const { return session_.document.creases.selected.size(); }
 
   static constexpr glm::dvec2 kMiddle{200, 200};
   static constexpr glm::dvec2 kOff{250, 200};
@@ -121,7 +122,7 @@ TEST_F(CreaseGesturesTest, ClickSelectsEdgeOnRelease) {
   gestures_.move(kMiddle + glm::dvec2(2, 1));  // the pointer may move a little
   gestures_.release();
   EXPECT_EQ(selected(), 1U);
-  EXPECT_TRUE(session_.camera == before_);
+  EXPECT_TRUE(session_.view.camera == before_);
   click({}, kOff, 2.0);
   EXPECT_EQ(selected(), 0U);
 }
@@ -130,11 +131,11 @@ TEST_F(CreaseGesturesTest, DragOrbitsAndSelectsNothing) {
   drag(MouseButton::left, false, kMiddle, {260, 230});
   EXPECT_EQ(selected(), 0U);
   render::Camera expected = before_;
-  expected.orbit({60, 30}, session_.window);
-  EXPECT_TRUE(session_.camera == expected) << "the whole path counts";
-  session_.camera = before_;
+  expected.orbit({60, 30}, session_.view.window);
+  EXPECT_TRUE(session_.view.camera == expected) << "the whole path counts";
+  session_.view.camera = before_;
   drag(MouseButton::left, true, kMiddle, {260, 230});
-  EXPECT_NE(session_.camera.pivot(), before_.pivot());
+  EXPECT_NE(session_.view.camera.pivot(), before_.pivot());
   // Moving away and back is also a drag.
   gestures_.press(MouseButton::left, {}, kMiddle, 5.0);
   gestures_.move(kMiddle + glm::dvec2(30, 0));
@@ -145,7 +146,7 @@ TEST_F(CreaseGesturesTest, DragOrbitsAndSelectsNothing) {
 
 TEST_F(CreaseGesturesTest, CtrlClickTogglesAndOtherButtonsDoNotSelect) {
   click({}, kMiddle, 1.0);
-  const glm::dvec2 top = session_.camera.places(session_.window).of({0.1, 0.5, 0.5});
+  const glm::dvec2 top = session_.view.camera.places(session_.view.window).of({0.1, 0.5, 0.5});
   click({.control = true}, top + glm::dvec2(0, 2), 2.0);
   EXPECT_EQ(selected(), 2U);
   click({.control = true}, kMiddle, 3.0);
@@ -159,8 +160,8 @@ TEST_F(CreaseGesturesTest, DoubleClickSelectsChainAndKeepsCamera) {
   Model model;
   model.mesh = build_mesh(test::grid(6)).mesh;
   show_model(session_, std::move(model), "grid.obj");
-  const render::Camera before = session_.camera;
-  const glm::dvec2 at = session_.camera.places(session_.window).of({2.4, 3.0, 0.0});
+  const render::Camera before = session_.view.camera;
+  const glm::dvec2 at = session_.view.camera.places(session_.view.window).of({2.4, 3.0, 0.0});
   click({}, at, 1.0);
   EXPECT_EQ(selected(), 1U);
   click({}, at, 1.2);
@@ -169,7 +170,7 @@ TEST_F(CreaseGesturesTest, DoubleClickSelectsChainAndKeepsCamera) {
   EXPECT_EQ(selected(), 1U);
   click({.shift = true}, at, 3.0);
   EXPECT_EQ(selected(), 6U);
-  EXPECT_TRUE(session_.camera == before);
+  EXPECT_TRUE(session_.view.camera == before);
 }
 
 }  // namespace

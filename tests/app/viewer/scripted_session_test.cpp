@@ -15,8 +15,8 @@ namespace {
 class ScriptedSessionTest : public testing::Test {
  protected:
   ScriptedSessionTest() {
-    session_.window = {160, 120};
-    set_default_view(session_.camera);
+    session_.view.window = {160, 120};
+    set_default_view(session_.view.camera);
     show(test::cube());
   }
   void show(Soup soup) {
@@ -55,12 +55,12 @@ TEST_F(ScriptedSessionTest, ScreenshotKeyWritesShownPicture) {
   script_.press(parse_keys("g f12"));
   unsetenv("XDG_PICTURES_DIR");
   EXPECT_EQ(io::read_png(folder / "mesher-cube.png").rgba, script_.picture().rgba);
-  EXPECT_NE(session_.notice.find("mesher-cube.png"), std::string::npos);
+  EXPECT_NE(session_.document.notice.find("mesher-cube.png"), std::string::npos);
 }
 
 TEST_F(ScriptedSessionTest, StopsAtQuitAndRejectsUnboundKeys) {
   script_.press(parse_keys("q w"));
-  EXPECT_FALSE(session_.settings.wireframe);
+  EXPECT_FALSE(session_.view.settings.wireframe);
   EXPECT_THROW(script_.press(parse_keys("f9")), UsageError);
 }
 
@@ -68,8 +68,8 @@ TEST_F(ScriptedSessionTest, EditsRunBeforeNextKey) {
   show(test::torus(12, 10));
   const Image full = script_.picture();
   script_.press(parse_keys("d d"));
-  EXPECT_LE(session_.statistics.faces, 195U);
-  EXPECT_EQ(session_.edits.history.undo_depth(), 2U);
+  EXPECT_LE(session_.document.statistics.faces, 195U);
+  EXPECT_EQ(session_.document.edits.history.undo_depth(), 2U);
   EXPECT_NE(script_.picture().rgba, full.rgba);
   script_.press(parse_keys("ctrl+z ctrl+z"));
   EXPECT_EQ(script_.picture().rgba, full.rgba);
@@ -94,7 +94,7 @@ TEST_F(ScriptedSessionTest, CreasesAndSelectionAreDrawn) {
   script_.press(parse_keys("esc"));
   EXPECT_EQ(script_.picture().rgba, creases.rgba);
   script_.press(parse_keys("ctrl+a d c"));  // the edges have changed: the selection is cleared
-  EXPECT_TRUE(session_.creases.selected.empty());
+  EXPECT_TRUE(session_.document.creases.selected.empty());
   script_.expect_no_messages();
 }
 

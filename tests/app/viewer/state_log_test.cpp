@@ -19,7 +19,7 @@ TEST(StateLog, WritesLineOnlyOnChange) {
   StateLog log(folder / "state");
   log.note(session);
   log.note(session);
-  session.settings.wireframe = true;
+  session.view.settings.wireframe = true;
   log.note(session);
   const std::string text = test::read_bytes(folder / "state");
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);

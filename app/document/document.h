@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "app/document/creases.h"
+#include "app/document/edits.h"
+#include "app/document/progressive_view.h"
+#include "app/document/simplification.h"
+#include "engine/mesh/model.h"
+#include "engine/mesh/statistics.h"
+
+namespace mesher::app {
+
+/// What the program works on: one model, its edits, and the rules of the next edits. It knows
+/// neither how it is looked at (View) nor which panels are open (Session).
+struct Document {
+  std::filesystem::path file;
+  Model model;
+  Statistics statistics;
+  Edits edits;
+  SimplifySettings simplify;
+  subdivide::SubdivideOptions subdivide;  ///< those of kSubdivideRules
+  CreaseMode creases;
+  ProgressiveView progressive;
+  std::string error;   ///< the last failure, until dismissed
+  std::string notice;  ///< the last event that the picture does not show
+  /// Increases whenever another mesh is shown, so that copies of the mesh can tell that they are
+  /// outdated.
+  std::uint64_t model_generation = 0;
+};
+
+/// Replaces the model, and discards the edits of the previous one. The rules stay. O(1).
+void replace_model(Document& document, Model&& model, const Statistics& statistics,
+                   const std::filesystem::path& file);
+
+}  // namespace mesher::app
