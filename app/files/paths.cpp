@@ -20,11 +20,6 @@ bool is_folder(const fs::path& path) {
   return !path.empty() && fs::is_directory(path, ignored);
 }
 
-bool is_there(const fs::path& path) {
-  std::error_code ignored;
-  return fs::exists(path, ignored);
-}
-
 fs::path pictures_folder() {
   const fs::path xdg = environment_path("XDG_PICTURES_DIR");
   if (is_folder(xdg)) return xdg;
@@ -34,6 +29,11 @@ fs::path pictures_folder() {
 }
 
 }  // namespace
+
+bool is_there(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
 
 fs::path find_model(const std::string& name) {
   if (is_there(name)) return name;

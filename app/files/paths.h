@@ -5,6 +5,9 @@
 
 namespace mesher::app {
 
+/// Returns whether there is a file or folder of this name.
+bool is_there(const std::filesystem::path& path);
+
 /// Returns the file that a name refers to: the path as given, or a file in the assets folder, whose
 /// ".obj" may be omitted. If neither exists, returns the path as given, so that the reader reports
 /// the error.

@@ -16,11 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_there(const fs::path& file) {
-  std::error_code ignored;
-  return fs::exists(file, ignored);
-}
-
 bool is_writable(const fs::path& file) {
   const io::FormatInfo* format = io::format_of(file);
   return format != nullptr && format->write != nullptr;

@@ -24,7 +24,7 @@ constexpr std::uint8_t kMostCuts = 12;
 constexpr double kFlat = 32.0;
 /// The number of vertices for the first lower bound.
 constexpr std::size_t kProbes = 512;
-constexpr int kMostSpokes = 16;
+constexpr int kMostBoundSpokes = 16;
 
 /// The position at which a side of a piece is split.
 struct Split {
@@ -118,7 +118,7 @@ bool OneSidedBound::is_near_hint(const glm::dvec3& p, Face near, double enough) 
   const Vertex v = to_mesh_.origin(Mesh::halfedge(near, nearest));
   int spokes = 0;
   for (const Halfedge h : halfedges_around(to_mesh_, v)) {
-    if (++spokes > kMostSpokes) break;
+    if (++spokes > kMostBoundSpokes) break;
     if (is_near(Mesh::face(h))) return true;
   }
   return false;

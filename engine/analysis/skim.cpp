@@ -13,9 +13,9 @@
 namespace mesher::analysis {
 namespace {
 
-constexpr std::size_t kFacesPerChunk = 4096;
+constexpr std::size_t kSkimmedFacesPerChunk = 4096;
 constexpr int kDepth = 3;
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 Triangle triangle(const Mesh& mesh, Face f) {
   return {mesh.position(mesh.origin(Mesh::halfedge(f, 0))),
@@ -45,7 +45,7 @@ double bound(const Triangle& t, const Mesh& to, Face hint, double allowed, Overl
   const Triangle near = triangle(to, hint);
   if (near == t) return 0.0;
   const Ball ball(t);
-  double least = kInfinite;
+  double least = kUnbounded;
   if (ball.radius < allowed) {
     least = std::sqrt(squared_distance(ball.middle, near)) + ball.radius;
     if (least <= allowed) return least;
@@ -93,8 +93,8 @@ Skimmed skim(const SkimInput& input, double allowed, Progress* progress) {
     }
     return true;
   };
-  std::vector<Skimmed> parts(chunk_count(n, kFacesPerChunk));
-  parallel_chunks(n, kFacesPerChunk, progress, [&](std::size_t chunk, IndexRange range) {
+  std::vector<Skimmed> parts(chunk_count(n, kSkimmedFacesPerChunk));
+  parallel_chunks(n, kSkimmedFacesPerChunk, progress, [&](std::size_t chunk, IndexRange range) {
     OverlayWalk walk(input.to);
     Skimmed& part = parts[chunk];
     const auto certified = [&](double computed) {
@@ -103,7 +103,7 @@ Skimmed skim(const SkimInput& input, double allowed, Progress* progress) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const Face f(static_cast<std::uint32_t>(i));
       const Triangle t = triangle(from, f);
-      double upper = kInfinite;
+      double upper = kUnbounded;
       if (is_near(f)) upper = certified(input.near + reach(squared_sides(t)));
       if (upper > allowed) {
         upper = std::min(

@@ -11,7 +11,7 @@
 namespace mesher::analysis {
 namespace {
 
-constexpr std::size_t kChunk = 1U << 13U;
+constexpr std::size_t kCurveChunk = 1U << 13U;
 constexpr std::uint32_t kBits = 10;  // per axis
 constexpr std::uint32_t kDigitBits = 10;
 constexpr std::uint32_t kDigits = 1U << kDigitBits;
@@ -129,8 +129,8 @@ struct Extent {
 /// Returns the extent of the vertices that faces use: an isolated vertex may be anywhere.
 Extent extent(const Mesh& mesh) {
   const auto origins = mesh.origins();
-  std::vector<Extent> parts(chunk_count(origins.size(), 4 * kChunk));
-  parallel_chunks(origins.size(), 4 * kChunk, [&](std::size_t chunk, IndexRange range) {
+  std::vector<Extent> parts(chunk_count(origins.size(), 4 * kCurveChunk));
+  parallel_chunks(origins.size(), 4 * kCurveChunk, [&](std::size_t chunk, IndexRange range) {
     const glm::vec3& first = mesh.position(origins[range.begin]);
     Extent part{first, first};
     for (std::size_t i = range.begin; i < range.end; ++i) {
@@ -174,7 +174,7 @@ Array<std::uint32_t> faces_along_curve(const Mesh& mesh) {
         std::clamp(center * scale, 0.0F, static_cast<float>((1U << kBits) - 1U)));
   };
   Array<Item> items(faces);
-  parallel_for_each(faces, kChunk, [&](std::uint32_t f) {
+  parallel_for_each(faces, kCurveChunk, [&](std::uint32_t f) {
     const auto at = [&](std::uint32_t c) -> const glm::vec3& {
       return mesh.position(mesh.origin(Mesh::halfedge(Face(f), c)));
     };

@@ -11,6 +11,7 @@
 #include <unordered_map>
 
 #include "engine/core/error.h"
+#include "engine/io/color_byte.h"
 #include "engine/io/format.h"
 #include "engine/io/gltf_file.h"
 #include "engine/io/weld.h"
@@ -45,12 +46,6 @@ Array<Vector> as_vectors(const Array<float>& values) {
     }
   }
   return vectors;
-}
-
-std::uint8_t color_byte(float value) {
-  return std::isnan(value)
-             ? std::uint8_t{0}
-             : static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
 }
 
 /// Vertex attributes of a primitive, each empty or one per vertex.

@@ -17,7 +17,7 @@
 namespace mesher::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::uint64_t kMostBytes = std::numeric_limits<std::uint32_t>::max();
 
@@ -35,7 +35,7 @@ struct Accessor {
   std::size_t count;
   std::size_t element_bytes;
   int target;
-  Json more;  ///< further JSON members
+  OrderedJson more;  ///< further JSON members
 };
 
 /// Attributes to write.
@@ -118,7 +118,7 @@ class LevelWriter {
   /// type, count, bytes per element and target. It returns the accessor's index and its JSON.
   /// Returns the primitive.
   template <class AddAccessor>
-  Json describe(AddAccessor&& add_accessor) const {
+  OrderedJson describe(AddAccessor&& add_accessor) const {
     constexpr int kFloat = 5126;
     constexpr int kUint = 5125;
     constexpr int kByte = 5121;
@@ -126,10 +126,11 @@ class LevelWriter {
     constexpr int kIndexData = 34963;
     const std::size_t vertices = split_.vertex.size();
     const auto add = [&](const char* type, int component, std::size_t bytes) {
-      return add_accessor(Accessor{type, component, vertices, bytes, kVertexData, Json::object()});
+      return add_accessor(
+          Accessor{type, component, vertices, bytes, kVertexData, OrderedJson::object()});
     };
     const Box box = bounding_box(mesh_);
-    Json attributes;
+    OrderedJson attributes;
     attributes["POSITION"] = add_accessor(Accessor{
         "VEC3",
         kFloat,
@@ -144,7 +145,7 @@ class LevelWriter {
           add_accessor(Accessor{"VEC4", kByte, vertices, 4, kVertexData, {{"normalized", true}}});
     }
     const std::size_t indices = add_accessor(
-        Accessor{"SCALAR", kUint, mesh_.halfedge_count(), 4, kIndexData, Json::object()});
+        Accessor{"SCALAR", kUint, mesh_.halfedge_count(), 4, kIndexData, OrderedJson::object()});
     return {{"attributes", std::move(attributes)}, {"indices", indices}};
   }
 
@@ -192,7 +193,7 @@ class GltfWriter {
       : file_(file), binary_(binary), levels_(levels.begin(), levels.end()) {
     describe();
     if (levels.size() > 1) describe_chain(levels);
-    if (binary_) document_["buffers"] = Json::array({{{"byteLength", bytes_}}});
+    if (binary_) document_["buffers"] = OrderedJson::array({{{"byteLength", bytes_}}});
   }
 
   void run() {
@@ -232,10 +233,10 @@ class GltfWriter {
                                         {"byteOffset", bytes_},
                                         {"byteLength", bytes},
                                         {"target", accessor.target}});
-    Json json{{"bufferView", document_["bufferViews"].size() - 1},
-              {"componentType", accessor.component_type},
-              {"count", accessor.count},
-              {"type", accessor.type}};
+    OrderedJson json{{"bufferView", document_["bufferViews"].size() - 1},
+                     {"componentType", accessor.component_type},
+                     {"count", accessor.count},
+                     {"type", accessor.type}};
     json.update(accessor.more);
     document_["accessors"].push_back(std::move(json));
     bytes_ += bytes;
@@ -245,28 +246,28 @@ class GltfWriter {
   void describe() {
     document_ = {{"asset", {{"version", "2.0"}, {"generator", "mesher"}}}};
     for (const char* array : {"bufferViews", "accessors", "meshes", "nodes"})
-      document_[array] = Json::array();
+      document_[array] = OrderedJson::array();
     for (std::size_t i = 0; i < levels_.size(); ++i) {
-      Json primitive = levels_[i].describe(
+      OrderedJson primitive = levels_[i].describe(
           [&](Accessor&& accessor) { return add_accessor(std::move(accessor)); });
-      document_["meshes"].push_back({{"primitives", Json::array({std::move(primitive)})}});
+      document_["meshes"].push_back({{"primitives", OrderedJson::array({std::move(primitive)})}});
       document_["nodes"].push_back({{"mesh", i}});
     }
-    document_["scenes"] = Json::array({{{"nodes", Json::array({0})}}});
+    document_["scenes"] = OrderedJson::array({{{"nodes", OrderedJson::array({0})}}});
     document_["scene"] = 0;
   }
 
   /// The first node names the others, which are in no scene. A reader without support for levels
   /// shows the first.
   void describe_chain(std::span<const GltfLevel> levels) {
-    Json ids = Json::array();
-    Json coverage = Json::array();
+    OrderedJson ids = OrderedJson::array();
+    OrderedJson coverage = OrderedJson::array();
     for (std::size_t i = 0; i < levels.size(); ++i) {
       document_["nodes"][i]["name"] = "lod" + std::to_string(i);
       coverage.push_back(levels[i].least_coverage);
       if (i > 0) ids.push_back(i);
     }
-    document_["extensionsUsed"] = Json::array({"MSFT_lod"});
+    document_["extensionsUsed"] = OrderedJson::array({"MSFT_lod"});
     document_["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = std::move(ids);
     document_["nodes"][0]["extras"]["MSFT_screencoverage"] = std::move(coverage);
   }
@@ -280,7 +281,7 @@ class GltfWriter {
   AtomicFile& file_;
   bool binary_;
   std::vector<LevelWriter> levels_;
-  Json document_;
+  OrderedJson document_;
   std::uint64_t bytes_ = 0;
 };
 

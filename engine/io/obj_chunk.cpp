@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 
+#include "engine/io/color_byte.h"
 #include "engine/io/scan.h"
 #include "engine/mesh/ids.h"
 
@@ -39,10 +40,6 @@ inline const char* skip_blanks(const char* p) {
   if (*p == ' ') ++p;
   if (static_cast<unsigned char>(*p) > ' ' && *p != '\\') return p;
   return skip_more_blanks(p);
-}
-
-std::uint8_t color_byte(float value) {
-  return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
 }
 
 /// Each `statement` function receives the text after its keyword. It returns the start of the next

@@ -20,7 +20,7 @@ constexpr std::size_t kChunkBytes = std::size_t{1} << 18;
 /// Number of chunks parsed before their contents are combined.
 constexpr std::size_t kWave = 16;
 /// Number of elements that one thread gathers at a time.
-constexpr std::size_t kGrain = std::size_t{1} << 15;
+constexpr std::size_t kIndexGrain = std::size_t{1} << 15;
 
 /// Range of a chunk and the element counts before it: enough to find an error's line later.
 struct ChunkRange {
@@ -268,7 +268,7 @@ class ObjAssembly {
   static void gather(const Array<std::uint32_t>& index, const Array<T>& values, const T& absent,
                      Array<T>& out) {
     out.resize(index.size());
-    parallel_for(index.size(), kGrain, [&](IndexRange range) {
+    parallel_for(index.size(), kIndexGrain, [&](IndexRange range) {
       for (std::size_t c = range.begin; c < range.end; ++c) {
         out[c] = index[c] == kNone ? absent : values[index[c]];
       }

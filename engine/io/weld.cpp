@@ -10,7 +10,7 @@
 namespace mesher::io {
 namespace {
 
-constexpr std::size_t kGrain = std::size_t{1} << 14;
+constexpr std::size_t kWeldGrain = std::size_t{1} << 14;
 
 struct Entry {
   std::uint32_t hash;
@@ -31,7 +31,7 @@ std::uint32_t hash_of(const std::uint32_t* item, std::size_t words) {
 Weld weld(const std::uint32_t* items, std::size_t words, std::size_t count) {
   const auto at = [&](std::uint32_t i) { return items + i * words; };
   Array<Entry> entries(count);
-  parallel_for(count, kGrain, [&](IndexRange range) {
+  parallel_for(count, kWeldGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       entries[i] = {hash_of(items + i * words, words), static_cast<std::uint32_t>(i)};
     }
@@ -67,7 +67,7 @@ Weld weld(const std::uint32_t* items, std::size_t words, std::size_t count) {
 
 Weld weld_positions(const Array<glm::vec3>& positions) {
   Array<glm::vec3> keys(positions.size());
-  parallel_for(positions.size(), kGrain, [&](IndexRange range) {
+  parallel_for(positions.size(), kWeldGrain, [&](IndexRange range) {
     // Adding 0 turns -0 into 0 and changes nothing else.
     for (std::size_t i = range.begin; i < range.end; ++i)
       keys[i] = positions[i] + 0.0F;

@@ -7,7 +7,7 @@
 namespace mesher {
 namespace {
 
-constexpr std::size_t kChunk = std::size_t{1} << 16U;
+constexpr std::size_t kDeltaChunk = std::size_t{1} << 16U;
 // Elements are compared one by one only in blocks of this size that differ.
 constexpr std::size_t kBlock = 64;
 
@@ -65,8 +65,8 @@ ArrayDelta::ArrayDelta(std::span<const std::byte> before, std::span<const std::b
       new_count_(after.size() / element_bytes) {
   if (before.data() == after.data() && before.size() == after.size()) return;  // the same array
   const Pair pair{before.data(), after.data(), element_bytes};
-  std::vector<std::vector<ChangedRange>> parts(chunk_count(common(), kChunk));
-  parallel_chunks(common(), kChunk,
+  std::vector<std::vector<ChangedRange>> parts(chunk_count(common(), kDeltaChunk));
+  parallel_chunks(common(), kDeltaChunk,
                   [&](std::size_t i, IndexRange chunk) { parts[i] = differing(pair, chunk); });
   for (const std::vector<ChangedRange>& part : parts) {
     for (const ChangedRange range : part)

@@ -10,7 +10,7 @@
 namespace mesher {
 namespace {
 
-constexpr std::size_t kGrain = 4096;
+constexpr std::size_t kNormalsGrain = 4096;
 constexpr float kPi = 3.14159265F;
 
 // Double throughout: squared lengths of a model 1e-6 units across fall below the range of floats.
@@ -124,7 +124,7 @@ glm::vec3 face_normal(const Mesh& mesh, Face f) {
 
 Array<glm::vec3> face_normals(const Mesh& mesh) {
   Array<glm::vec3> normals(mesh.face_count());
-  parallel_for(mesh.face_count(), kGrain, [&](IndexRange range) {
+  parallel_for(mesh.face_count(), kNormalsGrain, [&](IndexRange range) {
     for (std::size_t f = range.begin; f < range.end; ++f) {
       normals[f] = face_normal(mesh, Face(static_cast<std::uint32_t>(f)));
     }
@@ -145,7 +145,7 @@ Array<glm::vec3> vertex_normals(const Mesh& mesh, NormalWeight weight) {
   const bool takes_units = weight != NormalWeight::area;
   const Array<glm::vec3> unit = takes_units ? face_normals(mesh) : Array<glm::vec3>{};
   Array<glm::vec3> normals(mesh.vertex_count());
-  parallel_for(mesh.vertex_count(), kGrain, [&](IndexRange range) {
+  parallel_for(mesh.vertex_count(), kNormalsGrain, [&](IndexRange range) {
     for (std::size_t v = range.begin; v < range.end; ++v) {
       glm::dvec3 sum(0.0);
       for (const Halfedge h : halfedges_around(mesh, Vertex(static_cast<std::uint32_t>(v)))) {
@@ -164,7 +164,7 @@ Array<glm::vec3> vertex_normals(const Mesh& mesh, NormalWeight weight) {
 
 Array<glm::vec3> corner_normals(const Mesh& mesh, const CornerNormalOptions& options) {
   Array<glm::vec3> normals(mesh.halfedge_count());
-  parallel_for(mesh.vertex_count(), kGrain, [&](IndexRange range) {
+  parallel_for(mesh.vertex_count(), kNormalsGrain, [&](IndexRange range) {
     CornerFan fan;
     for (std::size_t v = range.begin; v < range.end; ++v) {
       fan.gather(mesh, Vertex(static_cast<std::uint32_t>(v)), options);

@@ -7,7 +7,7 @@
 namespace mesher {
 namespace {
 
-constexpr std::size_t kChunk = 1 << 16;
+constexpr std::size_t kStatisticsChunk = 1 << 16;
 
 struct Measures {
   double area = 0.0;
@@ -63,8 +63,8 @@ double Box::diagonal() const {
 Box bounding_box(const Mesh& mesh) {
   const auto positions = mesh.positions();
   if (positions.empty()) return {};
-  std::vector<Box> partial(chunk_count(positions.size(), kChunk));
-  parallel_chunks(positions.size(), kChunk, [&](std::size_t i, IndexRange range) {
+  std::vector<Box> partial(chunk_count(positions.size(), kStatisticsChunk));
+  parallel_chunks(positions.size(), kStatisticsChunk, [&](std::size_t i, IndexRange range) {
     Box box{positions[range.begin], positions[range.begin]};
     for (std::size_t v = range.begin; v < range.end; ++v) {
       box.min = glm::min(box.min, positions[v]);
@@ -122,8 +122,9 @@ Statistics statistics(const Mesh& mesh) {
   Statistics s;
   s.box = bounding_box(mesh);
   const glm::dvec3 center = s.box.is_empty() ? glm::dvec3(0.0) : s.box.center();
-  const auto m = parallel_sum<Measures>(
-      mesh.face_count(), kChunk, [&](IndexRange range) { return measure(mesh, range, center); });
+  const auto m = parallel_sum<Measures>(mesh.face_count(), kStatisticsChunk, [&](IndexRange range) {
+    return measure(mesh, range, center);
+  });
   s.vertices = mesh.vertex_count();
   s.faces = mesh.face_count();
   s.boundary_edges = m.boundary_edges;

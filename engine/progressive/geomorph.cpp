@@ -9,7 +9,7 @@
 namespace mesher::progressive {
 namespace {
 
-constexpr std::uint32_t kStepsBetweenReports = 1U << 16;
+constexpr std::uint32_t kSplitsBetweenReports = 1U << 16;
 
 /// Returns vertex normals, each as long as the area that the vertex represents.
 Array<glm::vec3> area_normals(const Mesh& mesh) {
@@ -78,7 +78,7 @@ void Geomorph::find_normals(ProgressiveMesh& mesh, Progress* progress) {
     splits_[i].child_normal = packed[child];
     sums[parent] += sums[child];
     splits_[i].coarse_normal = packed[parent] = encode_normal(sums[parent]);
-    if (i % kStepsBetweenReports == 0) {
+    if (i % kSplitsBetweenReports == 0) {
       report(progress, 1.0F - static_cast<float>(i) / static_cast<float>(all));
     }
   }

@@ -13,11 +13,11 @@
 namespace mesher::simplify {
 namespace {
 
-constexpr std::size_t kGrain = 64;
+constexpr std::size_t kSampleGrain = 64;
 // A longer walk has lost its way.
 constexpr int kMostSteps = 64;
 // Maximum number of faces visited at a vertex, so that hubs stay cheap.
-constexpr int kMostFaces = 256;
+constexpr int kMostWalkedFaces = 256;
 
 double fraction(double x) {
   return x - std::floor(x);
@@ -75,7 +75,7 @@ class Walk {
     std::size_t count = 0;
     int faces = 0;
     for (const Halfedge h : halfedges_around(mesh_, v)) {
-      if (++faces > kMostFaces) break;
+      if (++faces > kMostWalkedFaces) break;
       four[count++] = h;
       if (count == 4) look_at(v, four, std::exchange(count, 0));
     }
@@ -137,7 +137,7 @@ ErrorSamples::Measured ErrorSamples::measure(const Surface& surface) const {
     }
   };
   if (samples_.empty()) return {};
-  const Sums sums = parallel_sum<Sums>(samples_.size(), kGrain, [&](IndexRange range) {
+  const Sums sums = parallel_sum<Sums>(samples_.size(), kSampleGrain, [&](IndexRange range) {
     Sums part;
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const double square{nearest(surface, i).squared_distance};

@@ -10,7 +10,7 @@
 namespace mesher::simplify {
 namespace {
 
-constexpr std::size_t kGrain = 1U << 14;
+constexpr std::size_t kMortonGrain = 1U << 14;
 constexpr std::uint32_t kDigitBits = 11;
 constexpr std::uint32_t kDigits = 1U << kDigitBits;
 
@@ -34,8 +34,8 @@ struct Extent {
 };
 
 Extent extent(std::span<const glm::vec3> positions, std::span<const Vertex> vertices) {
-  std::vector<Extent> parts(chunk_count(vertices.size(), kGrain));
-  parallel_chunks(vertices.size(), kGrain, [&](std::size_t chunk, IndexRange range) {
+  std::vector<Extent> parts(chunk_count(vertices.size(), kMortonGrain));
+  parallel_chunks(vertices.size(), kMortonGrain, [&](std::size_t chunk, IndexRange range) {
     Extent part{positions[vertices[range.begin].index()], positions[vertices[range.begin].index()]};
     for (std::size_t i = range.begin; i < range.end; ++i) {
       part.min = glm::min(part.min, positions[vertices[i].index()]);
@@ -81,7 +81,7 @@ Array<Vertex> morton_order(std::span<const glm::vec3> positions, std::span<const
   };
   Array<Item> items(vertices.size());
   Array<Item> sorted(vertices.size());
-  parallel_for(vertices.size(), kGrain, [&](IndexRange range) {
+  parallel_for(vertices.size(), kMortonGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const glm::vec3& p = positions[vertices[i].index()];
       items[i] = {cell(p.x, box.min.x) | cell(p.y, box.min.y) << 1U | cell(p.z, box.min.z) << 2U,

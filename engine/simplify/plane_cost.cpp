@@ -7,7 +7,7 @@
 namespace mesher::simplify {
 namespace {
 
-constexpr int kMostFaces = 64;
+constexpr int kMostPlanes = 64;
 
 /// Costs of two positions with respect to the planes at one end.
 struct StarCost {
@@ -30,7 +30,7 @@ std::optional<StarCost> star_cost(const Surface& surface, Vertex v, Vertex other
   };
   int faces = 0;
   for (const Halfedge h : halfedges_around(mesh, v)) {
-    if (++faces > kMostFaces) return std::nullopt;
+    if (++faces > kMostPlanes) return std::nullopt;
     const FaceShape& face = surface.shape(Mesh::face(h));
     add(face.normal, face.area);
     if (!has_features) continue;

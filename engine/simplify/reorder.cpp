@@ -8,27 +8,28 @@
 namespace mesher::simplify {
 namespace {
 
-constexpr std::size_t kGrain = 1U << 13;
+constexpr std::size_t kReorderGrain = 1U << 13;
 
 /// Returns the new id by old id; kNone if it is gone.
 template <class Id>
 Array<std::uint32_t> new_ids(const Array<Id>& source, std::uint32_t old_count) {
   Array<std::uint32_t> new_id(old_count);
   if (source.size() < old_count) std::fill(new_id.begin(), new_id.end(), kNone);
-  parallel_for_each(source.size(), kGrain, [&](std::uint32_t i) { new_id[source[i].index()] = i; });
+  parallel_for_each(source.size(), kReorderGrain,
+                    [&](std::uint32_t i) { new_id[source[i].index()] = i; });
   return new_id;
 }
 
 Array<Vertex> vertices_by_position(const Mesh& mesh) {
   Array<Vertex> all(mesh.vertex_count());
-  parallel_for_each(all.size(), kGrain, [&](std::uint32_t v) { all[v] = Vertex(v); });
+  parallel_for_each(all.size(), kReorderGrain, [&](std::uint32_t v) { all[v] = Vertex(v); });
   return morton_order(mesh.positions(), all, {});
 }
 
 Array<Face> faces_by_vertex(const Mesh& mesh, const Array<std::uint32_t>& new_vertex_id) {
   const std::uint32_t faces = mesh.face_count();
   Array<std::uint32_t> first(faces);
-  parallel_for_each(faces, kGrain, [&](std::uint32_t f) {
+  parallel_for_each(faces, kReorderGrain, [&](std::uint32_t f) {
     const auto new_id = [&](std::uint32_t c) {
       return new_vertex_id[mesh.origin(Halfedge(3 * f + c)).index()];
     };
@@ -58,7 +59,7 @@ Mesh rearranged(const Mesh& mesh, const Array<Vertex>& vertices, const Array<Fac
   arrays.outgoing.resize(vertices.size());
   const bool has_own = !mesh.vertex_sharpnesses().empty();
   if (has_own) arrays.vertex_sharpness.resize(vertices.size());
-  parallel_for_each(vertices.size(), kGrain, [&](std::uint32_t v) {
+  parallel_for_each(vertices.size(), kReorderGrain, [&](std::uint32_t v) {
     arrays.position[v] = mesh.position(vertices[v]);
     arrays.outgoing[v] = moved(mesh.outgoing(vertices[v]));
     if (has_own) arrays.vertex_sharpness[v] = mesh.sharpness(vertices[v]);
@@ -69,7 +70,7 @@ Mesh rearranged(const Mesh& mesh, const Array<Vertex>& vertices, const Array<Fac
   arrays.origin.resize(halfedges);
   arrays.twin.resize(halfedges);
   arrays.sharpness.resize(halfedges);
-  parallel_for_each(faces.size(), kGrain, [&](std::uint32_t f) {
+  parallel_for_each(faces.size(), kReorderGrain, [&](std::uint32_t f) {
     for (std::uint32_t c = 0; c < 3; ++c) {
       const Halfedge from = Mesh::halfedge(faces[f], c);
       const std::size_t to = 3 * std::size_t{f} + c;

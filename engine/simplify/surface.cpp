@@ -11,8 +11,8 @@
 namespace mesher::simplify {
 namespace {
 
-constexpr std::size_t kGrain = 1U << 12;
-constexpr std::size_t kChunk = 1U << 16;
+constexpr std::size_t kSurfaceGrain = 1U << 12;
+constexpr std::size_t kSurfaceChunk = 1U << 16;
 // Weight of a feature edge, relative to a face whose area is its squared length: large enough that
 // boundaries are straightened last, small enough that their surroundings still count.
 constexpr float kFeatureWeight = 1.0F;
@@ -40,7 +40,7 @@ Surface::Surface(Mesh&& mesh, const SimplifyOptions& options) : mesh_(std::move(
 
 void Surface::find_shapes() {
   faces_.resize(mesh_.face_count());
-  area_before_ = parallel_sum<double>(mesh_.face_count(), kGrain, [&](IndexRange range) {
+  area_before_ = parallel_sum<double>(mesh_.face_count(), kSurfaceGrain, [&](IndexRange range) {
     double sum = 0.0;
     for (std::size_t f = range.begin; f < range.end; ++f) {
       const auto corner = [&](std::size_t c) {
@@ -68,7 +68,7 @@ void Surface::find_features(const SimplifyOptions& options) {
   };
   feature_.resize(mesh_.halfedge_count());
   has_features_ =
-      parallel_sum<std::uint64_t>(mesh_.halfedge_count(), kChunk, [&](IndexRange range) {
+      parallel_sum<std::uint64_t>(mesh_.halfedge_count(), kSurfaceChunk, [&](IndexRange range) {
         std::uint64_t count = 0;
         for (std::size_t i = range.begin; i < range.end; ++i) {
           feature_[i] = is_feature(Halfedge(static_cast<std::uint32_t>(i))) ? 1 : 0;
@@ -97,7 +97,7 @@ void Surface::find_constraints(const SimplifyOptions& options) {
     count(mesh_.target(h));
   }
   const bool locks = options.boundary == BoundaryRule::lock;
-  parallel_for_each(mesh_.vertex_count(), kGrain, [&](std::uint32_t i) {
+  parallel_for_each(mesh_.vertex_count(), kSurfaceGrain, [&](std::uint32_t i) {
     const Vertex v(i);
     const int met = has_features_ ? features[i] : 0;
     const bool is_fixed =
@@ -114,7 +114,7 @@ void Surface::find_constraints(const SimplifyOptions& options) {
 
 void Surface::find_states() {
   vertices_.resize(mesh_.vertex_count());
-  parallel_for_each(mesh_.vertex_count(), kGrain, [&](std::uint32_t i) {
+  parallel_for_each(mesh_.vertex_count(), kSurfaceGrain, [&](std::uint32_t i) {
     const Vertex v(i);
     const glm::vec3& p = mesh_.position(v);
     state(v) = VertexState{};

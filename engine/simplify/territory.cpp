@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t kEmpty = kNone;
 constexpr std::uint32_t kShared = kNone - 1;
 
-constexpr std::size_t kFacesPerChunk = 8192;
+constexpr std::size_t kTerritoryChunk = 8192;
 // Larger cells widen the strips that no region may enter; smaller cells leave more cells empty
 // beside the surface. On the bunny all values from 2 to 3 take the same time.
 constexpr float kFacesAcrossCell = 3.0F;
@@ -28,13 +28,13 @@ float longest_side(const Box& box) {
   return std::max({size.x, size.y, size.z});
 }
 
-struct Extent {
+struct FaceExtent {
   Box box{glm::vec3(std::numeric_limits<float>::max()),
           glm::vec3(std::numeric_limits<float>::lowest())};
   double sides = 0.0;
   std::size_t faces = 0;
 
-  Extent& operator+=(const Extent& other) {
+  FaceExtent& operator+=(const FaceExtent& other) {
     box.min = glm::min(box.min, other.box.min);
     box.max = glm::max(box.max, other.box.max);
     sides += other.sides;
@@ -43,10 +43,10 @@ struct Extent {
   }
 };
 
-Extent extent(const Surface& surface) {
+FaceExtent extent(const Surface& surface) {
   const std::size_t n = surface.mesh().face_count();
-  return parallel_sum<Extent>(n, kFacesPerChunk, [&](IndexRange range) {
-    Extent sum;
+  return parallel_sum<FaceExtent>(n, kTerritoryChunk, [&](IndexRange range) {
+    FaceExtent sum;
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const Face f(static_cast<std::uint32_t>(i));
       if (surface.is_removed(f)) continue;
@@ -107,7 +107,7 @@ bool Territory::is_fine_enough(const Surface& surface) const {
       return *this;
     }
   };
-  const auto touched = parallel_sum<Touched>(n, kFacesPerChunk, [&](IndexRange range) {
+  const auto touched = parallel_sum<Touched>(n, kTerritoryChunk, [&](IndexRange range) {
     Touched sum;
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const Face f(static_cast<std::uint32_t>(i));
@@ -142,14 +142,14 @@ void Territory::mark(const Surface& surface, Face f) {
 }
 
 void Territory::claim(const Surface& surface) {
-  const Extent all = extent(surface);
+  const FaceExtent all = extent(surface);
   if (all.faces == 0) return;
   auto size = static_cast<float>(all.sides / static_cast<double>(all.faces)) * kFacesAcrossCell;
   set_cell_size(size, all.box, kMostCellsPerFace * all.faces);
   while (!is_fine_enough(surface))
     set_cell_size(2.0F / inverse_size_, all.box, kMostCellsPerFace * all.faces);
   owner_.assign(index(counts_ - 1) + 1, kEmpty);
-  parallel_for_each(surface.mesh().face_count(), kFacesPerChunk, [&](std::uint32_t i) {
+  parallel_for_each(surface.mesh().face_count(), kTerritoryChunk, [&](std::uint32_t i) {
     if (!surface.is_removed(Face(i))) mark(surface, Face(i));
   });
 }

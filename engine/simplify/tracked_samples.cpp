@@ -10,7 +10,7 @@
 namespace mesher::simplify {
 namespace {
 
-constexpr std::size_t kGrain = 64;
+constexpr std::size_t kTrackedGrain = 64;
 // With this many points, they weigh as much as the planes.
 constexpr float kTrustInPlanes = 8.0F;
 
@@ -21,7 +21,7 @@ TrackedSamples::TrackedSamples(const Surface& surface, const ErrorSamples& sampl
   if (samples.size() == 0) return;
   weight_ = kTimesCounted * surface.area_before() / static_cast<double>(samples.size());
   std::vector<Face> faces(samples.size());
-  parallel_for(samples.size(), kGrain, [&](IndexRange range) {
+  parallel_for(samples.size(), kTrackedGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const ErrorSamples::Nearest nearest = samples.nearest(surface, i);
       faces[i] = nearest.face;

@@ -7,7 +7,7 @@
 namespace mesher::subdivide {
 namespace {
 
-constexpr std::size_t kChunk = 4096;
+constexpr std::size_t kAttributeGrain = 4096;
 
 glm::vec2 middle(const glm::vec2& a, const glm::vec2& b) {
   return 0.5F * (a + b);
@@ -36,7 +36,7 @@ Array<T> split_corners(const Array<T>& corner, Progress* progress) {
     for (const T& value : {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca})
       to[i++] = value;
   };
-  parallel_chunks(corner.size() / 3, kChunk, progress, [&](std::size_t, IndexRange faces) {
+  parallel_chunks(corner.size() / 3, kAttributeGrain, progress, [&](std::size_t, IndexRange faces) {
     for (std::size_t f = faces.begin; f < faces.end; ++f)
       split(f);
   });
@@ -45,7 +45,7 @@ Array<T> split_corners(const Array<T>& corner, Progress* progress) {
 
 Array<std::uint32_t> split_groups(const Array<std::uint32_t>& group, Progress* progress) {
   Array<std::uint32_t> child(4 * group.size());
-  parallel_chunks(child.size(), kChunk, progress, [&](std::size_t, IndexRange faces) {
+  parallel_chunks(child.size(), kAttributeGrain, progress, [&](std::size_t, IndexRange faces) {
     for (std::size_t f = faces.begin; f < faces.end; ++f)
       child[f] = group[f / 4];
   });

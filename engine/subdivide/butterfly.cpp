@@ -15,9 +15,9 @@
 namespace mesher::subdivide {
 namespace {
 
-constexpr std::size_t kGrain = 4096;
+constexpr std::size_t kButterflyGrain = 4096;
 // From this valence on, the stencils around a vertex are computed together.
-constexpr std::uint32_t kHubValence = 33;
+constexpr std::uint32_t kButterflyHubValence = 33;
 
 /// Sharp edges and vertices by index, for stencils. `sharpness` is empty if only boundaries are
 /// sharp.
@@ -95,7 +95,7 @@ class Butterfly {
   Butterfly(const LevelView& level, const Rings& rings, const Features& features)
       : level_(level), rings_(rings), features_(features), sharp_(level, features) {
     for (std::uint32_t v = 0; v < rings.base_vertices(); ++v) {
-      if (rings.base_valence(v) < kHubValence || !is_extraordinary(Vertex(v))) continue;
+      if (rings.base_valence(v) < kButterflyHubValence || !is_extraordinary(Vertex(v))) continue;
       hubs_.emplace(v, HubStencils(level, level.outgoing[v]));
     }
   }
@@ -152,7 +152,7 @@ class Butterfly {
   glm::dvec3 around(Halfedge h) const {
     const std::uint32_t valence = rings_.base_valence(origin(h).index());
     glm::dvec3 point = kButterflyCenter * from(h);
-    if (valence >= kHubValence) return point + hubs_.at(origin(h).index()).ring_part(h);
+    if (valence >= kButterflyHubValence) return point + hubs_.at(origin(h).index()).ring_part(h);
     Halfedge spoke = h;
     for (std::uint32_t i = 0; i < valence; ++i) {
       point += butterfly_ring_weight(valence, i) * from(Mesh::next(spoke));
@@ -197,7 +197,7 @@ Level butterfly_step(const LevelView& coarse, const Rings& rings, const Features
   Level finer = refine(coarse, is_last, options.progress, [&](const EdgeSite& edge) {
     return Point(glm::vec3(butterfly.smooth_point(edge.h, edge.twin)));
   });
-  parallel_for_each(features.edges().size(), kGrain, [&](std::uint32_t i) {
+  parallel_for_each(features.edges().size(), kButterflyGrain, [&](std::uint32_t i) {
     const SharpEdge& edge = features.edges()[i];
     glm::vec3& position = finer.position[edge_vertex(finer, edge.h).index()];
     const double blend = edge_blend(edge.sharpness, edge.left[0], edge.left[1]);

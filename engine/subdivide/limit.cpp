@@ -14,7 +14,7 @@
 namespace mesher::subdivide {
 namespace {
 
-constexpr std::size_t kChunk = 4096;
+constexpr std::size_t kLimitGrain = 4096;
 constexpr std::size_t kSharpChunk = 512;
 
 /// cos and sin of 2 pi i / n, precomputed for common valences n, one row per valence.
@@ -112,7 +112,7 @@ LimitSurface limit_surface(const LevelView& level, const Features& features,
   limit.position.resize(level.position.size());
   limit.normal.resize(level.origin.size());
   const SmoothLimit smooth(level, limit);
-  parallel_chunks(level.position.size(), kChunk, options.progress,
+  parallel_chunks(level.position.size(), kLimitGrain, options.progress,
                   [&](std::size_t, IndexRange vertices) { smooth.run(vertices); });
   begin_stage(options.progress, "following creases to the limit");
   parallel_chunks(features.vertices().size(), kSharpChunk, options.progress,

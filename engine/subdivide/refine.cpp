@@ -5,7 +5,7 @@
 namespace mesher::subdivide {
 namespace {
 
-constexpr std::size_t kGrain = 1U << 16U;
+constexpr std::size_t kRefineGrain = 1U << 16U;
 
 std::uint32_t count_first(std::span<const Halfedge> twin, IndexRange range) {
   std::uint32_t count = 0;
@@ -21,7 +21,7 @@ LevelView view_of(const Mesh& mesh) {
 }
 
 std::uint32_t count_edges(std::span<const Halfedge> twin) {
-  return parallel_sum<std::uint32_t>(twin.size(), kGrain,
+  return parallel_sum<std::uint32_t>(twin.size(), kRefineGrain,
                                      [&](IndexRange range) { return count_first(twin, range); });
 }
 
@@ -81,7 +81,7 @@ void write_twins(const LevelView& coarse, IndexRange faces, Level& finer) {
 }
 
 void write_outgoing(const LevelView& coarse, Level& finer) {
-  parallel_for_each(coarse.vertex_count(), kGrain, [&](std::uint32_t v) {
+  parallel_for_each(coarse.vertex_count(), kRefineGrain, [&](std::uint32_t v) {
     const Halfedge h = coarse.outgoing[v];
     finer.outgoing[v] = h.is_valid() ? first_half(h) : h;
   });

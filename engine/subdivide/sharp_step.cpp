@@ -9,7 +9,7 @@
 namespace mesher::subdivide {
 namespace {
 
-constexpr std::size_t kGrain = 4096;
+constexpr std::size_t kSharpGrain = 4096;
 
 glm::dvec3 point(const LevelView& level, const SharpVertex& vertex) {
   return level.position[vertex.v.index()];
@@ -45,12 +45,12 @@ glm::dvec3 vertex_point(const LevelView& coarse, const Features& features,
 
 void place_sharp(const LevelView& coarse, const Features& features, const SubdivideOptions& options,
                  Level& finer) {
-  parallel_for_each(features.edges().size(), kGrain, [&](std::uint32_t i) {
+  parallel_for_each(features.edges().size(), kSharpGrain, [&](std::uint32_t i) {
     const SharpEdge& edge = features.edges()[i];
     glm::vec3& position = finer.position[edge_vertex(finer, edge.h).index()];
     position = edge_point(coarse, features, options.creases, edge, position);
   });
-  parallel_for(features.vertices().size(), kGrain, [&](IndexRange range) {
+  parallel_for(features.vertices().size(), kSharpGrain, [&](IndexRange range) {
     std::vector<SharpSpoke> spokes;
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const SharpVertex& vertex = features.vertices()[i];

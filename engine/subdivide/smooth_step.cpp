@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kVertexChunk = 8192;
 // From this valence on, a sum of floats may have a relative error above 1e-6.
-constexpr std::uint32_t kHubValence = 65;
+constexpr std::uint32_t kSmoothHubValence = 65;
 
 /// Returns one face's contribution to the new vertex on one of its edges; two faces contribute.
 inline Point edge_share(Point start, Point end, Point opposite) {
@@ -148,7 +148,7 @@ Level gathered(const LevelView& coarse, const Rings& rings, bool is_last, Progre
 void place_hubs(const LevelView& coarse, const Rings& rings, Level& finer) {
   for (std::uint32_t v = 0; v < rings.base_vertices(); ++v) {
     const std::uint32_t valence = rings.base_valence(v);
-    if (valence < kHubValence) continue;
+    if (valence < kSmoothHubValence) continue;
     glm::dvec3 ring(0.0);
     Circulator at(coarse, coarse.outgoing[v]);
     do {

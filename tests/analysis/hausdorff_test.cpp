@@ -14,7 +14,7 @@
 namespace mesher::test {
 namespace {
 
-Soup moved(Soup soup, const glm::vec3& by, float scale = 1.0F) {
+Soup placed(Soup soup, const glm::vec3& by, float scale = 1.0F) {
   for (glm::vec3& p : soup.positions)
     p = p * scale + by;
   return soup;
@@ -37,7 +37,7 @@ void expect_bounds(const Mesh& a, const Mesh& b, double ratio) {
 
 TEST(HausdorffBounds, BoundGapOfParallelSheets) {
   const Mesh a = built(grid(4)).mesh;
-  const Mesh b = built(moved(grid(3), {0, 0, 0.25F}, 4.0F / 3.0F)).mesh;
+  const Mesh b = built(placed(grid(3), {0, 0, 0.25F}, 4.0F / 3.0F)).mesh;
   const analysis::DistanceInterval gap = analysis::hausdorff_bounds(a, b).two_sided();
   EXPECT_NEAR(gap.lower, 0.25, 1e-6);
   EXPECT_GE(gap.upper, gap.lower);
@@ -56,7 +56,7 @@ TEST(HausdorffBounds, FindSpikeOnOneSurface) {
 
 TEST(HausdorffBounds, MissingPartCountsInOneDirection) {
   const Mesh part = built(grid(2)).mesh;
-  const Mesh whole = built(join(grid(2), moved(grid(2), {10, 0, 0}))).mesh;
+  const Mesh whole = built(join(grid(2), placed(grid(2), {10, 0, 0}))).mesh;
   const analysis::HausdorffBounds bounds = analysis::hausdorff_bounds(part, whole, {.ratio = 1.05});
   EXPECT_EQ(bounds.forward.lower, 0.0);
   EXPECT_DOUBLE_EQ(bounds.backward.lower, 10.0);
@@ -102,7 +102,7 @@ TEST(HausdorffBounds, HoldForSurfacesOfDifferentResolution) {
 }
 
 TEST(HausdorffBounds, HoldFarFromTheOrigin) {
-  const auto far = [](Soup soup) { return moved(std::move(soup), {1e6F, -1e6F, 1e6F}, 8.0F); };
+  const auto far = [](Soup soup) { return placed(std::move(soup), {1e6F, -1e6F, 1e6F}, 8.0F); };
   expect_bounds(built(far(torus(30, 20))).mesh, built(far(torus(20, 10))).mesh, 1.1);
 }
 
@@ -124,8 +124,8 @@ TEST(HausdorffBounds, AreZeroForTheSameMesh) {
 
 // The distance is zero, so no ratio can be reached. The work limit ends the search.
 TEST(HausdorffBounds, TerminateForCoincidingSurfacesWithDifferentTriangles) {
-  const Mesh a = built(moved(grid(7), {0.1F, 0.2F, 0.0F}, 1.0F / 7.0F)).mesh;
-  const Mesh b = built(moved(grid(1), {0.1F, 0.2F, 0.0F})).mesh;
+  const Mesh a = built(placed(grid(7), {0.1F, 0.2F, 0.0F}, 1.0F / 7.0F)).mesh;
+  const Mesh b = built(placed(grid(1), {0.1F, 0.2F, 0.0F})).mesh;
   const analysis::DistanceInterval both =
       analysis::hausdorff_bounds(a, b, {.most_queries = 200'000}).two_sided();
   EXPECT_LE(both.lower, 1e-6);
@@ -141,7 +141,7 @@ TEST(HausdorffBounds, IgnoreIsolatedVertices) {
 
 TEST(HausdorffBounds, SameForAnyThreadCount) {
   const Mesh a = built(torus(120, 60)).mesh;
-  const Mesh b = built(moved(torus(31, 20), {0.01F, 0.02F, 0.0F})).mesh;
+  const Mesh b = built(placed(torus(31, 20), {0.01F, 0.02F, 0.0F})).mesh;
   std::vector<analysis::HausdorffBounds> all;
   for (const unsigned threads : {1U, 2U, 4U}) {
     const ThreadLimit limit(threads);

@@ -11,10 +11,10 @@
 namespace mesher::test {
 namespace {
 
-const std::filesystem::path kAssets = MESHER_SOURCE_DIR "/assets";
+const std::filesystem::path kAssetFolder = MESHER_SOURCE_DIR "/assets";
 
 void expect_made_by_the_program(const std::string& name, const std::string& faces) {
-  const std::filesystem::path full = kAssets / "bunny_70k.obj";
+  const std::filesystem::path full = kAssetFolder / "bunny_70k.obj";
   if (!std::filesystem::exists(full)) {
     std::cerr << "*** NOT TESTED: " << full << " is missing ***\n";
     return;
@@ -23,7 +23,7 @@ void expect_made_by_the_program(const std::string& name, const std::string& face
   const Finished run = run_program({MESHER_PROGRAM, "simplify", full.string(), "--faces", faces,
                                     "-o", (folder / name).string(), "--quiet"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_TRUE(read_bytes(folder / name) == read_bytes(kAssets / name))
+  EXPECT_TRUE(read_bytes(folder / name) == read_bytes(kAssetFolder / name))
       << name << " differs from the program's output; if simplification was changed on purpose, "
       << "run scripts/make_bunnies";
 }

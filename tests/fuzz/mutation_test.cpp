@@ -18,7 +18,7 @@ using test::TempFolder;
 using test::Watchdog;
 
 constexpr int kMutants = 1500;
-constexpr std::chrono::seconds kTimeLimit(120);  // for all mutants of a format
+constexpr std::chrono::seconds kFormatTimeLimit(120);  // for all mutants of a format
 
 /// Numbers and words that are known to break parsers.
 const std::vector<std::string> kTokens = {"0",
@@ -106,7 +106,7 @@ std::string printable(const std::string& bytes) {
 TEST(Mutation, EveryMutantIsReadOrRejected) {
   const ThreadLimit one(1);  // waking a second thread takes longer than reading a few hundred bytes
   for (const Specimen& sound : test::sound_files()) {
-    const Watchdog watchdog(sound.name, kTimeLimit);
+    const Watchdog watchdog(sound.name, kFormatTimeLimit);
     const TempFolder folder;
     Mutator mutator(20240501);
     int read = 0;

@@ -21,14 +21,14 @@ using test::TempFolder;
 using test::Watchdog;
 
 /// A generous limit, because sanitizers slow the program down and machines differ.
-constexpr std::chrono::seconds kTimeLimit(120);
+constexpr std::chrono::seconds kSpecimenTimeLimit(120);
 constexpr long kMostKilobytes = 3L << 20;
 
 void examine(const Specimen& specimen) {
   SCOPED_TRACE(specimen.name);
   const TempFolder folder;
   const auto file = folder.write("specimen" + specimen.extension, specimen.bytes);
-  const Watchdog watchdog(specimen.name, kTimeLimit);
+  const Watchdog watchdog(specimen.name, kSpecimenTimeLimit);
   std::string refusal;
   const std::optional<Model> model = read_or_refuse(file, &refusal);
   EXPECT_EQ(model.has_value(), specimen.fate == Fate::read) << refusal;
@@ -81,7 +81,7 @@ TEST(Zoo, EveryTruncationOfAValidFileIsReadOrRejected) {
   const ThreadLimit one(1);  // waking a second thread takes longer than reading a few hundred bytes
   for (const Specimen& sound : test::sound_files()) {
     SCOPED_TRACE(sound.name);
-    const Watchdog watchdog(sound.name, kTimeLimit);
+    const Watchdog watchdog(sound.name, kSpecimenTimeLimit);
     const TempFolder folder;
     for (std::size_t size = 0; size < sound.bytes.size(); ++size) {
       SCOPED_TRACE(size);

@@ -55,7 +55,7 @@ std::string glb(std::string json, std::string data) {
          json + word(data.size()) + std::string("BIN\0", 4) + data;
 }
 
-Soup parse(const std::string& bytes, std::string_view name = "m.gltf") {
+Soup parse_gltf(const std::string& bytes, std::string_view name = "m.gltf") {
   const TempFolder folder;
   return io::read_soup(folder.write(name, bytes));
 }
@@ -63,7 +63,7 @@ Soup parse(const std::string& bytes, std::string_view name = "m.gltf") {
 void expect_refusal(const std::string& bytes, const std::string& reason,
                     std::string_view name = "m.gltf") {
   try {
-    parse(bytes, name);
+    parse_gltf(bytes, name);
     ADD_FAILURE() << "was not rejected: " << bytes.substr(0, 300);
   } catch (const InputError& error) {
     EXPECT_NE(error.reason().find(reason), std::string::npos) << error.what();
@@ -84,7 +84,7 @@ TEST(Base64, RoundTrips) {
 }
 
 TEST(GltfRead, JoinsVerticesSplitByAttributes) {
-  const Soup soup = parse(document());
+  const Soup soup = parse_gltf(document());
   EXPECT_EQ(soup.positions.size(), 4U);
   EXPECT_EQ(std::vector<std::uint32_t>(soup.corners.begin(), soup.corners.end()),
             (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
@@ -95,10 +95,10 @@ TEST(GltfRead, JoinsVerticesSplitByAttributes) {
 TEST(GltfRead, ReadsBinaryContainer) {
   const std::string json = kAsset + R"("buffers":[{"byteLength":)" + std::to_string(kData.size()) +
                            "}]," + kViews + kMesh + "}";
-  EXPECT_EQ(parse(glb(json, kData), "m.glb").corners.size(), 6U);
+  EXPECT_EQ(parse_gltf(glb(json, kData), "m.glb").corners.size(), 6U);
   const std::string whole = glb(json, kData);
   for (std::size_t size = 0; size < whole.size(); size += 7) {
-    EXPECT_THROW(parse(whole.substr(0, size), "m.glb"), InputError) << size;
+    EXPECT_THROW(parse_gltf(whole.substr(0, size), "m.glb"), InputError) << size;
   }
 }
 
@@ -116,7 +116,7 @@ TEST(GltfRead, ReadsExternalBuffers) {
 }
 
 TEST(GltfRead, NodesTransformTheirMeshes) {
-  const Soup soup = parse(document(
+  const Soup soup = parse_gltf(document(
       R"("nodes":[{"children":[1],"translation":[10,0,0]},{"mesh":0,"scale":[2,1,1],"name":"a"},
       {"mesh":0,"rotation":[0,0,0.7071067811865476,0.7071067811865476],"name":"b"},{"mesh":0}],
       "scenes":[{"nodes":[3]},{"nodes":[0,2]}],"scene":1,)"));
@@ -129,14 +129,14 @@ TEST(GltfRead, NodesTransformTheirMeshes) {
 }
 
 TEST(GltfRead, MirroredMeshesAreReoriented) {
-  const Soup soup = parse(document(
+  const Soup soup = parse_gltf(document(
       R"("nodes":[{"mesh":0,"matrix":[-1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}],"scenes":[{"nodes":[0]}],)"));
   EXPECT_EQ(soup.positions[soup.corners[1]], glm::vec3(-1, 1, 0));
 }
 
 TEST(GltfRead, ReadsStripsFansAndLists) {
   const auto corners = [](int mode) {
-    const Soup soup = parse(document(
+    const Soup soup = parse_gltf(document(
         "", R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":)" +
                 std::to_string(mode) + "},{\"attributes\":{\"POSITION\":0},\"mode\":1}]}]"));
     return soup.corners.size();

@@ -17,15 +17,15 @@ namespace {
 
 using test::TempFolder;
 
-Soup parse(const std::string& bytes) {
+Soup parse_ply(const std::string& bytes) {
   const TempFolder folder;
   return io::read_soup(folder.write("model.ply", bytes));
 }
 
 /// Line number and reason of an error.
-std::pair<std::uint64_t, std::string> refusal(const std::string& bytes) {
+std::pair<std::uint64_t, std::string> ply_refusal(const std::string& bytes) {
   try {
-    parse(bytes);
+    parse_ply(bytes);
   } catch (const InputError& error) {
     return {error.line(), error.reason()};
   }
@@ -48,7 +48,7 @@ const std::string kTextTriangle =
     "0 1 2\n";
 
 TEST(PlyRead, ReadsText) {
-  const Soup soup = parse(kTextTriangle);
+  const Soup soup = parse_ply(kTextTriangle);
   ASSERT_EQ(soup.positions.size(), 3U);
   EXPECT_EQ(soup.positions[2], glm::vec3(0, 1.5F, 0));
   EXPECT_TRUE(soup.face_start.empty());
@@ -60,7 +60,7 @@ TEST(PlyRead, AcceptsEveryLineEndingInTheHeader) {
     std::string text;
     for (const char c : kTextTriangle)
       text += c == '\n' ? std::string(end) : std::string(1, c);
-    EXPECT_EQ(parse(text).positions.size(), 3U);
+    EXPECT_EQ(parse_ply(text).positions.size(), 3U);
   }
 }
 
@@ -95,7 +95,7 @@ std::string binary_square(bool big) {
 
 TEST(PlyRead, ReadsBothByteOrdersAndEveryType) {
   for (const bool big : {false, true}) {
-    const Soup soup = parse(binary_square(big));
+    const Soup soup = parse_ply(binary_square(big));
     ASSERT_EQ(soup.positions.size(), 4U);
     EXPECT_EQ(soup.positions[3], glm::vec3(1.0F, 1.25F, -3.0F));
     EXPECT_EQ(soup.face_start.back(), 7U);
@@ -107,12 +107,12 @@ TEST(PlyRead, ReadsBothByteOrdersAndEveryType) {
 TEST(PlyRead, RejectsBinaryFileTruncatedAnywhere) {
   const std::string bytes = binary_square(false);
   for (std::size_t size = 0; size < bytes.size(); ++size) {
-    EXPECT_THROW(parse(bytes.substr(0, size)), InputError) << size;
+    EXPECT_THROW(parse_ply(bytes.substr(0, size)), InputError) << size;
   }
 }
 
 TEST(PlyRead, ReadsVertexAndCornerAttributes) {
-  const Soup soup = parse(
+  const Soup soup = parse_ply(
       "ply\nformat ascii 1.0\nelement vertex 3\n" + kXyz +
       "property float nx\nproperty float ny\nproperty float nz\nproperty float s\nproperty float "
       "t\n"
@@ -126,16 +126,17 @@ TEST(PlyRead, ReadsVertexAndCornerAttributes) {
 }
 
 TEST(PlyRead, ReadsTriangleStrips) {
-  const Soup soup = parse("ply\nformat ascii 1.0\nelement vertex 4\n" + kXyz +
-                          "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
-                          "0 0 0\n1 0 0\n0 1 0\n1 1 0\n8 0 1 2 3 -1 1 3 2\n");
+  const Soup soup =
+      parse_ply("ply\nformat ascii 1.0\nelement vertex 4\n" + kXyz +
+                "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+                "0 0 0\n1 0 0\n0 1 0\n1 1 0\n8 0 1 2 3 -1 1 3 2\n");
   EXPECT_EQ(std::vector<std::uint32_t>(soup.corners.begin(), soup.corners.end()),
             (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3, 1, 3, 2}));
 }
 
 TEST(PlyRead, RejectsInvalidFiles) {
   const auto expect = [](const std::string& bytes, std::uint64_t line, const std::string& reason) {
-    const auto [at, why] = refusal(bytes);
+    const auto [at, why] = ply_refusal(bytes);
     EXPECT_EQ(at, line) << bytes;
     EXPECT_NE(why.find(reason), std::string::npos) << bytes << " gave " << why;
   };
@@ -168,7 +169,7 @@ TEST(PlyRead, RejectsInvalidFiles) {
 }
 
 TEST(PlyRead, ManyElementsWithoutPropertiesAreFast) {
-  const Soup soup = parse(
+  const Soup soup = parse_ply(
       "ply\nformat ascii 1.0\nelement nothing 9999999999999\nelement face 9999999999\n"
       "element vertex 1\n" +
       kXyz + "end_header\n1 2 3\n");

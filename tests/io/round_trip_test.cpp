@@ -56,7 +56,7 @@ bool same_bits(const T& a, const T& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
 }
 
-struct Way {
+struct RoundTrip {
   const char* file;
   bool ascii;
 };
@@ -65,15 +65,15 @@ TEST(RoundTrip, EveryFormatKeepsExactPositionsAndFaces) {
   const Model model = read_text(sheet(40));
   ASSERT_TRUE(validate(model.mesh).empty());
   const TempFolder folder;
-  for (const Way way : {Way{"m.obj", false},
-                        {"m.ply", false},
-                        {"m.ply", true},
-                        {"m.off", false},
-                        {"m.stl", false},
-                        {"m.stl", true},
-                        {"m.gltf", false},
-                        {"m.glb", false},
-                        {"M.OBJ", false}}) {
+  for (const RoundTrip way : {RoundTrip{"m.obj", false},
+                              {"m.ply", false},
+                              {"m.ply", true},
+                              {"m.off", false},
+                              {"m.stl", false},
+                              {"m.stl", true},
+                              {"m.gltf", false},
+                              {"m.glb", false},
+                              {"M.OBJ", false}}) {
     io::write_model(folder / way.file, model.mesh, model.attributes, {.ascii = way.ascii});
     const Model back = io::read_model(folder / way.file);
     EXPECT_TRUE(validate(back.mesh).empty()) << way.file;

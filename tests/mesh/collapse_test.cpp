@@ -11,6 +11,8 @@
 namespace mesher::test {
 namespace {
 
+using Copies = Array<BowTieCopy>;
+
 /// The oracle collapses in a plain list of triangles, without half-edges, and returns whether the
 /// result is a clean manifold of the same topology.
 bool may_collapse(const Mesh& mesh, Halfedge h) {
@@ -109,7 +111,6 @@ TEST(Collapse, KeepsInvariantsAndTopologyUntilTheLastEdge) {
 }
 
 TEST(Collapse, KeepsBowTieCopiesThatDoNotMove) {
-  using Copies = Array<BowTieCopy>;
   const auto copies = [](const Mesh& m) {
     return Copies(m.bow_tie_copies().begin(), m.bow_tie_copies().end());
   };

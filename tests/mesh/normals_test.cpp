@@ -10,7 +10,7 @@
 namespace mesher::test {
 namespace {
 
-constexpr float kDegree = 3.14159265F / 180.0F;
+constexpr float kRadiansPerDegree = 3.14159265F / 180.0F;
 
 void expect_near(const glm::vec3& a, const glm::vec3& b, float tolerance = 1e-6F) {
   EXPECT_LE(glm::length(a - b), tolerance)
@@ -63,11 +63,11 @@ TEST(Normals, DegenerateNeighborhoodGivesZeroAndNotNan) {
 
 TEST(Normals, CornersOfACubeSplitByAngle) {
   const Mesh mesh = built(cube()).mesh;
-  const auto split = corner_normals(mesh, {.crease_angle_rad = 60 * kDegree});
+  const auto split = corner_normals(mesh, {.crease_angle_rad = 60 * kRadiansPerDegree});
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
     expect_near(split[h], face_normal(mesh, Mesh::face(Halfedge(h))));
   }
-  const auto smooth = corner_normals(mesh, {.crease_angle_rad = 120 * kDegree});
+  const auto smooth = corner_normals(mesh, {.crease_angle_rad = 120 * kRadiansPerDegree});
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
     expect_near(smooth[h], vertex_normal(mesh, mesh.origin(Halfedge(h))));
   }
@@ -105,7 +105,7 @@ TEST(Normals, DartDoesNotSplitCorners) {
 
 TEST(Normals, UpdatingOneRingEqualsRecomputingAll) {
   Mesh mesh = built(torus(9, 7)).mesh;
-  const CornerNormalOptions options{.crease_angle_rad = 30 * kDegree};
+  const CornerNormalOptions options{.crease_angle_rad = 30 * kRadiansPerDegree};
   auto normals = corner_normals(mesh, options);
   const Vertex v(20);
   mesh.set_position(v, mesh.position(v) * 1.3F);

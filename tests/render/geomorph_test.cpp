@@ -13,6 +13,7 @@
 #include "engine/progressive/build.h"
 #include "engine/progressive/geomorph.h"
 #include "engine/render/offscreen.h"
+#include "tests/render/looks.h"
 #include "tests/support/gpu_test.h"
 #include "tests/support/meshes.h"
 
@@ -21,12 +22,8 @@ namespace {
 
 using GeomorphTest = test::GpuTest;
 
-constexpr std::uint32_t kSize = 256;
+constexpr std::uint32_t kMorphSize = 256;
 
-const Settings kFlat{.shading = Shading::flat};
-const Settings kGouraud{.shading = Shading::gouraud};
-const Settings kFlatWire{.shading = Shading::flat, .wireframe = true};
-const Settings kGouraudWire{.shading = Shading::gouraud, .wireframe = true};
 const Settings kWireAlone{.shading = Shading::none, .wireframe = true};
 
 Settings at(Settings settings, const GeomorphTime& time) {
@@ -89,7 +86,8 @@ class Drawer {
   }
   Image draw(Mesh& mesh, const Camera& camera, const Settings& settings, const Sources& sources) {
     stats_ = mirror_.apply(mesh, settings, sources);
-    return render_image(mirror_.device(), renderer_, mirror_, camera, settings, kSize, kSize);
+    return render_image(mirror_.device(), renderer_, mirror_, camera, settings, kMorphSize,
+                        kMorphSize);
   }
   GpuMesh& mirror() { return mirror_; }
   const UploadStats& stats() const { return stats_; }
@@ -381,8 +379,8 @@ TEST_F(GeomorphTest, FramesInFlightKeepTheirTime) {
   mirror.apply(growing.mesh.mesh(), kFlat, growing.sources());
   const Settings early = at(kFlat, GeomorphTime::between(0, 0.0F));
   const Settings late = at(kFlat, GeomorphTime::between(0, 0.9F));
-  const SceneTarget first(device(), {kSize, kSize}, 4);
-  const SceneTarget second(device(), {kSize, kSize}, 4);
+  const SceneTarget first(device(), {kMorphSize, kMorphSize}, 4);
+  const SceneTarget second(device(), {kMorphSize, kMorphSize}, 4);
   device().run_once([&](VkCommandBuffer commands) {
     renderer.draw(commands, first, mirror, growing.camera, early);
     renderer.draw(commands, second, mirror, growing.camera, late);

@@ -7,6 +7,7 @@
 
 #include "engine/io/read.h"
 #include "engine/render/offscreen.h"
+#include "tests/render/looks.h"
 #include "tests/support/golden.h"
 #include "tests/support/gpu_test.h"
 #include "tests/support/meshes.h"
@@ -14,7 +15,7 @@
 namespace mesher::render {
 namespace {
 
-constexpr std::uint32_t kSize = 320;
+constexpr std::uint32_t kGoldenSize = 320;
 
 struct Scene {
   std::string name;
@@ -31,11 +32,7 @@ void PrintTo(const Scene& scene, std::ostream* out) {
   *out << scene.name;
 }
 
-const Settings kFlat{.shading = Shading::flat};
-const Settings kGouraud{.shading = Shading::gouraud};
 const Settings kWire{.shading = Shading::none, .wireframe = true};
-const Settings kFlatWire{.shading = Shading::flat, .wireframe = true};
-const Settings kGouraudWire{.shading = Shading::gouraud, .wireframe = true};
 const Settings kGouraudSplit{.shading = Shading::gouraud, .crease_angle_deg = 40.0F};
 const Settings kGouraudSplitWire{
     .shading = Shading::gouraud, .wireframe = true, .crease_angle_deg = 40.0F};
@@ -171,7 +168,7 @@ Image draw(gpu::Device& device, const Scene& scene) {
   mirror.apply(mesh, scene.settings);
   mirror.mark(marked_edges(mesh, scene));
   Renderer renderer(device);
-  return render_image(device, renderer, mirror, camera, scene.settings, kSize, kSize);
+  return render_image(device, renderer, mirror, camera, scene.settings, kGoldenSize, kGoldenSize);
 }
 
 class Golden : public test::GpuTest, public ::testing::WithParamInterface<Scene> {};

@@ -5,6 +5,7 @@
 
 #include "engine/mesh/collapse.h"
 #include "engine/mesh/delta.h"
+#include "tests/render/looks.h"
 #include "tests/support/gpu_test.h"
 #include "tests/support/meshes.h"
 
@@ -13,8 +14,6 @@ namespace {
 
 using GpuMeshTest = test::GpuTest;
 
-const Settings kFlat{.shading = Shading::flat};
-const Settings kGouraud{.shading = Shading::gouraud};
 const Settings kSplit{.shading = Shading::gouraud, .crease_angle_deg = 30.0F};
 
 /// The content of a fresh mirror of the same arrays.

@@ -8,14 +8,11 @@
 #include "engine/io/read.h"
 #include "engine/simplify/simplify.h"
 #include "tests/simplify/replay.h"
+#include "tests/support/assets.h"
 #include "tests/support/meshes.h"
 
 namespace mesher::test {
 namespace {
-
-Mesh asset(const char* name) {
-  return io::read_model(std::filesystem::path(MESHER_SOURCE_DIR "/assets") / name, {}).mesh;
-}
 
 double percent_of_diagonal(const Mesh& mesh, double percent) {
   return 0.01 * percent * statistics(mesh).box.diagonal();

@@ -13,16 +13,11 @@
 #include "engine/simplify/new_intersections.h"
 #include "engine/simplify/simplify.h"
 #include "tests/simplify/replay.h"
+#include "tests/support/assets.h"
 #include "tests/support/meshes.h"
 
 namespace mesher::test {
 namespace {
-
-const std::filesystem::path kAssets = std::filesystem::path(MESHER_SOURCE_DIR) / "assets";
-
-Mesh asset(const char* name) {
-  return io::read_model(kAssets / name, {}).mesh;
-}
 
 /// Counts the pairs that intersect in the result but not in the input.
 std::size_t count_new_pairs(const Mesh& input, const simplify::Simplified& result) {

@@ -19,7 +19,7 @@ namespace {
 constexpr double kRatios[] = {0.5, 0.1, 0.01, 0.001};
 // Up to this size the test checks every collapse of every run. For larger models it checks the
 // result.
-constexpr std::uint32_t kFewFaces = 1'300;
+constexpr std::uint32_t kSmallModel = 1'300;
 
 void examine_run(const Mesh& mesh, simplify::CostPolicy policy, double ratio) {
   SCOPED_TRACE(std::string(key(policy)) + " to " + std::to_string(ratio));
@@ -42,7 +42,7 @@ void examine_run(const Mesh& mesh, simplify::CostPolicy policy, double ratio) {
     EXPECT_EQ(report.reason, simplify::StopReason::no_legal_collapse);
     EXPECT_GT(report.faces_reached, report.faces_asked);
   }
-  if (mesh.face_count() > kFewFaces) return;
+  if (mesh.face_count() > kSmallModel) return;
   const Topology before = topology(mesh);
   const Mesh replayed = replay(Mesh(mesh), recorder.records(), [&](const Mesh& step, std::size_t) {
     expect_valid(step);

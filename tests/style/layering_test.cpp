@@ -77,6 +77,7 @@ std::optional<std::string> objection(std::string_view path, std::string_view lin
   if (target.starts_with(".") || target.find("/../") != std::string::npos) {
     return "include relative to the file; write it from the root";
   }
+  if (target.ends_with(".cpp")) return "includes a source";
   if (target.starts_with(kSharedWithShaders)) {
     const std::string from = layer(path);
     if (from == "gpu" || from == "render" || path.starts_with("app/")) return std::nullopt;
@@ -129,6 +130,7 @@ TEST(Layering, CheckRejectsForbiddenIncludes) {
   EXPECT_TRUE(objection("engine/mesh/mesh.h", "#include \"../core/error.h\""));
   EXPECT_TRUE(objection("engine/mesh/mesh.h", "#include \"mesh.h\""));
   EXPECT_TRUE(objection("engine/mesh/mesh.h", "#include \"shaders/shared/scene.h\""));
+  EXPECT_TRUE(objection("engine/mesh/mesh.cpp", "#include \"engine/mesh/normals.cpp\""));
   EXPECT_TRUE(objection("engine/misc/x.h", "#include \"engine/core/error.h\""));
 }
 

@@ -9,10 +9,6 @@
 namespace mesher::test {
 namespace {
 
-double settled(float sharpness) {
-  return sharpness >= subdivide::kSharpForEver ? kForEver : double(sharpness);
-}
-
 bool is_near(double a, double b) {
   return a == b || std::abs(a - b) < 1e-4;
 }

@@ -89,10 +89,6 @@ Far::TopologyRefiner* make_refiner(const Lists& lists, std::size_t vertices,
   return refiner;
 }
 
-double settled(float sharpness) {
-  return sharpness >= subdivide::kSharpForEver ? kForEver : double(sharpness);
-}
-
 /// One level in both numberings.
 struct Level {
   PlainMesh mesh;

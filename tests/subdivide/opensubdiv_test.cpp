@@ -15,7 +15,7 @@
 namespace mesher::test {
 namespace {
 
-constexpr std::uint32_t kLevels = 4;
+constexpr std::uint32_t kMostLevels = 4;
 
 /// All intended differences from OpenSubdiv. Such a model is compared with our own oracle, and
 /// OpenSubdiv is compared with the oracle that reproduces the difference. No other difference is
@@ -58,7 +58,7 @@ subdivide::SubdivideOptions options_of(std::uint32_t levels, subdivide::Boundary
 
 void compare_to_reference(const Model& model, subdivide::BoundaryRounding boundary,
                           subdivide::CreaseDecay decay) {
-  const std::uint32_t levels = affordable_levels(model.mesh, kLevels);
+  const std::uint32_t levels = affordable_levels(model.mesh, kMostLevels);
   ASSERT_GE(levels, 1U);
   const OpenSubdivReference reference(model.mesh, boundary, decay, levels);
   const double tolerance = kTolerance * diagonal(points_of(model.mesh.positions()));
@@ -73,7 +73,7 @@ void compare_to_reference(const Model& model, subdivide::BoundaryRounding bounda
 
 void compare_to_oracle(const Model& model, subdivide::BoundaryRounding boundary,
                        subdivide::CreaseDecay decay) {
-  const std::uint32_t levels = affordable_levels(model.mesh, kLevels);
+  const std::uint32_t levels = affordable_levels(model.mesh, kMostLevels);
   const double tolerance = kTolerance * diagonal(points_of(model.mesh.positions()));
   PlainMesh oracle = plain_mesh(model.mesh, boundary);
   for (std::uint32_t level = 1; level <= levels; ++level) {
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(EveryRule, OpenSubdiv,
 
 /// Largest distance between OpenSubdiv and the oracle on any level, in diagonals.
 double apart(const Model& model, subdivide::BoundaryRounding boundary, const OracleRules& rules) {
-  const std::uint32_t levels = affordable_levels(model.mesh, kLevels);
+  const std::uint32_t levels = affordable_levels(model.mesh, kMostLevels);
   const double size = diagonal(points_of(model.mesh.positions()));
   const OpenSubdivReference reference(model.mesh, boundary, rules.decay, levels);
   PlainMesh oracle = plain_mesh(model.mesh, boundary);
@@ -174,7 +174,7 @@ TEST(OpenSubdivReference, LimitsAgreeExceptAtDarts) {
     for (const Model& model : models()) {
       if (!is_settled(model.mesh)) continue;
       SCOPED_TRACE(model.name + ", " + name(boundary, subdivide::CreaseDecay::uniform));
-      const std::uint32_t levels = std::min(2U, affordable_levels(model.mesh, kLevels));
+      const std::uint32_t levels = std::min(2U, affordable_levels(model.mesh, kMostLevels));
       const double size = diagonal(points_of(model.mesh.positions()));
       const OpenSubdivReference reference(model.mesh, boundary, subdivide::CreaseDecay::uniform,
                                           levels);

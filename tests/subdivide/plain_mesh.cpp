@@ -7,10 +7,6 @@
 namespace mesher::test {
 namespace {
 
-double settled(float sharpness) {
-  return sharpness >= subdivide::kSharpForEver ? kForEver : double(sharpness);
-}
-
 /// Orders the neighbors of a vertex. The faces give pairs of consecutive neighbors.
 std::vector<std::uint32_t> ring_of(const std::map<std::uint32_t, std::uint32_t>& after) {
   if (after.empty()) return {};

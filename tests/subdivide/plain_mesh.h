@@ -20,6 +20,10 @@ using Triangle = std::array<std::uint32_t, 3>;
 using VertexPair = std::pair<std::uint32_t, std::uint32_t>;
 
 inline constexpr double kForEver = std::numeric_limits<double>::infinity();
+/// A sharpness of the engine as the references count it.
+inline double settled(float sharpness) {
+  return sharpness >= subdivide::kSharpForEver ? kForEver : double(sharpness);
+}
 
 inline VertexPair pair_of(std::uint32_t a, std::uint32_t b) {
   return a < b ? VertexPair(a, b) : VertexPair(b, a);

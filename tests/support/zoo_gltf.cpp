@@ -1,17 +1,9 @@
 #include "tests/support/bytes.h"
 #include "tests/support/zoo.h"
+#include "tests/support/zoo_text.h"
 
 namespace mesher::test {
 namespace {
-
-constexpr int kMany = 100000;
-
-std::string repeated(const std::string& text, int times) {
-  std::string all;
-  for (int i = 0; i < times; ++i)
-    all += text;
-  return all;
-}
 
 const std::string kData = bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}) +
                           bytes_of<std::uint16_t>({0, 1, 2, 0, 3, 1});

@@ -2,20 +2,12 @@
 #include <random>
 
 #include "tests/support/zoo.h"
+#include "tests/support/zoo_text.h"
 
 namespace mesher::test {
 namespace {
 
 const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-constexpr int kMany = 100000;
-
-std::string repeated(const std::string& text, int times) {
-  std::string all;
-  all.reserve(text.size() * static_cast<std::size_t>(times));
-  for (int i = 0; i < times; ++i)
-    all += text;
-  return all;
-}
 
 std::string vertex(double x, double y, double z) {
   return "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";

@@ -17,7 +17,7 @@
 namespace mesher {
 namespace {
 
-constexpr std::size_t kGrain = std::size_t{1} << 16;
+constexpr std::size_t kBuildGrain = std::size_t{1} << 16;
 // A flipped diagonal may coincide with another one in turn. If that goes on, the polygons
 // themselves overlap, and their edges are cut.
 constexpr int kFlipRounds = 3;
@@ -87,7 +87,7 @@ class Builder {
     check_attribute_sizes();
     const std::size_t vertices = soup_.positions.size();
     std::atomic<bool> is_out_of_range{false};
-    parallel_for(soup_.corners.size(), kGrain, [&](IndexRange range) {
+    parallel_for(soup_.corners.size(), kBuildGrain, [&](IndexRange range) {
       std::uint32_t highest = 0;
       for (std::size_t i = range.begin; i < range.end; ++i) {
         highest = std::max(highest, soup_.corners[i]);
@@ -128,7 +128,7 @@ class Builder {
     const auto& p = soup_.positions;
     bad_vertex_.assign(p.size(), 0);
     std::atomic<std::uint64_t> bad_vertices{0};
-    parallel_for(p.size(), kGrain, [&](IndexRange range) {
+    parallel_for(p.size(), kBuildGrain, [&](IndexRange range) {
       std::uint64_t bad = 0;
       for (std::size_t v = range.begin; v < range.end; ++v) {
         bad_vertex_[v] = is_finite(p[v]) ? 0 : 1;
@@ -139,7 +139,7 @@ class Builder {
     std::vector<std::uint8_t> drop(faces, 0);
     std::atomic<std::uint64_t> degenerate{0};
     std::atomic<std::uint64_t> non_finite{0};
-    parallel_for(faces, kGrain, [&](IndexRange range) {
+    parallel_for(faces, kBuildGrain, [&](IndexRange range) {
       for (std::size_t f = range.begin; f < range.end; ++f) {
         const std::uint32_t a = soup_.corners[3 * f];
         const std::uint32_t b = soup_.corners[3 * f + 1];
@@ -163,7 +163,7 @@ class Builder {
   void drop_unused_vertices() {
     const std::size_t vertices = soup_.positions.size();
     std::vector<std::uint8_t> is_used(vertices, 0);
-    parallel_for(soup_.corners.size(), kGrain, [&](IndexRange range) {
+    parallel_for(soup_.corners.size(), kBuildGrain, [&](IndexRange range) {
       for (std::size_t i = range.begin; i < range.end; ++i)
         set_flag(is_used[soup_.corners[i]]);
     });
@@ -188,7 +188,7 @@ class Builder {
       new_index[v] = drop[v] != 0 ? kNone : next++;
     compact(soup_.positions, drop, 1);
     compact(result_.vertex_source, drop, 1);
-    parallel_for(soup_.corners.size(), kGrain, [&](IndexRange range) {
+    parallel_for(soup_.corners.size(), kBuildGrain, [&](IndexRange range) {
       for (std::size_t i = range.begin; i < range.end; ++i) {
         soup_.corners[i] = new_index[soup_.corners[i]];
       }
@@ -266,7 +266,7 @@ class Builder {
 
   void take_corners() {
     arrays_.origin.resize(soup_.corners.size());
-    parallel_for(soup_.corners.size(), kGrain, [&](IndexRange range) {
+    parallel_for(soup_.corners.size(), kBuildGrain, [&](IndexRange range) {
       for (std::size_t i = range.begin; i < range.end; ++i) {
         arrays_.origin[i] = Vertex(soup_.corners[i]);
       }
@@ -316,7 +316,7 @@ class Builder {
     }
     std::partial_sum(first.begin(), first.end(), first.begin());
     std::vector<std::uint8_t> is_found(tags.size(), 0);
-    parallel_for(arrays_.origin.size(), kGrain, [&](IndexRange range) {
+    parallel_for(arrays_.origin.size(), kBuildGrain, [&](IndexRange range) {
       for (std::size_t i = range.begin; i < range.end; ++i) {
         const Halfedge h(static_cast<std::uint32_t>(i));
         const auto [a, b] = std::minmax(source[arrays_.origin[i].index()],

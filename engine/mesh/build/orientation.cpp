@@ -5,10 +5,10 @@
 namespace mesher {
 namespace {
 
-enum class Turn : std::uint8_t { unknown, keep, flip };
+enum class Winding : std::uint8_t { unknown, keep, flip };
 
-Turn opposite(Turn turn) {
-  return turn == Turn::keep ? Turn::flip : Turn::keep;
+Winding opposite(Winding winding) {
+  return winding == Winding::keep ? Winding::flip : Winding::keep;
 }
 
 }  // namespace
@@ -16,13 +16,13 @@ Turn opposite(Turn turn) {
 std::vector<std::uint32_t> faces_to_flip(const Array<Vertex>& origin,
                                          const EdgeMatching& matching) {
   const auto face_count = static_cast<std::uint32_t>(origin.size() / 3);
-  std::vector<Turn> turn(face_count, Turn::unknown);
+  std::vector<Winding> winding(face_count, Winding::unknown);
   std::vector<std::uint32_t> component;  // its faces, in visiting order
   std::vector<std::uint32_t> flips;
   for (std::uint32_t seed = 0; seed < face_count; ++seed) {
-    if (turn[seed] != Turn::unknown) continue;
+    if (winding[seed] != Winding::unknown) continue;
     component.assign(1, seed);
-    turn[seed] = Turn::keep;
+    winding[seed] = Winding::keep;
     std::size_t flipped = 0;
     for (std::size_t i = 0; i < component.size(); ++i) {
       const std::uint32_t f = component[i];
@@ -30,16 +30,16 @@ std::vector<std::uint32_t> faces_to_flip(const Array<Vertex>& origin,
         const Halfedge t = matching.twin[h];
         if (!t.is_valid()) continue;
         const std::uint32_t other = t.index() / 3;
-        if (turn[other] != Turn::unknown) continue;
+        if (winding[other] != Winding::unknown) continue;
         const bool agrees = origin[h] != origin[t.index()];
-        turn[other] = agrees ? turn[f] : opposite(turn[f]);
-        flipped += turn[other] == Turn::flip ? 1 : 0;
+        winding[other] = agrees ? winding[f] : opposite(winding[f]);
+        flipped += winding[other] == Winding::flip ? 1 : 0;
         component.push_back(other);
       }
     }
-    const Turn minority = 2 * flipped > component.size() ? Turn::keep : Turn::flip;
+    const Winding minority = 2 * flipped > component.size() ? Winding::keep : Winding::flip;
     for (const std::uint32_t f : component) {
-      if (turn[f] == minority) flips.push_back(f);
+      if (winding[f] == minority) flips.push_back(f);
     }
   }
   return flips;

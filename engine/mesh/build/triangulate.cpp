@@ -13,7 +13,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-constexpr std::size_t kGrain = 256;
+constexpr std::size_t kTriangulateGrain = 256;
 
 bool is_finite(std::span<const glm::vec3> points) {
   for (const glm::vec3& p : points) {
@@ -104,12 +104,13 @@ void triangulate(Soup& soup, BuildReport& report, Progress* progress) {
   Array<std::uint32_t> source(3 * starts[faces]);  // corner of the soup, for each new corner
   Array<std::uint32_t> source_face(starts[faces]);
   std::atomic<std::size_t> done{0};
-  parallel_for(faces, kGrain, [&](IndexRange range) {
+  parallel_for(faces, kTriangulateGrain, [&](IndexRange range) {
     std::vector<Triangle> triangles;
     std::vector<glm::vec3> outline;
     for (std::size_t f = range.begin; f < range.end; ++f) {
-      if (f % kGrain == 0) {
-        mesher::report(progress, static_cast<float>(done += kGrain) / static_cast<float>(faces));
+      if (f % kTriangulateGrain == 0) {
+        mesher::report(progress,
+                       static_cast<float>(done += kTriangulateGrain) / static_cast<float>(faces));
       }
       if (starts[f] == starts[f + 1]) continue;
       const std::uint32_t begin = soup.face_start[f];

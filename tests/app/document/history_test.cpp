@@ -11,8 +11,8 @@ namespace mesher::app {
 namespace {
 
 /// A model with edits that move one vertex each.
-struct Document {
-  Document() {
+struct Edited {
+  Edited() {
     model.mesh = build_mesh(test::grid(4)).mesh;
     stats = statistics(model.mesh);
   }
@@ -35,7 +35,7 @@ struct Document {
 };
 
 TEST(History, UndoAndRedoRestoreModel) {
-  Document d;
+  Edited d;
   History history;
   d.move(history, 0, 5.0F);
   d.move(history, 1, 6.0F);
@@ -56,7 +56,7 @@ TEST(History, UndoAndRedoRestoreModel) {
 }
 
 TEST(History, TakenBackEditCannotBeRedone) {
-  Document d;
+  Edited d;
   History history;
   d.move(history, 0, 5.0F);
   const std::size_t bytes = history.memory_bytes();
@@ -69,7 +69,7 @@ TEST(History, TakenBackEditCannotBeRedone) {
 }
 
 TEST(History, TakeBackDropsUndoneEdits) {
-  Document d;
+  Edited d;
   History history;
   d.move(history, 0, 5.0F);
   d.move(history, 1, 6.0F);
@@ -81,7 +81,7 @@ TEST(History, TakeBackDropsUndoneEdits) {
 }
 
 /// An edit that replaces the model by a large one with texture coordinates.
-Edit growth(const Document& d) {
+Edit growth(const Edited& d) {
   const Mesh large = build_mesh(test::torus(500, 400)).mesh;
   Attributes attributes;
   attributes.texcoord.assign(large.halfedge_count(), {0.5F, 0.5F});
@@ -95,7 +95,7 @@ Edit growth(const Document& d) {
 TEST(History, OutOfMemoryLeavesModelUnchanged) {
   int failures = 0;
   for (std::uint64_t bytes = 0;; bytes += 2'000'000) {
-    Document d;
+    Edited d;
     const Mesh before = d.model.mesh;
     History history;
     Edit edit = growth(d);
@@ -116,7 +116,7 @@ TEST(History, OutOfMemoryLeavesModelUnchanged) {
 }
 
 TEST(History, NewEditDropsUndoneEdits) {
-  Document d;
+  Edited d;
   History history;
   d.move(history, 0, 5.0F);
   history.undo(d.model, d.stats);
@@ -126,7 +126,7 @@ TEST(History, NewEditDropsUndoneEdits) {
 }
 
 TEST(History, BudgetDropsOldestEditsButNotLast) {
-  Document d;
+  Edited d;
   const std::size_t one = d.moved(0, 1.0F).memory_bytes();
   ASSERT_GT(one, 0U);
   History history(3 * one);
@@ -142,7 +142,7 @@ TEST(History, BudgetDropsOldestEditsButNotLast) {
 }
 
 TEST(History, MemoryIsCounted) {
-  Document d;
+  Edited d;
   History history;
   d.move(history, 0, 5.0F);
   const std::size_t one = history.memory_bytes();

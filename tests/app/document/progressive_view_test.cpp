@@ -16,7 +16,7 @@
 namespace mesher::app {
 namespace {
 
-void press(Session& session, const char* keys) {
+void press_and_settle(Session& session, const char* keys) {
   for (const KeyPress& key : parse_keys(keys)) {
     const auto command = command_for(key);
     ASSERT_NE(command, nullptr) << to_text(key);
@@ -53,17 +53,17 @@ class ProgressiveViewTest : public testing::Test {
 
 TEST_F(ProgressiveViewTest, PEntersAtFullDetailAndRestoresModelOnLeaving) {
   const Mesh before = session_.document.model.mesh;
-  press(session_, "p");
+  press_and_settle(session_, "p");
   ASSERT_TRUE(view().is_on());
   EXPECT_TRUE(view().has_geomorph());
   EXPECT_EQ(faces(), 2400U);
   EXPECT_EQ(view().position(), 1.0);
   EXPECT_LE(view().mesh().base_face_count(), 200U);
   EXPECT_EQ(shown_mesh(session_.document).face_count(), 2400U);
-  press(session_, "home");
+  press_and_settle(session_, "home");
   EXPECT_EQ(faces(), view().mesh().base_face_count());
   EXPECT_EQ(&shown_mesh(session_.document), &view().mesh().mesh());
-  press(session_, "p");
+  press_and_settle(session_, "p");
   EXPECT_FALSE(view().is_on());
   EXPECT_EQ(&shown_mesh(session_.document), &session_.document.model.mesh);
   EXPECT_TRUE(has_same_arrays(session_.document.model.mesh, before));
@@ -72,70 +72,70 @@ TEST_F(ProgressiveViewTest, PEntersAtFullDetailAndRestoresModelOnLeaving) {
 }
 
 TEST_F(ProgressiveViewTest, ProgressiveMeshIsKeptUntilModelChanges) {
-  press(session_, "p home p");
+  press_and_settle(session_, "p home p");
   EXPECT_TRUE(view().has_mesh());
-  press(session_, "p");
+  press_and_settle(session_, "p");
   EXPECT_EQ(faces(), view().mesh().base_face_count()) << "the level is kept";
-  press(session_, "p d");
+  press_and_settle(session_, "p d");
   EXPECT_FALSE(view().has_mesh());
-  press(session_, "p");
+  press_and_settle(session_, "p");
   EXPECT_EQ(faces(), session_.document.statistics.faces);
 }
 
 TEST_F(ProgressiveViewTest, EscapeLeavesModeBeforeQuitting) {
-  press(session_, "p esc");
+  press_and_settle(session_, "p esc");
   EXPECT_FALSE(view().is_on());
   EXPECT_FALSE(session_.wants_quit);
-  press(session_, "esc");
+  press_and_settle(session_, "esc");
   EXPECT_TRUE(session_.wants_quit);
 }
 
 TEST_F(ProgressiveViewTest, KeysReachEveryLevel) {
-  press(session_, "p shift+g home");
+  press_and_settle(session_, "p shift+g home");
   EXPECT_EQ(view().mesh().level(), 0U);
-  press(session_, "] ] . [");
+  press_and_settle(session_, "] ] . [");
   EXPECT_EQ(view().mesh().level(), 2U);
-  press(session_, "[ , , ,");
+  press_and_settle(session_, "[ , , ,");
   EXPECT_EQ(view().mesh().level(), 0U);
-  press(session_, "end");
+  press_and_settle(session_, "end");
   EXPECT_EQ(faces(), 2400U);
-  press(session_, "]");
+  press_and_settle(session_, "]");
   EXPECT_EQ(faces(), 2400U);
-  press(session_, "pagedown shift+[");
+  press_and_settle(session_, "pagedown shift+[");
   EXPECT_NEAR(view().position(), 0.8, 1e-9);
   EXPECT_LT(faces(), 2400U);
-  press(session_, "pageup shift+] pageup");
+  press_and_settle(session_, "pageup shift+] pageup");
   EXPECT_EQ(view().position(), 1.0);
 }
 
 TEST_F(ProgressiveViewTest, TogglingGeomorphsKeepsLevel) {
-  press(session_, "p");
+  press_and_settle(session_, "p");
   view().move_to_level(500);
   EXPECT_GE(view().mesh().level(), 500U);
   EXPECT_NE(view().growth(), GeomorphTime::done());
-  press(session_, "shift+g");
+  press_and_settle(session_, "shift+g");
   EXPECT_EQ(view().mesh().level(), 500U);
   EXPECT_EQ(view().growth(), GeomorphTime::done());
-  press(session_, "shift+g");
+  press_and_settle(session_, "shift+g");
   EXPECT_NEAR(view().range().grown(view().time()), 500.0, 1e-6);
   change([](ProgressiveSettings& s) { s.geomorph_range = 0.4F; });
   EXPECT_NEAR(view().range().grown(view().time()), 500.0, 1e-6);
-  press(session_, "end shift+g");
+  press_and_settle(session_, "end shift+g");
   EXPECT_TRUE(view().is_at_end());
-  press(session_, "shift+g");
+  press_and_settle(session_, "shift+g");
   EXPECT_TRUE(view().is_at_end());
   EXPECT_EQ(view().growth(), GeomorphTime::done());
-  press(session_, "home shift+g");
+  press_and_settle(session_, "home shift+g");
   EXPECT_EQ(view().time(), 0.0);
-  press(session_, "shift+g");
+  press_and_settle(session_, "shift+g");
   EXPECT_EQ(view().time(), 0.0);
 }
 
 TEST_F(ProgressiveViewTest, PlaysBackAndForth) {
-  press(session_, "p home");
+  press_and_settle(session_, "p home");
   change([](ProgressiveSettings& s) { s.seconds = 2.0F; });
   EXPECT_FALSE(view().advance(0.5, 100.0)) << "nothing moves yet";
-  press(session_, "space");
+  press_and_settle(session_, "space");
   EXPECT_TRUE(view().is_playing());
   EXPECT_TRUE(view().advance(0.5, 100.0));
   EXPECT_NEAR(view().position(), 0.25, 1e-6);
@@ -149,17 +149,17 @@ TEST_F(ProgressiveViewTest, PlaysBackAndForth) {
   EXPECT_NEAR(view().position(), 0.25, 1e-6);
   view().advance(4.0 * 7, 100.0);
   EXPECT_NEAR(view().position(), 0.25, 1e-6) << "whole periods";
-  press(session_, "space");
+  press_and_settle(session_, "space");
   EXPECT_FALSE(view().advance(1.0, 100.0));
-  press(session_, "end space");
+  press_and_settle(session_, "end space");
   view().advance(0.5, 100.0);
   EXPECT_NEAR(view().position(), 0.75, 1e-6) << "downwards from full detail";
-  press(session_, "[");
+  press_and_settle(session_, "[");
   EXPECT_FALSE(view().is_playing()) << "moving by hand ends playing";
 }
 
 TEST_F(ProgressiveViewTest, LevelErrorsDecreaseToZero) {
-  press(session_, "p");
+  press_and_settle(session_, "p");
   const progressive::LevelErrors& errors = view().levels().errors;
   const std::uint32_t splits = view().mesh().split_count();
   EXPECT_GT(errors.error(0), 0.0);
@@ -175,7 +175,7 @@ TEST_F(ProgressiveViewTest, LevelErrorsDecreaseToZero) {
 }
 
 TEST_F(ProgressiveViewTest, AutomaticLevelHasHysteresis) {
-  press(session_, "p");
+  press_and_settle(session_, "p");
   const progressive::LevelErrors& errors = view().levels().errors;
   const double unit = 0.5 / errors.error(300);  // screen-space error of level 300: half a pixel
   const std::uint32_t level = automatic_level(errors, 0, 0.5, unit);
@@ -189,8 +189,8 @@ TEST_F(ProgressiveViewTest, AutomaticLevelHasHysteresis) {
 }
 
 TEST_F(ProgressiveViewTest, AutomaticLevelIsReachedSmoothlyAndStops) {
-  press(session_, "p");
-  press(session_, "home");
+  press_and_settle(session_, "p");
+  press_and_settle(session_, "home");
   change([](ProgressiveSettings& s) {
     s.is_automatic = true;
     s.tolerance_px = 1.0F;
@@ -215,7 +215,7 @@ TEST_F(ProgressiveViewTest, AutomaticLevelIsReachedSmoothlyAndStops) {
 }
 
 TEST_F(ProgressiveViewTest, CloserCameraGivesFinerLevel) {
-  press(session_, "p a");
+  press_and_settle(session_, "p a");
   session_.view.camera.zoom(0.02);
   view().settle(shown_pixels_per_unit(session_.document, session_.view));
   const std::uint32_t far = faces();
@@ -228,11 +228,11 @@ TEST_F(ProgressiveViewTest, CloserCameraGivesFinerLevel) {
 }
 
 TEST_F(ProgressiveViewTest, EditsAreRefusedWithNotice) {
-  press(session_, "d d ctrl+z p");
+  press_and_settle(session_, "d d ctrl+z p");
   const std::uint32_t faces_before = session_.document.statistics.faces;
   for (const char* key :
        {"d", "shift+d", "s", "shift+s", "ctrl+z", "ctrl+y", "c", "shift+c", "+", "ctrl+a", "m"}) {
-    press(session_, key);
+    press_and_settle(session_, key);
     EXPECT_NE(session_.document.notice.find("or K to use this level as the model"),
               std::string::npos)
         << key;
@@ -246,7 +246,7 @@ TEST_F(ProgressiveViewTest, EditsAreRefusedWithNotice) {
 TEST_F(ProgressiveViewTest, KeysOutsideModeGiveNotice) {
   for (const char* key :
        {"space", "[", "]", "home", "end", "pageup", "shift+g", "a", "shift+b", "k"}) {
-    press(session_, key);
+    press_and_settle(session_, key);
     EXPECT_EQ(session_.document.notice.find("press P first"), 0U)
         << key << session_.document.notice;
   }
@@ -254,7 +254,7 @@ TEST_F(ProgressiveViewTest, KeysOutsideModeGiveNotice) {
 }
 
 TEST_F(ProgressiveViewTest, EnteringModeEndsCreaseMode) {
-  press(session_, "c ctrl+a p");
+  press_and_settle(session_, "c ctrl+a p");
   EXPECT_TRUE(view().is_on());
   EXPECT_FALSE(session_.document.creases.is_on);
   EXPECT_TRUE(marked_edges(session_.document.creases).selected.empty());
@@ -262,10 +262,10 @@ TEST_F(ProgressiveViewTest, EnteringModeEndsCreaseMode) {
 
 TEST_F(ProgressiveViewTest, UsedLevelCanBeEditedAndUndone) {
   const Mesh before = session_.document.model.mesh;
-  press(session_, "p");
+  press_and_settle(session_, "p");
   view().move_to_level(view().mesh().split_count() / 2);
   const Mesh level = view().mesh().mesh();
-  press(session_, "k");
+  press_and_settle(session_, "k");
   EXPECT_FALSE(view().is_on());
   EXPECT_TRUE(has_same_arrays(session_.document.model.mesh, level));
   EXPECT_EQ(session_.document.statistics.faces, level.face_count());
@@ -273,11 +273,11 @@ TEST_F(ProgressiveViewTest, UsedLevelCanBeEditedAndUndone) {
   EXPECT_EQ(session_.document.edits.history.undo_name(),
             "use the level of " + std::to_string(level.face_count() / 1000) + "," +
                 std::to_string(level.face_count() % 1000 + 1000).substr(1) + " faces as the model");
-  press(session_, "d");  // it can be edited
+  press_and_settle(session_, "d");  // it can be edited
   EXPECT_LT(session_.document.statistics.faces, level.face_count());
-  press(session_, "ctrl+z ctrl+z");
+  press_and_settle(session_, "ctrl+z ctrl+z");
   EXPECT_TRUE(has_same_arrays(session_.document.model.mesh, before));
-  press(session_, "ctrl+y");
+  press_and_settle(session_, "ctrl+y");
   EXPECT_TRUE(has_same_arrays(session_.document.model.mesh, level));
 }
 
@@ -293,7 +293,7 @@ TEST_F(ProgressiveViewTest, UsedLevelCarriesAttributesOver) {
   }
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
     attributes.group[f] = f < 1200 ? 0 : 1;
-  press(session_, "p end");
+  press_and_settle(session_, "p end");
   const auto& source = view().levels().vertex_source;
   const Shape shape = shown_shape(session_.document);
   ASSERT_EQ(shape.attributes.color.size(), shape.mesh.halfedge_count());
@@ -301,7 +301,7 @@ TEST_F(ProgressiveViewTest, UsedLevelCarriesAttributesOver) {
     const std::uint32_t v = source[shape.mesh.origin(Halfedge(h)).index()].index();
     EXPECT_EQ(shape.attributes.color[h], glm::u8vec4(v % 256, v / 256, 7, 255));
   }
-  press(session_, "pagedown pagedown k");
+  press_and_settle(session_, "pagedown pagedown k");
   EXPECT_EQ(session_.document.model.attributes.color.size(),
             session_.document.model.mesh.halfedge_count());
   EXPECT_EQ(session_.document.model.attributes.group.size(),
@@ -309,7 +309,7 @@ TEST_F(ProgressiveViewTest, UsedLevelCarriesAttributesOver) {
 }
 
 TEST_F(ProgressiveViewTest, SavingWritesShownLevel) {
-  press(session_, "p pagedown pagedown");
+  press_and_settle(session_, "p pagedown pagedown");
   session_.saving.waiting = "somewhere.obj";
   const auto task = begin_save(session_.saving, session_.document);
   ASSERT_TRUE(task);
@@ -317,7 +317,7 @@ TEST_F(ProgressiveViewTest, SavingWritesShownLevel) {
 }
 
 TEST_F(ProgressiveViewTest, RebuildUsesRequestedBase) {
-  press(session_, "p home");
+  press_and_settle(session_, "p home");
   const std::uint32_t coarse = view().mesh().base_face_count();
   change([](ProgressiveSettings& s) { s.base_faces = 1000; });
   request_rebuilt_progressive(session_.document);
@@ -334,13 +334,13 @@ TEST_F(ProgressiveViewTest, RebuildUsesRequestedBase) {
 }
 
 TEST_F(ProgressiveViewTest, NoticeDescribesBase) {
-  press(session_, "p");
+  press_and_settle(session_, "p");
   EXPECT_EQ(session_.document.notice,
             "200 to 2,400 faces: Space plays, PageUp and PageDown refine");
   ASSERT_TRUE(view().levels().report.has_value());
   EXPECT_EQ(view().levels().report->faces_reached, 200U);
   show(test::cube());
-  press(session_, "p");
+  press_and_settle(session_, "p");
   EXPECT_LT(view().mesh().base_face_count(), 12U) << "there is something to refine";
   EXPECT_TRUE(session_.document.notice.starts_with("4 to 12 faces: ") &&
               session_.document.notice.find("; the base is far from the model: ") !=
@@ -349,7 +349,7 @@ TEST_F(ProgressiveViewTest, NoticeDescribesBase) {
   // A requested base is built at any error.
   show(test::cube());
   change([](ProgressiveSettings& s) { s.base_faces = 4; });
-  press(session_, "p");
+  press_and_settle(session_, "p");
   EXPECT_EQ(view().mesh().base_face_count(), 4U);
   EXPECT_NE(session_.document.notice.find("far from the model"), std::string::npos)
       << session_.document.notice;
@@ -357,34 +357,34 @@ TEST_F(ProgressiveViewTest, NoticeDescribesBase) {
 
 TEST_F(ProgressiveViewTest, UsingLevelFarFromModelGivesNotice) {
   show(test::cube());
-  press(session_, "p home k");
+  press_and_settle(session_, "p home k");
   EXPECT_EQ(session_.document.model.mesh.face_count(), 4U);
   EXPECT_TRUE(session_.document.notice.starts_with("far from the model: "))
       << session_.document.notice;
   show(test::torus(40, 30));
-  press(session_, "p home k");
+  press_and_settle(session_, "p home k");
   EXPECT_EQ(session_.document.model.mesh.face_count(), 200U);
   EXPECT_EQ(session_.document.notice.find("far from"), std::string::npos)
       << session_.document.notice;
 }
 
 TEST_F(ProgressiveViewTest, OpeningModelEndsMode) {
-  press(session_, "p shift+b");
+  press_and_settle(session_, "p shift+b");
   show(test::cube());
   EXPECT_FALSE(view().is_on());
   EXPECT_FALSE(view().has_mesh());
   EXPECT_TRUE(view().settings().colors_by_split_order) << "settings stay";
-  press(session_, "p");
+  press_and_settle(session_, "p");
   EXPECT_TRUE(view().is_on()) << "even if the mesh has only a base";
-  press(session_, "home ] [ end pageup a space");
+  press_and_settle(session_, "home ] [ end pageup a space");
   view().advance(1.0, 100.0);
   EXPECT_LE(faces(), 12U);
 }
 
 TEST_F(ProgressiveViewTest, ShownSettingsDescribeGeomorph) {
-  press(session_, "p");
+  press_and_settle(session_, "p");
   view().move_to(0.5);
-  press(session_, "shift+b");
+  press_and_settle(session_, "shift+b");
   const render::Settings settings = shown_settings(session_.view.settings, session_.document);
   EXPECT_TRUE(settings.colors_by_split_order);
   EXPECT_EQ(settings.first_split_vertex, view().mesh().base_vertex_count());
@@ -407,7 +407,7 @@ TEST_F(ProgressiveViewTest, JsonContainsLevel) {
   EXPECT_EQ(off["on"], false);
   EXPECT_EQ(off["ready"], false);
   EXPECT_TRUE(off["level"].is_null());
-  press(session_, "p home ]");
+  press_and_settle(session_, "p home ]");
   const Json json = to_json(session_)["progressive"];
   EXPECT_EQ(json["on"], true);
   EXPECT_EQ(json["level"], 1U);

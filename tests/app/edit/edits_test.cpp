@@ -10,19 +10,11 @@
 #include "engine/core/error.h"
 #include "engine/io/read.h"
 #include "engine/simplify/simplify.h"
+#include "tests/app/edit/editing.h"
 #include "tests/support/meshes.h"
 
 namespace mesher::app {
 namespace {
-
-Session session_with(Soup soup) {
-  Session session;
-  Model model;
-  model.mesh = build_mesh(std::move(soup)).mesh;
-  show_model(session, std::move(model), "model.obj");
-  session.document.model.mesh.changes().clear();
-  return session;
-}
 
 Session session_with_cactus() {
   Session session;
@@ -30,20 +22,9 @@ Session session_with_cactus() {
   return session;
 }
 
-void press(Session& session, const char* keys) {
-  for (const KeyPress& key : parse_keys(keys)) {
-    run(session, *command_for(key));
-    run_waiting_edits(session.document);
-  }
-}
-
 void simplify_to(Session& session, std::uint32_t faces) {
   request_simplify_to(session.document, faces);
   run_waiting_edits(session.document);
-}
-
-bool is_same(const Mesh& a, const Mesh& b) {
-  return difference(a, b).is_empty();
 }
 
 /// Expects a valid mesh, and statistics that match it.

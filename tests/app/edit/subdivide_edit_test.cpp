@@ -11,38 +11,16 @@
 #include "engine/core/error.h"
 #include "engine/core/memory.h"
 #include "engine/subdivide/subdivide.h"
+#include "tests/app/edit/editing.h"
 #include "tests/support/meshes.h"
 
 namespace mesher::app {
 namespace {
 
-Session session_with(Soup soup) {
-  Session session;
-  Model model;
-  BuildResult built = build_mesh(std::move(soup));
-  model.mesh = std::move(built.mesh);
-  model.attributes = std::move(built.attributes);
-  show_model(session, std::move(model), "model.obj");
-  return session;
-}
-
 Soup creased_cube() {
   Soup soup = test::cube();
   soup.creases = {{0, 1, kInfinitelySharp}, {1, 3, 2.0F}};
   return soup;
-}
-
-void press(Session& session, const char* keys) {
-  for (const KeyPress& key : parse_keys(keys)) {
-    run(session, *command_for(key));
-    run_waiting_edits(session.document);
-    test::expect_valid(session.document.model.mesh);
-    EXPECT_EQ(session.document.statistics.faces, session.document.model.mesh.face_count());
-  }
-}
-
-bool is_same(const Mesh& a, const Mesh& b) {
-  return difference(a, b).is_empty();
 }
 
 TEST(Subdivision, SSplitsFacesIntoFourAndKeepsCamera) {

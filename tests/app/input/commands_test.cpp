@@ -21,7 +21,7 @@ Session session_with_cube() {
   return session;
 }
 
-void press(Session& session, const char* keys) {
+void press_keys(Session& session, const char* keys) {
   for (const KeyPress& key : parse_keys(keys)) {
     const auto command = command_for(key);
     ASSERT_NE(command, nullptr) << to_text(key);
@@ -67,44 +67,44 @@ TEST(Commands, BlockedCommandGivesNoticeAndChangesNothing) {
 TEST(Commands, WTogglesWireframe) {
   Session s = session_with_cube();
   EXPECT_FALSE(s.view.settings.wireframe);
-  press(s, "w");
+  press_keys(s, "w");
   EXPECT_TRUE(s.view.settings.wireframe);
   EXPECT_EQ(s.view.settings.shading, Shading::flat);
-  press(s, "w");
+  press_keys(s, "w");
   EXPECT_FALSE(s.view.settings.wireframe);
 }
 
 TEST(Commands, GTogglesGouraud) {
   Session s = session_with_cube();
-  press(s, "g");
+  press_keys(s, "g");
   EXPECT_EQ(s.view.settings.shading, Shading::gouraud);
-  press(s, "g");
+  press_keys(s, "g");
   EXPECT_EQ(s.view.settings.shading, Shading::flat);
 }
 
 TEST(Commands, SurfaceOrWireframeIsAlwaysShown) {
   Session s = session_with_cube();
-  press(s, "shift+w");
+  press_keys(s, "shift+w");
   EXPECT_EQ(s.view.settings.shading, Shading::none);
   EXPECT_TRUE(s.view.settings.wireframe);
-  press(s, "w");  // hides the wireframe, so the surface is shown again
+  press_keys(s, "w");  // hides the wireframe, so the surface is shown again
   EXPECT_FALSE(s.view.settings.wireframe);
   EXPECT_EQ(s.view.settings.shading, Shading::flat);
-  press(s, "shift+w shift+w");
+  press_keys(s, "shift+w shift+w");
   EXPECT_EQ(s.view.settings.shading, Shading::flat);
 }
 
 TEST(Commands, ViewKeysLookAlongAxes) {
   Session s = session_with_cube();
-  press(s, "1");
+  press_keys(s, "1");
   EXPECT_NEAR(s.view.camera.forward().z, -1.0, 1e-12);
-  press(s, "3");
+  press_keys(s, "3");
   EXPECT_NEAR(s.view.camera.forward().x, -1.0, 1e-12);
-  press(s, "7");
+  press_keys(s, "7");
   EXPECT_NEAR(s.view.camera.forward().y, -1.0, 1e-12);
-  press(s, "5");
+  press_keys(s, "5");
   EXPECT_TRUE(s.view.camera.is_orthographic());
-  press(s, "5");
+  press_keys(s, "5");
   EXPECT_FALSE(s.view.camera.is_orthographic());
 }
 
@@ -114,7 +114,7 @@ TEST(Commands, FFramesModel) {
   s.view.camera.zoom(7.0);
   s.view.camera.pan({200, 100}, s.view.window);
   EXPECT_FALSE(before == s.view.camera);
-  press(s, "f");
+  press_keys(s, "f");
   EXPECT_NEAR(s.view.camera.distance(), before.distance(), 1e-12);
   EXPECT_EQ(s.view.camera.pivot(), before.pivot());
 }
@@ -122,7 +122,7 @@ TEST(Commands, FFramesModel) {
 TEST(Commands, HelpHasThreeKeys) {
   for (const char* key : {"f1", "h", "?"}) {
     Session s = session_with_cube();
-    press(s, key);
+    press_keys(s, key);
     EXPECT_TRUE(s.shows_help) << key;
   }
 }
@@ -130,34 +130,34 @@ TEST(Commands, HelpHasThreeKeys) {
 TEST(Commands, EscapeClosesInnermostFirst) {
   Session s = session_with_cube();
   s.document.error = "bad file";
-  press(s, "h ctrl+o");
-  press(s, "esc");
+  press_keys(s, "h ctrl+o");
+  press_keys(s, "esc");
   EXPECT_FALSE(s.shows_open_dialog);
   EXPECT_TRUE(s.shows_help);
-  press(s, "esc");
+  press_keys(s, "esc");
   EXPECT_FALSE(s.shows_help);
   EXPECT_FALSE(s.document.error.empty());
-  press(s, "esc");
+  press_keys(s, "esc");
   EXPECT_TRUE(s.document.error.empty());
   EXPECT_FALSE(s.wants_quit);
-  press(s, "esc");
+  press_keys(s, "esc");
   EXPECT_TRUE(s.wants_quit);
 }
 
 TEST(Commands, PanelBackgroundScreenshotAndQuitKeysWork) {
   Session s = session_with_cube();
-  press(s, "tab b f12");
+  press_keys(s, "tab b f12");
   EXPECT_FALSE(s.shows_info);
   EXPECT_EQ(s.view.settings.background, render::Background::dark);
   EXPECT_TRUE(s.wants_screenshot);
   EXPECT_FALSE(s.wants_quit);
-  press(s, "q");
+  press_keys(s, "q");
   EXPECT_TRUE(s.wants_quit);
 }
 
 TEST(Commands, EditsAreQueuedInOrder) {
   Session s = session_with_cube();
-  press(s, "d shift+d ctrl+z ctrl+shift+z ctrl+y");
+  press_keys(s, "d shift+d ctrl+z ctrl+shift+z ctrl+y");
   ASSERT_EQ(s.document.edits.waiting.size(), 5U);
   EXPECT_EQ(s.document.statistics.faces, 12U);
   const char* expected[] = {"Simplifying to 10 faces", "Collapsing an edge"};

@@ -29,9 +29,9 @@ TEST(Keys, ParsesLists) {
 }
 
 TEST(Keys, TextUsesCommonNotation) {
-  EXPECT_EQ(to_text({"z", true, true}), "Ctrl+Shift+Z");
-  EXPECT_EQ(to_text({"f12", false, false}), "F12");
-  EXPECT_EQ(to_text({"escape", false, false}), "Esc");
+  EXPECT_EQ(to_text(KeyPress{"z", true, true}), "Ctrl+Shift+Z");
+  EXPECT_EQ(to_text(KeyPress{"f12", false, false}), "F12");
+  EXPECT_EQ(to_text(KeyPress{"escape", false, false}), "Esc");
 }
 
 }  // namespace

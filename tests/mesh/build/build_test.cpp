@@ -320,7 +320,7 @@ TEST(Build, ManyFacesOnOneEdgeTakeLinearTime) {
   EXPECT_EQ(r.mesh.face_count(), 200'000U);
 }
 
-Soup random_soup(std::uint32_t seed, std::uint32_t vertices, std::uint32_t faces) {
+Soup random_sized_soup(std::uint32_t seed, std::uint32_t vertices, std::uint32_t faces) {
   std::mt19937 random(seed);
   Soup soup;
   for (std::uint32_t v = 0; v < vertices; ++v) {
@@ -340,7 +340,7 @@ Soup random_soup(std::uint32_t seed, std::uint32_t vertices, std::uint32_t faces
 TEST(Build, RandomSoupBecomesManifold) {
   for (std::uint32_t seed = 0; seed < 3000; ++seed) {
     const std::uint32_t vertices = 4 + seed % 13;
-    const BuildResult r = built(random_soup(seed, vertices, 1 + seed % 60));
+    const BuildResult r = built(random_sized_soup(seed, vertices, 1 + seed % 60));
     if (testing::Test::HasFailure()) FAIL() << "seed " << seed;
     const std::uint64_t dropped =
         r.report[Repair::duplicate_faces_dropped] + r.report[Repair::degenerate_faces_dropped];
@@ -350,7 +350,7 @@ TEST(Build, RandomSoupBecomesManifold) {
 
 TEST(Build, RandomPolygonSoupBecomesManifold) {
   for (std::uint32_t seed = 0; seed < 2000; ++seed) {
-    Soup soup = random_soup(seed, 4 + seed % 17, 1 + seed % 50);
+    Soup soup = random_sized_soup(seed, 4 + seed % 17, 1 + seed % 50);
     for (std::uint32_t at = 0, k = seed; at <= soup.corners.size(); at += 2 + k++ % 6) {
       soup.face_start.push_back(at);
     }
@@ -375,7 +375,7 @@ TEST(Build, SameBytesForAnyThreadCount) {
   std::vector<std::vector<std::uint32_t>> results;
   for (const unsigned threads : {1U, 2U, 5U}) {
     const ThreadLimit limit(threads);
-    results.push_back(bytes_of(built(random_soup(7, 60'000, 90'000))));
+    results.push_back(bytes_of(built(random_sized_soup(7, 60'000, 90'000))));
     results.back().push_back(0);
     const auto more = bytes_of(built(torus(700, 300)));
     results.back().insert(results.back().end(), more.begin(), more.end());

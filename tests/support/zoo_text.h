@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+namespace mesher::test {
+
+/// As many repetitions as no reader should need memory or a stack for.
+inline constexpr int kMany = 100000;
+
+inline std::string repeated(const std::string& text, int times) {
+  std::string all;
+  all.reserve(text.size() * static_cast<std::size_t>(times));
+  for (int i = 0; i < times; ++i)
+    all += text;
+  return all;
+}
+
+}  // namespace mesher::test
