@@ -21,7 +21,7 @@ namespace mesher::app {
 namespace {
 
 void print(const char* label, const std::string& value) {
-  std::cout << fmt::format("{:<19}{}\n", label, value);
+  std::cout << fmt::format("{:<22}{}\n", label, value);
 }
 
 void print(const char* label, std::int64_t value) {
@@ -36,16 +36,9 @@ std::string extent_text(const Box& box) {
 }
 
 void print_statistics(const Statistics& s) {
-  print("vertices", s.vertices);
-  print("edges", s.edges);
-  print("faces", s.faces);
-  print("boundary edges", s.boundary_edges);
-  print("boundary loops", s.boundary_loops);
-  print("components", s.components);
-  print("Euler char.", s.euler_characteristic);
-  print("crease edges", s.crease_edges);
-  if (s.isolated_vertices > 0) print("isolated vertices", s.isolated_vertices);
-  if (s.zero_area_faces > 0) print("zero-area faces", s.zero_area_faces);
+  for (const Count& count : kCounts) {
+    if (!count.hides_zero || count.of(s) > 0) print(count.label, count.of(s));
+  }
   print("size", extent_text(s.box));
   print("area", number_text(s.area));
   if (s.is_closed()) print("volume", number_text(s.volume));

@@ -78,20 +78,13 @@ Json to_json(const ProgressiveView& view) {
 }  // namespace
 
 Json to_json(const Statistics& s) {
-  Json json{{"vertices", s.vertices},
-            {"edges", s.edges},
-            {"faces", s.faces},
-            {"boundary_edges", s.boundary_edges},
-            {"boundary_loops", s.boundary_loops},
-            {"components", s.components},
-            {"euler_characteristic", s.euler_characteristic},
-            {"crease_edges", s.crease_edges},
-            {"isolated_vertices", s.isolated_vertices},
-            {"zero_area_faces", s.zero_area_faces},
-            {"closed", s.is_closed()},
-            {"area", s.area},
-            {"volume", s.volume},
-            {"diagonal", s.box.diagonal()}};
+  Json json = Json::object();
+  for (const Count& count : kCounts)
+    json[count.key] = count.of(s);
+  json.update({{"closed", s.is_closed()},
+               {"area", s.area},
+               {"volume", s.volume},
+               {"diagonal", s.box.diagonal()}});
   if (s.box.is_empty()) {
     json["box"] = nullptr;
   } else {

@@ -41,14 +41,9 @@ void draw_level_counts(const Mesh& mesh, const Statistics& of_model) {
 
 void draw_counts(const Statistics& s) {
   if (!begin_section("Mesh") || !begin_table("counts")) return;
-  row_of_count("vertices", s.vertices);
-  row_of_count("edges", s.edges);
-  row_of_count("faces", s.faces);
-  row_of_count("boundary edges", s.boundary_edges);
-  row_of_count("boundary loops", s.boundary_loops);
-  row_of_count("components", s.components);
-  row_of_count("Euler characteristic", s.euler_characteristic);
-  row_of_count("crease edges", s.crease_edges);
+  for (const Count& count : kCounts) {
+    if (!count.hides_zero || count.of(s) > 0) row_of_count(count.label, count.of(s));
+  }
   row("diagonal", number_text(s.box.diagonal()));
   row("area", number_text(s.area));
   if (s.is_closed() && s.faces > 0) row("volume", number_text(s.volume));

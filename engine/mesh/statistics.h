@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -47,6 +48,33 @@ struct Statistics {
   Box box;
 
   bool is_closed() const { return boundary_edges == 0; }
+};
+
+/// One of the counts, with its words. `info`, JSON and the panel show them in this order.
+struct Count {
+  const char* key;    ///< in JSON
+  const char* label;  ///< in messages and panels
+  std::int64_t (*of)(const Statistics&);
+  bool hides_zero = false;  ///< in messages and panels
+};
+inline constexpr std::array kCounts{
+    Count{"vertices", "vertices", [](const Statistics& s) { return std::int64_t(s.vertices); }},
+    Count{"edges", "edges", [](const Statistics& s) { return std::int64_t(s.edges); }},
+    Count{"faces", "faces", [](const Statistics& s) { return std::int64_t(s.faces); }},
+    Count{"boundary_edges", "boundary edges",
+          [](const Statistics& s) { return std::int64_t(s.boundary_edges); }},
+    Count{"boundary_loops", "boundary loops",
+          [](const Statistics& s) { return std::int64_t(s.boundary_loops); }},
+    Count{"components", "components",
+          [](const Statistics& s) { return std::int64_t(s.components); }},
+    Count{"euler_characteristic", "Euler characteristic",
+          [](const Statistics& s) { return s.euler_characteristic; }},
+    Count{"crease_edges", "crease edges",
+          [](const Statistics& s) { return std::int64_t(s.crease_edges); }},
+    Count{"isolated_vertices", "isolated vertices",
+          [](const Statistics& s) { return std::int64_t(s.isolated_vertices); }, true},
+    Count{"zero_area_faces", "zero-area faces",
+          [](const Statistics& s) { return std::int64_t(s.zero_area_faces); }, true},
 };
 
 /// Returns the statistics of a mesh. O(F).

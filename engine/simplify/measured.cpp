@@ -93,6 +93,55 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Decides whether the result of a run is within the bound. Later runs take more trouble.
+analysis::HausdorffBounds decide_in_run(int run, const Trace& trace,
+                                        const SimplifyOptions& options) {
+  analysis::HausdorffBounds bounds = decide(trace, options);
+  // No point beyond the bound is known, so the result is worth more work.
+  const auto [lower, upper] = bounds.two_sided();
+  if (run >= kRunsBeforeEffort && lower <= options.max_error && upper > options.max_error) {
+    bounds = decide(trace, options, kEffort);
+  }
+  return bounds;
+}
+
+/// Adds the times of a run, all but that of measuring.
+void add(SimplifyTimes& total, const SimplifyTimes& run) {
+  total.prepare += run.prepare;
+  total.collapse += run.collapse;
+  total.finish += run.finish;
+}
+
+/// A result that is within the bound, with its distance from the input.
+Simplified measured(Simplified&& result, const Trace& trace,
+                    const analysis::HausdorffBounds& bounds, const SimplifyOptions& options,
+                    const SimplifyTimes& spent) {
+  const auto start = std::chrono::steady_clock::now();
+  const analysis::DistanceInterval distance = measure(trace, options);
+  const auto [lower, upper] = bounds.two_sided();
+  result.report.measured_error = std::max(lower, distance.lower);
+  result.report.certified_bound = std::min(upper, distance.upper);
+  result.report.seconds = spent;
+  result.report.seconds.measure += seconds_since(start);
+  return std::move(result);
+}
+
+/// The input, for a bound that no run has met. `spent`: times and refusals of the runs.
+Simplified unchanged(const Mesh& input, const SimplifyOptions& options,
+                     const SimplifyReport& spent) {
+  SimplifyOptions no_collapse = options;
+  no_collapse.observer = nullptr;
+  no_collapse.target_faces = input.face_count();
+  Simplified result = simplify_unmeasured(Mesh(input), no_collapse);
+  result.report.faces_asked = options.target_faces;
+  result.report.reason = StopReason::error_bound;
+  result.report.rejected = spent.rejected;
+  result.report.measured_error = 0.0;
+  result.report.certified_bound = 0.0;
+  result.report.seconds = spent.seconds;
+  return result;
+}
+
 }  // namespace
 
 Simplified simplify_certified(Mesh&& mesh, const SimplifyOptions& options) {
@@ -115,8 +164,7 @@ Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
   const bool is_fine = simplify::is_fine(input, options.max_error);
   run_options.max_error *= is_fine ? kUsedOfFineBound : kUsedOfBound;
   Array<float> shares;
-  SimplifyTimes seconds;
-  std::array<std::uint64_t, kRejections.size()> rejected{};
+  SimplifyReport spent;
   for (int run = 0; run < kMaxRuns; ++run) {
     CollapseRecorder recorder;
     run_options.observer = options.observer == nullptr ? nullptr : &recorder;
@@ -124,30 +172,15 @@ Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
     Simplified result = simplify_unmeasured(Mesh(input), run_options, shares, &trace);
     const auto start = std::chrono::steady_clock::now();
     analysis::HausdorffBounds bounds;
-    if (input.face_count() > 0 && result.mesh.face_count() > 0) {
-      bounds = decide(trace, options);
-      // No point beyond the bound is known, so the result is worth more work.
-      const auto [lower, upper] = bounds.two_sided();
-      if (run >= kRunsBeforeEffort && lower <= options.max_error && upper > options.max_error) {
-        bounds = decide(trace, options, kEffort);
-      }
-    }
-    seconds.prepare += result.report.seconds.prepare;
-    seconds.collapse += result.report.seconds.collapse;
-    seconds.finish += result.report.seconds.finish;
-    seconds.measure += seconds_since(start);
-    const auto [lower, upper] = bounds.two_sided();
-    if (upper <= options.max_error) {
+    if (input.face_count() > 0 && result.mesh.face_count() > 0)
+      bounds = decide_in_run(run, trace, options);
+    add(spent.seconds, result.report.seconds);
+    spent.seconds.measure += seconds_since(start);
+    if (bounds.two_sided().upper <= options.max_error) {
       if (options.observer != nullptr) options.observer->collapsed(recorder.records());
-      const auto again = std::chrono::steady_clock::now();
-      const analysis::DistanceInterval distance = measure(trace, options);
-      seconds.measure += seconds_since(again);
-      result.report.measured_error = std::max(lower, distance.lower);
-      result.report.certified_bound = std::min(upper, distance.upper);
-      result.report.seconds = seconds;
-      return result;
+      return measured(std::move(result), trace, bounds, options, spent.seconds);
     }
-    rejected = result.report.rejected;
+    spent.rejected = result.report.rejected;
     if (!is_fine) run_options.max_error = kUsedAfterFailure * options.max_error;
     if (run_options.max_error <= 0.0) break;  // the bound cannot get any tighter
     // Where faces are small, a safety margin costs hardly any extra faces.
@@ -155,17 +188,7 @@ Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
     tighten(shares, trace, bounds.beyond,
             kTighter[std::min<std::size_t>(static_cast<std::size_t>(run), kTighter.size() - 1)]);
   }
-  run_options = options;
-  run_options.observer = nullptr;
-  run_options.target_faces = input.face_count();
-  Simplified unchanged = simplify_unmeasured(Mesh(input), run_options);
-  unchanged.report.faces_asked = options.target_faces;
-  unchanged.report.reason = StopReason::error_bound;
-  unchanged.report.rejected = rejected;
-  unchanged.report.measured_error = 0.0;
-  unchanged.report.certified_bound = 0.0;
-  unchanged.report.seconds = seconds;
-  return unchanged;
+  return unchanged(input, options, spent);
 }
 
 }  // namespace mesher::simplify

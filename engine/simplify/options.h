@@ -166,7 +166,7 @@ inline constexpr std::array kSimplifyRules{
         .member = &SimplifyOptions::seed,
         .applies = [](const SimplifyOptions& o) { return o.cost == CostPolicy::random; }},
     Option<SimplifyOptions>{.key = "no-intersections",
-                            .label = "no crossings",
+                            .label = "no intersections",
                             .help = "refuse collapses that make faces intersect",
                             .member = &SimplifyOptions::no_intersections},
 };

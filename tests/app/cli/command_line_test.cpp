@@ -23,7 +23,7 @@ TEST_F(CommandLine, InfoPrintsBunnyStatistics) {
   EXPECT_EQ(json["statistics"]["euler_characteristic"], 2);
   EXPECT_EQ(json["repairs"]["faces_flipped"], 0);
   const Finished words = mesher({"info", "open_box.obj"});
-  EXPECT_NE(words.out.find("boundary loops     1"), std::string::npos) << words.out;
+  EXPECT_NE(words.out.find("boundary loops        1"), std::string::npos) << words.out;
 }
 
 TEST_F(CommandLine, RenderWritesPictureOfRequestedSize) {
