@@ -10,7 +10,7 @@
 namespace mesher::app {
 
 /// Loads progressive meshes into a session while it is shown, one at a time. Failures become the
-/// session's error; the part that was loaded stays.
+/// document's error; the part that was loaded stays.
 class ArrivalRunner {
  public:
   /// `wake` as for ByteStream. `edits`: those of the session, which end when their model is
@@ -21,7 +21,7 @@ class ArrivalRunner {
   /// Continues an arrival that was started elsewhere; may be null.
   void take_over(std::unique_ptr<PmArrival> arrival);
   /// Starts to load a file. The shown model stays until the base is loaded. Never blocks. Returns
-  /// whether the file could be opened; if not, only the session's error changes.
+  /// whether the file could be opened; if not, only the document's error changes.
   bool open(const std::filesystem::path& file);
   /// Reads for about `seconds`. Returns whether the picture changes.
   bool advance(double seconds);

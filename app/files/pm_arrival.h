@@ -27,9 +27,9 @@ class PmArrival {
   bool has_news(const ProgressiveView& progressive) const;
   /// Reads for about `seconds`; below full detail for longer, at least as long as going to full
   /// detail and back takes. Returns whether the picture changes. When the base is loaded, it
-  /// becomes the session's model, in progressive mode. At the end the full mesh becomes the model,
+  /// becomes the document's model, in progressive mode. At the end the full mesh becomes the model,
   /// and geomorphs are requested. If splits are missing or wrong, or bytes follow the last one, the
-  /// session's error says so, and reading ends.
+  /// document's error says so, and reading ends.
   /// Throws InputError if there is no base; the session is unchanged then.
   bool advance(Session& session, double seconds);
   /// Returns when the base is shown. Throws as `advance`.
@@ -50,7 +50,7 @@ class PmArrival {
 
   std::filesystem::path file_;
   std::unique_ptr<progressive::PmReader>
-      reader_;  ///< until the base is loaded; then the session owns it
+      reader_;  ///< until the base is loaded; then the document owns it
   bool has_base_ = false;
   bool is_done_ = false;
   double last_fed_s_ = 0.0;  ///< when the last reading ended

@@ -1,10 +1,12 @@
 #include "engine/core/memory.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <fstream>
+#include <array>
+#include <cstdlib>
 #include <new>
 
 #include "engine/core/array.h"
@@ -27,8 +29,12 @@ TEST(AvailableMemory, IsInBytes) {
 TEST(AvailableMemory, RespectsAddressSpaceLimit) {
   rlimit before = {};
   ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
-  std::uint64_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
+  // Read without a buffer on the heap, which would shrink the process when it is freed.
+  std::array<char, 128> statm{};
+  const int file = open("/proc/self/statm", O_RDONLY);
+  ASSERT_GT(read(file, statm.data(), statm.size() - 1), 0);
+  close(file);
+  const std::uint64_t pages = std::strtoull(statm.data(), nullptr, 10);
   constexpr std::uint64_t kRoom = 500'000'000;
   const rlimit limit{pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) + kRoom,
                      before.rlim_max};
