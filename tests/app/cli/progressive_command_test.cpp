@@ -215,9 +215,9 @@ TEST_F(ProgressiveCommand, QuantizedFileIsSmallerAndClose) {
 TEST_F(ProgressiveCommand, EveryCommandReadsProgressiveMesh) {
   make("bunny");
   const Finished words = mesher({"info", "p.pm"});
-  EXPECT_TRUE(holds(words.out, "splits             1,737")) << words.out;
-  EXPECT_TRUE(holds(words.out, "complete           yes")) << words.out;
-  EXPECT_TRUE(holds(words.out, "faces              3,674")) << words.out;
+  EXPECT_TRUE(holds(words.out, "splits                1,737")) << words.out;
+  EXPECT_TRUE(holds(words.out, "complete              yes")) << words.out;
+  EXPECT_TRUE(holds(words.out, "faces                 3,674")) << words.out;
   EXPECT_EQ(mesher_json({"info", "p.pm"})["pm"]["announced_splits"], 1737);
   EXPECT_EQ(mesher_json({"convert", "p.pm", "c.obj"})["statistics"]["faces"], 3674);
   EXPECT_EQ(mesher_json({"simplify", "p.pm", "s.obj", "--faces", "500"})["faces_before"], 3674);
