@@ -10,7 +10,7 @@ namespace mesher::app {
 
 /// The state of the program: a document, how it is looked at, and what is open beside it. It has no
 /// window and no GPU: the viewer and scripts drive the same session, so that both give the same
-/// result. Functions take the part that they need; commands take the session.
+/// result. Functions take the part that they need.
 struct Session {
   Document document;
   View view;

@@ -16,6 +16,16 @@ bool has_same_surface(const Mesh& a, const Mesh& b) {
          std::ranges::equal(a.positions(), b.positions());
 }
 
+/// Call after an edit of the history was undone or redone. Allocates nothing, so that a step is
+/// made as a whole or not at all.
+void note_history_step(Document& document, std::string&& notice, const Edit& edit, bool is_undo) {
+  document.notice = std::move(notice);
+  document.edits.subdivision = is_undo ? edit.subdivision_before : edit.subdivision_after;
+  document.edits.was_undone = is_undo;
+  note_model_changed(document, edit.mesh.keeps_topology());
+  follow_shown_level(document.edits, document.subdivide);
+}
+
 }  // namespace
 
 bool ModelEdit::start(Document& document) {
@@ -66,13 +76,8 @@ void undo(Document& document) {
     return;
   }
   std::string notice = "undone: " + history.undo_name();
-  const bool keeps_topology = history.undo_edit().mesh.keeps_topology();
   history.undo(document.model, document.statistics);
-  document.notice = std::move(notice);
-  document.edits.subdivision = history.redo_edit().subdivision_before;
-  document.edits.was_undone = true;
-  note_model_changed(document, keeps_topology);
-  follow_shown_level(document.edits, document.subdivide);
+  note_history_step(document, std::move(notice), history.redo_edit(), true);
 }
 
 void redo(Document& document) {
@@ -82,13 +87,8 @@ void redo(Document& document) {
     return;
   }
   std::string notice = "redone: " + history.redo_name();
-  const bool keeps_topology = history.redo_edit().mesh.keeps_topology();
   history.redo(document.model, document.statistics);
-  document.notice = std::move(notice);
-  document.edits.subdivision = history.undo_edit().subdivision_after;
-  document.edits.was_undone = false;
-  note_model_changed(document, keeps_topology);
-  follow_shown_level(document.edits, document.subdivide);
+  note_history_step(document, std::move(notice), history.undo_edit(), false);
 }
 
 bool take_back_last_edit(Document& document) {

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "engine/io/read.h"
 #include "engine/mesh/packed_normal.h"
 #include "engine/progressive/build.h"
 #include "engine/progressive/geomorph.h"
 #include "engine/render/offscreen.h"
 #include "tests/render/looks.h"
+#include "tests/support/assets.h"
 #include "tests/support/gpu_test.h"
 #include "tests/support/meshes.h"
 
@@ -56,7 +56,7 @@ struct Growing {
 };
 
 Mesh bunny() {
-  return io::read_model(MESHER_SOURCE_DIR "/assets/bunny_1k.obj", {}).mesh;
+  return test::asset("bunny_1k.obj");
 }
 Mesh torus() {
   return build_mesh(test::torus(40, 24)).mesh;

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/io/read.h"
 #include "engine/render/offscreen.h"
 #include "tests/render/looks.h"
+#include "tests/support/assets.h"
 #include "tests/support/golden.h"
 #include "tests/support/gpu_test.h"
 #include "tests/support/meshes.h"
@@ -145,7 +145,7 @@ Mesh semi_sharp_cube() {
 Mesh load(const std::string& model) {
   if (model == "semi_sharp_cube") return semi_sharp_cube();
   if (model == "dense_torus") return build_mesh(test::torus(400, 150)).mesh;
-  return io::read_model(MESHER_SOURCE_DIR "/assets/" + model + ".obj").mesh;
+  return test::asset(model + ".obj");
 }
 
 MarkedEdges marked_edges(const Mesh& mesh, const Scene& scene) {

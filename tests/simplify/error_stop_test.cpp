@@ -5,7 +5,6 @@
 
 #include "engine/analysis/distance.h"
 #include "engine/core/parallel.h"
-#include "engine/io/read.h"
 #include "engine/simplify/simplify.h"
 #include "tests/simplify/replay.h"
 #include "tests/support/assets.h"

@@ -9,7 +9,6 @@
 
 #include "engine/analysis/self_intersections.h"
 #include "engine/core/parallel.h"
-#include "engine/io/read.h"
 #include "engine/simplify/new_intersections.h"
 #include "engine/simplify/simplify.h"
 #include "tests/simplify/replay.h"

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/io/read.h"
 #include "engine/render/offscreen.h"
 #include "engine/subdivide/subdivide.h"
 #include "tests/subdivide/models.h"
+#include "tests/support/assets.h"
 #include "tests/support/golden.h"
 #include "tests/support/gpu_test.h"
 #include "tests/support/meshes.h"
@@ -26,10 +26,6 @@ struct View {
   double yaw_deg = 30.0;
   double pitch_deg = 25.0;
 };
-
-Mesh asset(const std::string& name) {
-  return io::read_model(MESHER_SOURCE_DIR "/assets/" + name + ".obj").mesh;
-}
 
 /// A cube whose twelve edges have the given sharpness; the diagonals of its sides are smooth.
 Mesh cube_of_sharpness(float sharpness) {
@@ -91,7 +87,7 @@ class SubdivideGolden : public GpuTest {
 
 /// Levels 0 to 4 and the limit. Top row: Hoppe's rules. Bottom row: DeRose's rules.
 TEST_F(SubdivideGolden, CreasedCubeMatches) {
-  const Mesh mesh = asset("creased_cube");
+  const Mesh mesh = asset("creased_cube.obj");
   Sheet sheet(6, 2);
   for (const subdivide::CreaseRules creases :
        {subdivide::CreaseRules::hoppe94, subdivide::CreaseRules::derose98}) {
@@ -123,7 +119,7 @@ TEST_F(SubdivideGolden, SchemesMatch) {
       sheet.add(tile(mesh, {.levels = 3, .scheme = scheme}, kSurfaceAndEdges, view));
   };
   add_row(build_mesh(octahedron()).mesh, {});
-  add_row(asset("bunny_200"), {.yaw_deg = 0.0, .pitch_deg = 10.0});
+  add_row(asset("bunny_200.obj"), {.yaw_deg = 0.0, .pitch_deg = 10.0});
   expect_golden(device(), "subdivide_loop_butterfly", sheet.image());
 }
 
@@ -138,8 +134,8 @@ TEST_F(SubdivideGolden, BoundariesMatch) {
          {subdivide::BoundaryRounding::edge_only, subdivide::BoundaryRounding::edge_and_corner})
       sheet.add(tile(mesh, {.levels = 3, .boundary = boundary}, kSurfaceAndEdges, view));
   };
-  add_three(asset("open_box"), kFromAbove);
-  sheet.add(tile(asset("cube"), {.levels = 3}, kSurfaceAndEdges, kFromAbove));
+  add_three(asset("open_box.obj"), kFromAbove);
+  sheet.add(tile(asset("cube.obj"), {.levels = 3}, kSurfaceAndEdges, kFromAbove));
   const Mesh flat = build_mesh(grid(2)).mesh;
   add_three(flat, {});
   sheet.add(tile(

@@ -4,7 +4,7 @@
 
 namespace mesher::test {
 
-/// As many repetitions as no reader should need memory or a stack for.
+/// More repetitions than a reader survives that recurses for each of them.
 inline constexpr int kMany = 100000;
 
 inline std::string repeated(const std::string& text, int times) {

@@ -11,6 +11,7 @@
 #include "app/edit/progressive_edits.h"
 #include "app/files/save.h"
 #include "app/input/commands.h"
+#include "tests/app/edit/editing.h"
 #include "tests/support/meshes.h"
 
 namespace mesher::app {
@@ -24,10 +25,6 @@ void press_and_settle(Session& session, const char* keys) {
     run_waiting_edits(session.document);
     session.document.progressive.settle(shown_pixels_per_unit(session.document, session.view));
   }
-}
-
-bool has_same_arrays(const Mesh& a, const Mesh& b) {
-  return difference(a, b).is_empty();
 }
 
 class ProgressiveViewTest : public testing::Test {
@@ -66,7 +63,7 @@ TEST_F(ProgressiveViewTest, PEntersAtFullDetailAndRestoresModelOnLeaving) {
   press_and_settle(session_, "p");
   EXPECT_FALSE(view().is_on());
   EXPECT_EQ(&shown_mesh(session_.document), &session_.document.model.mesh);
-  EXPECT_TRUE(has_same_arrays(session_.document.model.mesh, before));
+  EXPECT_TRUE(is_same(session_.document.model.mesh, before));
   EXPECT_EQ(session_.document.edits.history.undo_depth(), 0U);
   EXPECT_EQ(shown_settings(session_.view.settings, session_.document), session_.view.settings);
 }
@@ -267,7 +264,7 @@ TEST_F(ProgressiveViewTest, UsedLevelCanBeEditedAndUndone) {
   const Mesh level = view().mesh().mesh();
   press_and_settle(session_, "k");
   EXPECT_FALSE(view().is_on());
-  EXPECT_TRUE(has_same_arrays(session_.document.model.mesh, level));
+  EXPECT_TRUE(is_same(session_.document.model.mesh, level));
   EXPECT_EQ(session_.document.statistics.faces, level.face_count());
   EXPECT_TRUE(validate(session_.document.model.mesh).empty());
   EXPECT_EQ(session_.document.edits.history.undo_name(),
@@ -276,9 +273,9 @@ TEST_F(ProgressiveViewTest, UsedLevelCanBeEditedAndUndone) {
   press_and_settle(session_, "d");  // it can be edited
   EXPECT_LT(session_.document.statistics.faces, level.face_count());
   press_and_settle(session_, "ctrl+z ctrl+z");
-  EXPECT_TRUE(has_same_arrays(session_.document.model.mesh, before));
+  EXPECT_TRUE(is_same(session_.document.model.mesh, before));
   press_and_settle(session_, "ctrl+y");
-  EXPECT_TRUE(has_same_arrays(session_.document.model.mesh, level));
+  EXPECT_TRUE(is_same(session_.document.model.mesh, level));
 }
 
 TEST_F(ProgressiveViewTest, UsedLevelCarriesAttributesOver) {
