@@ -10,6 +10,7 @@
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
 #include "tests/support/meshes.h"
+#include "tests/support/sanitized.h"
 
 namespace mesher::test {
 namespace {
@@ -81,7 +82,7 @@ TEST(HausdorffBounds, FindBumpBetweenTheCorners) {
 }
 
 TEST(HausdorffBounds, HoldForRandomSoups) {
-  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+  for (std::uint32_t seed = 0; seed < (kSanitized ? 20U : 60U); ++seed) {
     SCOPED_TRACE(seed);
     const Mesh a = built(random_soup(seed)).mesh;
     const Mesh b = built(random_soup(seed + 1000)).mesh;
@@ -225,7 +226,7 @@ TEST(HausdorffBounds, DecideTheSameWithAndWithoutHints) {
 }
 
 TEST(HausdorffBounds, HoldWithAnyHintsForRandomSoups) {
-  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+  for (std::uint32_t seed = 0; seed < (kSanitized ? 20U : 60U); ++seed) {
     SCOPED_TRACE(seed);
     const Mesh a = built(random_soup(seed)).mesh;
     const Mesh b = built(random_soup(seed + 1000)).mesh;

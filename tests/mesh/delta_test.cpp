@@ -12,6 +12,7 @@
 #include "engine/core/parallel.h"
 #include "engine/mesh/collapse.h"
 #include "tests/support/meshes.h"
+#include "tests/support/sanitized.h"
 
 namespace mesher {
 namespace {
@@ -181,7 +182,7 @@ TEST(MeshDelta, IsSmallForSmallChanges) {
 
 TEST(MeshDelta, SameForAnyThreadCount) {
   std::mt19937 random(14);
-  Mesh mesh = build_mesh(test::torus(400, 300)).mesh;
+  Mesh mesh = build_mesh(test::torus(400, test::kSanitized ? 100 : 300)).mesh;
   const Mesh before = mesh;
   collapse_some(mesh, 200, random);
   const std::size_t bytes = difference(before, mesh).memory_bytes();

@@ -13,6 +13,7 @@
 #include "engine/mesh/statistics.h"
 #include "tests/simplify/replay.h"
 #include "tests/support/meshes.h"
+#include "tests/support/sanitized.h"
 
 namespace mesher::test {
 namespace {
@@ -28,7 +29,7 @@ Mesh bumpy_torus(std::uint32_t n, std::uint32_t m) {
 
 TEST(Simplify, SameBytesForAnyThreadCount) {
   // The mesh is large enough for several regions per round.
-  const Mesh mesh = bumpy_torus(260, 120);
+  const Mesh mesh = bumpy_torus(260, kSanitized ? 50 : 120);
   for (std::size_t p = 0; p < simplify::kCostPolicies.size(); ++p) {
     SCOPED_TRACE(key(static_cast<simplify::CostPolicy>(p)));
     std::optional<simplify::Simplified> first;

@@ -6,6 +6,7 @@
 
 #include "engine/core/memory.h"
 #include "tests/support/meshes.h"
+#include "tests/support/sanitized.h"
 
 namespace mesher::app {
 namespace {
@@ -94,7 +95,7 @@ Edit growth(const Edited& d) {
 
 TEST(History, OutOfMemoryLeavesModelUnchanged) {
   int failures = 0;
-  for (std::uint64_t bytes = 0;; bytes += 2'000'000) {
+  for (std::uint64_t bytes = 0;; bytes += test::kSanitized ? 5'000'000 : 2'000'000) {
     Edited d;
     const Mesh before = d.model.mesh;
     History history;

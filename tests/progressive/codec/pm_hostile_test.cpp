@@ -15,6 +15,7 @@
 #include "tests/progressive/checks.h"
 #include "tests/progressive/codec/pm_files.h"
 #include "tests/support/meshes.h"
+#include "tests/support/sanitized.h"
 
 namespace mesher::test {
 namespace {
@@ -80,8 +81,9 @@ TEST(PmHostile, EveryFlippedByteIsDetected) {
 void flip_every_byte_under_right_checksums(unsigned coordinate_bits) {
   progressive::ProgressiveMesh mesh = sample();
   const Bytes bytes = written(mesh, coordinate_bits);
+  const std::vector<int> changes = kSanitized ? std::vector{0x40} : std::vector{1, 0x40, 0xFF};
   for (std::size_t i = 0; i < bytes.size(); ++i) {
-    for (const int change : {1, 0x40, 0xFF}) {
+    for (const int change : changes) {
       SCOPED_TRACE(std::to_string(i) + " ^ " + std::to_string(change));
       Bytes damaged = bytes;
       damaged[i] ^= static_cast<std::byte>(change);
