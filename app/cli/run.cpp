@@ -9,6 +9,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/batch.h"
+#include "app/cli/edit_command.h"
 #include "app/cli/help_formatter.h"
 #include "app/cli/lods_command.h"
 #include "app/cli/option_parsing.h"
@@ -51,6 +52,7 @@ class CommandLine {
     add_extract();
     add_lods();
     add_compare();
+    add_edit();
   }
 
   void parse(int argc, const char* const* argv) {
@@ -268,6 +270,19 @@ class CommandLine {
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
   }
 
+  void add_edit() {
+    CLI::App* command =
+        add_command("edit", "run commands of the window in order, and write the result",
+                    [this] { run_edit(input_, output_, script_, common_); });
+    add_input(command)->required();
+    command->add_option("OUT,-o,--output", output_, "file to write")->required();
+    command
+        ->add_option("--do", script_,
+                     "commands and edits, separated by semicolons: \"subdivide; simplify_to "
+                     "faces=500\" (docs/reference.md lists them)")
+        ->required();
+  }
+
   CLI::App app_{"mesher: a mesh level-of-detail workbench", "mesher"};
   CommonOptions common_;
   InputOptions input_;
@@ -281,6 +296,7 @@ class CommandLine {
   InputOptions second_;
   std::uint64_t samples_ = analysis::DistanceOptions{}.samples;
   std::string output_;
+  std::string script_;
   bool ascii_ = false;
   std::function<void()> action_;
 };

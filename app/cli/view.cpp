@@ -5,6 +5,7 @@
 #include "app/cli/batch.h"
 #include "app/document/json.h"
 #include "app/edit/edits.h"
+#include "app/files/journal.h"
 #include "app/files/paths.h"
 #include "app/files/pm_arrival.h"
 #include "app/input/commands.h"
@@ -71,31 +72,45 @@ void finish(Session& session, PmArrival& arrival) {
   run_waiting_edits(session.document);
 }
 
-/// Shows the model, or the base of a progressive mesh. Returns the arrival that loads the rest, or
-/// null. A script gets the complete mesh at once.
-std::unique_ptr<PmArrival> open_model(Session& session, const InputOptions& input,
-                                      const ViewOptions& view, const CommonOptions& common) {
-  const std::filesystem::path file = find_model(input.model);
-  if (!io::is_pm_file(file)) {
-    LoadedModel loaded = load(input, common);
-    show_model(session, std::move(loaded.model), loaded.statistics, loaded.file);
-    return nullptr;
-  }
+/// Shows a model.
+void open_model(Session& session, const InputOptions& input, const CommonOptions& common) {
+  LoadedModel loaded = load(input, common);
+  show_model(session, std::move(loaded.model), loaded.statistics, loaded.file);
+  session.document.source = {.stamp = stamp_of(loaded.file),
+                             .crease_index_base = input.crease_index_base,
+                             .keep_isolated_vertices = input.keep_isolated,
+                             .tag_creases_deg = input.tag_creases_deg};
+}
+
+/// Begins to load a progressive mesh.
+std::unique_ptr<PmArrival> start_arrival(const InputOptions& input) {
   if (input.tag_creases_deg) {
     throw UsageError(
         "--tag-creases: cannot be used with a progressive mesh, which keeps the creases of the "
         "model that it was built from");
   }
-  auto arrival = std::make_unique<PmArrival>(file);
-  if (view.screenshot.empty()) {
-    arrival->wait_for_base(session);
-    return arrival;
+  return std::make_unique<PmArrival>(find_model(input.model));
+}
+
+/// Shows the model, or the base of a progressive mesh. Returns the arrival that loads the rest, or
+/// null. A script gets the complete mesh at once.
+std::unique_ptr<PmArrival> open_shown(Session& session, const InputOptions& input,
+                                      const ViewOptions& view, const CommonOptions& common) {
+  if (!view.screenshot.empty() || !io::is_pm_file(find_model(input.model))) {
+    open_whole(session, input, common);
+    return nullptr;
   }
-  finish(session, *arrival);
-  return nullptr;
+  auto arrival = start_arrival(input);
+  arrival->wait_for_base(session);
+  return arrival;
 }
 
 }  // namespace
+
+void open_whole(Session& session, const InputOptions& input, const CommonOptions& common) {
+  if (!io::is_pm_file(find_model(input.model))) return open_model(session, input, common);
+  finish(session, *start_arrival(input));
+}
 
 void run_view(const InputOptions& input, const LookOptions& look, const ViewOptions& view,
               const CommonOptions& common) {
@@ -108,7 +123,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
   refuse_mistyped_command(input.model);
   Session session;
   session.view.window = {size.width, size.height};
-  std::unique_ptr<PmArrival> arrival = open_model(session, input, view, common);
+  std::unique_ptr<PmArrival> arrival = open_shown(session, input, view, common);
   apply_look(session.view, session.document.statistics.box, look);
   // On a small window the panel would hide the model.
   session.shows_info = size.width >= kPanelFitsWidth;
@@ -122,6 +137,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
                  {.device = look.device,
                   .validation = look.validation,
                   .state_log = view.state_log,
+                  .state_folder = state_folder(),
                   .read = {.crease_index_base = input.crease_index_base,
                            .keep_isolated_vertices = input.keep_isolated}},
                  arrival);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/cli/options.h"
+#include "app/document/session.h"
 
 namespace mesher::app {
 
@@ -13,6 +14,9 @@ struct ViewOptions {
   bool panels = false;     ///< that picture shows the panels too
   std::string state_log;   ///< see StateLog
 };
+
+/// Opens a model, or a progressive mesh in full detail and in progressive mode. Throws as `load`.
+void open_whole(Session& session, const InputOptions& input, const CommonOptions& common);
 
 /// Shows a model in a window. With `screenshot`, presses the keys without a window and writes the
 /// picture. Without a display, says so and writes a picture to the current folder.

@@ -6,10 +6,14 @@
 namespace mesher::app {
 
 std::vector<Edge> CreaseMode::selected_inner_edges(const Mesh& mesh) const {
-  std::vector<Edge> edges;
-  std::ranges::copy_if(selected, std::back_inserter(edges),
+  return inner_edges(mesh, selected);
+}
+
+std::vector<Edge> inner_edges(const Mesh& mesh, std::span<const Edge> edges) {
+  std::vector<Edge> inner;
+  std::ranges::copy_if(edges, std::back_inserter(inner),
                        [&](Edge e) { return !mesh.is_boundary(e); });
-  return edges;
+  return inner;
 }
 
 SelectedSharpness selected_sharpness(const Mesh& mesh, const CreaseMode& creases) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/mesh/mesh.h"
@@ -24,6 +25,9 @@ struct CreaseMode {
   /// The selected edges off the boundary. O(selected edges).
   std::vector<Edge> selected_inner_edges(const Mesh& mesh) const;
 };
+
+/// Those of `edges` that are off the boundary. O(edges).
+std::vector<Edge> inner_edges(const Mesh& mesh, std::span<const Edge> edges);
 
 /// The sharpness of the selected edges. Boundary edges are always sharp and do not count.
 struct SelectedSharpness {

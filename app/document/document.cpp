@@ -1,5 +1,6 @@
 #include "app/document/document.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace mesher::app {
@@ -9,6 +10,8 @@ void replace_model(Document& document, Model&& model, const Statistics& stats,
   document.model = std::move(model);
   document.statistics = stats;
   document.file = file;
+  document.source = {};
+  ++document.opening;
   document.edits = {};
   document.edits.opened_faces = stats.faces;
   document.progressive.forget();
@@ -16,6 +19,13 @@ void replace_model(Document& document, Model&& model, const Statistics& stats,
   document.error.clear();
   document.notice.clear();
   ++document.model_generation;
+}
+
+bool has_unsaved_edits(const Document& document) {
+  const Edits& edits = document.edits;
+  const auto changes_model = [](const auto& task) { return task->changes_model(); };
+  return edits.history.state() != edits.saved_state || edits.is_changing ||
+         std::ranges::any_of(edits.waiting, changes_model);
 }
 
 }  // namespace mesher::app

@@ -6,6 +6,7 @@
 
 #include "app/document/creases.h"
 #include "app/document/edits.h"
+#include "app/document/model_source.h"
 #include "app/document/progressive_view.h"
 #include "app/document/simplification.h"
 #include "engine/mesh/model.h"
@@ -17,6 +18,7 @@ namespace mesher::app {
 /// neither how it is looked at (View) nor which panels are open (Session).
 struct Document {
   std::filesystem::path file;
+  ModelSource source;  ///< how `model` was read from `file`
   Model model;
   Statistics statistics;
   Edits edits;
@@ -29,7 +31,11 @@ struct Document {
   /// Increases whenever another mesh is shown, so that copies of the mesh can tell that they are
   /// outdated.
   std::uint64_t model_generation = 0;
+  std::uint64_t opening = 0;  ///< increases whenever a file is opened
 };
+
+/// Returns whether there are edits that no file holds, or that are still to be made.
+bool has_unsaved_edits(const Document& document);
 
 /// Replaces the model, and discards the edits of the previous one. The rules stay. O(1).
 void replace_model(Document& document, Model&& model, const Statistics& statistics,

@@ -27,6 +27,9 @@ class EditTask {
   /// Puts the result into the document. Runs on the main thread, after `perform`.
   virtual void finish(Document& document) = 0;
 
+  /// Whether it is an edit of the model, which would be lost with it.
+  virtual bool changes_model() const { return false; }
+
   /// Shown while it runs: "Simplifying to 4,500 faces". Valid after `start`.
   const std::string& title() const { return title_; }
 

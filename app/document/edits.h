@@ -7,6 +7,7 @@
 
 #include "app/document/edit_task.h"
 #include "app/document/history.h"
+#include "app/document/lost_edits.h"
 #include "app/document/shape.h"
 #include "app/document/simplification.h"
 #include "app/document/subdivision.h"
@@ -26,7 +27,13 @@ struct Edits {
   std::optional<SubdivisionLevel> subdivision;
   /// Requested edits, which the viewer or the script runs in this order.
   std::deque<std::unique_ptr<EditTask>> waiting;
+  /// Lost edits that were requested again; their journal is still there.
+  std::optional<LostEdits> restored;
+  /// A requested edit that changes the model is running.
+  bool is_changing = false;
   bool was_undone = false;  ///< the last change was an undo
+  /// History::state of the model that was saved last; 0: as it was opened.
+  std::uint64_t saved_state = 0;
   /// Increases with every change of the model, so that data derived from it can be checked.
   std::uint64_t revision = 0;
 };

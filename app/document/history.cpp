@@ -39,8 +39,13 @@ void add_after(std::deque<Edit>& edits, Edit& edit, Change&& change) {
 }  // namespace
 
 void History::perform(Edit&& edit, Model& model, Statistics& statistics) {
+  steps_.reserve(done_steps_ + 1);
+  HistoryStep step{edit.name, edit.text, last_id_ + 1};
   add_after(done_, edit, [&] { apply(edit, model, statistics); });
   forget_undone();
+  steps_.push_back(std::move(step));
+  ++done_steps_;
+  ++last_id_;
   bytes_ += done_.back().memory_bytes();
   while (bytes_ > budget_bytes_ && done_.size() > 1) {
     bytes_ -= done_.front().memory_bytes();
@@ -52,12 +57,14 @@ void History::forget_undone() {
   for (const Edit& undone : undone_)
     bytes_ -= undone.memory_bytes();
   undone_.clear();
+  steps_.resize(done_steps_);
 }
 
 void History::undo(Model& model, Statistics& statistics) {
   MESHER_ASSERT(undo_depth() > 0);
   add_after(undone_, done_.back(), [&] { revert(done_.back(), model, statistics); });
   done_.pop_back();
+  --done_steps_;
 }
 
 Edit History::take_back(Model& model, Statistics& statistics) {
@@ -73,6 +80,7 @@ void History::redo(Model& model, Statistics& statistics) {
   MESHER_ASSERT(redo_depth() > 0);
   add_after(done_, undone_.back(), [&] { apply(undone_.back(), model, statistics); });
   undone_.pop_back();
+  ++done_steps_;
 }
 
 }  // namespace mesher::app

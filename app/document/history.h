@@ -5,6 +5,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/document/subdivision.h"
 #include "engine/mesh/delta.h"
@@ -17,6 +18,8 @@ namespace mesher::app {
 /// both, which are therefore never recomputed.
 struct Edit {
   std::string name;  ///< "simplify to 4,500 faces"
+  /// The edit as text, from which it can be repeated (app/edit/edit_text.h).
+  std::string text;
   MeshDelta mesh;
   AttributesDelta attributes;
   Statistics before;
@@ -30,6 +33,13 @@ struct Edit {
 
   bool changes_anything() const { return !mesh.is_empty() || !attributes.is_empty(); }
   std::size_t memory_bytes() const { return mesh.memory_bytes() + attributes.memory_bytes(); }
+};
+
+/// What is known of an edit for as long as the model is open, also when its difference was dropped.
+struct HistoryStep {
+  std::string name;
+  std::string text;
+  std::uint64_t id = 0;  ///< no other step of the history has it, not even one that was dropped
 };
 
 /// The edits of a model, done and undone. Beyond a memory limit the oldest edits are dropped, but
@@ -57,8 +67,15 @@ class History {
   /// The edits that `undo` and `redo` would undo and redo. Pre: there is one.
   const Edit& undo_edit() const { return done_.back(); }
   const Edit& redo_edit() const { return undone_.back(); }
-  const std::string& undo_name() const { return undo_edit().name; }
-  const std::string& redo_name() const { return redo_edit().name; }
+  const std::string& undo_name() const { return steps_[done_steps_ - 1].name; }
+  const std::string& redo_name() const { return steps_[done_steps_].name; }
+  /// All edits since the model was opened, in order: first those done, then those undone. Their
+  /// number may exceed `undo_depth() + redo_depth()`, because old edits cannot be undone any more.
+  const std::vector<HistoryStep>& steps() const { return steps_; }
+  std::size_t done_steps() const { return done_steps_; }
+  /// The id of the last edit done; 0: the model is as it was opened. While the id is the same, so
+  /// is the model.
+  std::uint64_t state() const { return done_steps_ == 0 ? 0 : steps_[done_steps_ - 1].id; }
   std::size_t memory_bytes() const { return bytes_; }
 
  private:
@@ -68,6 +85,9 @@ class History {
   std::size_t bytes_ = 0;
   std::deque<Edit> done_;
   std::deque<Edit> undone_;  ///< the last undone edit is at the end
+  std::vector<HistoryStep> steps_;
+  std::size_t done_steps_ = 0;
+  std::uint64_t last_id_ = 0;
 };
 
 }  // namespace mesher::app

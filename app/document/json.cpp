@@ -75,6 +75,12 @@ Json to_json(const ProgressiveView& view) {
   return json;
 }
 
+/// The open question, or null.
+Json question_json(const Session& session) {
+  if (session.unsaved) return "unsaved";
+  return session.lost.empty() ? Json() : Json("lost");
+}
+
 }  // namespace
 
 Json to_json(const Statistics& s) {
@@ -193,6 +199,7 @@ Json to_json(const Session& session) {
       {"faces", session.document.statistics.faces},
       {"crease_edges", session.document.statistics.crease_edges},
       {"opened_faces", edits.opened_faces},
+      {"unsaved", has_unsaved_edits(session.document)},
       {"undo_depth", edits.history.undo_depth()},
       {"redo_depth", edits.history.redo_depth()},
       {"simplify", to_json(session.document.simplify)},
@@ -208,6 +215,7 @@ Json to_json(const Session& session) {
                {"window", {session.view.window.x, session.view.window.y}},
                {"info", session.shows_info},
                {"help", session.shows_help},
+               {"question", question_json(session)},
                {"open_dialog", session.shows_open_dialog},
                {"save_dialog", session.saving.shows_dialog},
                {"error", session.document.error},

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "engine/core/option.h"
 #include "engine/core/progress.h"
@@ -83,6 +84,8 @@ struct DetailLevels {
   Array<Halfedge> face_source;
   /// Report of the simplification to the base; none if the mesh was read from a file.
   std::optional<simplify::SimplifyReport> report{};
+  /// The options that it was built by, as words of an edit; empty if the mesh was read from a file.
+  std::string built_by{};
 };
 
 /// Computes what is needed to show a progressive mesh. O(F). Throws Cancelled.

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "app/document/leaving.h"
+
 namespace mesher::app {
 
 /// The dialog that saves the shown model, and the file that it was told to write.
@@ -12,6 +14,7 @@ struct Saving {
   std::string typed;            ///< the path in its field
   std::string remark;           ///< why the model has not been saved yet
   std::filesystem::path asked;  ///< an existing file: submitting it once more overwrites it
+  std::optional<Leaving> then;  ///< done once the file is written
   /// The file to write next. The viewer or the script writes it.
   std::optional<std::filesystem::path> waiting;
 };

@@ -4,6 +4,10 @@
 
 namespace mesher::app {
 
+bool has_question(const Session& session) {
+  return session.unsaved || !session.lost.empty();
+}
+
 void show_model(Session& session, Model&& model, const std::filesystem::path& file) {
   const Statistics stats = statistics(model.mesh);
   show_model(session, std::move(model), stats, file);

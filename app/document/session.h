@@ -1,8 +1,12 @@
 #pragma once
 
+#include <deque>
 #include <filesystem>
+#include <optional>
 
 #include "app/document/document.h"
+#include "app/document/leaving.h"
+#include "app/document/lost_edits.h"
 #include "app/document/saving.h"
 #include "app/document/view.h"
 
@@ -16,14 +20,23 @@ struct Session {
   View view;
   Saving saving;
 
+  std::deque<LostEdits> lost;  ///< asks what to do with the first ones, until there are none
+  /// Asks whether to save the edits before this; none: no question is open.
+  std::optional<Leaving> unsaved;
+
   bool shows_info = true;
   bool shows_help = false;
   bool shows_open_dialog = false;
 
   // Requests to the viewer or the script that runs the session.
   bool wants_quit = false;
+  std::optional<std::filesystem::path> wants_open;
+  std::optional<LostEdits> wants_restore;
   bool wants_screenshot = false;
 };
+
+/// Returns whether a question is open. Keys and clicks answer it, and do nothing else.
+bool has_question(const Session& session);
 
 /// Shows a model: computes its statistics, discards the edits of the previous model, and frames the
 /// model from the camera's current angle. O(F).

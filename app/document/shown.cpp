@@ -9,15 +9,15 @@ namespace mesher::app {
 namespace {
 
 /// Returns a level in the form that carry_attributes expects.
-simplify::Simplified as_simplified(const progressive::ProgressiveMesh& mesh,
-                                   const DetailLevels& levels, std::uint32_t vertices_before) {
+simplify::Simplified as_simplified(const Mesh& level, std::span<const Vertex> vertex_source,
+                                   std::span<const Halfedge> face_source,
+                                   std::uint32_t vertices_before) {
   simplify::Simplified result;
-  result.mesh = mesh.mesh();
-  const auto vertices = levels.vertex_source.begin();
-  result.vertex_source.assign(vertices, vertices + result.mesh.vertex_count());
-  result.face_source.resize(result.mesh.face_count());
+  result.mesh = level;
+  result.vertex_source.assign(vertex_source.begin(), vertex_source.begin() + level.vertex_count());
+  result.face_source.resize(level.face_count());
   for (std::size_t f = 0; f < result.face_source.size(); ++f)
-    result.face_source[f] = Mesh::face(levels.face_source[f]);
+    result.face_source[f] = Mesh::face(face_source[f]);
   result.report.vertices_before = vertices_before;
   result.report.collapses = 1;  // even at full detail the ids differ
   return result;
@@ -37,14 +37,19 @@ Shape shown_shape(const Document& document) {
   if (!document.progressive.is_on()) return {document.model.mesh, document.model.attributes};
   const DetailLevels& levels = document.progressive.levels();
   const Model& model = document.model;
-  if (levels.vertex_source.empty() || model.attributes.is_empty()) {
-    return {shown_mesh(document), {}};
-  }
-  simplify::Simplified level =
-      as_simplified(document.progressive.mesh(), levels, model.mesh.vertex_count());
-  Attributes attributes =
-      simplify::carry_attributes(model.attributes, model.mesh.origins(), level).attributes;
-  return {std::move(level.mesh), std::move(attributes)};
+  if (levels.vertex_source.empty()) return {shown_mesh(document), {}};
+  return level_shape(shown_mesh(document), levels.vertex_source, levels.face_source, model.mesh,
+                     model.attributes);
+}
+
+Shape level_shape(const Mesh& level, std::span<const Vertex> vertex_source,
+                  std::span<const Halfedge> face_source, const Mesh& model,
+                  const Attributes& attributes) {
+  if (attributes.is_empty()) return {level, {}};
+  simplify::Simplified result =
+      as_simplified(level, vertex_source, face_source, model.vertex_count());
+  Attributes carried = simplify::carry_attributes(attributes, model.origins(), result).attributes;
+  return {std::move(result.mesh), std::move(carried)};
 }
 
 render::Settings shown_settings(render::Settings settings, const Document& document) {

@@ -18,6 +18,11 @@ const Mesh& shown_mesh(const Document& document);
 Mesh& shown_mesh(Document& document);
 /// That mesh with all geomorphs finished, and its attributes.
 Shape shown_shape(const Document& document);
+/// A level of a progressive mesh of a model, with the attributes that carry over. The sources are
+/// those of DetailLevels.
+Shape level_shape(const Mesh& level, std::span<const Vertex> vertex_source,
+                  std::span<const Halfedge> face_source, const Mesh& model,
+                  const Attributes& attributes);
 /// The settings to draw with: those of the view, with the lines of crease editing and the state of
 /// the geomorph.
 render::Settings shown_settings(render::Settings settings, const Document& document);

@@ -3,19 +3,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <glm/trigonometric.hpp>
 #include <iterator>
 #include <string>
 
 #include "app/document/document.h"
 #include "app/document/view.h"
+#include "app/edit/edge_list.h"
 #include "app/edit/model_edit.h"
+#include "engine/core/error.h"
 #include "engine/core/text.h"
 #include "engine/mesh/creases.h"
 #include "engine/render/pick.h"
 
 namespace mesher::app {
 namespace {
+
+constexpr const char* kSet = "set_sharpness";
+constexpr const char* kChange = "change_sharpness";
+constexpr const char* kClearAll = "clear_all_creases";
+constexpr const char* kMark = "mark_creases";
 
 constexpr const char* kBoundaryNotice =
     "boundary edges are always sharp: their sharpness cannot be changed";
@@ -41,6 +49,11 @@ void include(std::vector<Edge>& selected, std::vector<Edge> edges, bool is_in) {
 /// The edges that a request changes.
 std::vector<Edge> edges_of(const Model& model, const CreaseMode& creases,
                            const CreaseRequest& request) {
+  if (request.edges) {
+    const auto edges = parse_edge_list(*request.edges, model.mesh);
+    if (!edges) throw UsageError("the model does not have the edges " + *request.edges);
+    return inner_edges(model.mesh, *edges);
+  }
   switch (request.kind) {
     case CreaseRequest::Kind::clear_all:
       return sharp_edges(model.mesh);
@@ -51,6 +64,21 @@ std::vector<Edge> edges_of(const Model& model, const CreaseMode& creases,
       break;
   }
   return creases.selected_inner_edges(model.mesh);
+}
+
+/// The request as text, with the edges that it changes.
+std::string text_of(const CreaseRequest& request, std::span<const Edge> edges) {
+  switch (request.kind) {
+    case CreaseRequest::Kind::set:
+      return fmt::format("{} to={} edges={}", kSet, request.value, edge_list_text(edges));
+    case CreaseRequest::Kind::change:
+      return fmt::format("{} by={} edges={}", kChange, request.value, edge_list_text(edges));
+    case CreaseRequest::Kind::clear_all:
+      return kClearAll;
+    case CreaseRequest::Kind::tag_by_angle:
+      break;
+  }
+  return fmt::format("{} angle={}", kMark, request.value);
 }
 
 float wanted_sharpness(const CreaseRequest& request, float before) {
@@ -176,12 +204,15 @@ void select_sharp_edges(Document& document) {
 void edit_creases(Document& document, const CreaseRequest& request) {
   take_back_same_drag(document, request.drag);
   const Mesh& mesh = document.model.mesh;
+  const std::vector<Edge> edges = edges_of(document.model, document.creases, request);
   std::vector<EdgeSharpness> wanted;
-  for (const Edge e : edges_of(document.model, document.creases, request)) {
+  wanted.reserve(edges.size());
+  for (const Edge e : edges) {
     wanted.push_back({e, wanted_sharpness(request, mesh.sharpness(Mesh::halfedge(e)))});
   }
   const Attributes& attributes = document.model.attributes;
   Edit edit{.name = name_of(request, wanted.size()),
+            .text = text_of(request, edges),
             .mesh = sharpness_difference(mesh, wanted),
             .attributes = difference(attributes, attributes),
             .before = document.statistics,
@@ -190,6 +221,26 @@ void edit_creases(Document& document, const CreaseRequest& request) {
   if (edit.changes_anything()) return record_edit(document, std::move(edit));
   document.notice = notice_of_nothing(document.creases, request, wanted.size());
   note_model_changed(document, true);
+}
+
+CreaseRequest crease_request(EditWords& words) {
+  using Kind = CreaseRequest::Kind;
+  const auto number = [&](const char* key, float least, float most) {
+    const std::string text = words.take(key).value_or("");
+    float value = 0.0F;
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool is_number = error == std::errc() && stop == text.data() + text.size();
+    if (!is_number || !(value >= least && value <= most)) words.refuse(key, text);
+    return value;
+  };
+  if (words.name() == kClearAll) return {.kind = Kind::clear_all};
+  if (words.name() == kMark) return {.kind = Kind::tag_by_angle, .value = number("angle", 0, 180)};
+  if (words.name() == kChange) {
+    const float by = number("by", -kMaxFiniteSharpness, kMaxFiniteSharpness);
+    return {.kind = Kind::change, .value = by, .edges = words.take("edges")};
+  }
+  const float to = number("to", 0, kInfinitelySharp);
+  return {.kind = Kind::set, .value = to, .edges = words.take("edges")};
 }
 
 float changed_sharpness(float sharpness, float by) {

@@ -2,7 +2,12 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <memory>
 #include <optional>
+#include <string>
+
+#include "app/document/edit_task.h"
+#include "app/edit/edit_words.h"
 
 namespace mesher::app {
 
@@ -21,6 +26,9 @@ struct CreaseRequest {
   };
   Kind kind = Kind::set;
   float value = 0.0F;
+  /// The edges to change, for `set` and `change`, as edge_list_text writes them; none: those that
+  /// are selected.
+  std::optional<std::string> edges{};
   /// Requests with the same number become one step of the history; 0: a separate step.
   std::uint64_t drag = 0;
 };
@@ -44,8 +52,14 @@ bool hover_edge(Document& document, const View& view, const std::optional<glm::d
 void select_sharp_edges(Document& document);
 
 /// Changes the sharpness of edges, as an edit that can be undone. If nothing changes, the notice
-/// says why. O(selected edges) for `set` and `change`; O(E) for the other kinds.
+/// says why. Throws UsageError if the model does not have the edges of the request. O(edges) for
+/// `set` and `change`; O(E) for the other kinds.
 void edit_creases(Document& document, const CreaseRequest& request);
+
+/// The request that `words` describe: "set_sharpness to=2 edges=0-4,7" (`to` may be inf),
+/// "change_sharpness by=-1 edges=3", "clear_all_creases" or "mark_creases angle=40". Without
+/// `edges`, the selected ones are meant. Throws UsageError.
+CreaseRequest crease_request(EditWords& words);
 
 /// The largest finite sharpness that the slider and the keys reach.
 inline constexpr float kMaxFiniteSharpness = 10.0F;

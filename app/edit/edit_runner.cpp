@@ -31,6 +31,7 @@ void EditRunner::start() {
   try {
     const std::shared_ptr<EditTask> task = start_next_edit(document_);
     if (!task) return;
+    document_.edits.is_changing = task->changes_model();
     job_ = std::make_unique<EditJob>(
         task->title(),
         [task](Progress& progress) {
@@ -42,11 +43,16 @@ void EditRunner::start() {
     document_.edits.waiting.clear();
     document_.error = kNoMemory;
     follow_shown_level(document_.edits, document_.subdivide);
+  } catch (const Error& error) {
+    document_.edits.waiting.clear();
+    document_.error = error.what();
+    follow_shown_level(document_.edits, document_.subdivide);
   }
 }
 
 void EditRunner::take() {
   const std::unique_ptr<EditJob> job = std::move(job_);
+  document_.edits.is_changing = false;
   try {
     const std::shared_ptr<EditTask> task = job->take();
     if (job->progress().is_cancelled())
@@ -71,6 +77,7 @@ void EditRunner::cancel() {
 
 void EditRunner::stop() {
   document_.edits.waiting.clear();
+  document_.edits.is_changing = false;
   job_.reset();
 }
 

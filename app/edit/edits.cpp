@@ -55,9 +55,13 @@ void request_same_level(Document& document) {
   request(document.edits, subdivide_edit(document.subdivide, LevelStep::none));
 }
 
+std::unique_ptr<EditTask> crease_edit(const CreaseRequest& crease_request) {
+  return std::make_unique<InstantEdit>(
+      [crease_request](Document& d) { edit_creases(d, crease_request); });
+}
+
 void request_crease_edit(Document& document, const CreaseRequest& crease_request) {
-  request(document.edits, std::make_unique<InstantEdit>(
-                              [crease_request](Document& s) { edit_creases(s, crease_request); }));
+  request(document.edits, crease_edit(crease_request));
 }
 
 void request_undo(Document& document) {

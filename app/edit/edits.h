@@ -26,6 +26,7 @@ void request_previous_level(Document& document);
 /// Rebuilds the shown level by the current rules.
 void request_same_level(Document& document);
 /// Changes the sharpness of edges.
+std::unique_ptr<EditTask> crease_edit(const CreaseRequest& crease_request);
 void request_crease_edit(Document& document, const CreaseRequest& crease_request);
 void request_undo(Document& document);
 void request_redo(Document& document);

@@ -16,6 +16,7 @@ class ModelEdit : public EditTask {
   /// Refuses in progressive mode, where the model is not shown; otherwise calls `prepare`. O(V +
   /// F): the model is copied.
   bool start(Document& document) override;
+  bool changes_model() const override { return true; }
   /// Applies the difference to the model in place, so that the GPU receives only what changed. The
   /// camera stays. O(size of the difference).
   void finish(Document& document) override;

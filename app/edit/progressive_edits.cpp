@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <string>
@@ -14,12 +15,17 @@
 #include "app/edit/edits.h"
 #include "app/edit/model_edit.h"
 #include "app/edit/simplify_edit.h"
+#include "engine/core/error.h"
 #include "engine/core/text.h"
 #include "engine/progressive/base.h"
 #include "engine/progressive/build.h"
 
 namespace mesher::app {
 namespace {
+
+constexpr const char* kKeepLevel = "keep_level";
+constexpr const char* kSplits = "splits";
+constexpr const char* kBaseFaces = "base-faces";
 
 constexpr const char* kArriving = "the file is still loading; press Esc to stop loading";
 
@@ -49,6 +55,24 @@ void show_levels(Document& document, DetailLevels&& levels) {
                   remark_on_base(document.progressive, document.statistics));
 }
 
+/// How a progressive mesh of the model is built.
+struct ProgressiveRules {
+  SimplifySettings simplify;
+  std::uint32_t base_faces = 0;  ///< as ProgressiveSettings::base_faces
+};
+
+simplify::SimplifyOptions options_of(const ProgressiveRules& rules, std::uint32_t faces,
+                                     double diagonal) {
+  simplify::SimplifyOptions options = options_of(rules.simplify, diagonal);
+  options.max_error = std::numeric_limits<double>::infinity();
+  if (rules.base_faces > 0) {
+    options.target_faces = rules.base_faces;
+  } else {
+    progressive::choose_base(options, faces, diagonal);
+  }
+  return options;
+}
+
 /// Builds the progressive mesh of the model.
 class BuildProgressive final : public EditTask {
  public:
@@ -58,15 +82,10 @@ class BuildProgressive final : public EditTask {
   bool start(Document& document) override {
     if (document.progressive.has_mesh() && !rebuilds_) return false;
     start_ = copy_of(document.model);
-    const double diagonal = document.statistics.box.diagonal();
-    options_ = options_of(settings_, diagonal);
-    options_.max_error = std::numeric_limits<double>::infinity();
-    const std::uint32_t base_faces = document.progressive.settings().base_faces;
-    if (base_faces > 0) {
-      options_.target_faces = base_faces;
-    } else {
-      progressive::choose_base(options_, start_->mesh.face_count(), diagonal);
-    }
+    const ProgressiveRules rules{settings_, document.progressive.settings().base_faces};
+    options_ = options_of(rules, start_->mesh.face_count(), document.statistics.box.diagonal());
+    levels_.built_by = fmt::format(" {}={}", kBaseFaces, rules.base_faces);
+    append_rules(levels_.built_by, settings_);
     title_ = "Building the progressive mesh";
     return true;
   }
@@ -76,8 +95,10 @@ class BuildProgressive final : public EditTask {
     options_.progress = progress;
     progressive::Progressive made = progressive::make_progressive(start_->mesh, options_);
     const simplify::SimplifyReport report = made.report;
+    std::string built_by = std::move(levels_.built_by);
     levels_ = detail_levels(std::move(made), progress);
     levels_.report = report;
+    levels_.built_by = std::move(built_by);
   }
 
   void finish(Document& document) override { show_levels(document, std::move(levels_)); }
@@ -112,35 +133,108 @@ class BuildGeomorph final : public EditTask {
   DetailLevels levels_;
 };
 
-/// Uses the shown level as the model.
-class KeepLevel final : public ModelEdit {
- public:
-  bool start(Document& document) override {
-    const ProgressiveView& view = document.progressive;
-    return view.is_on() && !view.is_arriving() && prepare(document);
-  }
+std::string name_of_level(const Mesh& level) {
+  return "use the level of " + count_text(level.face_count(), "face") + " as the model";
+}
 
-  void perform(Progress*) override {
+/// Uses a level of a progressive mesh as the model.
+class KeepLevel : public ModelEdit {
+ public:
+  void perform(Progress* progress) override {
+    kept_ = level(progress);
+    edit_.name = name_of_level(kept_.mesh);
     record(kept_);
     far_percent_ = far_percent(shown_->mesh, kept_.mesh, statistics_.box.diagonal());
   }
 
- private:
-  bool prepare(Document& document) override {
-    take_shown(document);
-    kept_ = shown_shape(document);
-    const std::string faces = count_text(kept_.mesh.face_count(), "face");
-    title_ = "Using the level of " + faces;
-    edit_.name = "use the level of " + faces + " as the model";
-    return true;
-  }
+ protected:
+  virtual Shape level(Progress* progress) = 0;
 
+ private:
   void report(Document& document) override {
     if (far_percent_) document.notice = far_from("the model", *far_percent_);
   }
 
   Shape kept_;
   std::optional<double> far_percent_;
+};
+
+/// Uses the shown level.
+class KeepShownLevel final : public KeepLevel {
+ public:
+  bool start(Document& document) override {
+    const ProgressiveView& view = document.progressive;
+    return view.is_on() && !view.is_arriving() && prepare(document);
+  }
+
+ private:
+  bool prepare(Document& document) override {
+    take_shown(document);
+    level_ = shown_shape(document);
+    title_ = "Using the level of " + count_text(level_.mesh.face_count(), "face");
+    const ProgressiveView& view = document.progressive;
+    edit_.text =
+        fmt::format("{} {}={}{}", kKeepLevel, kSplits, view.mesh().level(), view.levels().built_by);
+    return true;
+  }
+
+  Shape level(Progress*) override { return std::move(level_); }
+
+  Shape level_;
+};
+
+/// Uses a level of the progressive mesh that was read from a file.
+class KeepFileLevel final : public EditTask {
+ public:
+  explicit KeepFileLevel(std::uint32_t splits) : splits_(splits) {}
+
+  bool start(Document& document) override {
+    ProgressiveView& view = document.progressive;
+    if (!view.has_mesh() || view.is_arriving() || splits_ > view.mesh().split_count())
+      throw UsageError("keep_level: the progressive mesh does not have this level");
+    enter_progressive(document);
+    view.move_to_level(splits_);
+    const bool is_started = shown_.start(document);
+    title_ = shown_.title();
+    return is_started;
+  }
+  bool changes_model() const override { return true; }
+  void perform(Progress* progress) override { shown_.perform(progress); }
+  void finish(Document& document) override { shown_.finish(document); }
+
+ private:
+  std::uint32_t splits_;
+  KeepShownLevel shown_;
+};
+
+/// Builds the progressive mesh of the model, and uses one of its levels.
+class KeepBuiltLevel final : public KeepLevel {
+ public:
+  KeepBuiltLevel(const ProgressiveRules& rules, std::uint32_t splits, std::string text)
+      : rules_(rules), splits_(splits), text_(std::move(text)) {}
+
+ private:
+  bool prepare(Document& document) override {
+    take_shown(document);
+    options_ = options_of(rules_, shown_->mesh.face_count(), document.statistics.box.diagonal());
+    title_ = "Building the progressive mesh";
+    edit_.text = std::move(text_);
+    return true;
+  }
+
+  Shape level(Progress* progress) override {
+    begin_stage(progress, "simplifying");
+    options_.progress = progress;
+    progressive::Progressive made = progressive::make_progressive(shown_->mesh, options_);
+    made.mesh.go_to(std::min(splits_, made.mesh.split_count()));
+    return level_shape(made.mesh.mesh(), made.vertex_source, made.face_source, shown_->mesh,
+                       shown_->attributes);
+  }
+
+  ProgressiveRules rules_;
+  std::uint32_t splits_;
+  std::string text_;
+  simplify::SimplifyOptions options_;
 };
 
 }  // namespace
@@ -195,10 +289,21 @@ void request_keep_level(Document& document) {
   if (document.progressive.is_on() && document.progressive.is_arriving()) {
     document.notice = kArriving;
   } else if (document.progressive.is_on()) {
-    request(document.edits, std::make_unique<KeepLevel>());
+    request(document.edits, std::make_unique<KeepShownLevel>());
   } else {
     document.notice = "press P first: this key works in progressive mode";
   }
+}
+
+std::unique_ptr<EditTask> keep_level_edit(EditWords& words, const Document& document) {
+  const std::string text = words.text();
+  const std::uint32_t splits = words.take_number(kSplits);
+  ProgressiveRules rules{document.simplify, 0};
+  take_rules(words, rules.simplify);
+  const bool is_built = words.has(kBaseFaces);
+  rules.base_faces = words.take_number(kBaseFaces, 0);
+  if (is_built) return std::make_unique<KeepBuiltLevel>(rules, splits, text);
+  return std::make_unique<KeepFileLevel>(splits);
 }
 
 }  // namespace mesher::app

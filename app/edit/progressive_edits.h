@@ -1,7 +1,11 @@
 #pragma once
 
+#include <memory>
+
 #include "app/document/document.h"
+#include "app/document/edit_task.h"
 #include "app/document/progressive_view.h"
+#include "app/edit/edit_words.h"
 
 namespace mesher::app {
 
@@ -19,6 +23,10 @@ void forget_progressive(Document& document);
 void request_rebuilt_progressive(Document& document);
 /// Requests the geomorphs that a progressive mesh from a file lacks.
 void request_geomorph(Document& document);
+/// The edit that `words` describe: "keep_level splits=N", of the progressive mesh that was read
+/// from a file, or "keep_level splits=N base-faces=N", with rules of simplification, of one that is
+/// built for the purpose. Throws UsageError.
+std::unique_ptr<EditTask> keep_level_edit(EditWords& words, const Document& document);
 /// Uses the shown level as the model. This is an edit that can be undone.
 void request_keep_level(Document& document);
 

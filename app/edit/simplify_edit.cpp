@@ -33,6 +33,10 @@ std::string notice_for(const SimplifyOutcome& outcome) {
   return notice;
 }
 
+constexpr const char* kTenthLess = "simplify";
+constexpr const char* kOneEdge = "simplify_edge";
+constexpr const char* kToFaces = "simplify_to";
+
 class SimplifyEdit final : public ModelEdit {
  public:
   enum class Target { tenth_less, one_edge, faces };
@@ -63,6 +67,7 @@ class SimplifyEdit final : public ModelEdit {
       return false;
     }
     take_shown(document);
+    edit_.text = text();
     opened_ = document.edits.opened;
     start_ = target_ == Target::faces ? opened_ : shown_;
     options_ = options_of(settings_, document.statistics.box.diagonal());
@@ -76,6 +81,14 @@ class SimplifyEdit final : public ModelEdit {
   void report(Document& document) override {
     document.notice = notice_for(outcome_);
     document.edits.last = std::move(outcome_);
+  }
+
+  std::string text() const {
+    std::string words = kToFaces + fmt::format(" faces={}", faces_);
+    if (target_ == Target::tenth_less) words = kTenthLess;
+    if (target_ == Target::one_edge) words = kOneEdge;
+    append_rules(words, settings_);
+    return words;
   }
 
   std::uint32_t target_faces(std::uint32_t faces) const {
@@ -111,6 +124,23 @@ std::unique_ptr<EditTask> collapse_edge_edit(const SimplifySettings& settings) {
 
 std::unique_ptr<EditTask> simplify_to_edit(const SimplifySettings& settings, std::uint32_t faces) {
   return std::make_unique<SimplifyEdit>(settings, SimplifyEdit::Target::faces, faces);
+}
+
+std::unique_ptr<EditTask> simplify_edit(EditWords& words, SimplifySettings settings) {
+  take_rules(words, settings);
+  if (words.name() == kTenthLess) return remove_tenth_edit(settings);
+  if (words.name() == kOneEdge) return collapse_edge_edit(settings);
+  return simplify_to_edit(settings, words.take_number("faces"));
+}
+
+void append_rules(std::string& words, const SimplifySettings& settings) {
+  append_options(words, simplify::kSimplifyRules, settings.rules);
+  append_options(words, kSimplifyLimits, settings);
+}
+
+void take_rules(EditWords& words, SimplifySettings& settings) {
+  words.take_options(simplify::kSimplifyRules, settings.rules);
+  words.take_options(kSimplifyLimits, settings);
 }
 
 simplify::SimplifyOptions options_of(const SimplifySettings& settings, double diagonal) {

@@ -63,6 +63,18 @@ Shape subdivided(const SubdivisionLevel& wanted, Progress* progress) {
   return shape;
 }
 
+const char* word_of(LevelStep step) {
+  switch (step) {
+    case LevelStep::finer:
+      return "subdivide";
+    case LevelStep::coarser:
+      return "coarsen";
+    case LevelStep::none:
+      break;
+  }
+  return "change_rules";
+}
+
 class SubdivideEdit final : public ModelEdit {
  public:
   SubdivideEdit(const subdivide::SubdivideOptions& rules, LevelStep step)
@@ -98,6 +110,8 @@ class SubdivideEdit final : public ModelEdit {
     wanted_ = {before.base ? before.base : shown_, level, rules_};
     title_ = fmt::format("Subdividing to level {}", level);
     edit_.name = name_of(before.level, level);
+    edit_.text = word_of(step_);
+    append_options(edit_.text, subdivide::kSubdivideRules, rules_);
     return true;
   }
 
@@ -117,6 +131,14 @@ class SubdivideEdit final : public ModelEdit {
 
 std::unique_ptr<EditTask> subdivide_edit(const subdivide::SubdivideOptions& rules, LevelStep step) {
   return std::make_unique<SubdivideEdit>(rules, step);
+}
+
+std::unique_ptr<EditTask> subdivide_edit(EditWords& words, subdivide::SubdivideOptions rules) {
+  words.take_options(subdivide::kSubdivideRules, rules);
+  for (const LevelStep step : {LevelStep::finer, LevelStep::coarser}) {
+    if (words.name() == word_of(step)) return subdivide_edit(rules, step);
+  }
+  return subdivide_edit(rules, LevelStep::none);
 }
 
 std::string level_refusal(const Document& document, std::uint32_t level,

@@ -7,6 +7,7 @@
 #include "app/document/document.h"
 #include "app/document/edit_task.h"
 #include "app/document/subdivision.h"
+#include "app/edit/edit_words.h"
 
 namespace mesher::app {
 
@@ -15,6 +16,10 @@ enum class LevelStep : std::uint8_t { finer, coarser, none };
 /// Goes to the next finer or coarser level, or rebuilds the shown level by other rules. Refuses,
 /// with a notice, if the result would need more memory than is free.
 std::unique_ptr<EditTask> subdivide_edit(const subdivide::SubdivideOptions& rules, LevelStep step);
+
+/// The edit that `words` describe: "subdivide", "coarsen" or "change_rules", by `rules` unless
+/// `words` have others. Throws UsageError.
+std::unique_ptr<EditTask> subdivide_edit(EditWords& words, subdivide::SubdivideOptions rules);
 
 /// Returns why the model cannot be shown at this level by these rules, with the memory that it
 /// would need; empty if it can.

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/document/lost_edits.h"
+#include "app/document/model_source.h"
 #include "engine/core/job.h"
 #include "engine/io/pm_file.h"
 #include "engine/io/read.h"
@@ -16,6 +18,8 @@ struct LoadedModel {
   Statistics statistics;
   std::filesystem::path file;
   std::optional<io::PmSummary> pm;  ///< if the file holds a progressive mesh
+  ModelSource source{};
+  std::optional<LostEdits> lost{};  ///< to be repeated
 };
 
 /// Reads a model, or a progressive mesh (see is_pm_file) at full detail. Does not compute the
@@ -26,6 +30,8 @@ LoadedModel open_model(const std::filesystem::path& file, const io::ReadOptions&
 class LoadJob : public JobOf<LoadedModel> {
  public:
   LoadJob(const std::filesystem::path& file, const io::ReadOptions& options, void (*wake)());
+  /// Reads the model of lost edits as it was read before.
+  LoadJob(LostEdits&& lost, void (*wake)());
 
   const std::filesystem::path& file() const { return file_; }
 

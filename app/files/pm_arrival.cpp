@@ -6,6 +6,7 @@
 
 #include "app/document/session.h"
 #include "app/edit/progressive_edits.h"
+#include "app/files/journal.h"
 #include "engine/core/error.h"
 
 namespace mesher::app {
@@ -98,6 +99,7 @@ void PmArrival::end(Session& session) {
   const std::string failure = stream_.failure();
   stream_.close();
   stop(session.document);
+  session.document.source.stamp = stamp_of(file_);
   if (!damage.empty()) session.document.error = file_.string() + ": " + damage;
   if (!failure.empty()) session.document.error = file_.string() + ": " + failure;
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "app/document/document.h"
 #include "app/document/saving.h"
 #include "app/document/shown.h"
@@ -51,6 +53,7 @@ void open_save_dialog(Saving& saving, const Document& document) {
             .typed = suggested(document).string(),
             .remark = {},
             .asked = {},
+            .then = {},
             .waiting = saving.waiting};
 }
 
@@ -65,7 +68,12 @@ void submit_save(Saving& saving, const Document& document) {
 
 std::optional<SaveTask> begin_save(Saving& saving, const Document& document) {
   if (!saving.waiting) return std::nullopt;
-  SaveTask task{*saving.waiting, std::make_shared<const Shape>(shown_shape(document))};
+  SaveTask task{.file = *saving.waiting,
+                .shape = std::make_shared<const Shape>(shown_shape(document)),
+                .opening = document.opening,
+                .state = std::nullopt,
+                .then = std::exchange(saving.then, std::nullopt)};
+  if (!document.progressive.is_on()) task.state = document.edits.history.state();
   saving.waiting.reset();
   return task;
 }
@@ -73,7 +81,12 @@ std::optional<SaveTask> begin_save(Saving& saving, const Document& document) {
 Saved perform(const SaveTask& task) {
   const auto& [mesh, attributes] = *task.shape;
   io::write_model(task.file, mesh, attributes);
-  return {task.file, mesh.face_count(), io::losses_in_format(task.file, mesh, attributes)};
+  return {.file = task.file,
+          .faces = mesh.face_count(),
+          .losses = io::losses_in_format(task.file, mesh, attributes),
+          .opening = task.opening,
+          .state = task.state,
+          .then = task.then};
 }
 
 std::string notice_of(const Saved& saved) {
@@ -82,10 +95,6 @@ std::string notice_of(const Saved& saved) {
   for (std::size_t i = 0; i < saved.losses.size(); ++i)
     notice += (i == 0 ? "; the format cannot hold " : ", ") + saved.losses[i];
   return notice;
-}
-
-void run_waiting_save(Saving& saving, Document& document) {
-  if (const auto task = begin_save(saving, document)) document.notice = notice_of(perform(*task));
 }
 
 }  // namespace mesher::app

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/document/leaving.h"
+
 namespace mesher::app {
 
 struct Document;
@@ -24,11 +26,18 @@ void submit_save(Saving& saving, const Document& document);
 struct SaveTask {
   std::filesystem::path file;
   std::shared_ptr<const Shape> shape;
+  std::uint64_t opening = 0;  ///< Document::opening
+  /// History::state of the model; none: a level of a progressive mesh is written instead.
+  std::optional<std::uint64_t> state;
+  std::optional<Leaving> then;  ///< as Saving::then
 };
 struct Saved {
   std::filesystem::path file;
   std::uint32_t faces = 0;
   std::vector<std::string> losses;  ///< what the format cannot hold
+  std::uint64_t opening = 0;        ///< this and the next two as in the task
+  std::optional<std::uint64_t> state;
+  std::optional<Leaving> then;
 };
 
 /// Takes the requested file, if there is one. O(V + F), because the model is copied.
@@ -37,8 +46,5 @@ std::optional<SaveTask> begin_save(Saving& saving, const Document& document);
 Saved perform(const SaveTask& task);
 /// Returns the file's name and what the file could not hold.
 std::string notice_of(const Saved& saved);
-
-/// Writes the requested file, on this thread. Throws OutputError.
-void run_waiting_save(Saving& saving, Document& document);
 
 }  // namespace mesher::app

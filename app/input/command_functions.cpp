@@ -6,6 +6,7 @@
 #include "app/edit/edits.h"
 #include "app/edit/progressive_edits.h"
 #include "app/edit/subdivide_edit.h"
+#include "app/files/leave.h"
 #include "app/files/save.h"
 
 namespace mesher::app {
@@ -192,13 +193,11 @@ void escape(Session& session) {
     set_crease_mode(session.document, false);
   } else if (session.document.progressive.is_on() && !session.document.progressive.is_arriving()) {
     leave_progressive(session.document);
-  } else {
-    session.wants_quit = true;
   }
 }
 
 void quit(Session& session) {
-  session.wants_quit = true;
+  request_leave(session, {});
 }
 
 }  // namespace mesher::app

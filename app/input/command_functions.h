@@ -49,8 +49,9 @@ void toggle_help(Session& session);
 void toggle_open_dialog(Session& session);
 void show_save_dialog(Session& session);
 void request_screenshot(Session& session);
-/// Closes the innermost dialog, message, selection or mode; quits if none is open.
+/// Closes the innermost dialog, message, selection or mode.
 void escape(Session& session);
+/// Asks first if edits would be lost.
 void quit(Session& session);
 
 }  // namespace mesher::app

@@ -6,7 +6,8 @@
 #include "app/edit/edits.h"
 #include "app/edit/progressive_edits.h"
 #include "app/edit/subdivide_edit.h"
-#include "app/files/save.h"
+#include "app/files/leave.h"
+#include "app/files/restore.h"
 #include "app/input/command_functions.h"
 #include "engine/core/assert.h"
 
@@ -76,7 +77,7 @@ constexpr Command kCommands[] = {
      toggle_open_dialog},
     {"save_file", "ctrl+s", Group::program, "save the model", show_save_dialog},
     {"screenshot", "f12", Group::program, "save a picture", request_screenshot},
-    {"escape", "escape", Group::program, "cancel, close, clear the selection; then quit", escape},
+    {"escape", "escape", Group::program, "cancel, close, clear the selection", escape},
     {"quit", "q", Group::program, "quit", quit},
 };
 
@@ -116,6 +117,25 @@ void run(Session& session, const Command& command) {
     session.document.notice = reason;
   } else {
     std::visit([&](auto* function) { call(function, session); }, command.function);
+  }
+}
+
+void answer_question(Session& session, const KeyPress& key) {
+  if (session.unsaved) {
+    if (key.name == "s")
+      answer_leave(session, LeaveAnswer::save);
+    else if (key.name == "d")
+      answer_leave(session, LeaveAnswer::discard);
+    else if (key.name == "escape")
+      answer_leave(session, LeaveAnswer::cancel);
+  } else {
+    const bool can_restore = session.lost.front().problem.empty();
+    if (key.name == "r" && can_restore)
+      answer_lost(session, LostAnswer::restore);
+    else if (key.name == "d")
+      answer_lost(session, LostAnswer::discard);
+    else if (key.name == "escape")
+      answer_lost(session, LostAnswer::later);
   }
 }
 

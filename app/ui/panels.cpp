@@ -12,10 +12,12 @@ PanelActions Panels::draw(Session& session, const PanelFacts& facts) {
     draw_right_column(session.document, session.view, facts);
   }
   if (session.shows_help) draw_help_panel(session.shows_help, areas_);
-  if (session.shows_open_dialog) {
+  // A dialog that follows a question appears after it, so that its text field gets the keyboard.
+  const bool is_asking = draw_question(session, areas_);
+  if (session.shows_open_dialog && !is_asking) {
     draw_open_dialog(session.shows_open_dialog, typed_path_, submits_path_, actions, areas_);
   }
-  if (session.saving.shows_dialog)
+  if (session.saving.shows_dialog && !is_asking)
     draw_save_dialog(session.saving, session.document, submits_save_, areas_);
   submits_path_ = submits_save_ = false;
   draw_message_bar(session.document, facts, actions, areas_);

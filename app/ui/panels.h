@@ -73,6 +73,8 @@ void draw_message_bar(Document& document, const PanelFacts& facts, PanelActions&
 /// `submits`: acts as if the button were pressed.
 void draw_open_dialog(bool& is_open, std::string& typed, bool submits, PanelActions& actions,
                       PanelAreas& areas);
+/// The open question, over everything else. Returns whether one was drawn.
+bool draw_question(Session& session, PanelAreas& areas);
 void draw_save_dialog(Saving& saving, const Document& document, bool submits, PanelAreas& areas);
 
 // The panels at the right border, one below the other. `top` is the upper end of each.

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "app/files/leave.h"
+#include "app/files/restore.h"
 #include "app/files/save.h"
 #include "engine/core/error.h"
 #include "engine/io/pm_file.h"
@@ -32,6 +34,19 @@ void BackgroundWork::open(const std::filesystem::path& file) {
     return;
   }
   load_ = std::make_unique<LoadJob>(file, read_, wake_);
+}
+
+void BackgroundWork::restore(LostEdits&& lost) {
+  session_.document.error.clear();
+  if (!io::is_pm_file(lost.file)) {
+    load_ = std::make_unique<LoadJob>(std::move(lost), wake_);
+    return;
+  }
+  // Its first edit may need the progressive mesh, so it has to be complete.
+  if (!arrivals_.open(lost.file)) return;
+  load_.reset();
+  arrivals_.finish();
+  request_lost_edits(session_.document, lost);
 }
 
 bool BackgroundWork::advance() {
@@ -84,7 +99,7 @@ bool BackgroundWork::advance_save() {
     if (save_ && save_->is_done()) {
       const std::unique_ptr<JobOf<Saved>> job = std::move(save_);
       is_changed = true;
-      session_.document.notice = notice_of(job->take());
+      note_saved(session_, job->take());
     }
     if (!save_) start_save();
   } catch (const std::exception& error) {

@@ -22,6 +22,8 @@ class BackgroundWork {
 
   /// Begins to load a file; the shown model stays until the file is read.
   void open(const std::filesystem::path& file);
+  /// Reads the model of lost edits, and requests the edits.
+  void restore(LostEdits&& lost);
   /// Continues with a progressive mesh that was opened before there was a window; may be null.
   void take_over(std::unique_ptr<PmArrival> arrival) { arrivals_.take_over(std::move(arrival)); }
 

@@ -4,6 +4,7 @@
 
 #include "app/edit/model_edit.h"
 #include "app/edit/progressive_edits.h"
+#include "app/files/restore.h"
 #include "engine/core/error.h"
 
 namespace mesher::app {
@@ -32,15 +33,19 @@ void Recovery::show(LoadedModel&& loaded) {
   std::swap(before.edits, document.edits);
   before.statistics = document.statistics;
   before.file = document.file;
+  before.source = document.source;
   const render::Camera camera = session_.view.camera;
   show_model(session_, std::move(loaded.model), loaded.statistics, loaded.file);
+  document.source = loaded.source;
   try {
     mirror_.update(document, session_.view.settings);
     good_settings_ = session_.view.settings;
     good_revision_ = document.edits.revision;
+    if (loaded.lost) request_lost_edits(document, *loaded.lost);
   } catch (const Error& error) {
     show_model(session_, std::move(before.model), before.statistics, before.file);
     document.edits = std::move(before.edits);
+    document.source = before.source;
     document.progressive = std::move(before.progressive);
     if (document.progressive.is_on()) enter_progressive(document);
     session_.view.camera = camera;

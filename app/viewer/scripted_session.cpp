@@ -2,8 +2,8 @@
 
 #include "app/document/shown.h"
 #include "app/edit/edits.h"
+#include "app/files/leave.h"
 #include "app/files/paths.h"
-#include "app/files/save.h"
 #include "app/input/commands.h"
 #include "app/ui/overlay.h"
 #include "app/ui/panels.h"
@@ -48,13 +48,17 @@ ScriptedSession::~ScriptedSession() = default;
 
 void ScriptedSession::press(std::span<const KeyPress> keys) {
   for (const KeyPress& key : keys) {
+    if (has_question(session_)) {
+      answer_question(session_, key);
+      continue;
+    }
     const Command* command = command_for(key);
     if (command == nullptr)
       throw UsageError("--keys: '" + to_text(key) + "' is not bound to a command");
     run(session_, *command);
     run_waiting_edits(session_.document);
     session_.document.progressive.settle(shown_pixels_per_unit(session_.document, session_.view));
-    run_waiting_save(session_.saving, session_.document);
+    run_waiting_save(session_);
     if (session_.wants_quit) return;
     if (!session_.wants_screenshot) continue;
     session_.wants_screenshot = false;

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "app/document/shown.h"
 #include "app/edit/crease_edits.h"
+#include "app/files/journal.h"
+#include "app/files/leave.h"
 #include "app/files/paths.h"
-#include "app/files/save.h"
 #include "app/input/commands.h"
 #include "app/input/gestures.h"
 #include "app/ui/overlay.h"
@@ -71,18 +73,24 @@ class Viewer {
             session, options.read,
             [this](LoadedModel&& loaded) { recovery_.show(std::move(loaded)); }, Window::wake),
         recovery_(session, mirror_, work_),
-        log_(options.state_log) {
+        log_(options.state_log),
+        journal_(options.state_folder) {
     window_.set_events(events());
     overlay_ = std::make_unique<Overlay>(instance_, device_, presenter_.format(), window_.handle());
     work_.take_over(std::move(arrival));
+    for (LostEdits& lost : lost_edits(options.state_folder))
+      session.lost.push_back(std::move(lost));
   }
 
   void run(const std::vector<KeyPress>& keys) {
     update_scene();
     press(keys);
-    while (!session_.wants_quit && !window_.should_close()) {
+    while (!session_.wants_quit) {
       wait();
+      if (window_.take_close_request()) leave({});
       if (work_.advance()) want_frames();
+      serve_requests();
+      keep_journal();
       animate();
       update_hover();
       if (frames_wanted_ > 0) draw();
@@ -90,6 +98,7 @@ class Viewer {
       log_.note(session_, &pointer_);
     }
     work_.finish_saves();
+    journal_.remove();
     device_.wait_idle();
     if (instance_.messages().count() > 0) {
       throw DeviceError("validation: " + instance_.messages().list().front());
@@ -139,13 +148,26 @@ class Viewer {
                 },
             .drop =
                 [this](std::vector<std::filesystem::path> files) {
-                  if (!files.empty()) open(files.front());
+                  if (!files.empty()) leave({files.front()});
                 },
             .changed = [this] { want_frames(); }};
   }
 
-  void open(const std::filesystem::path& file) {
-    work_.open(file);
+  void leave(const Leaving& leaving) {
+    request_leave(session_, leaving);
+    want_frames();
+  }
+
+  void serve_requests() {
+    if (const auto file = std::exchange(session_.wants_open, std::nullopt)) work_.open(*file);
+    if (auto lost = std::exchange(session_.wants_restore, std::nullopt))
+      work_.restore(std::move(*lost));
+  }
+
+  void keep_journal() {
+    const std::string reason = journal_.note(session_.document);
+    if (reason.empty()) return;
+    session_.document.notice = reason;
     want_frames();
   }
 
@@ -175,6 +197,7 @@ class Viewer {
 
   void press_key(const KeyPress& key) {
     want_frames();
+    if (has_question(session_)) return answer_question(session_, key);
     // A dialog takes the keyboard at once; its text field takes it only after it was drawn.
     const bool has_dialog = session_.shows_open_dialog || session_.saving.shows_dialog;
     const bool is_typing = has_dialog || overlay_->wants_text();
@@ -255,7 +278,7 @@ class Viewer {
                                                          .device = device_.name()});
     overlay_->end();
     if (actions.cancels_job) work_.cancel();
-    if (!actions.open.empty()) open(actions.open);
+    if (!actions.open.empty()) leave({actions.open});
     if (actions.wants_frames || !session_.document.edits.waiting.empty()) want_frames();
   }
 
@@ -278,7 +301,8 @@ class Viewer {
 
   void update_title() {
     const std::string title =
-        fmt::format("{} - {} - mesher", session_.document.model.name,
+        fmt::format("{}{} - {} - mesher", has_unsaved_edits(session_.document) ? "*" : "",
+                    session_.document.model.name,
                     count_text(shown_mesh(session_.document).face_count(), "face"));
     if (title != title_) window_.set_title(title);
     title_ = title;
@@ -315,6 +339,7 @@ class Viewer {
   BackgroundWork work_;
   Recovery recovery_;
   StateLog log_;
+  Journal journal_;
   SampleChooser samples_;
   std::optional<Drawn> drawn_;
   render::Settings drawable_settings_;  ///< of the session when the mirror was last updated

@@ -16,7 +16,8 @@ struct ViewerOptions {
   std::string device;       ///< as gpu::DeviceOptions::select
   bool validation = false;  ///< with the Khronos validation layer
   std::filesystem::path state_log;
-  io::ReadOptions read;  ///< for files opened later
+  std::filesystem::path state_folder;  ///< of journals; empty: edits are not kept in a crash
+  io::ReadOptions read;                ///< for files opened later
 };
 
 /// Shows the session in a window of its size until the person quits. Presses `keys` first. Draws

@@ -171,8 +171,10 @@ glm::uvec2 Window::framebuffer_size() const {
   return {static_cast<unsigned>(width), static_cast<unsigned>(height)};
 }
 
-bool Window::should_close() const {
-  return glfwWindowShouldClose(window_) == GLFW_TRUE;
+bool Window::take_close_request() {
+  const bool is_requested = glfwWindowShouldClose(window_) == GLFW_TRUE;
+  glfwSetWindowShouldClose(window_, GLFW_FALSE);
+  return is_requested;
 }
 
 void Window::set_title(const std::string& title) {

@@ -47,7 +47,8 @@ class Window {
   void set_events(Events events);
   GLFWwindow* handle() const { return window_; }
   glm::uvec2 framebuffer_size() const;
-  bool should_close() const;
+  /// Returns whether the person has closed the window since the last call. It stays open.
+  bool take_close_request();
   void set_title(const std::string& title);
   /// The extensions that a Vulkan instance needs to present to a window. Throws DeviceError if
   /// Vulkan cannot present to windows.

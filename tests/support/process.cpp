@@ -80,6 +80,12 @@ BackgroundProgram::~BackgroundProgram() {
   }
 }
 
+void BackgroundProgram::kill_at_once() {
+  if (!is_running()) return;
+  kill(pid_, SIGKILL);
+  wait(60.0);
+}
+
 bool BackgroundProgram::is_running() {
   if (exit_code_ != -1) return false;
   int status = 0;

@@ -110,6 +110,8 @@ TEST_F(EditTest, OpeningFileClearsHistory) {
   server_->xdotool({"type", "--delay", "60", "cube"});
   v->settle();
   v->key("KP_Enter");
+  EXPECT_REACHES(*v, s["question"] == "unsaved");
+  v->key("d");
   EXPECT_REACHES(*v, s["faces"] == 12 && s["undo_depth"] == 0);
   v->key("ctrl+z");
   EXPECT_REACHES(*v, s["notice"] == "nothing to undo" && s["faces"] == 12);

@@ -26,12 +26,15 @@ bool becomes_true(const std::function<bool()>& condition) {
 
 }  // namespace
 
-ViewerProcess::ViewerProcess(const XServer& server, std::vector<std::string> arguments)
+ViewerProcess::ViewerProcess(const XServer& server, std::vector<std::string> arguments,
+                             std::filesystem::path state_home)
     : server_(server) {
+  if (state_home.empty()) state_home = folder_.path();
   arguments.insert(arguments.begin(), MESHER_PROGRAM);
   arguments.insert(arguments.end(), {"--validation", "--state-log", folder_ / "state.jsonl"});
   program_ = std::make_unique<BackgroundProgram>(
       arguments, std::vector<std::string>{server.environment(), "WAYLAND_DISPLAY",
+                                          "XDG_STATE_HOME=" + state_home.string(),
                                           "XDG_PICTURES_DIR=" + folder_.path().string()});
   if (!becomes_true([this] { return !state().is_null() || !is_running(); }) || !is_running()) {
     throw std::runtime_error("the viewer did not start");
@@ -101,6 +104,25 @@ void ViewerProcess::drag(int button, int x0, int y0, int x1, int y1) const {
   move((x0 + x1) / 2, (y0 + y1) / 2);
   move(x1, y1);
   release(button);
+}
+
+void ViewerProcess::press_close_button() const {
+  Display* display = XOpenDisplay(server_.display().c_str());
+  if (display == nullptr) throw std::runtime_error("XOpenDisplay");
+  XEvent event{};
+  event.xclient.type = ClientMessage;
+  event.xclient.window = std::stoul(window_);
+  event.xclient.message_type = XInternAtom(display, "WM_PROTOCOLS", False);
+  event.xclient.format = 32;
+  event.xclient.data.l[0] = static_cast<long>(XInternAtom(display, "WM_DELETE_WINDOW", False));
+  XSendEvent(display, event.xclient.window, False, NoEventMask, &event);
+  XCloseDisplay(display);
+}
+
+std::string ViewerProcess::title() const {
+  std::string title = server_.xdotool({"getwindowname", window_});
+  if (title.ends_with('\n')) title.pop_back();
+  return title;
 }
 
 std::vector<std::uint8_t> ViewerProcess::screenshot() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -16,7 +17,9 @@ namespace mesher::test {
 class ViewerProcess {
  public:
   /// Waits for the first state. `arguments` as on the command line.
-  ViewerProcess(const XServer& server, std::vector<std::string> arguments);
+  /// `state_home`: for XDG_STATE_HOME; empty: a folder of its own.
+  ViewerProcess(const XServer& server, std::vector<std::string> arguments,
+                std::filesystem::path state_home = {});
 
   const TempFolder& folder() const { return folder_; }
   /// The last line of the state log.
@@ -41,6 +44,12 @@ class ViewerProcess {
   /// Returns the pixels of the window, as X11 stores them.
   std::vector<std::uint8_t> screenshot() const;
   bool is_running() { return program_->is_running(); }
+  /// Presses the close button of the window, as a window manager does.
+  void press_close_button() const;
+  /// The title of the window.
+  std::string title() const;
+  /// Ends the program by SIGKILL.
+  void kill() { program_->kill_at_once(); }
   /// Waits until the program ends. Returns its exit code, or -1 after a timeout.
   int wait_for_end() { return program_->wait(60.0); }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -20,11 +21,18 @@ class WindowTest : public testing::Test {
   static void SetUpTestSuite() { server_ = std::make_unique<XServer>(); }
   static void TearDownTestSuite() { server_.reset(); }
 
-  static std::unique_ptr<ViewerProcess> open(std::vector<std::string> arguments) {
-    return std::make_unique<ViewerProcess>(*server_, std::move(arguments));
+  static std::unique_ptr<ViewerProcess> open(std::vector<std::string> arguments,
+                                             const std::filesystem::path& state_home = {}) {
+    return std::make_unique<ViewerProcess>(*server_, std::move(arguments), state_home);
   }
+  /// Quits, and discards edits.
   static void quit(ViewerProcess& viewer) {
+    const bool is_unsaved = viewer.state()["unsaved"].get<bool>();
     viewer.key("q");
+    if (is_unsaved) {
+      EXPECT_TRUE(viewer.reaches([](const json& s) { return s["question"] == "unsaved"; }));
+      viewer.key("d");
+    }
     EXPECT_EQ(viewer.wait_for_end(), 0);
   }
   static void click(const ViewerProcess& viewer, int x, int y) {

@@ -6,6 +6,7 @@
 
 #include "app/document/progressive_view.h"
 #include "app/document/simplification.h"
+#include "app/edit/edit_text.h"
 #include "app/input/commands.h"
 #include "engine/core/option.h"
 #include "engine/io/format.h"
@@ -111,6 +112,12 @@ std::string reference_page() {
            << "` |\n";
     }
   }
+  page << "\n## Edits\n\n`mesher edit --do` takes the ids of commands that change the model, and "
+          "these edits with values (`simplify_to faces=500 cost=length`). Rules of simplification "
+          "also include `max-error=PERCENT`. An edge is named by its lower half-edge; without "
+          "`edges`, the selected edges are meant.\n\n| edit | values | effect |\n|---|---|---|\n";
+  for (const EditKind& kind : edit_kinds())
+    page << "| `" << kind.name << "` | " << kind.values << " | " << kind.help << " |\n";
   return page.str();
 }
 

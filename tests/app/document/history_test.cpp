@@ -116,6 +116,33 @@ TEST(History, OutOfMemoryLeavesModelUnchanged) {
   EXPECT_GT(failures, 5);
 }
 
+TEST(History, StepsOutliveTheirDifferences) {
+  Edited d;
+  const std::size_t one = d.moved(0, 1.0F).memory_bytes();
+  History history(2 * one);
+  std::vector<std::uint64_t> states{history.state()};
+  for (std::uint32_t v = 0; v < 5; ++v) {
+    d.move(history, v, 1.0F);
+    states.push_back(history.state());
+  }
+  EXPECT_EQ(history.undo_depth(), 2U);
+  EXPECT_EQ(history.steps().size(), 5U);
+  EXPECT_EQ(history.done_steps(), 5U);
+  history.undo(d.model, d.stats);
+  EXPECT_EQ(history.state(), states[4]);
+  EXPECT_EQ(history.steps().size(), 5U);
+  EXPECT_EQ(history.done_steps(), 4U);
+  history.redo(d.model, d.stats);
+  EXPECT_EQ(history.state(), states[5]);
+  history.undo(d.model, d.stats);
+  d.move(history, 0, 2.0F);
+  EXPECT_EQ(history.steps().size(), 5U);
+  EXPECT_GT(history.state(), states[5]) << "no id is used twice";
+  history.take_back(d.model, d.stats);
+  EXPECT_EQ(history.state(), states[4]);
+  EXPECT_EQ(history.steps().size(), 4U);
+}
+
 TEST(History, NewEditDropsUndoneEdits) {
   Edited d;
   History history;

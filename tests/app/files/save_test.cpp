@@ -4,6 +4,7 @@
 
 #include "app/document/session.h"
 #include "app/edit/edits.h"
+#include "app/files/leave.h"
 #include "app/input/commands.h"
 #include "engine/core/error.h"
 #include "engine/io/read.h"
@@ -29,7 +30,7 @@ class SaveTest : public testing::Test {
   void save(const std::filesystem::path& file) {
     run(s_, "save_file");
     submit(file);
-    run_waiting_save(s_.saving, s_.document);
+    run_waiting_save(s_);
   }
 
   test::TempFolder folder_;
@@ -91,7 +92,7 @@ TEST_F(SaveTest, OverwritesOnlyAfterConfirmation) {
   EXPECT_EQ(test::read_bytes(file), "mine");
   submit(file);
   ASSERT_TRUE(s_.saving.waiting);
-  run_waiting_save(s_.saving, s_.document);
+  run_waiting_save(s_);
   EXPECT_EQ(io::read_model(file).mesh.face_count(), 12U);
   EXPECT_EQ(test::read_bytes(other), "other");
   run(s_, "save_file");
@@ -107,7 +108,7 @@ TEST_F(SaveTest, InvalidNamesAreRejected) {
   EXPECT_EQ(s_.saving.remark, "enter a file name");
   EXPECT_TRUE(s_.saving.shows_dialog);
   submit(folder_ / "no such folder" / "cube.obj");
-  EXPECT_THROW(run_waiting_save(s_.saving, s_.document), OutputError);
+  EXPECT_THROW(run_waiting_save(s_), OutputError);
   EXPECT_FALSE(s_.saving.waiting);
   show({}, "empty.obj");
   run(s_, "save_file");

@@ -1,0 +1,95 @@
+#include "app/cli/edit_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "app/cli/batch.h"
+#include "app/cli/view.h"
+#include "app/document/json.h"
+#include "app/document/shown.h"
+#include "app/edit/edit_text.h"
+#include "app/edit/edits.h"
+#include "app/input/commands.h"
+#include "engine/core/error.h"
+
+namespace mesher::app {
+namespace {
+
+// Commands of the window do nothing here.
+bool is_allowed(const Command& command) {
+  return std::holds_alternative<void (*)(Document&)>(command.function);
+}
+
+void check_step(const std::string& text) {
+  const EditWords words(text);
+  const bool is_edit = std::ranges::count(edit_kinds(), words.name(), &EditKind::name) > 0;
+  const Command* command = command_named(words.name());
+  if (is_edit || (command != nullptr && is_allowed(*command))) return;
+  throw UsageError(command == nullptr ? "--do: there is no command '" + words.name() + "'"
+                                      : "--do: '" + words.name() + "' works in the window only");
+}
+
+void run_step(Session& session, const std::string& text) {
+  const EditWords words(text);
+  const Command* command = command_named(words.name());
+  if (command != nullptr && is_allowed(*command) && !words.has_values()) {
+    run(session, *command);
+  } else {
+    request(session.document.edits, edit_from_text(text, session.document));
+  }
+  run_waiting_edits(session.document);
+}
+
+Json steps_json(const History& history) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < history.done_steps(); ++i)
+    json.push_back({{"name", history.steps()[i].name}, {"edit", history.steps()[i].text}});
+  return json;
+}
+
+}  // namespace
+
+std::vector<std::string> split_script(const std::string& script) {
+  std::vector<std::string> steps;
+  std::istringstream parts(script);
+  for (std::string part; std::getline(parts, part, ';');) {
+    const std::size_t first = part.find_first_not_of(" \t\n");
+    if (first == std::string::npos) continue;
+    steps.push_back(part.substr(first, part.find_last_not_of(" \t\n") - first + 1));
+  }
+  return steps;
+}
+
+void run_edit(const InputOptions& input, const std::string& output, const std::string& script,
+              const CommonOptions& common) {
+  const std::vector<std::string> steps = split_script(script);
+  if (steps.empty()) throw UsageError("--do: there is nothing to do");
+  std::ranges::for_each(steps, check_step);
+  check_output(output);
+  Session session;
+  open_whole(session, input, common);
+  for (const std::string& step : steps) {
+    run_step(session, step);
+    const std::string& notice = session.document.notice;
+    if (!common.quiet && !notice.empty()) say(fmt::format("{}: {}", step, notice));
+  }
+  Shape shape = shown_shape(session.document);
+  if (shape.mesh.face_count() == 0) {
+    throw InputError(session.document.file.string(), 0, "has no faces to write");
+  }
+  Model model;
+  model.mesh = std::move(shape.mesh);
+  model.attributes = std::move(shape.attributes);
+  const std::vector<std::string> losses = write_result(output, model, common);
+  if (!common.json) return;
+  print_json({{"input", session.document.file.string()},
+              {"output", output},
+              {"edits", steps_json(session.document.edits.history)},
+              {"vertices", model.mesh.vertex_count()},
+              {"faces", model.mesh.face_count()},
+              {"lost", losses}});
+}
+
+}  // namespace mesher::app

@@ -1,0 +1,47 @@
+#include "app/edit/edit_words.h"
+
+#include <sstream>
+
+namespace mesher::app {
+
+EditWords::EditWords(std::string_view text) : text_(text) {
+  std::istringstream words(text_);
+  words >> name_;
+  if (name_.empty()) throw UsageError("an edit is empty");
+  for (std::string word; words >> word;) {
+    const std::size_t equals = word.find('=');
+    if (equals == 0 || equals == std::string::npos)
+      throw UsageError(name_ + ": '" + word + "' is not of the form key=value");
+    const bool is_new = values_.emplace(word.substr(0, equals), word.substr(equals + 1)).second;
+    if (!is_new) throw UsageError(name_ + ": " + word.substr(0, equals) + " is given twice");
+  }
+}
+
+std::optional<std::string> EditWords::take(const std::string& key) {
+  const auto node = values_.extract(key);
+  if (node.empty()) return std::nullopt;
+  return node.mapped();
+}
+
+std::uint32_t EditWords::take_number(const std::string& key,
+                                     std::optional<std::uint32_t> otherwise) {
+  const std::optional<std::string> text = take(key);
+  if (!text && otherwise) return *otherwise;
+  if (!text) throw UsageError(name_ + ": " + key + " is missing");
+  std::uint32_t value = 0;
+  const char* end = text->data() + text->size();
+  const auto [stop, error] = std::from_chars(text->data(), end, value);
+  if (error != std::errc() || stop != end) refuse(key, *text);
+  return value;
+}
+
+void EditWords::expect_no_more() const {
+  if (!values_.empty())
+    throw UsageError(name_ + ": unknown option '" + values_.begin()->first + "'");
+}
+
+void EditWords::refuse(const std::string& key, const std::string& value) const {
+  throw UsageError(name_ + ": '" + value + "' is not a value of " + key);
+}
+
+}  // namespace mesher::app

@@ -1,0 +1,141 @@
+#include "app/files/leave.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/io/read.h"
+#include "tests/app/edit/editing.h"
+#include "tests/support/temp_folder.h"
+
+namespace mesher::app {
+namespace {
+
+class LeaveTest : public testing::Test {
+ protected:
+  void save(const std::filesystem::path& file) {
+    s_.saving.typed = file.string();
+    submit_save(s_.saving, s_.document);
+    ASSERT_EQ(s_.saving.remark, "");
+    run_waiting_save(s_);
+  }
+
+  test::TempFolder folder_;
+  Session s_ = session_with(test::torus(20, 10));
+};
+
+TEST_F(LeaveTest, LeavesAtOnceWithoutEdits) {
+  request_leave(s_, {"other.obj"});
+  EXPECT_FALSE(has_question(s_));
+  EXPECT_EQ(s_.wants_open, "other.obj");
+  request_leave(s_, {});
+  EXPECT_TRUE(s_.wants_quit);
+}
+
+TEST_F(LeaveTest, AsksWithEditsAndCancelKeepsThem) {
+  press(s_, "d");
+  request_leave(s_, {});
+  EXPECT_TRUE(has_question(s_));
+  EXPECT_FALSE(s_.wants_quit);
+  answer_leave(s_, LeaveAnswer::cancel);
+  EXPECT_FALSE(has_question(s_));
+  EXPECT_FALSE(s_.wants_quit);
+  EXPECT_TRUE(has_unsaved_edits(s_.document));
+  request_leave(s_, {"other.obj"});
+  answer_leave(s_, LeaveAnswer::discard);
+  EXPECT_EQ(s_.wants_open, "other.obj");
+}
+
+TEST_F(LeaveTest, UndoneAndSavedEditsAreNotUnsaved) {
+  press(s_, "d");
+  EXPECT_TRUE(has_unsaved_edits(s_.document));
+  press(s_, "ctrl+z");
+  EXPECT_FALSE(has_unsaved_edits(s_.document));
+  press(s_, "ctrl+y");
+  EXPECT_TRUE(has_unsaved_edits(s_.document));
+  save(folder_ / "a.ply");
+  EXPECT_FALSE(has_unsaved_edits(s_.document));
+  press(s_, "ctrl+z");
+  EXPECT_TRUE(has_unsaved_edits(s_.document)) << "the file has the edit, the model has not";
+  press(s_, "d");
+  EXPECT_TRUE(has_unsaved_edits(s_.document)) << "equal edits are not the same edit";
+}
+
+TEST_F(LeaveTest, RequestedEditIsUnsaved) {
+  request_subdivide(s_.document);
+  EXPECT_TRUE(has_unsaved_edits(s_.document));
+  request_undo(s_.document);
+  run_waiting_edits(s_.document);
+  EXPECT_FALSE(has_unsaved_edits(s_.document));
+}
+
+TEST_F(LeaveTest, SaveLeavesOnceTheFileIsWritten) {
+  press(s_, "d");
+  request_leave(s_, {});
+  answer_leave(s_, LeaveAnswer::save);
+  EXPECT_TRUE(s_.saving.shows_dialog);
+  EXPECT_FALSE(s_.wants_quit);
+  save(folder_ / "a.ply");
+  EXPECT_TRUE(s_.wants_quit);
+  EXPECT_EQ(io::read_model(folder_ / "a.ply").mesh.face_count(), s_.document.statistics.faces);
+}
+
+TEST_F(LeaveTest, SaveInProgressiveModeWritesTheModel) {
+  press(s_, "d p home");
+  ASSERT_TRUE(s_.document.progressive.is_on());
+  request_leave(s_, {});
+  answer_leave(s_, LeaveAnswer::save);
+  save(folder_ / "a.ply");
+  EXPECT_TRUE(s_.wants_quit);
+  EXPECT_EQ(io::read_model(folder_ / "a.ply").mesh.face_count(), s_.document.statistics.faces);
+}
+
+TEST_F(LeaveTest, FormatThatLosesCreasesAsksAgain) {
+  s_.document.creases.tag_angle_deg = 1.0F;
+  press(s_, "shift+c");
+  ASSERT_GT(s_.document.statistics.crease_edges, 0U);
+  request_leave(s_, {});
+  answer_leave(s_, LeaveAnswer::save);
+  save(folder_ / "a.stl");
+  EXPECT_FALSE(s_.wants_quit);
+  EXPECT_TRUE(has_question(s_));
+  EXPECT_NE(s_.document.notice.find("cannot hold"), std::string::npos) << s_.document.notice;
+}
+
+TEST_F(LeaveTest, ClosedSaveDialogStays) {
+  press(s_, "d");
+  request_leave(s_, {});
+  answer_leave(s_, LeaveAnswer::save);
+  press(s_, "esc");
+  EXPECT_FALSE(s_.saving.shows_dialog);
+  run(s_, "save_file");
+  save(folder_ / "a.ply");
+  EXPECT_FALSE(s_.wants_quit) << "this file was not written to leave";
+}
+
+TEST_F(LeaveTest, FileOfAnEarlierModelDoesNotCount) {
+  press(s_, "d");
+  s_.saving.waiting = folder_ / "a.ply";
+  const auto task = begin_save(s_.saving, s_.document);
+  show_model(s_, Model{s_.document.model}, "other.obj");
+  press(s_, "d");
+  note_saved(s_, perform(*task));
+  EXPECT_TRUE(has_unsaved_edits(s_.document));
+}
+
+TEST_F(LeaveTest, KeysAnswer) {
+  press(s_, "d q");
+  ASSERT_TRUE(has_question(s_));
+  answer_question(s_, {.name = "w"});
+  EXPECT_TRUE(has_question(s_));
+  answer_question(s_, {.name = "escape"});
+  EXPECT_FALSE(has_question(s_));
+  press(s_, "q");
+  answer_question(s_, {.name = "s"});
+  EXPECT_TRUE(s_.saving.shows_dialog);
+  press(s_, "q");
+  EXPECT_FALSE(s_.saving.shows_dialog);
+  answer_question(s_, {.name = "d"});
+  EXPECT_TRUE(s_.wants_quit);
+}
+
+}  // namespace
+}  // namespace mesher::app
