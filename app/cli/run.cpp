@@ -66,6 +66,8 @@ class CommandLine {
       }
     }
     std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+    suggestions_ = suggestions(arguments, long_options);
+    if (!arguments.empty()) view_.nearest_command = nearest_name(arguments[0], commands);
     arguments = normalized_arguments(std::move(arguments), commands, long_options);
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 expects them
     app_.parse(std::move(arguments));
@@ -78,6 +80,10 @@ class CommandLine {
 
   int explain(const CLI::ParseError& error) const {
     const bool is_help = app_.exit(error, std::cout, std::cerr) == 0;
+    if (!is_help) {
+      for (const std::string& suggestion : suggestions_)
+        std::cerr << suggestion << '\n';
+    }
     return static_cast<int>(is_help ? ExitCode::done : ExitCode::usage);
   }
 
@@ -297,6 +303,7 @@ class CommandLine {
   std::uint64_t samples_ = analysis::DistanceOptions{}.samples;
   std::string output_;
   std::string script_;
+  std::vector<std::string> suggestions_;  ///< for a command line that cannot be parsed
   bool ascii_ = false;
   std::function<void()> action_;
 };

@@ -46,13 +46,14 @@ Image scripted_picture(Session& session, const std::vector<KeyPress>& keys, cons
 }
 
 // `mesher simplfy` is a mistyped command, not a model of that name.
-void refuse_mistyped_command(const std::string& model) {
+void refuse_mistyped_command(const std::string& model, const std::string& nearest) {
   const std::filesystem::path file = find_model(model);
   std::error_code ignored;
   if (file.has_extension() || file.has_parent_path() || std::filesystem::exists(file, ignored)) {
     return;
   }
-  throw UsageError("'" + model + "' is neither a command nor a model (see mesher --help)");
+  const std::string hint = nearest.empty() ? "see mesher --help" : "did you mean " + nearest + "?";
+  throw UsageError("'" + model + "' is neither a command nor a model (" + hint + ")");
 }
 
 // Called before the model is read, so that a typing error is reported at once.
@@ -120,7 +121,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
   if (!view.screenshot.empty() && !is_png_name(view.screenshot)) {
     throw UsageError("--screenshot: '" + view.screenshot + "' does not end in .png");
   }
-  refuse_mistyped_command(input.model);
+  refuse_mistyped_command(input.model, view.nearest_command);
   Session session;
   session.view.window = {size.width, size.height};
   std::unique_ptr<PmArrival> arrival = open_shown(session, input, view, common);

@@ -13,6 +13,7 @@ struct ViewOptions {
   std::string screenshot;  ///< where a scripted session writes its picture; empty: open a window
   bool panels = false;     ///< that picture shows the panels too
   std::string state_log;   ///< see StateLog
+  std::string nearest_command;  ///< that a model which does not exist may be a misspelling of
 };
 
 /// Opens a model, or a progressive mesh in full detail and in progressive mode. Throws as `load`.

@@ -38,5 +38,29 @@ TEST(Arguments, ArgumentsAfterDoubleDashAreUnchanged) {
   EXPECT_EQ(normalized({"info", "--", "-odd-name.obj"}), (Words{"info", "--", "-odd-name.obj"}));
 }
 
+TEST(NearestName, IsWithinTwoLettersAndHalfOfTheName) {
+  const Words names{"gouraud", "size", "input", "wireframe", "lod", "limit"};
+  EXPECT_EQ(nearest_name("gourad", names), "gouraud");
+  EXPECT_EQ(nearest_name("guoraud", names), "gouraud") << "swapped letters are one mistake";
+  EXPECT_EQ(nearest_name("wirefame", names), "wireframe");
+  EXPECT_EQ(nearest_name("inptu", names), "input");
+  EXPECT_EQ(nearest_name("sizes", names), "size");
+  EXPECT_EQ(nearest_name("gouraud", names), "gouraud");
+  EXPECT_EQ(nearest_name("gurd", names), "");
+  EXPECT_EQ(nearest_name("xy", names), "");
+  EXPECT_EQ(nearest_name("lad", names), "lod");
+  EXPECT_EQ(nearest_name("ab", names), "");
+  EXPECT_EQ(nearest_name("", names), "");
+  EXPECT_EQ(nearest_name(std::string(1'000'000, 'x'), names), "");
+}
+
+TEST(Suggestions, ListUnknownOptionsOnly) {
+  const Words options{"gouraud", "size", "output"};
+  EXPECT_EQ(suggestions({"cube", "-gourad", "--size", "5", "--ouput=x.png", "-o", "y"}, options),
+            (Words{"-gourad: did you mean --gouraud?", "--ouput=x.png: did you mean --output?"}));
+  EXPECT_TRUE(suggestions({"cube", "--", "-gourad"}, options).empty());
+  EXPECT_TRUE(suggestions({"-", "--", "-"}, options).empty());
+}
+
 }  // namespace
 }  // namespace mesher::app

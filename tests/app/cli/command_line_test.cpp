@@ -346,6 +346,21 @@ TEST_F(CommandLine, UsageErrorsExitWithOne) {
   EXPECT_EQ(folder_.count_files(), 0U);
 }
 
+TEST_F(CommandLine, MistypedNamesGetASuggestion) {
+  const std::pair<std::vector<std::string>, const char*> mistyped[] = {
+      {{"cube", "-gourad"}, "-gourad: did you mean --gouraud?"},
+      {{"-inptu", "cube"}, "-inptu: did you mean --input?"},
+      {{"simplify", "cube", "-o", "x.ply", "--face", "6"}, "--face: did you mean --faces?"},
+      {{"simplfy"}, "did you mean simplify?"},
+  };
+  for (const auto& [arguments, hint] : mistyped) {
+    const Finished run = mesher(arguments);
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_NE(run.err.find(hint), std::string::npos) << run.err;
+  }
+  EXPECT_EQ(mesher({"nothing-like-a-command"}).err.find("did you mean"), std::string::npos);
+}
+
 TEST_F(CommandLine, BadInputPrintsFileLineAndReason) {
   folder_.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
   for (const auto& arguments : std::vector<std::vector<std::string>>{
