@@ -14,6 +14,9 @@
 namespace mesher::app {
 namespace {
 
+// Not a letter: a person who types on without having seen the question must lose nothing.
+constexpr const char* kDiscardKey = "delete";
+
 using Group = CommandGroup;
 
 constexpr Command kCommands[] = {
@@ -124,7 +127,7 @@ void answer_question(Session& session, const KeyPress& key) {
   if (session.unsaved) {
     if (key.name == "s")
       answer_leave(session, LeaveAnswer::save);
-    else if (key.name == "d")
+    else if (key.name == kDiscardKey)
       answer_leave(session, LeaveAnswer::discard);
     else if (key.name == "escape")
       answer_leave(session, LeaveAnswer::cancel);
@@ -132,7 +135,7 @@ void answer_question(Session& session, const KeyPress& key) {
     const bool can_restore = session.lost.front().problem.empty();
     if (key.name == "r" && can_restore)
       answer_lost(session, LostAnswer::restore);
-    else if (key.name == "d")
+    else if (key.name == kDiscardKey)
       answer_lost(session, LostAnswer::discard);
     else if (key.name == "escape")
       answer_lost(session, LostAnswer::later);

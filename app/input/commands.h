@@ -53,8 +53,8 @@ const Command* command_named(std::string_view id);
 /// GPU. Edits are only requested: the viewer or the script runs them (app/edit/edits.h).
 void run(Session& session, const Command& command);
 
-/// Answers the open question by a key: its initial or, to change nothing, Escape. Other keys do
-/// nothing. Pre: has_question(session).
+/// Answers the open question by a key: S saves, R restores, Delete discards, and Escape changes
+/// nothing. Other keys do nothing. Pre: has_question(session).
 void answer_question(Session& session, const KeyPress& key);
 
 /// Runs the command with this id. Pre: there is one.

@@ -64,7 +64,7 @@ void draw_unsaved(Session& session) {
   ImGui::Spacing();
   if (ImGui::Button("Save... (S)")) return answer_leave(session, LeaveAnswer::save);
   ImGui::SameLine();
-  if (ImGui::Button("Discard (D)")) return answer_leave(session, LeaveAnswer::discard);
+  if (ImGui::Button("Discard (Del)")) return answer_leave(session, LeaveAnswer::discard);
   ImGui::SameLine();
   if (ImGui::Button("Cancel (Esc)")) answer_leave(session, LeaveAnswer::cancel);
 }
@@ -78,7 +78,7 @@ void draw_lost(Session& session) {
   const bool restores = ImGui::Button("Restore (R)");
   ImGui::EndDisabled();
   ImGui::SameLine();
-  const bool discards = ImGui::Button("Discard (D)");
+  const bool discards = ImGui::Button("Discard (Del)");
   ImGui::SameLine();
   const bool waits = ImGui::Button("Ask later (Esc)");
   if (restores) answer_lost(session, LostAnswer::restore);

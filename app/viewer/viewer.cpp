@@ -74,17 +74,19 @@ class Viewer {
             [this](LoadedModel&& loaded) { recovery_.show(std::move(loaded)); }, Window::wake),
         recovery_(session, mirror_, work_),
         log_(options.state_log),
+        state_folder_(options.state_folder),
         journal_(options.state_folder) {
     window_.set_events(events());
     overlay_ = std::make_unique<Overlay>(instance_, device_, presenter_.format(), window_.handle());
     work_.take_over(std::move(arrival));
-    for (LostEdits& lost : lost_edits(options.state_folder))
-      session.lost.push_back(std::move(lost));
   }
 
   void run(const std::vector<KeyPress>& keys) {
     update_scene();
     press(keys);
+    // After the keys, which would answer the question otherwise.
+    for (LostEdits& lost : lost_edits(state_folder_))
+      session_.lost.push_back(std::move(lost));
     while (!session_.wants_quit) {
       wait();
       if (window_.take_close_request()) leave({});
@@ -339,6 +341,7 @@ class Viewer {
   BackgroundWork work_;
   Recovery recovery_;
   StateLog log_;
+  std::filesystem::path state_folder_;
   Journal journal_;
   SampleChooser samples_;
   std::optional<Drawn> drawn_;

@@ -111,7 +111,7 @@ TEST_F(EditTest, OpeningFileClearsHistory) {
   v->settle();
   v->key("KP_Enter");
   EXPECT_REACHES(*v, s["question"] == "unsaved");
-  v->key("d");
+  v->key("Delete");
   EXPECT_REACHES(*v, s["faces"] == 12 && s["undo_depth"] == 0);
   v->key("ctrl+z");
   EXPECT_REACHES(*v, s["notice"] == "nothing to undo" && s["faces"] == 12);

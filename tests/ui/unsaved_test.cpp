@@ -61,7 +61,7 @@ TEST_F(UnsavedTest, DropAsksBeforeItReplacesTheModel) {
   EXPECT_EQ(v->state()["wireframe"], false);
   ASSERT_TRUE(drop_file(server_->display(), window, MESHER_SOURCE_DIR "/assets/knot.obj"));
   EXPECT_REACHES(*v, s["question"] == "unsaved");
-  v->key("d");
+  v->key("Delete");
   EXPECT_REACHES(*v, s["faces"] == 2880 && s["unsaved"] == false);
   quit(*v);
 }
@@ -104,7 +104,8 @@ TEST_F(UnsavedTest, EditsOutliveAKill) {
   {
     const auto v = open({"cube", "--size", "800x600"}, home.path());
     EXPECT_REACHES(*v, s["question"] == "lost");
-    v->key("d");
+    v->key("d");  // typed by someone who has not seen the question
+    v->key("Delete");
     EXPECT_REACHES(*v, s["question"].is_null());
     quit(*v);
   }

@@ -31,7 +31,7 @@ class WindowTest : public testing::Test {
     viewer.key("q");
     if (is_unsaved) {
       EXPECT_TRUE(viewer.reaches([](const json& s) { return s["question"] == "unsaved"; }));
-      viewer.key("d");
+      viewer.key("Delete");
     }
     EXPECT_EQ(viewer.wait_for_end(), 0);
   }
@@ -42,13 +42,12 @@ class WindowTest : public testing::Test {
     viewer.release(1);
     viewer.settle();
   }
-  /// Drags along a slider.
+  /// Drags along a slider. While it is held, the window draws all the time, and does not settle.
   static void slide(const ViewerProcess& viewer, int x0, int x1, int y) {
     viewer.move(x0, y);
     viewer.settle();
     viewer.press(1);
     viewer.move(x1, y);
-    viewer.settle();
     viewer.release(1);
     viewer.settle();
   }

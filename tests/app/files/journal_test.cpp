@@ -210,6 +210,8 @@ TEST_F(JournalTest, AnswersOfTheQuestion) {
   EXPECT_EQ(files(), 2U);
   s.lost.push_back(std::move(lost_edits(journals()).at(0)));
   answer_question(s, {.name = "d"});
+  EXPECT_TRUE(has_question(s));
+  answer_question(s, {.name = "delete"});
   EXPECT_EQ(files(), 0U);
 }
 

@@ -124,8 +124,10 @@ TEST_F(LeaveTest, FileOfAnEarlierModelDoesNotCount) {
 TEST_F(LeaveTest, KeysAnswer) {
   press(s_, "d q");
   ASSERT_TRUE(has_question(s_));
-  answer_question(s_, {.name = "w"});
-  EXPECT_TRUE(has_question(s_));
+  for (const char* letter : {"w", "d", "q", "enter", "space"}) {
+    answer_question(s_, {.name = letter});
+    EXPECT_TRUE(has_question(s_)) << letter << ": whoever types on loses nothing";
+  }
   answer_question(s_, {.name = "escape"});
   EXPECT_FALSE(has_question(s_));
   press(s_, "q");
@@ -133,7 +135,7 @@ TEST_F(LeaveTest, KeysAnswer) {
   EXPECT_TRUE(s_.saving.shows_dialog);
   press(s_, "q");
   EXPECT_FALSE(s_.saving.shows_dialog);
-  answer_question(s_, {.name = "d"});
+  answer_question(s_, {.name = "delete"});
   EXPECT_TRUE(s_.wants_quit);
 }
 
