@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <glm/trigonometric.hpp>
 #include <iterator>
 #include <string>
@@ -225,21 +224,14 @@ void edit_creases(Document& document, const CreaseRequest& request) {
 
 CreaseRequest crease_request(EditWords& words) {
   using Kind = CreaseRequest::Kind;
-  const auto number = [&](const char* key, float least, float most) {
-    const std::string text = words.take(key).value_or("");
-    float value = 0.0F;
-    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool is_number = error == std::errc() && stop == text.data() + text.size();
-    if (!is_number || !(value >= least && value <= most)) words.refuse(key, text);
-    return value;
-  };
   if (words.name() == kClearAll) return {.kind = Kind::clear_all};
-  if (words.name() == kMark) return {.kind = Kind::tag_by_angle, .value = number("angle", 0, 180)};
+  if (words.name() == kMark)
+    return {.kind = Kind::tag_by_angle, .value = words.take_float("angle", 0, 180)};
   if (words.name() == kChange) {
-    const float by = number("by", -kMaxFiniteSharpness, kMaxFiniteSharpness);
+    const float by = words.take_float("by", -kMaxFiniteSharpness, kMaxFiniteSharpness);
     return {.kind = Kind::change, .value = by, .edges = words.take("edges")};
   }
-  const float to = number("to", 0, kInfinitelySharp);
+  const float to = words.take_float("to", 0, kInfinitelySharp);
   return {.kind = Kind::set, .value = to, .edges = words.take("edges")};
 }
 

@@ -1,5 +1,6 @@
 #include "app/edit/edit_words.h"
 
+#include <charconv>
 #include <sstream>
 
 namespace mesher::app {
@@ -32,6 +33,16 @@ std::uint32_t EditWords::take_number(const std::string& key,
   const char* end = text->data() + text->size();
   const auto [stop, error] = std::from_chars(text->data(), end, value);
   if (error != std::errc() || stop != end) refuse(key, *text);
+  return value;
+}
+
+float EditWords::take_float(const std::string& key, float least, float most) {
+  const std::string text = take(key).value_or("");
+  const char* end = text.data() + text.size();
+  float value = 0.0F;
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  const bool is_in_range = value >= least && value <= most;  // false for NaN
+  if (error != std::errc() || stop != end || !is_in_range) refuse(key, text);
   return value;
 }
 

@@ -30,6 +30,8 @@ class EditWords {
   /// As above, a number. `otherwise`: if it is not there; none: it has to be there.
   std::uint32_t take_number(const std::string& key,
                             std::optional<std::uint32_t> otherwise = std::nullopt);
+  /// As above, a number from `least` to `most`. It has to be there.
+  float take_float(const std::string& key, float least, float most);
   /// Takes the options of a table that are there. The others keep their values.
   template <class S, std::size_t N>
   void take_options(const std::array<Option<S>, N>& table, S& options) {

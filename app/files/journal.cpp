@@ -7,10 +7,8 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <chrono>
-#include <cstdlib>
 #include <utility>
 
 #include "app/document/json.h"
@@ -127,18 +125,6 @@ std::string problem_of(const LostEdits& lost) {
 }
 
 }  // namespace
-
-fs::path state_folder() {
-  const auto folder = [](const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? fs::path() : fs::path(value);
-  };
-  const fs::path state = folder("XDG_STATE_HOME");
-  // The specification says that a relative path is to be ignored.
-  if (state.is_absolute()) return state / "mesher";
-  const fs::path home = folder("HOME");
-  return home.empty() ? fs::path() : home / ".local/state/mesher";
-}
 
 std::unique_ptr<FileLock> FileLock::try_lock(const fs::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);

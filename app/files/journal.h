@@ -12,10 +12,6 @@
 
 namespace mesher::app {
 
-/// Returns the folder of the journals: "mesher" in XDG_STATE_HOME or in ~/.local/state; empty if
-/// there is no home.
-std::filesystem::path state_folder();
-
 /// A lock on a file, which the system releases when the process ends, however it ends.
 class FileLock {
  public:

@@ -60,6 +60,14 @@ fs::path next_screenshot(const std::string& model_name) {
   return free_picture_name(pictures_folder(), "mesher-" + fs::path(model_name).stem().string());
 }
 
+fs::path state_folder() {
+  const fs::path state = environment_path("XDG_STATE_HOME");
+  // The specification says that a relative path is to be ignored.
+  if (state.is_absolute()) return state / "mesher";
+  const fs::path home = environment_path("HOME");
+  return home.empty() ? fs::path() : home / ".local/state/mesher";
+}
+
 bool is_png_name(const fs::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension)

@@ -25,6 +25,10 @@ std::filesystem::path free_picture_name(const std::filesystem::path& folder,
 /// folder is XDG_PICTURES_DIR, ~/Pictures or the current folder: the first that exists.
 std::filesystem::path next_screenshot(const std::string& model_name);
 
+/// Returns the folder of the journals: "mesher" in XDG_STATE_HOME or in ~/.local/state; empty if
+/// there is no home.
+std::filesystem::path state_folder();
+
 /// Returns whether a name ends in .png, in upper or lower case.
 bool is_png_name(const std::filesystem::path& file);
 

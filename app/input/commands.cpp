@@ -14,7 +14,7 @@
 namespace mesher::app {
 namespace {
 
-// Not a letter: a person who types on without having seen the question must lose nothing.
+// Not a letter, because a person may press the key of a command before seeing the question.
 constexpr const char* kDiscardKey = "delete";
 
 using Group = CommandGroup;

@@ -104,7 +104,7 @@ TEST_F(UnsavedTest, EditsOutliveAKill) {
   {
     const auto v = open({"cube", "--size", "800x600"}, home.path());
     EXPECT_REACHES(*v, s["question"] == "lost");
-    v->key("d");  // typed by someone who has not seen the question
+    v->key("d");  // does not answer the question
     v->key("Delete");
     EXPECT_REACHES(*v, s["question"].is_null());
     quit(*v);

@@ -126,7 +126,7 @@ TEST_F(LeaveTest, KeysAnswer) {
   ASSERT_TRUE(has_question(s_));
   for (const char* letter : {"w", "d", "q", "enter", "space"}) {
     answer_question(s_, {.name = letter});
-    EXPECT_TRUE(has_question(s_)) << letter << ": whoever types on loses nothing";
+    EXPECT_TRUE(has_question(s_)) << letter << " does not answer the question";
   }
   answer_question(s_, {.name = "escape"});
   EXPECT_FALSE(has_question(s_));
