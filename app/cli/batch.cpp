@@ -48,7 +48,7 @@ void say_repairs(const BuildReport& report) {
   for (std::size_t i = 0; i < kRepairs.size(); ++i) {
     const auto repair = static_cast<Repair>(i);
     if (report[repair] == 0) continue;
-    say(fmt::format("{} {}", count_text(report[repair]), describe(repair)));
+    say(count_phrase(static_cast<std::int64_t>(report[repair]), describe(repair)));
   }
 }
 

@@ -138,6 +138,10 @@ class CommandLine {
     command->add_option("--screenshot", view_.screenshot,
                         "press the keys without a window and write a picture to this PNG");
     command->add_flag("--panels", view_.panels, "include the panels in that picture");
+    command
+        ->add_option("--ui-scale", view_.ui_scale,
+                     "size of the panels, 0.5 to 4 (default: that of the monitor)")
+        ->check(CLI::Range(0.5, 4.0));
     command->add_option("--state-log", view_.state_log,
                         "write the viewer's state to this file, one line of JSON per change");
   }

@@ -20,8 +20,6 @@
 namespace mesher::app {
 namespace {
 
-constexpr std::uint32_t kPanelFitsWidth = 700;
-
 void print_state(const Session& session, const std::string& output) {
   Json json = to_json(session);
   if (!output.empty()) json["output"] = output;
@@ -32,8 +30,10 @@ void print_state(const Session& session, const std::string& output) {
 Image scripted_picture(Session& session, const std::vector<KeyPress>& keys, const LookOptions& look,
                        const ViewOptions& view) {
   StateLog log(view.state_log);
-  ScriptedSession script(
-      session, {.device = look.device, .validation = look.validation, .panels = view.panels});
+  ScriptedSession script(session, {.device = look.device,
+                                   .validation = look.validation,
+                                   .panels = view.panels,
+                                   .ui_scale = view.ui_scale > 0.0F ? view.ui_scale : 1.0F});
   log.note(session);
   for (const KeyPress& key : keys) {
     script.press({&key, 1});
@@ -126,9 +126,11 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
   session.view.window = {size.width, size.height};
   std::unique_ptr<PmArrival> arrival = open_shown(session, input, view, common);
   apply_look(session.view, session.document.statistics.box, look);
-  // On a small window the panel would hide the model.
-  session.shows_info = size.width >= kPanelFitsWidth;
-  if (!session.shows_info) session.document.notice = "F1: keys   Tab: panel";
+  if (look.camera.empty() && look.view.empty()) {
+    set_default_view(session.view.camera, session.document.statistics.box);
+    session.view.camera.frame(session.document.statistics.box, session.view.aspect());
+  }
+  session.shows_info = fits_docks(session.view.window, view.ui_scale > 0.0F ? view.ui_scale : 1.0F);
   std::string output = view.screenshot;
   if (!output.empty()) {
     io::write_png(output, scripted_picture(session, keys, look, view));
@@ -137,6 +139,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
       run_viewer(session, keys,
                  {.device = look.device,
                   .validation = look.validation,
+                  .ui_scale = view.ui_scale,
                   .state_log = view.state_log,
                   .state_folder = state_folder(),
                   .read = {.crease_index_base = input.crease_index_base,

@@ -12,6 +12,7 @@ struct ViewOptions {
   std::string keys;        ///< pressed before the first picture, as parse_keys reads them
   std::string screenshot;  ///< where a scripted session writes its picture; empty: open a window
   bool panels = false;     ///< that picture shows the panels too
+  float ui_scale = 0.0F;   ///< size of the panels; 0: that of the monitor
   std::string state_log;   ///< see StateLog
   std::string nearest_command;  ///< that a model which does not exist may be a misspelling of
 };

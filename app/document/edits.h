@@ -22,6 +22,8 @@ struct Edits {
   std::shared_ptr<const Shape> opened;
   std::uint32_t opened_faces = 0;
   std::optional<SimplifyOutcome> last;
+  /// History::state of the model that `last` is about; none: the edit is not in the history yet.
+  std::optional<std::uint64_t> last_state;
   std::optional<SubdivideOutcome> last_subdivision;
   /// The subdivision that the model is a level of; none: no coarser level is kept.
   std::optional<SubdivisionLevel> subdivision;

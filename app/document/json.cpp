@@ -213,7 +213,12 @@ Json to_json(const Session& session) {
   json.update(options_json(render::kRenderOptions, session.view.settings));
   json.update({{"camera", to_json(session.view.camera)},
                {"window", {session.view.window.x, session.view.window.y}},
+               {"model_rectangle",
+                {session.view.corner().x, session.view.corner().y, session.view.size().x,
+                 session.view.size().y}},
+               {"tool", text_of(session.tool).key},
                {"info", session.shows_info},
+               {"palette", session.shows_palette},
                {"help", session.shows_help},
                {"question", question_json(session)},
                {"open_dialog", session.shows_open_dialog},

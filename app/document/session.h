@@ -3,11 +3,13 @@
 #include <deque>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "app/document/document.h"
 #include "app/document/leaving.h"
 #include "app/document/lost_edits.h"
 #include "app/document/saving.h"
+#include "app/document/tool.h"
 #include "app/document/view.h"
 
 namespace mesher::app {
@@ -24,8 +26,10 @@ struct Session {
   /// Asks whether to save the edits before this; none: no question is open.
   std::optional<Leaving> unsaved;
 
-  bool shows_info = true;
+  Tool tool = Tool::simplify;  ///< its panel is shown
+  bool shows_info = true;      ///< the panels at the sides
   bool shows_help = false;
+  bool shows_palette = false;
   bool shows_open_dialog = false;
 
   // Requests to the viewer or the script that runs the session.
@@ -33,6 +37,8 @@ struct Session {
   std::optional<std::filesystem::path> wants_open;
   std::optional<LostEdits> wants_restore;
   bool wants_screenshot = false;
+  bool wants_context_menu = false;
+  std::optional<std::string> copied;  ///< text for the clipboard
 };
 
 /// Returns whether a question is open. Keys and clicks answer it, and do nothing else.

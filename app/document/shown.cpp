@@ -89,7 +89,7 @@ std::uint32_t shown_level(const Edits& edits) {
 }
 
 double shown_pixels_per_unit(const Document& document, const View& view) {
-  return pixels_per_unit(view.camera, document.statistics.box, view.window);
+  return pixels_per_unit(view.camera, document.statistics.box, view.size());
 }
 
 }  // namespace mesher::app

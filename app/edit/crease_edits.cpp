@@ -167,7 +167,7 @@ void click_edge(Document& document, const View& view, const glm::dvec2& at,
   const Mesh& mesh = document.model.mesh;
   CreaseMode& creases = document.creases;
   document.notice.clear();
-  const auto hit = render::pick_edge(mesh, view.camera, {at, view.window});
+  const auto hit = render::pick_edge(mesh, view.camera, view.cursor(at));
   if (!hit) {
     if (!click.toggles) creases.selected.clear();
     return;
@@ -183,7 +183,7 @@ void click_edge(Document& document, const View& view, const glm::dvec2& at,
 bool hover_edge(Document& document, const View& view, const std::optional<glm::dvec2>& at) {
   Edge hovered;
   if (document.creases.is_on && at) {
-    const auto hit = render::pick_edge(document.model.mesh, view.camera, {*at, view.window});
+    const auto hit = render::pick_edge(document.model.mesh, view.camera, view.cursor(*at));
     if (hit) hovered = hit->edge;
   }
   if (hovered == document.creases.hovered) return false;

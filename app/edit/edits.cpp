@@ -72,6 +72,11 @@ void request_redo(Document& document) {
   request(document.edits, std::make_unique<InstantEdit>(redo));
 }
 
+void request_history_step(Document& document, std::size_t steps) {
+  request(document.edits,
+          std::make_unique<InstantEdit>([steps](Document& d) { go_to_step(d, steps); }));
+}
+
 std::unique_ptr<EditTask> start_next_edit(Document& document) {
   std::unique_ptr<EditTask> task = std::move(document.edits.waiting.front());
   document.edits.waiting.pop_front();

@@ -30,6 +30,8 @@ std::unique_ptr<EditTask> crease_edit(const CreaseRequest& crease_request);
 void request_crease_edit(Document& document, const CreaseRequest& crease_request);
 void request_undo(Document& document);
 void request_redo(Document& document);
+/// Goes to the model after the first `steps` edits of the history, by undo and redo.
+void request_history_step(Document& document, std::size_t steps);
 
 /// Starts the first requested edit. Returns it if there is something to perform; null if it is
 /// finished or refused. Pre: an edit is requested.

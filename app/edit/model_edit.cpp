@@ -41,6 +41,7 @@ void ModelEdit::finish(Document& document) {
   const bool was_progressive = document.progressive.is_on();
   report(document);
   if (edit_.changes_anything()) record_edit(document, std::move(edit_));
+  if (!document.edits.last_state) document.edits.last_state = document.edits.history.state();
   if (was_progressive) leave_progressive(document);
   follow_shown_level(document.edits, document.subdivide);
 }
@@ -91,6 +92,14 @@ void redo(Document& document) {
   note_history_step(document, std::move(notice), history.undo_edit(), false);
 }
 
+void go_to_step(Document& document, std::size_t steps) {
+  const History& history = document.edits.history;
+  while (history.done_steps() > steps && history.undo_depth() > 0)
+    undo(document);
+  while (history.done_steps() < steps && history.redo_depth() > 0)
+    redo(document);
+}
+
 bool take_back_last_edit(Document& document) {
   History& history = document.edits.history;
   if (document.edits.was_undone && history.redo_depth() > 0) {
@@ -116,12 +125,17 @@ void note_model_changed(Document& document, bool keeps_topology) {
   }
 }
 
+const char* progressive_refusal(const Document& document) {
+  return document.progressive.is_on()
+             ? "progressive mode shows a level of detail: press P to leave it, or K to use this "
+               "level as the model"
+             : nullptr;
+}
+
 bool refuse_in_progressive(Document& document) {
-  if (!document.progressive.is_on()) return false;
-  document.notice =
-      "progressive mode shows a level of detail: press P to leave it, or K to use this level as "
-      "the model";
-  return true;
+  const char* reason = progressive_refusal(document);
+  if (reason != nullptr) document.notice = reason;
+  return reason != nullptr;
 }
 
 std::shared_ptr<const Shape> copy_of(const Model& model) {

@@ -45,6 +45,9 @@ void record_edit(Document& document, Edit&& edit);
 /// Undoes or redoes an edit of the history, and says so in the notice. O(difference).
 void undo(Document& document);
 void redo(Document& document);
+/// Undoes or redoes until `steps` edits are done, or as near to that as edits are kept. O(the
+/// differences).
+void go_to_step(Document& document, std::size_t steps);
 
 /// Reverts the last change, whose result cannot be shown: an edit is removed from the history, and
 /// an undo is redone. Returns false if there is no change to revert. Pre: no edit is running, since
@@ -59,6 +62,8 @@ void note_model_changed(Document& document, bool keeps_topology);
 /// Returns whether progressive mode is on, in which the model cannot be edited. If so, the notice
 /// says what to do.
 bool refuse_in_progressive(Document& document);
+/// The words of that refusal; null: the model can be edited.
+const char* progressive_refusal(const Document& document);
 
 /// A copy of the model that other threads can share. O(V + F).
 std::shared_ptr<const Shape> copy_of(const Model& model);

@@ -81,6 +81,7 @@ class SimplifyEdit final : public ModelEdit {
   void report(Document& document) override {
     document.notice = notice_for(outcome_);
     document.edits.last = std::move(outcome_);
+    document.edits.last_state.reset();
   }
 
   std::string text() const {

@@ -27,15 +27,6 @@ bool has_creases(const Model& model, const Statistics& statistics) {
   return statistics.crease_edges > 0 || !model.mesh.vertex_sharpnesses().empty();
 }
 
-fs::path suggested(const Document& document) {
-  const std::string own = document.file.extension().string();
-  const std::string extension =
-      has_creases(document.model, document.statistics) || !is_writable(document.file) ? ".obj"
-                                                                                      : own;
-  return free_name(document.file.parent_path(), document.file.stem().string() + "-edited",
-                   extension);
-}
-
 /// Returns why the requested file cannot be written; empty if it can.
 std::string objection(Saving& saving, const Statistics& statistics, const fs::path& file) {
   if (statistics.faces == 0) return "there is nothing to save";
@@ -48,9 +39,18 @@ std::string objection(Saving& saving, const Statistics& statistics, const fs::pa
 
 }  // namespace
 
+fs::path suggested_file(const Document& document) {
+  const std::string own = document.file.extension().string();
+  const std::string extension =
+      has_creases(document.model, document.statistics) || !is_writable(document.file) ? ".obj"
+                                                                                      : own;
+  return free_name(document.file.parent_path(), document.file.stem().string() + "-edited",
+                   extension);
+}
+
 void open_save_dialog(Saving& saving, const Document& document) {
   saving = {.shows_dialog = true,
-            .typed = suggested(document).string(),
+            .typed = suggested_file(document).string(),
             .remark = {},
             .asked = {},
             .then = {},

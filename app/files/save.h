@@ -15,8 +15,10 @@ struct Document;
 struct Saving;
 struct Shape;
 
-/// Opens the save dialog with a new name in the folder of the opened file, such as
-/// "bunny-edited.obj". The format is that of the file, or OBJ if only that can hold the creases.
+/// Returns a new name in the folder of the opened file, such as "bunny-edited.obj". The format is
+/// that of the file, or OBJ if only that can hold the creases.
+std::filesystem::path suggested_file(const Document& document);
+/// Opens the save dialog with the suggested file.
 void open_save_dialog(Saving& saving, const Document& document);
 /// Handles the dialog's button: requests the file and closes the dialog, or sets the remark to the
 /// reason why it cannot. An existing file is overwritten only if its path is submitted twice.

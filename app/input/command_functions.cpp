@@ -4,8 +4,10 @@
 
 #include "app/edit/crease_edits.h"
 #include "app/edit/edits.h"
+#include "app/edit/model_edit.h"
 #include "app/edit/progressive_edits.h"
 #include "app/edit/subdivide_edit.h"
+#include "app/files/command_line.h"
 #include "app/files/leave.h"
 #include "app/files/save.h"
 
@@ -111,6 +113,29 @@ void mark_creases_by_angle(Document& document) {
   change_sharpness(document, CreaseRequest::Kind::tag_by_angle, document.creases.tag_angle_deg);
 }
 
+const char* need_model(const Document& document) {
+  return progressive_refusal(document);
+}
+
+const char* need_undo(const Document& document) {
+  const Edits& edits = document.edits;
+  const bool may_change = !edits.waiting.empty() || edits.is_changing;
+  if (const char* reason = need_model(document)) return reason;
+  return edits.history.undo_depth() > 0 || may_change ? nullptr : "nothing to undo";
+}
+
+const char* need_redo(const Document& document) {
+  const Edits& edits = document.edits;
+  const bool may_change = !edits.waiting.empty() || edits.is_changing;
+  if (const char* reason = need_model(document)) return reason;
+  return edits.history.redo_depth() > 0 || may_change ? nullptr : "nothing to redo";
+}
+
+const char* need_edits(const Document& document) {
+  if (document.edits.history.done_steps() == 0) return "there are no edits to copy";
+  return document.source.stamp ? nullptr : "the model cannot be read again from its file";
+}
+
 const char* need_progressive(const Document& document) {
   return document.progressive.is_on() ? nullptr
                                       : "press P first: this key works in progressive mode";
@@ -156,6 +181,23 @@ void toggle_split_colors(Document& document) {
   toggle_setting(document, &ProgressiveSettings::colors_by_split_order, "colors by split order");
 }
 
+void choose_tool(Session& session, Tool tool) {
+  session.tool = tool;
+  session.shows_info = true;
+  const bool edits_creases = tool == Tool::creases && !session.document.progressive.is_on();
+  if (session.document.creases.is_on != edits_creases)
+    set_crease_mode(session.document, edits_creases);
+}
+
+void copy_command_line(Session& session) {
+  session.copied = command_line(session.document);
+  session.document.notice = "copied: " + *session.copied;
+}
+
+void toggle_palette(Session& session) {
+  toggle(session.shows_palette);
+}
+
 void toggle_info(Session& session) {
   toggle(session.shows_info);
 }
@@ -183,6 +225,8 @@ void escape(Session& session) {
     session.shows_open_dialog = false;
   } else if (session.saving.shows_dialog) {
     session.saving.shows_dialog = false;
+  } else if (session.shows_palette) {
+    session.shows_palette = false;
   } else if (session.shows_help) {
     session.shows_help = false;
   } else if (!session.document.error.empty()) {

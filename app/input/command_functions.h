@@ -30,6 +30,14 @@ void sharpen_fully(Document& document);
 void make_smooth(Document& document);
 void mark_creases_by_angle(Document& document);
 
+// Why commands cannot run now; null: they can.
+
+/// The model cannot be edited in progressive mode.
+const char* need_model(const Document& document);
+const char* need_undo(const Document& document);
+const char* need_redo(const Document& document);
+/// There is an edit, and the model can be read again from its file.
+const char* need_edits(const Document& document);
 /// Returns why commands of progressive mode cannot run: the mode is off. Null: they can run.
 const char* need_progressive(const Document& document);
 void play(Document& document);
@@ -43,6 +51,15 @@ void toggle_geomorphs(Document& document);
 void toggle_automatic(Document& document);
 void toggle_split_colors(Document& document);
 
+/// Shows the panel of a tool. Creases can be selected by clicks while their tool is chosen.
+void choose_tool(Session& session, Tool tool);
+template <Tool kTool>
+void show_tool(Session& session) {
+  choose_tool(session, kTool);
+}
+/// Requests the command line that makes the edits of the model, for the clipboard.
+void copy_command_line(Session& session);
+void toggle_palette(Session& session);
 void toggle_info(Session& session);
 void toggle_help(Session& session);
 /// Opens a dialog and closes the other one.

@@ -1,6 +1,7 @@
 #include "app/input/gestures.h"
 
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "app/document/shown.h"
 #include "engine/render/pick.h"
@@ -10,6 +11,7 @@ namespace mesher::app {
 void Gestures::press(MouseButton button, Modifiers modifiers, const glm::dvec2& at, double time) {
   at_ = at;
   click_.reset();
+  may_be_menu_ = button == MouseButton::right;
   if (button != MouseButton::left) {
     drag_ = Drag::pan;
     return;
@@ -27,33 +29,34 @@ void Gestures::press(MouseButton button, Modifiers modifiers, const glm::dvec2& 
   }
 }
 
-void Gestures::release() {
+bool Gestures::release() {
   drag_ = Drag::none;
-  if (!click_) return;
-  click_edge(document_, view_, at_, *click_);
+  if (click_) click_edge(document_, view_, at_, *click_);
   click_.reset();
+  return std::exchange(may_be_menu_, false);
 }
 
 bool Gestures::move(const glm::dvec2& at) {
-  if (click_ && glm::distance(at, at_) < kClickPixels) return false;
+  if ((click_ || may_be_menu_) && glm::distance(at, at_) < kClickPixels) return false;
   click_.reset();
+  may_be_menu_ = false;
   const glm::dvec2 delta = at - at_;
   at_ = at;
   if (drag_ == Drag::none || delta == glm::dvec2(0.0)) return false;
   if (drag_ == Drag::orbit) {
-    view_.camera.orbit(delta, view_.window);
+    view_.camera.orbit(delta, view_.size());
   } else {
-    view_.camera.pan(delta, view_.window);
+    view_.camera.pan(delta, view_.size());
   }
   return true;
 }
 
 void Gestures::scroll(double steps, const glm::dvec2& at) {
-  view_.camera.zoom(steps, {at, view_.window});
+  view_.camera.zoom(steps, view_.cursor(at));
 }
 
 void Gestures::recenter() {
-  const auto hit = render::pick(shown_mesh(document_), view_.camera.pick_ray({at_, view_.window}));
+  const auto hit = render::pick(shown_mesh(document_), view_.camera.pick_ray(view_.cursor(at_)));
   if (hit) view_.camera.recenter(hit->point);
 }
 

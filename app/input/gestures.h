@@ -31,8 +31,8 @@ class Gestures {
   Gestures(Document& document, View& view) : document_(document), view_(view) {}
 
   void press(MouseButton button, Modifiers modifiers, const glm::dvec2& at, double time);
-  /// Call for any button.
-  void release();
+  /// Call for any button. Returns whether it was a right click without a drag: a menu is wanted.
+  bool release();
   bool is_dragging() const { return drag_ != Drag::none; }
   /// Returns whether the picture changed.
   bool move(const glm::dvec2& at);
@@ -46,6 +46,7 @@ class Gestures {
   Document& document_;
   View& view_;
   Drag drag_ = Drag::none;
+  bool may_be_menu_ = false;        ///< the right button is pressed and was not dragged
   std::optional<EdgeClick> click_;  ///< the click that a release makes; none: the press is a drag
   glm::dvec2 at_{0.0};
   glm::dvec2 last_press_at_{-1e9};

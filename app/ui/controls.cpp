@@ -1,21 +1,25 @@
 #include "app/ui/controls.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cfloat>
+#include <charconv>
 #include <cmath>
-#include <string_view>
 
+#include "app/ui/style.h"
 #include "engine/core/text.h"
 
 namespace mesher::app {
 namespace {
 
-constexpr float kWidth = 290.0F;
-// In narrower windows panels start collapsed, so that they do not hide the model.
-constexpr float kFitsWidth = 1000.0F;
-constexpr float kTooltipWidth = 480.0F;
+// Lengths in points.
+constexpr float kTooltipPoints = 420.0F;
+constexpr float kFieldPoints = 124.0F;
+constexpr float kValuePoints = 88.0F;
 
 std::string id_of(const char* label) {
   return std::string("##") + label;
@@ -24,59 +28,134 @@ std::string id_of(const char* label) {
 void wrapped_tooltip(const char* text) {
   if (*text == '\0' || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(kTooltipWidth);
+  ImGui::PushTextWrapPos(
+      std::min(units(kTooltipPoints), ImGui::GetIO().DisplaySize.x - units(24.0F)));
   ImGui::TextUnformatted(text);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }
 
-/// Returns the format for ImGui: "%.0f deg", or the words for a special value.
-std::string number_format(double value, const NumberRange& range) {
+/// As ImGui: what follows ### is all of the id, and what follows ## is not shown.
+std::string_view id_of_widget(std::string_view name) {
+  const std::size_t whole = name.find("###");
+  return whole != std::string_view::npos ? name.substr(whole + 3) : name.substr(0, name.find("##"));
+}
+
+bool sized_button(const char* name, float width, bool is_possible, const char* help) {
+  ImGui::BeginDisabled(!is_possible);
+  const bool is_pressed = ImGui::Button(name, {width, 0.0F});
+  ImGui::EndDisabled();
+  note_widget(name);
+  wrapped_tooltip(help);
+  return is_pressed;
+}
+
+/// Returns the text beside a slider: "30 deg", or the words for a special value.
+std::string value_text(double value, const NumberRange& range) {
   if (value == range.special) return range.special_label;
   const std::string_view unit = range.unit;
-  if (unit == "deg") return "%.0f deg";
-  if (unit == "%") return "%.3f %%";
-  if (unit == "px") return "%.2f pixels";
-  if (unit == "s") return "%.1f s";
-  // A share. ImGui shows a format without a number as it is, and "%%" as "%".
-  if (range.most <= 1.0) return percent_text(100.0 * value) + "%";
-  return "%.3g";
+  if (unit == "deg") return fmt::format("{:.0f} deg", value);
+  if (unit == "%") return percent_text(value);
+  if (unit == "px") return fmt::format("{:.3g} px", value);
+  if (unit == "s") return seconds_text(value);
+  return range.most <= 1.0 ? percent_text(100.0 * value) : number_text(value);
 }
 
 }  // namespace
 
-bool begin_side_panel(const char* title, float top, bool* is_open) {
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({size.x - kPanelMargin, top}, ImGuiCond_Always, {1.0F, 0.0F});
-  ImGui::SetNextWindowSizeConstraints({kWidth, 0.0F},
-                                      {kWidth, std::max(size.y - top - kPanelMargin, 80.0F)});
-  if (is_open == nullptr) ImGui::SetNextWindowCollapsed(size.x < kFitsWidth, ImGuiCond_Once);
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove;
-  return ImGui::Begin(title, is_open, kFlags);
+void note_widgets_in(WidgetAreas& widgets) {
+  ImGui::GetIO().UserData = &widgets;
 }
 
-float end_side_panel(PanelAreas& areas) {
+void note_widget(std::string_view name) {
+  auto* widgets = static_cast<WidgetAreas*>(ImGui::GetIO().UserData);
+  if (widgets == nullptr) return;
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  const ImVec2 least = ImGui::GetItemRectMin();
+  const ImVec2 most = ImGui::GetItemRectMax();
+  // A child window is named "parent/child_id".
+  const std::string_view window = ImGui::GetCurrentWindowRead()->RootWindow->Name;
+  const std::string key =
+      fmt::format("{}/{}", window.substr(0, window.find("##")), id_of_widget(name));
+  (*widgets)[key] = {least.x * scale.x, least.y * scale.y, most.x * scale.x, most.y * scale.y};
+}
+
+void note_area(PanelAreas& areas) {
+  const ImVec2 at = ImGui::GetWindowPos();
+  const ImVec2 size = ImGui::GetWindowSize();
+  // ImGui uses the window's units, and mouse events use pixels. They differ on scaled displays.
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  areas.emplace_back(at.x * scale.x, at.y * scale.y, (at.x + size.x) * scale.x,
+                     (at.y + size.y) * scale.y);
+}
+
+bool begin_part(const char* name, const Rect& place, bool has_margin) {
+  if (place.is_empty()) return false;
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                                      ImGuiWindowFlags_NoFocusOnAppearing |
+                                      ImGuiWindowFlags_NoBringToFrontOnFocus;
+  ImGui::SetNextWindowPos({place.x0, place.y0});
+  ImGui::SetNextWindowSize({place.width(), place.height()});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
+  if (!has_margin) ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(4.0F), units(4.0F)});
+  ImGui::Begin(name, nullptr, kFlags);
+  ImGui::PopStyleVar(has_margin ? 2 : 3);
+  return true;
+}
+
+void end_part(PanelAreas& areas) {
   note_area(areas);
-  const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
   ImGui::End();
-  return bottom;
+}
+
+bool begin_dialog(const char* title, bool* is_open, float width_points) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const float width = std::min(units(width_points), size.x);
+  ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, size.y});
+  return ImGui::Begin(
+      title, is_open,
+      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove);
+}
+
+void end_dialog(PanelAreas& areas) {
+  note_area(areas);
+  ImGui::End();
+}
+
+void heading(const char* name) {
+  ImGui::Spacing();
+  wrapped_text(name, shown_theme().grab);
+  ImGui::Separator();
 }
 
 void label(const char* text) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", text);
-  ImGui::SameLine(kFieldX);
+  ImGui::SameLine(units(kFieldPoints));
   ImGui::SetNextItemWidth(-FLT_MIN);
 }
 
 void tooltip(const char* text) {
-  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", text);
+  wrapped_tooltip(text);
+}
+
+bool begin_rows(const char* name) {
+  if (!ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit)) return false;
+  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed,
+                          units(kFieldPoints) - 2 * ImGui::GetStyle().ItemSpacing.x);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+  return true;
 }
 
 void row(const char* name, const std::string& value) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
+  ImGui::PushTextWrapPos(0.0F);
   ImGui::TextDisabled("%s", name);
+  ImGui::PopTextWrapPos();
   ImGui::TableNextColumn();
   ImGui::TextWrapped("%s", value.c_str());
 }
@@ -85,11 +164,47 @@ bool half_button(const char* name, bool is_possible, const char* help) {
   const float width = (ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x -
                        ImGui::GetStyle().ItemSpacing.x) /
                       2;
-  ImGui::BeginDisabled(!is_possible);
-  const bool is_pressed = ImGui::Button(name, {width, 0.0F});
-  ImGui::EndDisabled();
-  tooltip(help);
-  return is_pressed;
+  return sized_button(name, width, is_possible, help);
+}
+
+bool wide_button(const char* name, bool is_possible, const char* help) {
+  return sized_button(name, -FLT_MIN, is_possible, help);
+}
+
+void wrapped_text(const std::string& text, const glm::vec3& color) {
+  ImGui::PushStyleColor(ImGuiCol_Text, {color.x, color.y, color.z, 1.0F});
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+void faint_text(const std::string& text) {
+  const ImVec4 faint = ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled);
+  wrapped_text(text, {faint.x, faint.y, faint.z});
+}
+
+void remark_text(const std::string& text) {
+  wrapped_text(text, shown_theme().caution);
+}
+
+void problem_text(const std::string& text) {
+  wrapped_text(text, shown_theme().problem);
+}
+
+bool edit_count(const char* what, std::uint32_t& value, const char* help) {
+  label(what);
+  std::string text = count_text(value);
+  const bool is_changed = ImGui::InputText(id_of(what).c_str(), &text);
+  note_widget(what);
+  wrapped_tooltip(help);
+  if (!is_changed) return false;
+  std::erase_if(text, [](char c) { return c == ',' || c == ' '; });
+  std::uint32_t typed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), typed);
+  if (error != std::errc() || end != text.data() + text.size()) return false;
+  value = typed;
+  return true;
 }
 
 void begin_disabled(bool is_disabled) {
@@ -103,6 +218,7 @@ void end_disabled() {
 bool edit_switch(const char* what, bool& value, const char* help) {
   label(what);
   const bool is_changed = ImGui::Checkbox(id_of(what).c_str(), &value);
+  note_widget(what);
   wrapped_tooltip(help);
   return is_changed;
 }
@@ -112,35 +228,55 @@ std::size_t choose(const char* what, std::size_t count, const ChoiceText& (*text
   label(what);
   const bool is_open = ImGui::BeginCombo(id_of(what).c_str(), text(current).label);
   if (!is_open) {
+    note_widget(what);
     wrapped_tooltip((std::string(help) + ". " + text(current).help).c_str());
     return current;
   }
   std::size_t chosen = current;
   for (std::size_t i = 0; i < count; ++i) {
     if (ImGui::Selectable(text(i).label, i == current)) chosen = i;
+    note_widget(text(i).label);
+    if (i == current) ImGui::SetItemDefaultFocus();
     wrapped_tooltip(text(i).help);
   }
   ImGui::EndCombo();
+  note_widget(what);
   return chosen;
+}
+
+bool edit_slider(const char* what, float& value, const SliderRange& range, const std::string& text,
+                 const char* help) {
+  label(what);
+  ImGui::SetNextItemWidth(-units(kValuePoints));
+  const ImGuiSliderFlags flags =
+      ImGuiSliderFlags_AlwaysClamp | (range.is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  const bool is_changed =
+      ImGui::SliderFloat(id_of(what).c_str(), &value, range.least, range.most, "", flags);
+  note_widget(what);
+  wrapped_tooltip(help);
+  // The item of what the caller asks next is the slider.
+  const bool is_activated = ImGui::IsItemActivated();
+  ImGui::SameLine();
+  ImGui::TextUnformatted(text.c_str());
+  if (range.is_activated != nullptr) *range.is_activated = is_activated;
+  return is_changed;
 }
 
 bool edit_number(const char* what, float& value, const NumberRange& range) {
   constexpr double kWide = 50.0;
-  label(what);
-  const std::string id = id_of(what);
-  const std::string format = number_format(value, range);
   const auto least = static_cast<float>(range.least);
-  bool is_changed = false;
-  if (std::isinf(range.most)) {
-    constexpr float kSpeed = 0.002F;
-    is_changed = ImGui::DragFloat(id.c_str(), &value, kSpeed, least, 1e6F, format.c_str(),
-                                  ImGuiSliderFlags_AlwaysClamp);
-  } else {
+  const std::string text = value_text(value, range);
+  if (!std::isinf(range.most)) {
     const bool is_wide = range.least > 0.0 && range.most >= kWide * range.least;
-    is_changed = ImGui::SliderFloat(
-        id.c_str(), &value, least, static_cast<float>(range.most), format.c_str(),
-        ImGuiSliderFlags_AlwaysClamp | (is_wide ? ImGuiSliderFlags_Logarithmic : 0));
+    return edit_slider(what, value, {least, static_cast<float>(range.most), is_wide}, text,
+                       range.help);
   }
+  constexpr float kSpeed = 0.002F;
+  label(what);
+  const std::string format = value == range.special ? text : "%.3g";
+  const bool is_changed = ImGui::DragFloat(id_of(what).c_str(), &value, kSpeed, least, 1e6F,
+                                           format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+  note_widget(what);
   wrapped_tooltip(range.help);
   return is_changed;
 }
@@ -157,6 +293,7 @@ bool edit_number(const char* what, std::uint64_t& value, const NumberRange& rang
   constexpr std::uint64_t kStep = 1;
   const bool is_changed =
       ImGui::InputScalar(id_of(what).c_str(), ImGuiDataType_U64, &value, &kStep);
+  note_widget(what);
   value = std::max(value, static_cast<std::uint64_t>(range.least));
   wrapped_tooltip(range.help);
   return is_changed;

@@ -3,7 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <variant>
 
@@ -12,24 +14,48 @@
 
 namespace mesher::app {
 
-// The parts of the panels at the right border.
+// The frame that all panels share.
 
-/// Begins a panel below `top`; returns false if it is collapsed. Call `end_side_panel` either way.
-/// With `is_open` the panel has a close button and does not start collapsed.
-bool begin_side_panel(const char* title, float top, bool* is_open = nullptr);
-/// Ends a panel and notes its area; returns its lower end.
-float end_side_panel(PanelAreas& areas);
+/// Notes widgets here from now on.
+void note_widgets_in(WidgetAreas& widgets);
+/// Notes the area of the last widget, as "window/name", without what follows ##, and
+/// for a name with ###, only what follows it.
+void note_widget(std::string_view name);
+/// Adds the current ImGui window. Call between its Begin and End.
+void note_area(PanelAreas& areas);
 
-/// Start of the second column, in pixels.
-inline constexpr float kFieldX = 112.0F;
+/// Begins a part of the window that cannot be moved. Call `end_part` if it returns true; it returns
+/// false for an empty rectangle.
+bool begin_part(const char* name, const Rect& place, bool has_margin = true);
+void end_part(PanelAreas& areas);
+/// Begins a dialog in the middle of the window, not larger than that. Call `end_dialog` either way.
+bool begin_dialog(const char* title, bool* is_open, float width_points);
+void end_dialog(PanelAreas& areas);
+
+/// The part that shows the tool's panel.
+inline constexpr const char* kToolPanel = "panel";
+
+/// The name of a block of a panel.
+void heading(const char* name);
 /// Writes a label into the first column; the next widget fills the second.
 void label(const char* text);
 /// Adds a tooltip to the last widget, even if that is disabled.
 void tooltip(const char* text);
+/// Begins a table of two columns; `row` fills it. Call ImGui::EndTable if it returns true.
+bool begin_rows(const char* name);
 /// A row of a two-column table.
 void row(const char* name, const std::string& value);
 /// A button of half the panel's width.
 bool half_button(const char* name, bool is_possible, const char* help);
+/// A button of the panel's width.
+bool wide_button(const char* name, bool is_possible, const char* help);
+/// Text in `color` that is wrapped at the end of the window.
+void wrapped_text(const std::string& text, const glm::vec3& color);
+void faint_text(const std::string& text);
+void remark_text(const std::string& text);
+void problem_text(const std::string& text);
+/// Draws a labeled field for a number of things, with commas. Returns whether it changed.
+bool edit_count(const char* what, std::uint32_t& value, const char* help);
 
 // The widgets of options.
 
@@ -53,8 +79,19 @@ bool edit_switch(const char* what, bool& value, const char* help);
 std::size_t choose(const char* what, std::size_t count, const ChoiceText& (*text)(std::size_t),
                    std::size_t current, const char* help);
 
+struct SliderRange {
+  float least;
+  float most;
+  bool is_logarithmic = false;
+  bool* is_activated = nullptr;  ///< receives whether a drag began
+};
+/// Draws a labeled slider with a text beside it. Returns whether the value changed.
+bool edit_slider(const char* what, float& value, const SliderRange& range, const std::string& text,
+                 const char* help);
+
 /// Draws a labeled field for a number. A range that is at most some tens of times its lower end
-/// gets a slider, a wider one a logarithmic slider, an open one a field to drag or type in.
+/// gets a slider, a wider one a logarithmic slider, an open one a field to drag or type in. The
+/// number stands beside the slider, so that the knob does not cover it.
 bool edit_number(const char* what, float& value, const NumberRange& range);
 bool edit_number(const char* what, std::uint32_t& value, const NumberRange& range);
 bool edit_number(const char* what, std::uint64_t& value, const NumberRange& range);

@@ -5,6 +5,10 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
+#include <array>
+
+#include "app/ui/controls.h"
 #include "app/ui/style.h"
 #include "engine/core/error.h"
 #include "engine/gpu/result.h"
@@ -29,11 +33,12 @@ void upload_fonts([[maybe_unused]] gpu::Device& device) {
 }  // namespace
 
 Overlay::Overlay(const gpu::Instance& instance, gpu::Device& device, VkFormat format,
-                 GLFWwindow* window)
+                 GLFWwindow* window, float scale)
     : device_(device), context_(ImGui::CreateContext()), has_window_(window != nullptr) {
   ImGui::GetIO().IniFilename = nullptr;
   ImGui::GetIO().LogFilename = nullptr;
-  apply_style();
+  if (has_window_) ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  set_sizes(scale);
   create_render_pass(format);
   create_descriptor_pool();
   start_backends(instance, window);
@@ -164,6 +169,28 @@ void Overlay::draw(VkCommandBuffer commands, VkImageView view, VkExtent2D extent
 
 bool Overlay::wants_text() const {
   return ImGui::GetIO().WantTextInput;
+}
+
+void Overlay::release_keyboard() {
+  ImGui::ClearActiveID();
+  ImGui::FocusWindow(nullptr);
+  ImGui::GetIO().WantTextInput = false;
+  context_->WantTextInputNextFrame = -1;  // the field was still drawn in this frame
+}
+
+bool Overlay::takes_key(std::string_view name) const {
+  constexpr std::array<std::string_view, 9> kFocusKeys{"tab",  "enter", "space", "up", "down",
+                                                       "left", "right", "home",  "end"};
+  if (std::ranges::count(kFocusKeys, name) == 0) return false;
+  // Once the tool's panel was clicked, Tab goes to its next field.
+  const ImGuiWindow* focused = context_->NavWindow;
+  const bool is_in_panel =
+      focused != nullptr && std::string_view(focused->RootWindow->Name) == kToolPanel;
+  return ImGui::GetIO().NavVisible || (name == "tab" && is_in_panel);
+}
+
+void Overlay::copy(const std::string& text) const {
+  ImGui::SetClipboardText(text.c_str());
 }
 
 bool Overlay::close_popups() {

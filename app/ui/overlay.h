@@ -2,6 +2,8 @@
 
 #include <glm/vec2.hpp>
 #include <map>
+#include <string>
+#include <string_view>
 
 #include "engine/gpu/handles.h"
 #include "engine/gpu/instance.h"
@@ -17,7 +19,9 @@ class Overlay {
  public:
   /// `window` null: there is no window; `begin` then sets the size, and time advances by a constant
   /// step. With a window, set its event callbacks first: those of ImGui pass events on to them.
-  Overlay(const gpu::Instance& instance, gpu::Device& device, VkFormat format, GLFWwindow* window);
+  /// `scale`: ImGui's units per point.
+  Overlay(const gpu::Instance& instance, gpu::Device& device, VkFormat format, GLFWwindow* window,
+          float scale);
   ~Overlay();
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
@@ -30,6 +34,13 @@ class Overlay {
   void forget_images() { framebuffers_.clear(); }
   /// Returns whether a text field has the keyboard focus.
   bool wants_text() const;
+  /// Takes the keyboard from the window or text field that has it. Call when a dialog is closed.
+  void release_keyboard();
+  /// Returns whether a key moves the keyboard focus in panels, or presses the focused widget, so
+  /// that it is not the key of a command. `name` as in KeyPress.
+  bool takes_key(std::string_view name) const;
+  /// Puts a text into the clipboard.
+  void copy(const std::string& text) const;
   /// Closes popups such as color pickers. Returns whether one was open.
   bool close_popups();
 

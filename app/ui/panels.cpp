@@ -2,40 +2,65 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <utility>
+
+#include "app/edit/crease_edits.h"
+#include "app/input/commands.h"
+#include "app/ui/controls.h"
+#include "app/ui/style.h"
+
 namespace mesher::app {
 
 PanelActions Panels::draw(Session& session, const PanelFacts& facts) {
-  PanelActions actions;
-  areas_.clear();
-  if (session.shows_info) {
-    draw_info_panel(session.document, session.view.settings, facts, session.shows_info, areas_);
-    draw_right_column(session.document, session.view, facts);
-  }
-  if (session.shows_help) draw_help_panel(session.shows_help, areas_);
-  // A dialog that follows a question appears after it, so that its text field gets the keyboard.
-  const bool is_asking = draw_question(session, areas_);
-  if (session.shows_open_dialog && !is_asking) {
-    draw_open_dialog(session.shows_open_dialog, typed_path_, submits_path_, actions, areas_);
-  }
-  if (session.saving.shows_dialog && !is_asking)
-    draw_save_dialog(session.saving, session.document, submits_save_, areas_);
-  submits_path_ = submits_save_ = false;
-  draw_message_bar(session.document, facts, actions, areas_);
-  if (ImGui::IsAnyItemActive()) actions.wants_frames = true;
-  return actions;
+  const ImGuiIO& io = ImGui::GetIO();
+  follow_modes(session);
+  ui_.facts = facts;
+  ui_.actions = {};
+  ui_.areas.clear();
+  ui_.widgets.clear();
+  ui_.chosen = nullptr;
+  note_widgets_in(ui_.widgets);
+  set_colors(theme(session.view.settings.background));
+  const glm::vec2 size{io.DisplaySize.x, io.DisplaySize.y};
+  ui_.layout = layout_of(size, units(1.0F), session.shows_info);
+  resize(session.view, session.document.statistics.box, facts.window,
+         insets_of(ui_.layout, size, {io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y}));
+  draw_menu_bar(session, ui_);
+  draw_rail(session, ui_);
+  draw_facts(session.document, ui_);
+  draw_tool_panel(session, ui_);
+  draw_detail_bar(session.document, ui_);
+  draw_status_line(session, ui_);
+  draw_dialogs(session);
+  draw_message(session.document, ui_);
+  ui_.submits = false;
+  if (ui_.chosen != nullptr) run(session, *ui_.chosen);
+  // A text field needs no more frames than its caret.
+  if (ImGui::IsAnyItemActive() && !ImGui::GetIO().WantTextInput) ui_.actions.wants_frames = true;
+  return std::exchange(ui_.actions, {});
 }
 
-void Panels::draw_right_column(Document& document, const View& view, const PanelFacts& facts) {
-  float top = kPanelMargin;
-  if (document.progressive.is_on()) {  // the model cannot be edited
-    draw_progressive_panel(document, view, facts, top, areas_);
-    return;
-  }
-  if (document.creases.is_on) {
-    top = kPanelMargin + draw_crease_panel(document, facts, top, tag_count_, areas_);
-  }
-  top = kPanelMargin + draw_subdivide_panel(document, top, areas_);
-  draw_simplify_panel(document, facts, top, slider_faces_, areas_);
+/// A mode that was turned on, by whatever means, shows its tool.
+void Panels::follow_modes(Session& session) {
+  const bool has_creases = session.document.creases.is_on;
+  const bool has_levels = session.document.progressive.is_on();
+  if (has_creases && !had_creases_) session.tool = Tool::creases;
+  if (has_levels && !had_levels_) session.tool = Tool::levels;
+  if (has_creases && session.tool != Tool::creases) set_crease_mode(session.document, false);
+  had_creases_ = session.document.creases.is_on;
+  had_levels_ = has_levels;
+}
+
+void Panels::draw_dialogs(Session& session) {
+  draw_context_menu(session, ui_);
+  if (session.shows_help) draw_help(session.shows_help, ui_);
+  if (session.shows_palette) draw_palette(session, ui_);
+  // A dialog that follows a question appears after it, so that its text field gets the keyboard.
+  const bool is_asking = draw_question(session, ui_);
+  if (session.shows_open_dialog && !is_asking) draw_open_dialog(session.shows_open_dialog, ui_);
+  if (session.saving.shows_dialog && !is_asking)
+    draw_save_dialog(session.saving, session.document, ui_);
 }
 
 bool Panels::covers(const glm::dvec2& at) const {
@@ -44,19 +69,9 @@ bool Panels::covers(const glm::dvec2& at) const {
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) {
     return true;
   }
-  for (const glm::vec4& area : areas_) {
-    if (at.x >= area.x && at.y >= area.y && at.x < area.z && at.y < area.w) return true;
-  }
-  return false;
-}
-
-void note_area(PanelAreas& areas) {
-  const ImVec2 at = ImGui::GetWindowPos();
-  const ImVec2 size = ImGui::GetWindowSize();
-  // ImGui uses the window's units, and mouse events use pixels. They differ on scaled displays.
-  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-  areas.emplace_back(at.x * scale.x, at.y * scale.y, (at.x + size.x) * scale.x,
-                     (at.y + size.y) * scale.y);
+  return std::ranges::any_of(ui_.areas, [&](const glm::vec4& area) {
+    return at.x >= area.x && at.y >= area.y && at.x < area.z && at.y < area.w;
+  });
 }
 
 }  // namespace mesher::app

@@ -1,19 +1,25 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "app/document/session.h"
+#include "app/ui/layout.h"
 #include "engine/core/job.h"
 #include "engine/render/gpu_mesh.h"
 
 namespace mesher::app {
 
+struct Command;
+
 /// Facts that panels show and the session does not hold.
 struct PanelFacts {
+  glm::dvec2 window{0.0};      ///< width and height in pixels
   const Job* job = nullptr;    ///< the background job, or null
   bool can_cancel = true;      ///< the job can be canceled
   render::UploadStats upload;  ///< the last upload that was not empty
@@ -24,12 +30,15 @@ struct PanelFacts {
 /// Requests from panels that the session does not hold.
 struct PanelActions {
   std::filesystem::path open;
+  std::string copied;  ///< text for the clipboard
   bool cancels_job = false;
   bool wants_frames = false;  ///< something is animated: draw again
 };
 
 /// The areas of the panels, so that clicks on them do not rotate the model.
 using PanelAreas = std::vector<glm::vec4>;  ///< x0, y0, x1, y1 in pixels
+/// Where the widgets are, by name: "simplify/remove 10 %". For tests and the state log.
+using WidgetAreas = std::map<std::string, glm::vec4, std::less<>>;
 
 /// The number of edges that marking by angle would mark, and the state it was counted for.
 struct TagCount {
@@ -39,59 +48,78 @@ struct TagCount {
   std::uint32_t edges = 0;
 };
 
-/// Space between panels and the window's border, and between panels, in pixels.
-inline constexpr float kPanelMargin = 10.0F;
+/// What panels share while a frame is drawn, and what they keep until the next one.
+struct Ui {
+  Layout layout;
+  PanelFacts facts;
+  PanelActions actions;
+  PanelAreas areas;
+  WidgetAreas widgets;
+  const Command* chosen = nullptr;  ///< in a menu: run after all panels are drawn
+
+  // Kept from frame to frame.
+  std::string typed_path;      ///< in the open dialog
+  std::string help_filter;     ///< in the help
+  std::string palette_filter;  ///< in the command palette
+  int palette_row = 0;         ///< the chosen one
+  bool submits = false;        ///< Enter was pressed in a dialog
+  int slider_faces = 0;  ///< of the detail bar, while it is dragged and until the edit is done
+  std::uint64_t target_of = 0;  ///< Document::opening that `target_faces` belongs to
+  std::uint32_t target_faces = 0;
+  TagCount tag_count;
+};
 
 /// All panels. Draw between Overlay::begin and Overlay::end.
 class Panels {
  public:
+  /// Lays the window out, and tells the view what is left for the model.
   PanelActions draw(Session& session, const PanelFacts& facts);
-  /// Opens the path in the open dialog when the dialog is drawn next.
-  void submit_path() { submits_path_ = true; }
-  /// As above, for the save dialog.
-  void submit_save() { submits_save_ = true; }
+  /// Acts as if the button of the open dialog were pressed, when it is drawn next.
+  void submit_dialog() { ui_.submits = true; }
+  /// Moves the choice of the command palette.
+  void move_in_palette(int rows) { ui_.palette_row += rows; }
   /// Returns whether a panel, as last drawn, covers this point.
   bool covers(const glm::dvec2& at) const;
+  const WidgetAreas& widgets() const { return ui_.widgets; }
 
  private:
-  void draw_right_column(Document& document, const View& view, const PanelFacts& facts);
+  void follow_modes(Session& session);
+  void draw_dialogs(Session& session);
 
-  PanelAreas areas_;
-  std::string typed_path_;
-  bool submits_path_ = false;
-  bool submits_save_ = false;
-  int slider_faces_ = 0;
-  TagCount tag_count_;
+  Ui ui_;
+  bool had_creases_ = false;
+  bool had_levels_ = false;
 };
 
-// One panel per file. Each notes the area that it covers.
-void draw_info_panel(Document& document, render::Settings& settings, const PanelFacts& facts,
-                     bool& is_open, PanelAreas& areas);
-void draw_help_panel(bool& is_open, PanelAreas& areas);
-void draw_message_bar(Document& document, const PanelFacts& facts, PanelActions& actions,
-                      PanelAreas& areas);
-/// `submits`: acts as if the button were pressed.
-void draw_open_dialog(bool& is_open, std::string& typed, bool submits, PanelActions& actions,
-                      PanelAreas& areas);
+// The parts of the window, one in each file. Each notes the area that it covers.
+void draw_menu_bar(Session& session, Ui& ui);
+/// The menus without a bar, for the rail of small windows and the context menu.
+void draw_menus(const Session& session, Ui& ui);
+/// The menu that a right click on the model opens.
+void draw_context_menu(Session& session, Ui& ui);
+void draw_rail(Session& session, Ui& ui);
+void draw_facts(Document& document, Ui& ui);
+/// The panel of the tool.
+void draw_tool_panel(Session& session, Ui& ui);
+void draw_detail_bar(Document& document, Ui& ui);
+void draw_status_line(Session& session, Ui& ui);
+/// What does not fit into the status line.
+void draw_message(Document& document, Ui& ui);
+
+// The contents of a tool's panel: targets, rules, buttons, result.
+void draw_model_tool(Document& document, Ui& ui);
+void draw_look_tool(render::Settings& settings);
+void draw_simplify_tool(Document& document, Ui& ui);
+void draw_subdivide_tool(Document& document);
+void draw_crease_tool(Document& document, Ui& ui);
+void draw_levels_tool(Document& document, const View& view, Ui& ui);
+
+// The dialogs.
+void draw_help(bool& is_open, Ui& ui);
+void draw_palette(Session& session, Ui& ui);
+void draw_open_dialog(bool& is_open, Ui& ui);
+void draw_save_dialog(Saving& saving, const Document& document, Ui& ui);
 /// The open question, over everything else. Returns whether one was drawn.
-bool draw_question(Session& session, PanelAreas& areas);
-void draw_save_dialog(Saving& saving, const Document& document, bool submits, PanelAreas& areas);
-
-// The panels at the right border, one below the other. `top` is the upper end of each.
-
-/// Returns the lower end of the panel.
-float draw_crease_panel(Document& document, const PanelFacts& facts, float top, TagCount& last,
-                        PanelAreas& areas);
-/// Returns the lower end of the panel.
-float draw_progressive_panel(Document& document, const View& view, const PanelFacts& facts,
-                             float top, PanelAreas& areas);
-/// Returns the lower end of the panel.
-float draw_subdivide_panel(Document& document, float top, PanelAreas& areas);
-/// `slider_faces`: the value of the slider while it is dragged and until the edit is finished.
-void draw_simplify_panel(Document& document, const PanelFacts& facts, float top, int& slider_faces,
-                         PanelAreas& areas);
-
-/// Adds the current ImGui window. Call between its Begin and End.
-void note_area(PanelAreas& areas);
+bool draw_question(Session& session, Ui& ui);
 
 }  // namespace mesher::app

@@ -4,6 +4,18 @@
 
 namespace mesher::app {
 
+VkRect2D model_rectangle(const View& view, const VkExtent2D& extent) {
+  const auto part = [](double from, double length, std::uint32_t most) {
+    const auto first = std::clamp<std::int32_t>(static_cast<std::int32_t>(from), 0,
+                                                static_cast<std::int32_t>(most) - 1);
+    const std::uint32_t rest = most - static_cast<std::uint32_t>(first);
+    return std::pair{first, std::clamp(static_cast<std::uint32_t>(length), 1U, rest)};
+  };
+  const auto [x, width] = part(view.corner().x, view.size().x, extent.width);
+  const auto [y, height] = part(view.corner().y, view.size().y, extent.height);
+  return {{x, y}, {width, height}};
+}
+
 bool SceneMirror::update(Document& document, const render::Settings& chosen) {
   bool is_changed = generation_ != document.model_generation;
   if (is_changed) mesh_.invalidate();

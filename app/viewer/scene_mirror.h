@@ -1,13 +1,20 @@
 #pragma once
 
+#include <vulkan/vulkan_core.h>
+
 #include <cstdint>
 #include <optional>
 
 #include "app/document/document.h"
+#include "app/document/view.h"
 #include "engine/render/gpu_mesh.h"
 #include "engine/render/settings.h"
 
 namespace mesher::app {
+
+/// Returns the rectangle of a picture of this size that shows the model. It is never empty, and
+/// lies inside the picture.
+VkRect2D model_rectangle(const View& view, const VkExtent2D& extent);
 
 /// The GPU's copy of what a document shows. The window and scripts keep it up to date the same way.
 class SceneMirror {

@@ -34,7 +34,7 @@ struct ScriptedSession::Gpu {
 };
 
 struct ScriptedSession::PanelLayer {
-  explicit PanelLayer(Gpu& gpu) : overlay(gpu.instance, gpu.device, kFormat, nullptr) {}
+  PanelLayer(Gpu& gpu, float scale) : overlay(gpu.instance, gpu.device, kFormat, nullptr, scale) {}
 
   static constexpr VkFormat kFormat = VK_FORMAT_R8G8B8A8_UNORM;
   Overlay overlay;
@@ -84,10 +84,8 @@ VkExtent2D ScriptedSession::extent() const {
 
 // The same steps as a frame in a window, but into an image.
 Image ScriptedSession::picture_with_panels() {
-  if (!panel_layer_) panel_layer_ = std::make_unique<PanelLayer>(*gpu_);
+  if (!panel_layer_) panel_layer_ = std::make_unique<PanelLayer>(*gpu_, options_.ui_scale);
   gpu::Device& device = gpu_->device;
-  const unsigned samples = device.supported_samples(session_.view.settings.samples);
-  const render::SceneTarget target(device, extent(), samples, PanelLayer::kFormat);
   const gpu::DeviceImage image(
       device, {.format = PanelLayer::kFormat,
                .extent = extent(),
@@ -95,18 +93,26 @@ Image ScriptedSession::picture_with_panels() {
                         VK_IMAGE_USAGE_TRANSFER_DST_BIT});
   for (int frame = 0; frame < kFramesToSettle; ++frame) {
     panel_layer_->overlay.begin(session_.view.window);
-    panel_layer_->panels.draw(session_,
-                              {.upload = gpu_->mirror.last_upload(), .device = device.name()});
+    panel_layer_->panels.draw(session_, {.window = session_.view.window,
+                                         .upload = gpu_->mirror.last_upload(),
+                                         .device = device.name()});
     panel_layer_->overlay.end();
   }
+  const VkRect2D place = model_rectangle(session_.view, extent());
+  const unsigned samples = device.supported_samples(session_.view.settings.samples);
+  const render::SceneTarget target(device, place.extent, samples, PanelLayer::kFormat);
   device.run_once([&](VkCommandBuffer commands) {
     gpu_->renderer.draw(commands, target, gpu_->mirror.mesh(), session_.view.camera,
                         gpu_->mirror.settings());
-    target.copy_to(commands, image.handle());
+    target.copy_to(commands, image.handle(), place.offset);
     panel_layer_->overlay.draw(commands, image.view(), extent());
   });
   panel_layer_->overlay.forget_images();
   return gpu::read_image(device, image, gpu::kColorAttachment);
+}
+
+const WidgetAreas* ScriptedSession::widgets() const {
+  return panel_layer_ ? &panel_layer_->panels.widgets() : nullptr;
 }
 
 void ScriptedSession::expect_no_messages() const {

@@ -8,6 +8,7 @@
 
 #include "app/document/session.h"
 #include "app/input/keys.h"
+#include "app/ui/panels.h"
 #include "engine/core/image.h"
 
 namespace mesher::app {
@@ -16,6 +17,7 @@ struct ScriptOptions {
   std::string device;       ///< as gpu::DeviceOptions::select
   bool validation = false;  ///< with the Khronos validation layer
   bool panels = false;      ///< pictures show the panels too, as a window would
+  float ui_scale = 1.0F;    ///< size of the panels
 };
 
 /// Drives a session without a window: it presses keys and draws pictures. The GPU is set up for the
@@ -33,6 +35,8 @@ class ScriptedSession {
   /// Draws the model as the session shows it, at the size of session.view.window. Throws
   /// DeviceError.
   Image picture();
+  /// Where the widgets of the last picture with panels are; null: there was none.
+  const WidgetAreas* widgets() const;
   /// Throws DeviceError with the first validation message, if there is one.
   void expect_no_messages() const;
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/document/session.h"
+#include "app/ui/panels.h"
 
 namespace mesher::app {
 
@@ -21,8 +22,10 @@ class StateLog {
  public:
   /// An empty path: writes nothing. Throws OutputError if the file cannot be created.
   explicit StateLog(const std::filesystem::path& file);
-  /// `pointer`: null if there is no window. Throws OutputError if the line cannot be written.
-  void note(const Session& session, const Pointer* pointer = nullptr);
+  /// `pointer`: null if there is no window. `widgets`: null if there are no panels. Throws
+  /// OutputError if the line cannot be written.
+  void note(const Session& session, const Pointer* pointer = nullptr,
+            const WidgetAreas* widgets = nullptr);
 
  private:
   std::filesystem::path file_;

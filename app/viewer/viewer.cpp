@@ -77,7 +77,11 @@ class Viewer {
         state_folder_(options.state_folder),
         journal_(options.state_folder) {
     window_.set_events(events());
-    overlay_ = std::make_unique<Overlay>(instance_, device_, presenter_.format(), window_.handle());
+    const float scale = options.ui_scale > 0.0F ? options.ui_scale : window_.content_scale();
+    overlay_ =
+        std::make_unique<Overlay>(instance_, device_, presenter_.format(), window_.handle(), scale);
+    // The monitor's scale is known only now.
+    session.shows_info = session.shows_info && fits_docks(session.view.window, scale);
     work_.take_over(std::move(arrival));
   }
 
@@ -97,7 +101,8 @@ class Viewer {
       update_hover();
       if (frames_wanted_ > 0) draw();
       if (session_.wants_screenshot) save_screenshot();
-      log_.note(session_, &pointer_);
+      if (session_.copied) overlay_->copy(*std::exchange(session_.copied, std::nullopt));
+      log_.note(session_, &pointer_, &panels_.widgets());
     }
     work_.finish_saves();
     journal_.remove();
@@ -139,7 +144,7 @@ class Viewer {
             .release =
                 [this] {
                   pointer_.is_pressed = false;
-                  gestures_.release();
+                  session_.wants_context_menu = gestures_.release();
                   want_frames();
                 },
             .move = [this](glm::dvec2 at) { move(at); },
@@ -201,22 +206,31 @@ class Viewer {
     want_frames();
     if (has_question(session_)) return answer_question(session_, key);
     // A dialog takes the keyboard at once; its text field takes it only after it was drawn.
-    const bool has_dialog = session_.shows_open_dialog || session_.saving.shows_dialog;
-    const bool is_typing = has_dialog || overlay_->wants_text();
+    const bool is_typing = has_dialog() || overlay_->wants_text();
     if (key.name == "escape") {
       if (overlay_->close_popups() || work_.cancel()) return;
-      if (is_typing && !has_dialog) return;  // ImGui takes the focus from the text field
+      if (is_typing && !has_dialog()) return;  // ImGui takes the focus from the text field
     } else if (is_typing) {
       // ImGui polls keys once per frame, and misses a key that was released before.
-      if (key.name == "enter") submit_dialog();
+      if (key.name == "enter" && has_dialog()) panels_.submit_dialog();
+      if (key.name == "down") panels_.move_in_palette(1);
+      if (key.name == "up") panels_.move_in_palette(-1);
       return;
     }
+    if (overlay_->takes_key(key.name)) return;
     if (const Command* command = command_for(key)) app::run(session_, *command);
+    follow_dialogs();
   }
 
-  void submit_dialog() {
-    if (session_.shows_open_dialog) panels_.submit_path();
-    if (session_.saving.shows_dialog) panels_.submit_save();
+  bool has_dialog() const {
+    return session_.shows_open_dialog || session_.saving.shows_dialog || session_.shows_palette;
+  }
+
+  // The keys after a dialog was closed are commands again, even before the next frame.
+  void follow_dialogs() {
+    const bool is_open = has_dialog() || session_.shows_help || has_question(session_);
+    if (had_dialog_ && !is_open) overlay_->release_keyboard();
+    had_dialog_ = is_open;
   }
 
   /// Advances the animation by the time since the last frame, if there was an animation then.
@@ -259,39 +273,42 @@ class Viewer {
     const glm::uvec2 size = window_.framebuffer_size();
     auto frame = presenter_.begin({size.x, size.y});
     if (!frame) return;
-    session_.view.window = {frame->extent.width, frame->extent.height};
-    draw_panels();
-    draw_scene(*frame);
-    target_->copy_to(frame->commands, frame->image);
+    draw_panels(frame->extent);
+    const VkRect2D place = model_rectangle(session_.view, frame->extent);
+    draw_scene(*frame, place.extent);
+    target_->copy_to(frame->commands, frame->image, place.offset);
     overlay_->draw(frame->commands, frame->view, frame->extent);
     presenter_.end(*frame);
     frame_ms_ = 1000.0 * (Window::time() - start);
     update_title();
   }
 
-  void draw_panels() {
+  void draw_panels(const VkExtent2D& extent) {
     if (presenter_.generation() != framebuffers_of_) overlay_->forget_images();
     framebuffers_of_ = presenter_.generation();
-    overlay_->begin(session_.view.window);
-    const PanelActions actions = panels_.draw(session_, {.job = work_.visible_job(),
+    const glm::dvec2 window{extent.width, extent.height};
+    overlay_->begin(window);
+    const PanelActions actions = panels_.draw(session_, {.window = window,
+                                                         .job = work_.visible_job(),
                                                          .can_cancel = work_.can_cancel(),
                                                          .upload = mirror_.last_upload(),
                                                          .frame_ms = frame_ms_,
                                                          .device = device_.name()});
     overlay_->end();
+    follow_dialogs();
     if (actions.cancels_job) work_.cancel();
     if (!actions.open.empty()) leave({actions.open});
     if (actions.wants_frames || !session_.document.edits.waiting.empty()) want_frames();
   }
 
-  void draw_scene(const gpu::Frame& frame) {
+  void draw_scene(const gpu::Frame& frame, const VkExtent2D& extent) {
     const Drawn now{mirror_.settings(), session_.view.camera};
     const unsigned samples =
         device_.supported_samples(samples_.choose(now.settings.samples, drawn_ != now, frame_ms_));
     if (samples_.is_hurried()) want_frames();
-    if (!target_ || target_->extent().width != frame.extent.width ||
-        target_->extent().height != frame.extent.height || target_->samples() != samples) {
-      target_.emplace(device_, frame.extent, samples, presenter_.format());
+    if (!target_ || target_->extent().width != extent.width ||
+        target_->extent().height != extent.height || target_->samples() != samples) {
+      target_.emplace(device_, extent, samples, presenter_.format());
       drawn_.reset();
     }
     // If panels have just changed the settings, the mirror is updated before the next frame.
@@ -352,6 +369,7 @@ class Viewer {
   double frame_ms_ = 0.0;
   int frames_wanted_ = kFramesAfterEvent;
   bool is_hover_outdated_ = false;
+  bool had_dialog_ = false;
   bool is_moving_ = false;
   double moved_at_s_ = 0.0;
 };

@@ -15,6 +15,7 @@ namespace mesher::app {
 struct ViewerOptions {
   std::string device;       ///< as gpu::DeviceOptions::select
   bool validation = false;  ///< with the Khronos validation layer
+  float ui_scale = 0.0F;    ///< size of the panels; 0: that of the monitor
   std::filesystem::path state_log;
   std::filesystem::path state_folder;  ///< of journals; empty: edits are not kept in a crash
   io::ReadOptions read;                ///< for files opened later

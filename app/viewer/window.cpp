@@ -171,6 +171,16 @@ glm::uvec2 Window::framebuffer_size() const {
   return {static_cast<unsigned>(width), static_cast<unsigned>(height)};
 }
 
+float Window::content_scale() const {
+  float scale = 1.0F;
+  glfwGetWindowContentScale(window_, &scale, nullptr);
+  int width = 1;
+  glfwGetWindowSize(window_, &width, nullptr);
+  // Where the desktop itself enlarges the window's units, as Wayland does, they stay small.
+  const float pixels = static_cast<float>(framebuffer_size().x) / std::max(1.0F, float(width));
+  return std::max(0.5F, scale / std::max(1.0F, pixels));
+}
+
 bool Window::take_close_request() {
   const bool is_requested = glfwWindowShouldClose(window_) == GLFW_TRUE;
   glfwSetWindowShouldClose(window_, GLFW_FALSE);

@@ -47,6 +47,9 @@ class Window {
   void set_events(Events events);
   GLFWwindow* handle() const { return window_; }
   glm::uvec2 framebuffer_size() const;
+  /// The units of the window per point (a pixel at 96 dpi), as the desktop is set: with X11, by
+  /// Xft.dpi. At least 0.5.
+  float content_scale() const;
   /// Returns whether the person has closed the window since the last call. It stays open.
   bool take_close_request();
   void set_title(const std::string& title);

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/core/assert.h"
+
 namespace mesher {
 namespace {
 
@@ -31,6 +33,22 @@ std::string count_text(std::int64_t count) {
 
 std::string count_text(std::int64_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count_text(count), noun, count == 1 ? "" : "s");
+}
+
+std::string count_phrase(std::int64_t count, std::string_view phrase) {
+  std::string text = count_text(count) + " ";
+  while (!phrase.empty()) {
+    const std::size_t open = phrase.find('{');
+    text += phrase.substr(0, open);
+    if (open == std::string_view::npos) break;
+    const std::size_t bar = phrase.find('|', open);
+    const std::size_t close = phrase.find('}', bar);
+    MESHER_ASSERT(bar != std::string_view::npos && close != std::string_view::npos);
+    text += count == 1 ? phrase.substr(open + 1, bar - open - 1)
+                       : phrase.substr(bar + 1, close - bar - 1);
+    phrase.remove_prefix(close + 1);
+  }
+  return text;
 }
 
 std::string number_text(double value) {

@@ -16,6 +16,10 @@ std::string count_text(std::int64_t count);
 /// "1,234 faces".
 std::string count_text(std::int64_t count, std::string_view noun);
 
+/// Returns a count in front of a phrase. Where the phrase has "{one|many}", the count chooses the
+/// words: "1 face flipped" and "2 faces flipped" for "{face|faces} flipped".
+std::string count_phrase(std::int64_t count, std::string_view phrase);
+
 /// Returns a measurement without a unit (a length, an area, an angle), rounded to six significant
 /// digits: "0.00123457", "2", "1.5e+09".
 std::string number_text(double value);

@@ -30,13 +30,13 @@ SceneTarget::SceneTarget(gpu::Device& device, VkExtent2D extent, unsigned sample
       gpu::DeviceImage(device, {.format = color_.format(), .extent = extent, .samples = samples_});
 }
 
-void SceneTarget::copy_to(VkCommandBuffer commands, VkImage image) const {
+void SceneTarget::copy_to(VkCommandBuffer commands, VkImage image, VkOffset2D offset) const {
   gpu::transition(commands, image, gpu::kUndefined, gpu::kTransferTarget);
   constexpr VkImageSubresourceLayers kColor{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
   const VkImageCopy region{.srcSubresource = kColor,
                            .srcOffset = {0, 0, 0},
                            .dstSubresource = kColor,
-                           .dstOffset = {0, 0, 0},
+                           .dstOffset = {offset.x, offset.y, 0},
                            .extent = {extent().width, extent().height, 1}};
   vkCmdCopyImage(commands, color_.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, image,
                  VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);

@@ -24,11 +24,13 @@ class SceneTarget {
   const gpu::DeviceImage& multisampled() const { return multisampled_; }  ///< empty at 1 sample
   const gpu::DeviceImage& depth() const { return depth_; }
 
-  /// Copies the color, byte for byte, to an image of the output format and this size.
+  /// Copies the color, byte for byte, to an image of the output format, with the top left corner at
+  /// `offset`.
   ///
-  /// Overwrites the image and leaves it in kColorAttachment, ready for an overlay. An unchanged
-  /// scene need not be drawn again: copying is enough. Pre: drawn at least once.
-  void copy_to(VkCommandBuffer commands, VkImage image) const;
+  /// Leaves the image in kColorAttachment, ready for an overlay. What the image held before is
+  /// lost: the overlay has to cover the part beside the copy. An unchanged scene need not be drawn
+  /// again: copying is enough. Pre: drawn at least once; the copy lies inside the image.
+  void copy_to(VkCommandBuffer commands, VkImage image, VkOffset2D offset = {0, 0}) const;
 
  private:
   VkSampleCountFlagBits samples_;

@@ -87,7 +87,7 @@ inline constexpr std::array kRenderOptions{
         .member = &Settings::crease_angle_deg,
         .unit = "deg",
         .most = 180.0,
-        .special = {180.0, "at tagged creases only"},
+        .special = {180.0, "tagged only"},
         .applies = [](const Settings& s) { return s.shading == Shading::gouraud; }},
     Option<Settings>{.key = "background",
                      .label = "background",

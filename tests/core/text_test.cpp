@@ -31,6 +31,14 @@ TEST(CountText, ShowsEndsOfRange) {
   EXPECT_EQ(count_text(std::numeric_limits<std::int64_t>::min()), "-9,223,372,036,854,775,808");
 }
 
+TEST(CountPhrase, ChoosesWordsByTheCount) {
+  EXPECT_EQ(count_phrase(1, "{face|faces} flipped"), "1 face flipped");
+  EXPECT_EQ(count_phrase(1'234, "{face|faces} flipped"), "1,234 faces flipped");
+  EXPECT_EQ(count_phrase(0, "bad {index|indices} in {a face|faces}"), "0 bad indices in faces");
+  EXPECT_EQ(count_phrase(1, "bad {index|indices} in {a face|faces}"), "1 bad index in a face");
+  EXPECT_EQ(count_phrase(2, "left"), "2 left");
+}
+
 TEST(CountText, AddsPluralUnlessOne) {
   EXPECT_EQ(count_text(0, "face"), "0 faces");
   EXPECT_EQ(count_text(1, "face"), "1 face");

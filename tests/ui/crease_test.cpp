@@ -24,30 +24,27 @@ class CreaseTest : public WindowTest {
     server_->xdotool({"keyup", modifier});
   }
 
-  static constexpr int kMiddleX = 640;
-  static constexpr int kMiddleY = 400;
-  // Positions in the panel, for a window of 1280 x 800.
-  static constexpr int kSliderY = 103;
-  static constexpr int kInfiniteX = 1102;
-  static constexpr int kInfiniteY = 129;
-  static constexpr int kClearAllX = 1193;
-  static constexpr int kClearAllY = 155;
-  static constexpr int kTagX = 1125;
-  static constexpr int kTagY = 212;
+  /// The middle of the model's rectangle.
+  static glm::ivec2 middle(const ViewerProcess& viewer) {
+    const json place = viewer.state()["model_rectangle"];
+    return {place[0].get<double>() + place[2].get<double>() / 2,
+            place[1].get<double>() + place[3].get<double>() / 2};
+  }
 };
 
 TEST_F(CreaseTest, ClickedEdgeIsSharpenedByKeys) {
   const auto v = open_front();
   const json start = v->state();
-  v->move(kMiddleX + 60, kMiddleY);
+  const glm::ivec2 center = middle(*v);
+  v->move(center.x + 60, center.y);
   v->settle();
   EXPECT_TRUE(v->state()["creases"]["hovered"].is_null());
   const auto before = v->screenshot();
-  v->move(kMiddleX, kMiddleY);
+  v->move(center.x, center.y);
   EXPECT_REACHES(*v, !s["creases"]["hovered"].is_null());
   v->settle();
   EXPECT_NE(v->screenshot(), before) << "the edge under the cursor is highlighted";
-  click(*v, kMiddleX, kMiddleY);
+  click(*v, center.x, center.y);
   EXPECT_REACHES(*v, s["creases"]["selected"] == 1 && s["creases"]["sharpness"] == 0.0);
   v->key("plus");
   EXPECT_REACHES(*v, s["creases"]["sharpness"] == 1.0 && s["crease_edges"] == 1);
@@ -71,36 +68,38 @@ TEST_F(CreaseTest, ClickedEdgeIsSharpenedByKeys) {
 
 TEST_F(CreaseTest, CtrlClickAddsDragOrbitsAndClickBesideClearsSelection) {
   const auto v = open_front();
-  click(*v, kMiddleX, kMiddleY);
+  const glm::ivec2 center = middle(*v);
+  click(*v, center.x, center.y);
   EXPECT_REACHES(*v, s["creases"]["selected"] == 1);
   // The top of the front face.
   const json camera = v->state()["camera"];
   const double half =
-      0.5 * 800 /
+      0.5 * v->state()["model_rectangle"][3].get<double>() /
       (2 * std::tan(0.5 * 0.6108652381980153) * (camera["distance"].get<double>() - 0.5));
-  click_with("ctrl", *v, kMiddleX + 60, kMiddleY - static_cast<int>(std::lround(half)) + 2);
+  click_with("ctrl", *v, center.x + 60, center.y - static_cast<int>(std::lround(half)) + 2);
   EXPECT_REACHES(*v, s["creases"]["selected"] == 2);
   EXPECT_EQ(v->state()["camera"], camera);
-  v->drag(1, kMiddleX, kMiddleY, kMiddleX + 80, kMiddleY + 30);
+  v->drag(1, center.x, center.y, center.x + 80, center.y + 30);
   EXPECT_REACHES(*v, s["camera"] != camera && s["creases"]["selected"] == 2);
-  click(*v, 400, 780);
+  click(*v, center.x - 180, center.y + 300);
   EXPECT_REACHES(*v, s["creases"]["selected"] == 0);
   quit(*v);
 }
 
 TEST_F(CreaseTest, SliderDragIsOneUndoStep) {
   const auto v = open_front();
-  click(*v, kMiddleX, kMiddleY);
+  const glm::ivec2 center = middle(*v);
+  click(*v, center.x, center.y);
   EXPECT_REACHES(*v, s["creases"]["selected"] == 1);
-  v->drag(1, 1110, kSliderY, 1180, kSliderY);
+  slide(*v, "panel/sharpness", 0.0, 0.5);
   EXPECT_REACHES(*v, s["creases"]["sharpness"] > 4.0 && s["creases"]["sharpness"] < 7.0);
   v->settle();
   EXPECT_EQ(v->state()["undo_depth"], 1);
-  click(*v, kInfiniteX, kInfiniteY);
+  click(*v, "panel/infinite");
   EXPECT_REACHES(*v, s["creases"]["sharpness"] == "inf" && s["undo_depth"] == 2);
-  click(*v, kTagX, kTagY);
+  click(*v, "panel/tag");
   EXPECT_REACHES(*v, s["crease_edges"] == 13 && s["undo_depth"] == 3);
-  click(*v, kClearAllX, kClearAllY);
+  click(*v, "panel/clear all");
   EXPECT_REACHES(*v, s["crease_edges"] == 0 && s["undo_depth"] == 4);
   v->key("ctrl+z");
   EXPECT_REACHES(*v, s["crease_edges"] == 13);
@@ -112,7 +111,8 @@ TEST_F(CreaseTest, DoubleClickSelectsChain) {
   v->key("c");
   EXPECT_REACHES(*v, s["creases"]["mode"] == true);
   v->settle();
-  v->move(kMiddleX + 44, kMiddleY);  // half a square away from a vertex
+  const glm::ivec2 center = middle(*v);
+  v->move(center.x + 44, center.y);  // half a square away from a vertex
   EXPECT_REACHES(*v, !s["creases"]["hovered"].is_null());
   server_->xdotool({"click", "--repeat", "2", "--delay", "80", "1"});
   EXPECT_REACHES(*v, s["creases"]["selected"] > 1);

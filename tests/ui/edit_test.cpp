@@ -1,21 +1,13 @@
 // Tests simplification in a real window: keys, buttons and the slider change the model, and the
 // camera does not move.
+#include <cmath>
+
 #include "tests/ui/window_fixture.h"
 
 namespace mesher::test {
 namespace {
 
-class EditTest : public WindowTest {
- protected:
-  // Positions in the panel, for a window of 1280 x 800.
-  static constexpr int kSliderY = 284;
-  // Height of the line that the Subdivide panel shows after a subdivision.
-  static constexpr int kOutcomeLine = 21;
-  static constexpr int kButtonsY = 311;
-  static constexpr int kUndoY = 337;
-  static constexpr int kLeftButtonX = 1056;
-  static constexpr int kRightButtonX = 1193;
-};
+class EditTest : public WindowTest {};
 
 TEST_F(EditTest, DAndShiftDSimplifyAndCanBeUndone) {
   const auto v = open({"knot", "--size", "800x600"});
@@ -59,12 +51,12 @@ TEST_F(EditTest, LastLegalCollapseGivesNotice) {
 
 TEST_F(EditTest, SliderAppliesOnReleaseAndRestoresDetail) {
   const auto v = open({"knot", "--size", "1280x800"});
-  v->settle();
-  slide(*v, 1245, 1180, kSliderY);
+  slide(*v, "detail/slider", 1.0, 0.6);
   EXPECT_REACHES(*v, s["faces"] < 2500 && s["undo_depth"] == 1);
   const auto coarse = v->state()["faces"].get<int>();
   v->settle();
-  slide(*v, 1180, 1255, kSliderY);
+  const auto share = std::log(coarse / 4.0) / std::log(2880 / 4.0);
+  slide(*v, "detail/slider", share, 1.1);
   EXPECT_REACHES(*v, s["faces"] == 2880 && s["undo_depth"] == 2);
   v->key("ctrl+z");
   EXPECT_REACHES(*v, s["faces"] == coarse);
@@ -75,8 +67,7 @@ TEST_F(EditTest, SliderEndsAtOpenedFaceCount) {
   const auto v = open({"knot", "--size", "1280x800"});
   v->key("s");
   EXPECT_REACHES(*v, s["faces"] == 4 * 2880);
-  v->settle();
-  slide(*v, 1255, 1235, kSliderY + kOutcomeLine);
+  slide(*v, "detail/slider", 1.0, 0.9);
   EXPECT_REACHES(*v, s["faces"] < 2880);
   quit(*v);
 }
@@ -85,16 +76,16 @@ TEST_F(EditTest, PanelButtonsWork) {
   const auto v = open({"knot", "--size", "1280x800"});
   v->settle();
   const json start = v->state();
-  click(*v, kLeftButtonX, kButtonsY);
+  click(*v, "panel/remove 10 %");
   EXPECT_REACHES(*v, s["faces"] == 2592);
-  click(*v, kRightButtonX, kButtonsY);
+  click(*v, "panel/one edge");
   EXPECT_REACHES(*v, s["faces"] == 2590);
-  click(*v, kLeftButtonX, kUndoY);
+  click(*v, "facts/step 1");
   EXPECT_REACHES(*v, s["faces"] == 2592);
-  click(*v, kRightButtonX, kUndoY);
+  click(*v, "facts/step 2");
   EXPECT_REACHES(*v, s["faces"] == 2590);
-  click(*v, 1175, 367);  // costs: opens the list
-  click(*v, 1140, 472);  // its last entry
+  click(*v, "panel/cost");
+  click(*v, "/random");
   EXPECT_REACHES(*v, s["simplify"]["cost"] == "random");
   EXPECT_EQ(v->state()["camera"], start["camera"]);
   quit(*v);

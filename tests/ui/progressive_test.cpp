@@ -17,16 +17,6 @@ namespace {
 
 class ProgressiveTest : public WindowTest {
  protected:
-  // Positions in the panel, for a window of 1280 x 800.
-  static constexpr int kSliderY = 51;
-  static constexpr int kButtonsY = 78;
-  static constexpr int kPlayX = 1056;
-  static constexpr int kKeepX = 1193;
-  static constexpr int kBoxX = 1102;
-  static constexpr int kGeomorphsY = 160;
-  static constexpr int kSplitColorsY = 239;
-  static constexpr int kAutomaticY = 270;
-
   static std::string knot_bytes() {
     const Model model = io::read_model(MESHER_SOURCE_DIR "/assets/knot.obj");
     progressive::Progressive progressive =
@@ -78,26 +68,30 @@ TEST_F(ProgressiveTest, SliderAppliesWhileDragged) {
   const auto v = open({"knot", "--size", "1280x800", "--keys", "p g"});
   EXPECT_REACHES(*v, s["progressive"]["ready"] == true);
   v->settle();
-  v->move(1250, kSliderY);
+  const auto move_to = [&](double share) {
+    const glm::ivec2 at = point_of(*v, "detail/slider", share);
+    v->move(at.x, at.y);
+  };
+  move_to(1.0);
   v->settle();
   v->press(1);
-  v->move(1150, kSliderY);
+  move_to(0.5);
   EXPECT_REACHES(*v, s["progressive"]["faces"] < 1500);
   const auto coarse = shown(*v)["faces"].get<int>();
-  v->move(1050, kSliderY);
+  move_to(0.1);
   EXPECT_REACHES(*v, s["progressive"]["faces"] < coarse);
-  v->move(1190, kSliderY);
+  move_to(0.7);
   EXPECT_REACHES(*v, s["progressive"]["faces"] > coarse);
   v->release(1);
   v->settle();
   const json at_rest = shown(*v);
   EXPECT_GT(at_rest["faces"], coarse);
   EXPECT_EQ(v->state()["undo_depth"], 0);
-  click(*v, kBoxX, kGeomorphsY);
+  click(*v, "panel/geomorphs");
   EXPECT_REACHES(*v, s["progressive"]["geomorphs"] == false);
-  click(*v, kBoxX, kSplitColorsY);
+  click(*v, "panel/split order");
   EXPECT_REACHES(*v, s["progressive"]["split_colors"] == true);
-  click(*v, kKeepX, kButtonsY);
+  click(*v, "panel/use this level");
   EXPECT_REACHES(*v, s["progressive"]["on"] == false && s["undo_depth"] == 1);
   EXPECT_LT(v->state()["faces"], 2880);
   v->key("ctrl+z");
@@ -108,7 +102,9 @@ TEST_F(ProgressiveTest, SliderAppliesWhileDragged) {
 TEST_F(ProgressiveTest, PlaysUntilPausedThenSleeps) {
   const auto v = open({"knot", "--size", "1280x800", "--keys", "p home"});
   EXPECT_REACHES(*v, s["progressive"]["ready"] == true);
-  v->move(kPlayX, kButtonsY);
+  v->settle();
+  const glm::ivec2 play = point_of(*v, "detail/play", 0.5);
+  v->move(play.x, play.y);
   v->settle();
   v->press(1);
   v->release(1);
@@ -127,11 +123,11 @@ TEST_F(ProgressiveTest, AutomaticLevelFollowsZoom) {
   const auto v = open({"knot", "--size", "1280x800", "--keys", "p"});
   EXPECT_REACHES(*v, s["progressive"]["ready"] == true);
   v->settle();
-  click(*v, kBoxX, kAutomaticY);
+  click(*v, "panel/automatic");
   EXPECT_REACHES(*v, s["progressive"]["automatic"] == true);
   v->settle();
   const int near = shown(*v)["faces"].get<int>();
-  v->move(640, 400);
+  v->move(600, 380);
   v->scroll_down(25);
   EXPECT_REACHES(*v, s["progressive"]["faces"] < near);
   v->settle();

@@ -73,7 +73,7 @@ TEST_F(WindowTest, ViewKeysRotateCamera) {
 }
 
 TEST_F(WindowTest, HelpPanelAndEscape) {
-  const auto v = open({"cube", "--size", "800x600"});
+  const auto v = open({"cube", "--size", "1000x600"});
   v->settle();
   const auto before = v->screenshot();
   v->key("F1");
@@ -143,8 +143,11 @@ TEST_F(WindowTest, WheelZoomsAtCursorAndDoubleClickRecenters) {
 TEST_F(WindowTest, DragOnPanelDoesNotOrbit) {
   const auto v = open({"cube", "--size", "800x600"});
   v->settle();
+  v->key("ctrl+1");
+  EXPECT_REACHES(*v, s["tool"] == "model");
+  v->settle();
   const json start = v->state();
-  v->drag(1, 100, 120, 180, 160);
+  v->drag(1, 600, 300, 640, 340);
   v->settle();
   EXPECT_EQ(v->state()["camera"], start["camera"]);
   quit(*v);
@@ -205,9 +208,11 @@ TEST_F(WindowTest, KeysTypedRightAfterDialogOpensAreText) {
 
 TEST_F(WindowTest, EscapeClosesColorPicker) {
   const auto v = open({"cube", "--size", "800x800"});
+  v->key("ctrl+2");
+  EXPECT_REACHES(*v, s["tool"] == "look");
   v->settle();
   const auto before = v->screenshot();
-  click(*v, 32, 494);  // the swatch of the front color
+  click(*v, "panel/front", 0.1);  // the swatch
   v->move(500, 700);
   v->settle();
   EXPECT_GT(differing_bytes(v->screenshot(), before), 50'000U);  // the picker is open
@@ -221,13 +226,14 @@ TEST_F(WindowTest, EscapeClosesColorPicker) {
 TEST_F(WindowTest, PanelControlsWork) {
   const auto v = open({"cube", "--size", "800x800"});
   v->settle();
-  click(*v, 88, 364);
+  v->key("ctrl+2");
+  click(*v, "panel/Gouraud");
   EXPECT_REACHES(*v, s["shading"] == "gouraud");
-  click(*v, 32, 390);
+  click(*v, "panel/wireframe");
   EXPECT_REACHES(*v, s["wireframe"] == true);
-  slide(*v, 135, 80, 416);
+  slide(*v, "panel/crease angle", 1.0, 0.5);
   EXPECT_REACHES(*v, s["crease_angle_deg"] < 150.0);
-  click(*v, 32, 546);
+  click(*v, "panel/dark");
   EXPECT_REACHES(*v, s["background"] == "dark");
   quit(*v);
 }
@@ -278,6 +284,126 @@ TEST_F(WindowTest, SleepsWithoutEvents) {
   std::this_thread::sleep_for(std::chrono::seconds(2));
   EXPECT_LE(cpu_ticks() - before, 10);  // of 200
   quit(*v);
+}
+
+TEST_F(WindowTest, RailShowsOneToolAtATime) {
+  const auto v = open({"cube", "--size", "1200x800"});
+  EXPECT_REACHES(*v, s["tool"] == "simplify" && s["info"] == true);
+  const json rectangle = v->state()["model_rectangle"];
+  EXPECT_LT(rectangle[2], 800);
+  for (const char* tool : {"subdivide", "creases", "levels", "look"}) {
+    click(*v, std::string("rail/") + tool);
+    EXPECT_REACHES(*v, s["tool"] == tool);
+    EXPECT_EQ(v->state()["creases"]["mode"], std::string(tool) == "creases");
+    EXPECT_EQ(v->state()["model_rectangle"], rectangle) << "no panel moves another";
+  }
+  v->key("c");
+  EXPECT_REACHES(*v, s["tool"] == "creases" && s["creases"]["mode"] == true);
+  quit(*v);
+}
+
+TEST_F(WindowTest, SmallWindowShowsRailAndBarOnly) {
+  const auto v = open({"cube", "--size", "300", "--wireframe"});
+  v->settle();
+  const json all = v->state();
+  EXPECT_EQ(all["info"], false);
+  EXPECT_EQ(all["notice"], "");
+  EXPECT_GE(all["model_rectangle"][2].get<double>() * all["model_rectangle"][3].get<double>(),
+            0.65 * 300 * 300);
+  click(*v, "rail/subdivide");
+  EXPECT_REACHES(*v, s["tool"] == "subdivide" && s["info"] == true);
+  EXPECT_EQ(v->state()["model_rectangle"], all["model_rectangle"]);
+  v->move(150, 100);
+  v->scroll_down(20);
+  click(*v, "panel/subdivide");
+  EXPECT_REACHES(*v, s["faces"] == 48);
+  click(*v, "rail/subdivide");
+  EXPECT_REACHES(*v, s["info"] == false);
+  v->drag(1, 150, 100, 190, 120);
+  EXPECT_REACHES(*v, s["camera"] != all["camera"]);
+  slide(*v, "detail/slider", 1.0, 0.3);
+  EXPECT_REACHES(*v, s["faces"] < 12);
+  quit(*v);
+}
+
+TEST_F(WindowTest, MenusRunCommandsAndRefuseWithAReason) {
+  const auto v = open({"knot", "--size", "1000x700"});
+  click(*v, "/menu simplify");
+  click(*v, "/simplify");
+  EXPECT_REACHES(*v, s["faces"] == 2592);
+  // A right click that does not drag opens the menu of the tool.
+  v->settle();
+  v->move(450, 300);
+  v->press(3);
+  v->release(3);
+  click(*v, "/simplify");
+  EXPECT_REACHES(*v, s["faces"] < 2592);
+  quit(*v);
+}
+
+TEST_F(WindowTest, PaletteFindsAndRunsACommand) {
+  const auto v = open({"knot", "--size", "1000x700"});
+  v->key("ctrl+k");
+  EXPECT_REACHES(*v, s["palette"] == true);
+  v->settle();
+  server_->xdotool({"type", "--delay", "60", "gouraud"});
+  v->settle();
+  v->key("Return");
+  EXPECT_REACHES(*v, s["palette"] == false && s["shading"] == "gouraud");
+  EXPECT_EQ(v->state()["wireframe"], false) << "the letters were text, not commands";
+  v->key("ctrl+k");
+  EXPECT_REACHES(*v, s["palette"] == true);
+  v->settle();
+  v->key("Escape");
+  EXPECT_REACHES(*v, s["palette"] == false);
+  quit(*v);
+}
+
+TEST_F(WindowTest, HistoryIsClickedBackAndForth) {
+  const auto v = open({"knot", "--size", "1200x800"});
+  v->key("d");
+  EXPECT_REACHES(*v, s["undo_depth"] == 1);
+  v->key("s");
+  EXPECT_REACHES(*v, s["undo_depth"] == 2);
+  v->key("d");
+  EXPECT_REACHES(*v, s["undo_depth"] == 3);
+  const int faces = v->state()["faces"].get<int>();
+  click(*v, "facts/step 0");
+  EXPECT_REACHES(*v, s["undo_depth"] == 0 && s["redo_depth"] == 3 && s["faces"] == 2880);
+  click(*v, "facts/step 3");
+  EXPECT_REACHES(*v, s["undo_depth"] == 3 && s["faces"] == faces);
+  quit(*v);
+}
+
+TEST_F(WindowTest, ArrowKeysChooseInLists) {
+  const auto v = open({"knot", "--size", "1000x700"});
+  click(*v, "panel/cost");
+  v->settle();
+  for (const char* key : {"Down", "Down", "space"}) {
+    v->key(key);
+    v->settle();
+  }
+  EXPECT_REACHES(*v, s["simplify"]["cost"] != "quadric");
+  // A click on the model gives the keys back to the commands.
+  click(*v, 450, 300);
+  v->key("Tab");
+  EXPECT_REACHES(*v, s["info"] == false);
+  quit(*v);
+}
+
+TEST_F(WindowTest, ScaleEnlargesPanels) {
+  const auto once = open({"cube", "--size", "1200x800"});
+  const auto twice = open({"cube", "--size", "1200x800", "--ui-scale", "2"});
+  once->settle();
+  twice->settle();
+  const auto height = [](const ViewerProcess& v) {
+    const glm::dvec4 place = place_of(v, "detail/slider");
+    return place.w - place.y;
+  };
+  EXPECT_NEAR(height(*twice) / height(*once), 2.0, 0.1);
+  EXPECT_EQ(twice->state()["info"], false) << "600 points are no room for docks";
+  quit(*once);
+  quit(*twice);
 }
 
 }  // namespace

@@ -25,27 +25,33 @@ enum class Repair : std::uint8_t {
   invalid_sharpness_ignored,    ///< NaN or negative
   contradictory_creases,        ///< tagged twice with different values; the last one is used
 };
+/// The labels are phrases for count_phrase.
 inline constexpr Choices<Repair, 14> kRepairs{{
-    {Repair::polygons_triangulated, {"polygons_triangulated", "polygons triangulated"}},
-    {Repair::degenerate_faces_dropped, {"degenerate_faces_dropped", "degenerate faces dropped"}},
-    {Repair::duplicate_faces_dropped, {"duplicate_faces_dropped", "duplicate faces dropped"}},
+    {Repair::polygons_triangulated, {"polygons_triangulated", "{polygon|polygons} triangulated"}},
+    {Repair::degenerate_faces_dropped,
+     {"degenerate_faces_dropped", "degenerate {face|faces} dropped"}},
+    {Repair::duplicate_faces_dropped,
+     {"duplicate_faces_dropped", "duplicate {face|faces} dropped"}},
     {Repair::non_finite_vertices_dropped,
-     {"non_finite_vertices_dropped", "non-finite vertices dropped"}},
+     {"non_finite_vertices_dropped", "non-finite {vertex|vertices} dropped"}},
     {Repair::non_finite_faces_dropped,
-     {"non_finite_faces_dropped", "faces with a non-finite vertex dropped"}},
-    {Repair::faces_flipped, {"faces_flipped", "faces flipped to agree with their neighbors"}},
+     {"non_finite_faces_dropped", "{face|faces} with a non-finite vertex dropped"}},
+    {Repair::faces_flipped,
+     {"faces_flipped", "{face|faces} flipped to agree with {its|their} neighbors"}},
     {Repair::unorientable_edges_cut,
-     {"unorientable_edges_cut", "edges of a one-sided surface cut"}},
-    {Repair::non_manifold_edges_cut, {"non_manifold_edges_cut", "non-manifold edges cut"}},
-    {Repair::non_manifold_vertices_cut, {"non_manifold_vertices_cut", "non-manifold vertices cut"}},
-    {Repair::isolated_vertices_dropped, {"isolated_vertices_dropped", "isolated vertices dropped"}},
-    {Repair::isolated_vertices_kept, {"isolated_vertices_kept", "isolated vertices kept"}},
+     {"unorientable_edges_cut", "{edge|edges} of a one-sided surface cut"}},
+    {Repair::non_manifold_edges_cut, {"non_manifold_edges_cut", "non-manifold {edge|edges} cut"}},
+    {Repair::non_manifold_vertices_cut,
+     {"non_manifold_vertices_cut", "non-manifold {vertex|vertices} cut"}},
+    {Repair::isolated_vertices_dropped,
+     {"isolated_vertices_dropped", "isolated {vertex|vertices} dropped"}},
+    {Repair::isolated_vertices_kept, {"isolated_vertices_kept", "isolated {vertex|vertices} kept"}},
     {Repair::creases_on_missing_edges,
-     {"creases_on_missing_edges", "creases on missing edges ignored"}},
+     {"creases_on_missing_edges", "{crease on a missing edge|creases on missing edges} ignored"}},
     {Repair::invalid_sharpness_ignored,
-     {"invalid_sharpness_ignored", "invalid sharpness values ignored"}},
+     {"invalid_sharpness_ignored", "invalid sharpness {value|values} ignored"}},
     {Repair::contradictory_creases,
-     {"contradictory_creases", "contradictory creases (the last one is used)"}},
+     {"contradictory_creases", "contradictory {crease|creases} (the last one is used)"}},
 }};
 static_assert(is_complete(kRepairs));
 constexpr const auto& choices(Repair) {

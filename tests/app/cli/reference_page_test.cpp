@@ -55,7 +55,7 @@ void write_table(std::ostream& page, const char* title, const char* intro,
   }
 }
 
-std::string keys_text(const Command& command) {
+std::string keys_in_code(const Command& command) {
   std::string text;
   for (const KeyPress& key : parse_keys(command.keys))
     text += (text.empty() ? "`" : ", `") + to_text(key) + "`";
@@ -108,7 +108,7 @@ std::string reference_page() {
     page << "\n### " << group.text.label << "\n\n| key | command | id |\n|---|---|---|\n";
     for (const Command& command : commands()) {
       if (command.group != group.value) continue;
-      page << "| " << keys_text(command) << " | " << command.help << " | `" << command.id
+      page << "| " << keys_in_code(command) << " | " << command.help << " | `" << command.id
            << "` |\n";
     }
   }

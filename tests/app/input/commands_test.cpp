@@ -46,6 +46,7 @@ TEST(Commands, EachHasUniqueIdAndHelpText) {
     EXPECT_TRUE(ids.insert(command.id).second) << command.id;
     EXPECT_EQ(command_named(command.id), &command);
     EXPECT_NE(std::string(command.help), "") << command.id;
+    EXPECT_NE(std::string(command.label), "") << command.id;
     EXPECT_TRUE(std::visit([](auto* function) { return function != nullptr; }, command.function))
         << command.id;
     EXPECT_EQ(command_for(parse_keys(command.keys).front()), &command) << command.id;
@@ -55,13 +56,52 @@ TEST(Commands, EachHasUniqueIdAndHelpText) {
 
 TEST(Commands, BlockedCommandGivesNoticeAndChangesNothing) {
   Session s = session_with_cube();
+  int refused = 0;
   for (const Command& command : commands()) {
     if (command.blocked == nullptr) continue;
+    const char* reason = blocked(s, command);
+    if (reason == nullptr) continue;
+    ++refused;
     run(s, command);
-    EXPECT_EQ(s.document.notice, "press P first: this key works in progressive mode") << command.id;
+    EXPECT_EQ(s.document.notice, reason) << command.id;
     EXPECT_FALSE(s.document.progressive.is_playing());
     EXPECT_TRUE(s.document.edits.waiting.empty());
   }
+  EXPECT_EQ(blocked(s, *command_named("play")),
+            std::string("press P first: this key works in progressive mode"));
+  EXPECT_EQ(blocked(s, *command_named("undo")), std::string("nothing to undo"));
+  EXPECT_EQ(blocked(s, *command_named("simplify")), nullptr);
+  EXPECT_GE(refused, 14);
+}
+
+TEST(Commands, SearchFindsByEveryWord) {
+  const auto first = [](const char* filter) {
+    const auto found = matching_commands(filter);
+    return found.empty() ? std::string() : std::string(found.front()->id);
+  };
+  EXPECT_EQ(first("gour"), "toggle_gouraud");
+  EXPECT_EQ(first("COMMAND line copy"), "copy_command_line");
+  EXPECT_EQ(first("ctrl+z"), "undo");
+  EXPECT_EQ(first("no such thing"), "");
+  EXPECT_EQ(matching_commands("").size(), commands().size());
+}
+
+TEST(Commands, ToolsTurnCreaseModeOnAndOff) {
+  Session s = session_with_cube();
+  press_keys(s, "ctrl+5");
+  EXPECT_EQ(s.tool, Tool::creases);
+  EXPECT_TRUE(s.document.creases.is_on);
+  press_keys(s, "tab ctrl+4");
+  EXPECT_EQ(s.tool, Tool::subdivide);
+  EXPECT_FALSE(s.document.creases.is_on);
+  EXPECT_TRUE(s.shows_info);
+}
+
+TEST(Commands, UndoWaitsForEditsThatAreRequested) {
+  Session s = session_with_cube();
+  press_keys(s, "d ctrl+z");
+  run_waiting_edits(s.document);
+  EXPECT_EQ(s.document.edits.history.redo_depth(), 1U);
 }
 
 TEST(Commands, WTogglesWireframe) {

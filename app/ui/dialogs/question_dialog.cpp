@@ -7,13 +7,14 @@
 #include "app/files/restore.h"
 #include "app/ui/controls.h"
 #include "app/ui/panels.h"
+#include "app/ui/style.h"
 #include "engine/core/text.h"
 
 namespace mesher::app {
 namespace {
 
 constexpr const char* kTitle = "mesher###question";
-constexpr float kTextWidth = 420.0F;
+constexpr float kTextPoints = 420.0F;
 // Of a long history, the last edits say best what would be lost.
 constexpr std::size_t kShownEdits = 5;
 
@@ -52,7 +53,7 @@ std::vector<std::string> edit_names(const History& history) {
 }
 
 void draw_text(const std::string& text) {
-  ImGui::PushTextWrapPos(std::min(kTextWidth, ImGui::GetIO().DisplaySize.x - 60.0F));
+  ImGui::PushTextWrapPos(std::min(units(kTextPoints), ImGui::GetIO().DisplaySize.x - units(40.0F)));
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
 }
@@ -88,7 +89,7 @@ void draw_lost(Session& session) {
 
 }  // namespace
 
-bool draw_question(Session& session, PanelAreas& areas) {
+bool draw_question(Session& session, Ui& ui) {
   const bool asks = has_question(session);
   if (asks && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -102,7 +103,7 @@ bool draw_question(Session& session, PanelAreas& areas) {
     draw_lost(session);
   }
   if (!has_question(session)) ImGui::CloseCurrentPopup();
-  note_area(areas);
+  note_area(ui.areas);
   ImGui::EndPopup();
   return true;
 }

@@ -31,28 +31,27 @@ void draw_counts(const CreaseMode& creases, const Statistics& statistics) {
       "Ctrl+A selects all creases.");
 }
 
+std::string sharpness_text(const SelectedSharpness& sharpness) {
+  if (sharpness.edges == 0) return "-";
+  if (sharpness.is_mixed()) return "mixed";
+  return sharpness.most == kInfinitelySharp ? "infinite" : fmt::format("{:.1f}", sharpness.most);
+}
+
 /// Applies the sharpness while the slider is dragged. One drag is one step of the history.
 void draw_slider(Document& document, const SelectedSharpness& sharpness) {
-  const char* format = "%.1f";
-  if (sharpness.edges == 0) {
-    format = "-";
-  } else if (sharpness.is_mixed()) {
-    format = "mixed";
-  } else if (sharpness.most == kInfinitelySharp) {
-    format = "infinite";
-  }
   CreaseMode& creases = document.creases;
   float value = std::min(sharpness.most, kMaxFiniteSharpness);
-  label("sharpness");
-  const bool is_changed = ImGui::SliderFloat("##sharpness", &value, 0.0F, kMaxFiniteSharpness,
-                                             format, ImGuiSliderFlags_AlwaysClamp);
-  if (ImGui::IsItemActivated()) ++creases.drags;
-  if (is_changed) {
-    creases.finite_sharpness = value;
-    request_crease_edit(document,
-                        {.kind = CreaseRequest::Kind::set, .value = value, .drag = creases.drags});
-  }
-  tooltip("Number of subdivision steps for which the edges stay sharp. + and - change it by 1.");
+  bool is_activated = false;
+  const bool is_changed =
+      edit_slider("sharpness", value, {0.0F, kMaxFiniteSharpness, false, &is_activated},
+                  sharpness_text(sharpness),
+                  "Number of subdivision steps for which the edges stay sharp. + and - change it "
+                  "by 1.");
+  if (is_activated) ++creases.drags;
+  if (!is_changed) return;
+  creases.finite_sharpness = value;
+  request_crease_edit(document,
+                      {.kind = CreaseRequest::Kind::set, .value = value, .drag = creases.drags});
 }
 
 void draw_infinite(Document& document, const SelectedSharpness& sharpness) {
@@ -62,6 +61,7 @@ void draw_infinite(Document& document, const SelectedSharpness& sharpness) {
     const float value = is_infinite ? kInfinitelySharp : document.creases.finite_sharpness;
     request_crease_edit(document, {.kind = CreaseRequest::Kind::set, .value = value});
   }
+  note_widget("infinite");
   tooltip("I: make the selected edges infinitely sharp.");
 }
 
@@ -90,43 +90,47 @@ std::uint32_t count_untagged(const Document& document, TagCount& last) {
   return last.edges;
 }
 
+void draw_angle(Document& document) {
+  float& angle = document.creases.tag_angle_deg;
+  edit_slider("angle", angle, {0.0F, 180.0F}, fmt::format("{:.0f} deg", angle),
+              "Minimum angle between the face normals of the edges to mark.");
+}
+
 void draw_tagging(Document& document, TagCount& last) {
-  label("angle");
-  ImGui::SliderFloat("##tag angle", &document.creases.tag_angle_deg, 0.0F, 180.0F, "%.0f deg",
-                     ImGuiSliderFlags_AlwaysClamp);
-  tooltip("Minimum angle between the face normals of the edges to mark.");
   const std::uint32_t edges = count_untagged(document, last);
-  ImGui::BeginDisabled(edges == 0);
   const std::string text = fmt::format("mark {} by angle###tag", count_text(edges, "edge"));
-  if (ImGui::Button(text.c_str(), {-FLT_MIN, 0.0F})) {
+  if (wide_button(text.c_str(), edges > 0, "Shift+C: mark these edges as infinitely sharp.")) {
     request_crease_edit(document, {.kind = CreaseRequest::Kind::tag_by_angle,
                                    .value = document.creases.tag_angle_deg});
   }
-  ImGui::EndDisabled();
-  tooltip("Shift+C: mark these edges as infinitely sharp.");
+}
+
+void draw_switch(Document& document) {
+  bool is_on = document.creases.is_on;
+  label("select edges");
+  if (ImGui::Checkbox("by clicks##creases", &is_on)) set_crease_mode(document, is_on);
+  note_widget("select edges");
+  tooltip("C: a click on the model selects the edge under the cursor.");
 }
 
 }  // namespace
 
-float draw_crease_panel(Document& document, const PanelFacts& facts, float top, TagCount& last,
-                        PanelAreas& areas) {
-  bool is_open = true;
-  if (begin_side_panel("Edit creases", top, &is_open)) {
-    draw_counts(document.creases, document.statistics);
-    const SelectedSharpness sharpness = selected_sharpness(document.model.mesh, document.creases);
-    ImGui::BeginDisabled(facts.job != nullptr);  // the job may change the edges
-    ImGui::BeginDisabled(sharpness.edges == 0);
-    draw_slider(document, sharpness);
-    draw_infinite(document, sharpness);
-    ImGui::EndDisabled();
-    draw_clear_buttons(document, sharpness);
-    ImGui::Separator();
-    draw_tagging(document, last);
-    ImGui::EndDisabled();
-  }
-  const float bottom = end_side_panel(areas);
-  if (!is_open) set_crease_mode(document, false);
-  return bottom;
+void draw_crease_tool(Document& document, Ui& ui) {
+  heading("Target");
+  draw_switch(document);
+  draw_counts(document.creases, document.statistics);
+  const SelectedSharpness sharpness = selected_sharpness(document.model.mesh, document.creases);
+  ImGui::BeginDisabled(ui.facts.job != nullptr);  // the job may change the edges
+  heading("Rules");
+  ImGui::BeginDisabled(sharpness.edges == 0);
+  draw_slider(document, sharpness);
+  draw_infinite(document, sharpness);
+  ImGui::EndDisabled();
+  draw_angle(document);
+  heading("Apply");
+  draw_clear_buttons(document, sharpness);
+  draw_tagging(document, ui.tag_count);
+  ImGui::EndDisabled();
 }
 
 }  // namespace mesher::app

@@ -29,35 +29,6 @@ void draw_arrival(ProgressiveView& view) {
   tooltip("Loaded part of the file. Esc: stop loading.");
 }
 
-/// Applies the level while the slider is dragged.
-void draw_slider(ProgressiveView& view) {
-  auto position = static_cast<float>(view.position());
-  const std::string text = count_text(view.mesh().mesh().face_count(), "face");
-  ImGui::SetNextItemWidth(-FLT_MIN);
-  constexpr ImGuiSliderFlags kFlags =
-      ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat;
-  if (ImGui::SliderFloat("##detail", &position, 0.0F, 1.0F, text.c_str(), kFlags)) {
-    view.move_to(position);
-  }
-  tooltip(
-      "Level of detail, from the base to the full mesh, on a logarithmic scale.\n"
-      "PageUp, PageDown: by a tenth. [ and ]: by one split. Home, End: base and full mesh.");
-}
-
-void draw_buttons(Document& document, bool is_busy) {
-  ProgressiveView& view = document.progressive;
-  if (half_button(view.is_playing() ? "pause###play" : "play###play", true,
-                  "Space: play back and forth between the base and the full mesh.")) {
-    view.play(!view.is_playing());
-  }
-  ImGui::SameLine();
-  if (half_button("use this level", !is_busy && !view.is_arriving(),
-                  "K: use this level as the model and leave progressive mode.\n"
-                  "Undo restores the model.")) {
-    request_keep_level(document);
-  }
-}
-
 void draw_numbers(const ProgressiveView& view) {
   const progressive::ProgressiveMesh& mesh = view.mesh();
   label("faces");
@@ -87,7 +58,7 @@ void draw_automatic(const ProgressiveView& view, double pixels_per_unit,
     label("screen error");
     const double error = view.levels().errors.error(view.mesh().level());
     const double pixels = error * pixels_per_unit;
-    ImGui::TextUnformatted(fmt::format("{:.3g} pixels", pixels).c_str());
+    ImGui::TextUnformatted(fmt::format("{:.3g} px", pixels).c_str());
     tooltip(
         "Estimated screen-space error: the largest distance by which a remaining split moves the "
         "surface.");
@@ -112,11 +83,10 @@ void draw_report(const ProgressiveView& progressive, const Statistics& statistic
 /// The size of the base, and a button to rebuild it if there is a model to build it from.
 void draw_base(Document& document, ProgressiveSettings& settings, bool is_busy) {
   ProgressiveView& view = document.progressive;
+  label("base");
   if (view.levels().vertex_source.empty()) {
-    label("base");
     return ImGui::TextUnformatted(count_text(view.mesh().base_face_count(), "face").c_str());
   }
-  label("base");
   bool is_chosen = settings.base_faces == 0;
   if (ImGui::Checkbox("by size and error##base", &is_chosen)) {
     settings.base_faces = is_chosen ? 0 : view.mesh().base_face_count();
@@ -124,53 +94,72 @@ void draw_base(Document& document, ProgressiveSettings& settings, bool is_busy) 
   tooltip(
       "The base has 200 faces, or an eighth of a small model; more if it would otherwise be\n"
       "further than 5 % of the diagonal from the model. Off: set the number of faces below.");
-  label("base faces");
   ImGui::BeginDisabled(is_chosen);
-  auto faces = static_cast<int>(is_chosen ? view.mesh().base_face_count() : settings.base_faces);
-  constexpr int kMost = 100'000'000;
-  if (ImGui::InputInt("##base", &faces, 100, 1000) && !is_chosen) {
-    settings.base_faces = static_cast<std::uint32_t>(std::clamp(faces, 1, kMost));
+  std::uint32_t faces = is_chosen ? view.mesh().base_face_count() : settings.base_faces;
+  constexpr std::uint32_t kMost = 100'000'000;
+  if (edit_count("base faces", faces,
+                 "Number of faces of the base. The rules are those of the Simplify panel.") &&
+      !is_chosen) {
+    settings.base_faces = std::clamp(faces, 1U, kMost);
   }
   ImGui::EndDisabled();
-  tooltip("Number of faces of the base. The rules are those of the Simplify panel.");
-  draw_report(document.progressive, document.statistics);
-  ImGui::BeginDisabled(is_busy);
-  if (ImGui::Button("rebuild", {-FLT_MIN, 0.0F})) {
+  if (wide_button("rebuild", !is_busy, "Build the progressive mesh again, by these rules.")) {
     view.change(settings);
     request_rebuilt_progressive(document);
   }
-  ImGui::EndDisabled();
+}
+
+void draw_start(Document& document, const Ui& ui) {
+  heading("Target");
+  faint_text(
+      "A progressive mesh holds all levels of detail from a coarse base to the full model. The "
+      "slider below the model moves through them.");
+  heading("Rules");
+  faint_text("The base follows the rules of the Simplify panel.");
+  heading("Apply");
+  if (wide_button("build levels", ui.facts.job == nullptr && document.statistics.faces > 0,
+                  "P: build the progressive mesh and show it.")) {
+    toggle_progressive(document);
+  }
+}
+
+void draw_apply(Document& document, ProgressiveSettings& settings, bool is_busy) {
+  ProgressiveView& view = document.progressive;
+  if (half_button("use this level", !is_busy && !view.is_arriving(),
+                  "K: use this level as the model and leave progressive mode.\n"
+                  "Undo restores the model.")) {
+    request_keep_level(document);
+  }
+  ImGui::SameLine();
+  if (half_button("leave", !view.is_arriving(), "P: show the model itself.")) {
+    toggle_progressive(document);
+  }
+  draw_base(document, settings, is_busy);
 }
 
 }  // namespace
 
-float draw_progressive_panel(Document& document, const View& view, const PanelFacts& facts,
-                             float top, PanelAreas& areas) {
+void draw_levels_tool(Document& document, const View& view, Ui& ui) {
   ProgressiveView& progressive = document.progressive;
-  bool is_open = true;
-  if (begin_side_panel("Progressive mesh", top, &is_open)) {
-    const bool is_busy = facts.job != nullptr;
-    draw_arrival(progressive);
-    draw_slider(progressive);
-    draw_buttons(document, is_busy);
-    draw_numbers(progressive);
-    ProgressiveSettings settings = progressive.settings();
-    ImGui::Separator();
-    draw_geomorphs(progressive, settings);
-    ImGui::Separator();
-    draw_automatic(progressive, shown_pixels_per_unit(document, view), settings);
-    ImGui::Separator();
-    label("uploaded");
-    const std::string text = fmt::format("{} of {}", bytes_text(facts.upload.uploaded_bytes),
-                                         bytes_text(facts.upload.total_bytes));
-    ImGui::TextUnformatted(text.c_str());
-    tooltip("Bytes that the last step uploaded to the GPU, of all bytes of the mesh there.");
-    draw_base(document, settings, is_busy);
-    progressive.change(settings);
-  }
-  const float bottom = end_side_panel(areas);
-  if (!is_open) toggle_progressive(document);
-  return bottom;
+  if (!progressive.is_on()) return draw_start(document, ui);
+  const bool is_busy = ui.facts.job != nullptr;
+  ProgressiveSettings settings = progressive.settings();
+  heading("Target");
+  draw_arrival(progressive);
+  draw_numbers(progressive);
+  draw_automatic(progressive, shown_pixels_per_unit(document, view), settings);
+  heading("Rules");
+  draw_geomorphs(progressive, settings);
+  heading("Apply");
+  draw_apply(document, settings, is_busy);
+  heading("Result");
+  if (!progressive.levels().vertex_source.empty()) draw_report(progressive, document.statistics);
+  label("uploaded");
+  const std::string text = fmt::format("{} of {}", bytes_text(ui.facts.upload.uploaded_bytes),
+                                       bytes_text(ui.facts.upload.total_bytes));
+  ImGui::TextUnformatted(text.c_str());
+  tooltip("Bytes that the last step uploaded to the GPU, of all bytes of the mesh there.");
+  progressive.change(settings);
 }
 
 }  // namespace mesher::app

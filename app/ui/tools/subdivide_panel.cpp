@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "app/document/shown.h"
+#include "app/edit/edits.h"
+#include "app/edit/subdivide_edit.h"
+#include "app/ui/controls.h"
+#include "app/ui/panels.h"
+#include "engine/core/text.h"
+
+namespace mesher::app {
+namespace {
+
+/// Size of the next level.
+std::string next_level_text(const Statistics& s) {
+  constexpr std::uint64_t kBytesPerFace = 44;  // as docs/architecture.md counts them
+  const std::uint64_t faces = 4 * static_cast<std::uint64_t>(s.faces);
+  return fmt::format("{} faces, {}", count_text(faces), bytes_text(kBytesPerFace * faces));
+}
+
+void draw_level(const Document& document) {
+  label("level");
+  ImGui::Text("%u", shown_level(document.edits));
+  tooltip(
+      "The model before subdivision is kept, so you can change the level and the rules at any time "
+      "without loss.");
+  label("next level");
+  ImGui::TextWrapped("%s", next_level_text(document.statistics).c_str());
+}
+
+void draw_buttons(Document& document) {
+  const std::uint32_t level = shown_level(document.edits);
+  const bool can_refine = document.statistics.faces > 0 && level < kMaxLevel;
+  if (half_button("subdivide", can_refine, "S")) request_subdivide(document);
+  ImGui::SameLine();
+  if (half_button("previous level", level > 0,
+                  level > 0 ? "Shift+S" : "already at the coarsest level")) {
+    request_previous_level(document);
+  }
+}
+
+}  // namespace
+
+void draw_subdivide_tool(Document& document) {
+  heading("Target");
+  draw_level(document);
+  heading("Rules");
+  if (edit_options(subdivide::kSubdivideRules, document.subdivide))
+    apply_subdivide_settings(document);
+  heading("Apply");
+  draw_buttons(document);
+  heading("Result");
+  const auto& last = document.edits.last_subdivision;
+  if (last && last->level == shown_level(document.edits) && last->level > 0) {
+    label("last");
+    const std::string text =
+        fmt::format("{} in {}", count_text(last->faces, "face"), seconds_text(last->seconds));
+    ImGui::TextUnformatted(text.c_str());
+  } else {
+    faint_text("The shown model is not subdivided.");
+  }
+}
+
+}  // namespace mesher::app
