@@ -189,7 +189,7 @@ std::vector<const Command*> matching_commands(std::string_view filter) {
       found.push_back(&command);
   }
   // Names come before explanations.
-  std::ranges::stable_partition(found, [&](const Command* command) {
+  std::stable_partition(found.begin(), found.end(), [&](const Command* command) {
     return words.empty() || lower_case(command->label).starts_with(words.front());
   });
   return found;
