@@ -65,11 +65,14 @@ void draw_history(Document& document) {
 
 void draw_size(const Statistics& all) {
   heading("Size");
-  if (!begin_rows("size")) return;
   if (!all.box.is_empty()) {
     const glm::dvec3 size = glm::dvec3(all.box.max) - glm::dvec3(all.box.min);
-    row("X x Y x Z", fmt::format("{:.4g} x {:.4g} x {:.4g}", size.x, size.y, size.z));
+    // A line of its own, because it is too long for the second column.
+    ImGui::TextWrapped("%s",
+                       fmt::format("{:.4g} x {:.4g} x {:.4g}", size.x, size.y, size.z).c_str());
+    tooltip("Lengths along X, Y and Z.");
   }
+  if (!begin_rows("size")) return;
   row("diagonal", number_text(all.box.diagonal()));
   row("area", number_text(all.area));
   if (all.is_closed() && all.faces > 0) row("volume", number_text(all.volume));
