@@ -16,7 +16,7 @@ double contrast(const glm::vec3& a, const glm::vec3& b) {
   const auto luminance = [&](const glm::vec3& c) {
     return 0.2126 * linear(c.x) + 0.7152 * linear(c.y) + 0.0722 * linear(c.z);
   };
-  const auto [least, most] = std::minmax(luminance(a), luminance(b));
+  const auto [least, most] = std::minmax({luminance(a), luminance(b)});
   return (most + 0.05) / (least + 0.05);
 }
 
