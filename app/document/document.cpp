@@ -14,6 +14,7 @@ void replace_model(Document& document, Model&& model, const Statistics& stats,
   ++document.opening;
   document.edits = {};
   document.edits.opened_faces = stats.faces;
+  document.edits.opened_diagonal = stats.box.diagonal();
   document.progressive.forget();
   document.creases.forget_edges();
   document.error.clear();

@@ -21,6 +21,7 @@ struct Edits {
   /// the model is shown as it was opened.
   std::shared_ptr<const Shape> opened;
   std::uint32_t opened_faces = 0;
+  double opened_diagonal = 0.0;  ///< errors are in percent of it, also after edits
   std::optional<SimplifyOutcome> last;
   /// History::state of the model that `last` is about; none: the edit is not in the history yet.
   std::optional<std::uint64_t> last_state;

@@ -53,7 +53,7 @@ class SimplifyEdit final : public ModelEdit {
     edit_.name = target_ == Target::one_edge
                      ? "collapse an edge"
                      : "simplify to " + count_text(simplified.report.faces_reached, "face");
-    outcome_ = {simplified.report, statistics_.box.diagonal(), std::move(carried.dropped)};
+    outcome_ = {simplified.report, diagonal_, std::move(carried.dropped)};
     if (opened_ != start_ && simplified.mesh.face_count() <= kManyFaces) {
       outcome_.error_from_opened = distance_from_input(opened_->mesh, simplified.mesh);
     }
@@ -70,7 +70,8 @@ class SimplifyEdit final : public ModelEdit {
     edit_.text = text();
     opened_ = document.edits.opened;
     start_ = target_ == Target::faces ? opened_ : shown_;
-    options_ = options_of(settings_, document.statistics.box.diagonal());
+    diagonal_ = document.edits.opened_diagonal;
+    options_ = options_of(settings_, diagonal_);
     options_.target_faces = target_faces(start_->mesh.face_count());
     title_ = target_ == Target::one_edge
                  ? "Collapsing an edge"
@@ -110,6 +111,7 @@ class SimplifyEdit final : public ModelEdit {
   std::shared_ptr<const Shape> start_;   ///< the shown model, or `opened_`
   std::shared_ptr<const Shape> opened_;  ///< the model as it was opened
   simplify::SimplifyOptions options_;
+  double diagonal_ = 0.0;  ///< of the opened model
   SimplifyOutcome outcome_;
 };
 

@@ -117,6 +117,7 @@ void PmArrival::stop(Document& document) {
   document.statistics = statistics(whole);
   document.model.mesh = std::move(whole);
   document.edits.opened_faces = document.statistics.faces;
+  document.edits.opened_diagonal = document.statistics.box.diagonal();
   request_geomorph(document);
 }
 

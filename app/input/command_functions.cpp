@@ -10,6 +10,7 @@
 #include "app/files/command_line.h"
 #include "app/files/leave.h"
 #include "app/files/save.h"
+#include "engine/core/text.h"
 
 namespace mesher::app {
 namespace {
@@ -64,6 +65,10 @@ void toggle_gouraud(View& view) {
 
 void toggle_background(View& view) {
   view.settings.background = next(view.settings.background);
+}
+
+void next_normal_weight(View& view) {
+  view.settings.normal_weight = next(view.settings.normal_weight);
 }
 
 void toggle_orthographic(View& view) {
@@ -191,7 +196,9 @@ void choose_tool(Session& session, Tool tool) {
 
 void copy_command_line(Session& session) {
   session.copied = command_line(session.document);
-  session.document.notice = "copied: " + *session.copied;
+  const std::size_t edits = session.document.edits.history.done_steps();
+  session.document.notice =
+      "copied a command line that makes " + count_text(std::int64_t(edits), "edit");
 }
 
 void toggle_palette(Session& session) {

@@ -12,6 +12,7 @@ void toggle_wireframe(View& view);
 void toggle_surface(View& view);
 void toggle_gouraud(View& view);
 void toggle_background(View& view);
+void next_normal_weight(View& view);
 template <render::View kView>
 void set_view(View& view) {
   view.camera.set_view(kView);

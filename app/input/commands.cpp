@@ -41,6 +41,8 @@ constexpr Command kCommands[] = {
      toggle_gouraud},
     {"toggle_background", "b", Group::look, "Dark or light", "light or dark background",
      toggle_background},
+    {"next_normal_weight", "n", Group::look, "Weights of normals",
+     "weights of Gouraud normals: angle, area, uniform", next_normal_weight},
     {"view_front", "1", Group::look, "Front view", "view from the front",
      set_view<render::View::front>},
     {"view_right", "3", Group::look, "Right view", "view from the right",

@@ -11,6 +11,8 @@
 namespace mesher::app {
 namespace {
 
+const std::string kOpened = "opened";
+
 /// Counts of a level. Collapses change neither the genus nor the number of boundary loops.
 void draw_level_counts(const Mesh& mesh, const Statistics& of_model) {
   row("vertices", count_text(mesh.vertex_count()));
@@ -34,32 +36,38 @@ void draw_counts(const Document& document) {
 }
 
 /// A line of the history. Steps whose difference was dropped for memory cannot be reached.
-void draw_step(Document& document, std::size_t steps, const std::string& name) {
+void draw_step(Document& document, std::size_t steps) {
   const History& history = document.edits.history;
-  const std::size_t first = history.done_steps() - history.undo_depth();
-  const bool is_shown = steps == history.done_steps();
-  const bool is_kept = steps >= first;
+  const std::string& name = steps == 0 ? kOpened : history.steps()[steps - 1].name;
+  const bool is_kept = steps >= history.done_steps() - history.undo_depth();
   ImGui::PushID(static_cast<int>(steps));
-  if (ImGui::Selectable(name.c_str(), is_shown,
+  if (ImGui::Selectable(name.c_str(), steps == history.done_steps(),
                         is_kept ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled)) {
     request_history_step(document, steps);
   }
   note_widget("step " + std::to_string(steps));
   tooltip(is_kept ? name.c_str() : "Too old: its memory was given to newer edits.");
-  if (is_shown && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
   ImGui::PopID();
 }
 
-void draw_history(Document& document) {
-  const std::vector<HistoryStep>& steps = document.edits.history.steps();
+void draw_history(Document& document, std::size_t& shown_step) {
+  const History& history = document.edits.history;
+  const std::size_t count = history.steps().size() + 1;
   heading("History");
   // A list of its own, so that a long history moves nothing else.
   constexpr std::size_t kMostLines = 8;
-  const auto lines = static_cast<float>(std::min(steps.size() + 1, kMostLines));
-  ImGui::BeginChild("steps", {0.0F, lines * ImGui::GetTextLineHeightWithSpacing()});
-  draw_step(document, 0, "opened");
-  for (std::size_t i = 0; i < steps.size(); ++i)
-    draw_step(document, i + 1, steps[i].name);
+  const float line = ImGui::GetTextLineHeightWithSpacing();
+  ImGui::BeginChild("steps", {0.0F, static_cast<float>(std::min(count, kMostLines)) * line});
+  if (shown_step != history.done_steps()) {
+    shown_step = history.done_steps();
+    ImGui::SetScrollY(line * (static_cast<float>(shown_step) - 0.5F * kMostLines));
+  }
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(count), line);
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+      draw_step(document, static_cast<std::size_t>(i));
+  }
   ImGui::EndChild();
 }
 
@@ -107,7 +115,7 @@ void draw_gpu(const PanelFacts& facts) {
 
 void draw_model_tool(Document& document, Ui& ui) {
   ImGui::TextWrapped("%s", document.model.name.c_str());
-  draw_history(document);
+  draw_history(document, ui.shown_step);
   draw_size(document.statistics);
   draw_health(document);
   draw_counts(document);

@@ -67,6 +67,7 @@ struct Ui {
   std::uint64_t target_of = 0;  ///< Document::opening that `target_faces` belongs to
   std::uint32_t target_faces = 0;
   TagCount tag_count;
+  std::size_t shown_step = 0;  ///< of the history, which was scrolled to it
 };
 
 /// All panels. Draw between Overlay::begin and Overlay::end.

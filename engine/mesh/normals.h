@@ -3,17 +3,29 @@
 #include <glm/vec3.hpp>
 
 #include "engine/core/array.h"
+#include "engine/core/choice.h"
 #include "engine/mesh/mesh.h"
 
 namespace mesher {
 
 /// The weight of each face in the normal of its vertex.
 enum class NormalWeight {
-  uniform,  ///< equal weights (H. Gouraud, 1971)
-  area,     ///< by face area: the plain cross product, cheapest
   angle,    ///< by the face's angle at the vertex (G. Thuermer, C. Wuethrich, 1998): independent of
             ///< the triangulation of a flat region
+  area,     ///< by face area: the plain cross product, cheapest
+  uniform,  ///< equal weights (H. Gouraud, 1971)
 };
+inline constexpr Choices<NormalWeight, 3> kNormalWeights{{
+    {NormalWeight::angle,
+     {"angle", "by angle", "By the face's angle at the vertex: independent of the triangulation."}},
+    {NormalWeight::area, {"area", "by area", "By the face's area: large faces decide."}},
+    {NormalWeight::uniform,
+     {"uniform", "uniform", "All faces count the same: small faces bend the shading."}},
+}};
+static_assert(is_complete(kNormalWeights));
+constexpr const auto& choices(NormalWeight) {
+  return kNormalWeights;
+}
 
 /// Returns the unit normal of a face by the right-hand rule, or zero if the face has no area. O(1).
 glm::vec3 face_normal(const Mesh& mesh, Face f);

@@ -15,8 +15,9 @@ namespace {
 
 constexpr std::size_t kGrain = 1U << 14;
 
-CornerNormalOptions corner_options(float crease_angle_deg) {
-  return {.crease_angle_rad = glm::radians(crease_angle_deg)};
+CornerNormalOptions options_of(const Settings& settings) {
+  return {.weight = settings.normal_weight,
+          .crease_angle_rad = glm::radians(settings.crease_angle_deg)};
 }
 
 GpuNormals::Mode wanted_mode(const Settings& settings, const NormalSource& source) {
@@ -72,11 +73,13 @@ void GpuNormals::update(const Mesh& mesh, const Settings& settings, const Normal
                         bool is_new_mesh, UploadStats& stats) {
   const Mode wanted = wanted_mode(settings, source);
   const Origin from = wanted == Mode::none ? Origin::faces : origin(source);
-  const bool is_same = !is_new_mesh && wanted == mode_ && from == origin_ &&
-                       (wanted != Mode::corner || settings.crease_angle_deg == crease_angle_deg_);
+  const CornerNormalOptions options = options_of(settings);
+  const bool is_same =
+      !is_new_mesh && wanted == mode_ && from == origin_ && options.weight == options_.weight &&
+      (wanted != Mode::corner || options.crease_angle_rad == options_.crease_angle_rad);
   mode_ = wanted;
   origin_ = from;
-  crease_angle_deg_ = settings.crease_angle_deg;
+  options_ = options;
   if (mode_ == Mode::none) {
     corner_ = {};
     packed_ = {};
@@ -118,9 +121,8 @@ void GpuNormals::take(const Mesh& mesh, const NormalSource& source, bool is_same
 
 void GpuNormals::build(const Mesh& mesh, UploadStats& stats) {
   corner_ = {};
-  Array<glm::vec3> normals = mode_ == Mode::vertex
-                                 ? vertex_normals(mesh)
-                                 : corner_normals(mesh, corner_options(crease_angle_deg_));
+  Array<glm::vec3> normals = mode_ == Mode::vertex ? vertex_normals(mesh, options_.weight)
+                                                   : corner_normals(mesh, options_);
   pack(normals, stats);
   if (mode_ == Mode::corner) corner_ = std::move(normals);
 }
@@ -149,10 +151,10 @@ void GpuNormals::update_changed(const Mesh& mesh, UploadStats& stats) {
   };
   for (const Vertex v : *touched) {
     if (mode_ == Mode::vertex) {
-      store(v.index(), vertex_normal(mesh, v));
+      store(v.index(), vertex_normal(mesh, v, options_.weight));
       continue;
     }
-    update_corner_normals(mesh, v, corner_options(crease_angle_deg_), corner_);
+    update_corner_normals(mesh, v, options_, corner_);
     for (const Halfedge h : halfedges_around(mesh, v))
       store(h.index(), corner_[h.index()]);
   }

@@ -53,7 +53,7 @@ class GpuNormals {
 
   gpu::Device& device_;
   Mode mode_ = Mode::none;
-  float crease_angle_deg_ = 0.0F;
+  CornerNormalOptions options_;  ///< that the normals were computed by
   Origin origin_ = Origin::faces;
   std::size_t count_ = 0;        ///< live normals
   Array<glm::vec3> corner_;      ///< in corner mode, source of `packed_`

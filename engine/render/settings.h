@@ -7,6 +7,7 @@
 #include "engine/core/choice.h"
 #include "engine/core/option.h"
 #include "engine/mesh/geomorph.h"
+#include "engine/mesh/normals.h"
 
 namespace mesher::render {
 
@@ -50,6 +51,9 @@ struct Settings {
   /// Split Gouraud normals at edges whose face normals differ by more than this (180: only at
   /// tagged creases).
   float crease_angle_deg = 180.0F;
+  /// Weights of the faces in Gouraud normals that are computed from the mesh. Normals that come
+  /// with the model's limit surface or progressive mesh are used as they are.
+  NormalWeight normal_weight = NormalWeight::angle;
   Background background = Background::light;
   Color front{0.80F, 0.78F, 0.74F};
   Color back{0.32F, 0.47F, 0.86F};  ///< blue: an inside-out surface is obvious
@@ -89,6 +93,11 @@ inline constexpr std::array kRenderOptions{
         .most = 180.0,
         .special = {180.0, "tagged only"},
         .applies = [](const Settings& s) { return s.shading == Shading::gouraud; }},
+    Option<Settings>{.key = "normal-weight",
+                     .label = "normals",
+                     .help = "weights of the faces around a vertex in its Gouraud normal",
+                     .member = enum_member<&Settings::normal_weight>(),
+                     .applies = [](const Settings& s) { return s.shading == Shading::gouraud; }},
     Option<Settings>{.key = "background",
                      .label = "background",
                      .help = "color behind the model",

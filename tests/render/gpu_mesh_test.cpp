@@ -2,7 +2,9 @@
 
 #include <array>
 #include <random>
+#include <set>
 
+#include "engine/io/read.h"
 #include "engine/mesh/collapse.h"
 #include "engine/mesh/delta.h"
 #include "tests/render/looks.h"
@@ -223,6 +225,28 @@ TEST_F(GpuMeshTest, GrowthBeyondTheBuffersReallocates) {
     apply(mesh, difference(mesh, large));
     mirror.apply(mesh, settings);
     EXPECT_EQ(mirror.read_back(), fresh_content(device(), large, settings));
+  }
+}
+
+TEST_F(GpuMeshTest, NormalsFollowTheirWeight) {
+  constexpr std::array kWeights{NormalWeight::angle, NormalWeight::area, NormalWeight::uniform};
+  // By corner, but with no edge of the cube above the angle.
+  const Settings by_corner{.shading = Shading::gouraud, .crease_angle_deg = 120.0F};
+  for (Settings settings : {kGouraud, by_corner}) {
+    Mesh mesh = io::read_model(MESHER_SOURCE_DIR "/assets/uneven_cube.obj").mesh;
+    GpuMesh mirror(device());
+    std::set<std::vector<std::byte>> contents;
+    for (const NormalWeight weight : kWeights) {
+      settings.normal_weight = weight;
+      mirror.apply(mesh, settings);
+      contents.insert(mirror.read_back());
+      EXPECT_EQ(mirror.read_back(), fresh_content(device(), mesh, settings));
+    }
+    EXPECT_EQ(contents.size(), kWeights.size()) << "each weight gives other normals";
+    // The normals that an edit recomputes have the same weights.
+    mesh.set_position(Vertex(0), mesh.position(Vertex(0)) * 1.25F);
+    mirror.apply(mesh, settings);
+    EXPECT_EQ(mirror.read_back(), fresh_content(device(), mesh, settings));
   }
 }
 

@@ -28,6 +28,7 @@ void draw_surface(render::Settings& settings) {
   draw_shading_choice(settings);
   constexpr const auto& kAngle = option_named(render::kRenderOptions, "crease-angle");
   edit_option(kAngle, settings);
+  edit_option(option_named(render::kRenderOptions, "normal-weight"), settings);
   bool is_dark = settings.background == render::Background::dark;
   if (edit_switch("dark", is_dark, "B: dark background and panels.")) {
     settings.background = is_dark ? render::Background::dark : render::Background::light;

@@ -250,6 +250,50 @@ TEST(Edits, OpeningModelClearsHistory) {
   EXPECT_FALSE(s.document.edits.last);
 }
 
+TEST(Edits, ErrorsAreInPercentOfTheOpenedModelsDiagonal) {
+  Session s = session_with(test::cube());
+  const double diagonal = s.document.statistics.box.diagonal();
+  press(s, "s s");
+  ASSERT_LT(s.document.statistics.box.diagonal(), 0.95 * diagonal) << "Loop shrinks the cube";
+  press(s, "d");
+  ASSERT_TRUE(s.document.edits.last);
+  EXPECT_EQ(s.document.edits.last->diagonal, diagonal);
+}
+
+TEST(Edits, ReportBelongsToItsModelOnly) {
+  Session s = session_with(test::torus(12, 10));
+  const Edits& edits = s.document.edits;
+  const auto is_shown = [&] { return edits.last && edits.last_state == edits.history.state(); };
+  EXPECT_FALSE(is_shown());
+  press(s, "d");
+  EXPECT_TRUE(is_shown());
+  press(s, "ctrl+z");
+  EXPECT_FALSE(is_shown()) << "the opened model is not the result";
+  press(s, "ctrl+y");
+  EXPECT_TRUE(is_shown());
+  press(s, "s");
+  EXPECT_FALSE(is_shown());
+}
+
+TEST(Edits, HistoryStepsAreReachedFromEverywhere) {
+  Session s = session_with(test::torus(12, 10));
+  std::vector<std::uint32_t> faces{s.document.statistics.faces};
+  for (const char* key : {"d", "s", "d"}) {
+    press(s, key);
+    faces.push_back(s.document.statistics.faces);
+  }
+  for (const std::size_t step : {0, 3, 1, 2, 2, 0, 3}) {
+    request_history_step(s.document, step);
+    run_waiting_edits(s.document);
+    EXPECT_EQ(s.document.statistics.faces, faces[step]);
+    EXPECT_EQ(s.document.edits.history.done_steps(), step);
+    expect_consistent(s);
+  }
+  request_history_step(s.document, 99);
+  run_waiting_edits(s.document);
+  EXPECT_EQ(s.document.edits.history.done_steps(), 3U) << "there are no more";
+}
+
 TEST(Edits, CanceledEditThrows) {
   Session s = session_with(test::torus(12, 10));
   request_remove_tenth(s.document);

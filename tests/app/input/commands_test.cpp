@@ -122,6 +122,16 @@ TEST(Commands, GTogglesGouraud) {
   EXPECT_EQ(s.view.settings.shading, Shading::flat);
 }
 
+TEST(Commands, NGoesThroughTheWeightsOfNormals) {
+  Session s = session_with_cube();
+  const NormalWeight first = s.view.settings.normal_weight;
+  EXPECT_EQ(first, NormalWeight::angle);
+  press_keys(s, "n");
+  EXPECT_EQ(s.view.settings.normal_weight, NormalWeight::area);
+  press_keys(s, "n n");
+  EXPECT_EQ(s.view.settings.normal_weight, first);
+}
+
 TEST(Commands, SurfaceOrWireframeIsAlwaysShown) {
   Session s = session_with_cube();
   press_keys(s, "shift+w");
