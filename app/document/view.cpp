@@ -45,7 +45,7 @@ void set_default_view(render::Camera& camera) {
 void set_default_view(render::Camera& camera, const Box& box) {
   set_default_view(camera);
   if (box.is_empty()) return;
-  constexpr double kFlat = 0.25;
+  constexpr double kFlat = 0.5;
   const glm::dvec3 size = glm::dvec3(box.max) - glm::dvec3(box.min);
   if (size.y < kFlat * std::min(size.x, size.z)) camera.set_angles(25.0 * kDegree, 40.0 * kDegree);
   if (size.x < kFlat * std::min(size.y, size.z)) camera.set_angles(60.0 * kDegree, 15.0 * kDegree);

@@ -35,6 +35,7 @@ TEST(View, FlatModelIsNotSeenFromItsEdge) {
     return std::abs(glm::dot(view.camera.forward(), normal));
   };
   EXPECT_GT(share_of({{-1, 0, -1}, {1, 0, 1}}, {0, 1, 0}), 0.6);
+  EXPECT_GT(share_of({{-1, -0.45F, -1}, {1, 0.45F, 1}}, {0, 1, 0}), 0.6) << "as the hypersheet";
   EXPECT_GT(share_of({{0, -1, -1}, {0, 1, 1}}, {1, 0, 0}), 0.6);
   EXPECT_GT(share_of({{-1, -1, 0}, {1, 1, 0}}, {0, 0, 1}), 0.6);
   render::Camera usual;
