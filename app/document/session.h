@@ -26,8 +26,9 @@ struct Session {
   /// Asks whether to save the edits before this; none: no question is open.
   std::optional<Leaving> unsaved;
 
-  Tool tool = Tool::simplify;  ///< its panel is shown
-  bool shows_info = true;      ///< the panels at the sides
+  Tool tool = Tool::simplify;       ///< its panel is shown
+  bool shows_info = true;           ///< the panels at the sides
+  bool panel_covers_model = false;  ///< the window is so small that the tool's panel lies over it
   bool shows_help = false;
   bool shows_palette = false;
   bool shows_open_dialog = false;

@@ -244,6 +244,8 @@ void escape(Session& session) {
     set_crease_mode(session.document, false);
   } else if (session.document.progressive.is_on() && !session.document.progressive.is_arriving()) {
     leave_progressive(session.document);
+  } else if (session.panel_covers_model) {
+    session.shows_info = false;
   }
 }
 

@@ -26,6 +26,7 @@ PanelActions Panels::draw(Session& session, const PanelFacts& facts) {
   ui_.layout = layout_of(size, units(1.0F), session.shows_info);
   resize(session.view, session.document.statistics.box, facts.window,
          insets_of(ui_.layout, size, {io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y}));
+  session.panel_covers_model = session.shows_info && ui_.layout.width == Layout::Width::small;
   draw_menu_bar(session, ui_);
   draw_rail(session, ui_);
   draw_facts(session.document, ui_);

@@ -319,6 +319,11 @@ TEST_F(WindowTest, SmallWindowShowsRailAndBarOnly) {
   EXPECT_REACHES(*v, s["faces"] == 48);
   click(*v, "rail/subdivide");
   EXPECT_REACHES(*v, s["info"] == false);
+  click(*v, "rail/look");
+  EXPECT_REACHES(*v, s["info"] == true);
+  v->settle();
+  v->key("Escape");
+  EXPECT_REACHES(*v, s["info"] == false);
   v->drag(1, 150, 100, 190, 120);
   EXPECT_REACHES(*v, s["camera"] != all["camera"]);
   slide(*v, "detail/slider", 1.0, 0.3);
