@@ -27,6 +27,11 @@ Enum next(Enum value) {
   return static_cast<Enum>((static_cast<std::size_t>(value) + 1) % choices(value).size());
 }
 
+/// Edits that are still to be made may give something to undo or redo.
+bool may_change(const Edits& edits) {
+  return !edits.waiting.empty() || edits.is_changing;
+}
+
 void change_sharpness(Document& document, CreaseRequest::Kind kind, float value) {
   request_crease_edit(document, {.kind = kind, .value = value});
 }
@@ -123,17 +128,15 @@ const char* need_model(const Document& document) {
 }
 
 const char* need_undo(const Document& document) {
-  const Edits& edits = document.edits;
-  const bool may_change = !edits.waiting.empty() || edits.is_changing;
   if (const char* reason = need_model(document)) return reason;
-  return edits.history.undo_depth() > 0 || may_change ? nullptr : "nothing to undo";
+  const bool can = document.edits.history.undo_depth() > 0 || may_change(document.edits);
+  return can ? nullptr : "nothing to undo";
 }
 
 const char* need_redo(const Document& document) {
-  const Edits& edits = document.edits;
-  const bool may_change = !edits.waiting.empty() || edits.is_changing;
   if (const char* reason = need_model(document)) return reason;
-  return edits.history.redo_depth() > 0 || may_change ? nullptr : "nothing to redo";
+  const bool can = document.edits.history.redo_depth() > 0 || may_change(document.edits);
+  return can ? nullptr : "nothing to redo";
 }
 
 const char* need_edits(const Document& document) {
