@@ -129,7 +129,8 @@ class CommandLine {
 
   void add_view() {
     CLI::App* command = add_command("view", "show a model in a window", [this] {
-      if (input_.model.empty()) input_.model = kDefaultModel;
+      view_.is_sample = input_.model.empty();
+      if (view_.is_sample) input_.model = kDefaultModel;
       run_view(input_, look_, view_, common_);
     });
     add_input(command);

@@ -131,6 +131,8 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
     session.view.camera.frame(session.document.statistics.box, session.view.aspect());
   }
   session.shows_info = fits_docks(session.view.window, view.ui_scale > 0.0F ? view.ui_scale : 1.0F);
+  if (view.is_sample) session.sample = session.document.opening;
+  session.shows_start = view.is_sample && view.screenshot.empty() && keys.empty();
   std::string output = view.screenshot;
   if (!output.empty()) {
     io::write_png(output, scripted_picture(session, keys, look, view));
@@ -142,6 +144,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
                   .ui_scale = view.ui_scale,
                   .state_log = view.state_log,
                   .state_folder = state_folder(),
+                  .config_folder = config_folder(),
                   .read = {.crease_index_base = input.crease_index_base,
                            .keep_isolated_vertices = input.keep_isolated}},
                  arrival);

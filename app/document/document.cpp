@@ -1,9 +1,15 @@
 #include "app/document/document.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace mesher::app {
+namespace {
+
+std::atomic<std::uint64_t> files_opened{0};
+
+}  // namespace
 
 void replace_model(Document& document, Model&& model, const Statistics& stats,
                    const std::filesystem::path& file) {
@@ -11,7 +17,7 @@ void replace_model(Document& document, Model&& model, const Statistics& stats,
   document.statistics = stats;
   document.file = file;
   document.source = {};
-  ++document.opening;
+  document.opening = ++files_opened;
   document.edits = {};
   document.edits.opened_faces = stats.faces;
   document.edits.opened_diagonal = stats.box.diagonal();

@@ -31,7 +31,8 @@ struct Document {
   /// Increases whenever another mesh is shown, so that copies of the mesh can tell that they are
   /// outdated.
   std::uint64_t model_generation = 0;
-  std::uint64_t opening = 0;  ///< increases whenever a file is opened
+  /// Unique among all files that the program has opened; 0: none was opened.
+  std::uint64_t opening = 0;
 };
 
 /// Returns whether there are edits that no file holds, or that are still to be made.

@@ -75,6 +75,13 @@ Json to_json(const ProgressiveView& view) {
   return json;
 }
 
+Json tab_names(const Session& session) {
+  Json names = Json::array();
+  for (std::size_t i = 0; i < tab_count(session); ++i)
+    names.push_back(document_of(session, i).model.name);
+  return names;
+}
+
 /// The open question, or null.
 Json question_json(const Session& session) {
   if (session.unsaved) return "unsaved";
@@ -221,7 +228,11 @@ Json to_json(const Session& session) {
                {"palette", session.shows_palette},
                {"help", session.shows_help},
                {"question", question_json(session)},
-               {"open_dialog", session.shows_open_dialog},
+               {"open_dialog", session.open_dialog.is_shown},
+               {"open_problem", session.open_dialog.browser.problem},
+               {"start", session.shows_start},
+               {"tabs", tab_names(session)},
+               {"tab", shown_tab(session)},
                {"save_dialog", session.saving.shows_dialog},
                {"error", session.document.error},
                {"notice", session.document.notice}});

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <filesystem>
-
 namespace mesher::app {
 
-/// What ends the shown document: another file is opened, or the program quits.
-struct Leaving {
-  std::filesystem::path file;  ///< to open; empty: quit
+/// What takes edits away.
+enum class Leaving {
+  close,  ///< the shown model is closed
+  quit,   ///< all models are closed
 };
 
 }  // namespace mesher::app

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 #include <optional>
-#include <string>
 
+#include "app/document/file_browser.h"
 #include "app/document/leaving.h"
 
 namespace mesher::app {
@@ -11,8 +11,7 @@ namespace mesher::app {
 /// The dialog that saves the shown model, and the file that it was told to write.
 struct Saving {
   bool shows_dialog = false;
-  std::string typed;            ///< the path in its field
-  std::string remark;           ///< why the model has not been saved yet
+  FileBrowser browser;          ///< its problem: why the model has not been saved yet
   std::filesystem::path asked;  ///< an existing file: submitting it once more overwrites it
   std::optional<Leaving> then;  ///< done once the file is written
   /// The file to write next. The viewer or the script writes it.

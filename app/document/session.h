@@ -4,11 +4,15 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/document/document.h"
+#include "app/document/file_browser.h"
 #include "app/document/leaving.h"
 #include "app/document/lost_edits.h"
+#include "app/document/preferences.h"
 #include "app/document/saving.h"
+#include "app/document/tabs.h"
 #include "app/document/tool.h"
 #include "app/document/view.h"
 
@@ -20,10 +24,15 @@ namespace mesher::app {
 struct Session {
   Document document;
   View view;
+  Tabs tabs;
   Saving saving;
+  OpenDialog open_dialog;
+  Preferences preferences;
+  /// Document::opening of the model that is shown because none was named; 0: there is none.
+  std::uint64_t sample = 0;
 
   std::deque<LostEdits> lost;  ///< asks what to do with the first ones, until there are none
-  /// Asks whether to save the edits before this; none: no question is open.
+  /// Asks whether to save the edits of the shown document before this; none: no question is open.
   std::optional<Leaving> unsaved;
 
   Tool tool = Tool::simplify;       ///< its panel is shown
@@ -31,12 +40,12 @@ struct Session {
   bool panel_covers_model = false;  ///< the window is so small that the tool's panel lies over it
   bool shows_help = false;
   bool shows_palette = false;
-  bool shows_open_dialog = false;
+  bool shows_start = false;  ///< the start screen
 
   // Requests to the viewer or the script that runs the session.
   bool wants_quit = false;
-  std::optional<std::filesystem::path> wants_open;
-  std::optional<LostEdits> wants_restore;
+  std::vector<std::filesystem::path> wants_open;  ///< each in a tab of its own
+  std::deque<LostEdits> wants_restore;
   bool wants_screenshot = false;
   bool wants_context_menu = false;
   std::optional<std::string> copied;  ///< text for the clipboard

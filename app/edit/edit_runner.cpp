@@ -15,7 +15,7 @@ constexpr const char* kNoMemory = "out of memory: the model cannot be copied";
 }  // namespace
 
 bool EditRunner::advance() {
-  bool has_changed = false;
+  bool has_changed = drop_foreign_job();
   if (job_ && job_->is_done()) {
     take();
     has_changed = true;
@@ -27,11 +27,20 @@ bool EditRunner::advance() {
   return has_changed;
 }
 
+/// Drops the job if its model was replaced or another one is shown.
+bool EditRunner::drop_foreign_job() {
+  if (!job_ || job_of_ == document_.opening) return false;
+  document_.notice = "canceled: " + job_->title();
+  job_.reset();
+  return true;
+}
+
 void EditRunner::start() {
   try {
     const std::shared_ptr<EditTask> task = start_next_edit(document_);
     if (!task) return;
     document_.edits.is_changing = task->changes_model();
+    job_of_ = document_.opening;
     job_ = std::make_unique<EditJob>(
         task->title(),
         [task](Progress& progress) {

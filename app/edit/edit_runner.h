@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "app/document/document.h"
@@ -15,7 +16,8 @@ class EditRunner {
   /// `wake` as for Job.
   EditRunner(Document& document, void (*wake)()) : document_(document), wake_(wake) {}
 
-  /// Puts a finished edit into the document and starts the next one. Returns whether anything has
+  /// Puts a finished edit into the document and starts the next one. An edit whose model is not
+  /// shown any more is dropped. Returns whether anything has
   /// changed that a person can see.
   bool advance();
   bool is_running() const { return job_ != nullptr; }
@@ -23,12 +25,8 @@ class EditRunner {
   const Job* job() const { return job_.get(); }
   /// Cancels the running edit, with a notice, and drops the requested ones.
   void cancel();
-  /// As `cancel`, without a notice. Returns when the edit has ended. Call before the model is
-  /// replaced.
+  /// As `cancel`, without a notice. Returns when the edit has ended.
   void stop();
-  /// Ends the running edit without a notice. Call after its model was replaced. The requested edits
-  /// are kept, because they are meant for the new model.
-  void drop() { job_.reset(); }
   /// Returns when no edit is running or requested.
   void finish();
 
@@ -37,10 +35,12 @@ class EditRunner {
 
   void start();
   void take();
+  bool drop_foreign_job();
 
   Document& document_;
   void (*wake_)();
   std::unique_ptr<EditJob> job_;
+  std::uint64_t job_of_ = 0;  ///< Document::opening of the model that the job edits
 };
 
 }  // namespace mesher::app

@@ -277,6 +277,11 @@ void forget_progressive(Document& document) {
   document.progressive.forget();
 }
 
+simplify::SimplifyOptions progressive_options(const Document& document) {
+  return options_of({document.simplify, document.progressive.settings().base_faces},
+                    document.model.mesh.face_count(), document.statistics.box.diagonal());
+}
+
 void request_rebuilt_progressive(Document& document) {
   request(document.edits, std::make_unique<BuildProgressive>(document.simplify, true));
 }

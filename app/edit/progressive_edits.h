@@ -19,6 +19,8 @@ void leave_progressive(Document& document);
 /// Drops the progressive mesh. Call when the model has changed.
 void forget_progressive(Document& document);
 
+/// Returns how a progressive mesh of the model is built, by the current rules.
+simplify::SimplifyOptions progressive_options(const Document& document);
 /// Rebuilds the progressive mesh by the current rules.
 void request_rebuilt_progressive(Document& document);
 /// Requests the geomorphs that a progressive mesh from a file lacks.

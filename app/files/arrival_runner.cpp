@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/edit/progressive_edits.h"
+#include "app/files/open.h"
 
 namespace mesher::app {
 
@@ -11,20 +12,25 @@ void ArrivalRunner::take_over(std::unique_ptr<PmArrival> arrival) {
   if (arrival_) arrival_->set_wake(wake_);
 }
 
-bool ArrivalRunner::open(const std::filesystem::path& file) {
-  try {
-    auto next = std::make_unique<PmArrival>(file);
-    stop();
-    take_over(std::move(next));
-    return true;
-  } catch (const std::exception& error) {
-    session_.document.error = error.what();
-    return false;
-  }
+void ArrivalRunner::open(const std::filesystem::path& file) {
+  auto next = std::make_unique<PmArrival>(file);
+  stop();
+  take_over(std::move(next));
+}
+
+bool ArrivalRunner::is_busy() const {
+  std::error_code ignored;
+  return arrival_ && std::filesystem::is_regular_file(arrival_->file(), ignored);
+}
+
+/// The base would hide the model whose edit is running.
+bool ArrivalRunner::must_wait() const {
+  return !arrival_->has_base() && edits_.is_running();
 }
 
 bool ArrivalRunner::has_news() const {
-  return arrival_ && (arrival_->is_done() || arrival_->has_news(session_.document.progressive));
+  return arrival_ && !must_wait() &&
+         (arrival_->is_done() || arrival_->has_news(session_.document.progressive));
 }
 
 bool ArrivalRunner::advance(double seconds) {
@@ -33,11 +39,14 @@ bool ArrivalRunner::advance(double seconds) {
   bool is_new = true;
   try {
     is_new = arrival_->advance(session_, seconds);
-    if (!had_base && arrival_->has_base()) edits_.drop();
+    if (!had_base && arrival_->has_base()) note_opened(session_, arrival_->file());
     if (arrival_->is_done()) arrival_.reset();
   } catch (const std::exception& error) {
-    if (!had_base && arrival_->has_base()) edits_.drop();
-    session_.document.error = error.what();
+    if (arrival_->has_base()) {
+      session_.document.error = error.what();
+    } else {
+      note_not_opened(session_, {error.what()});
+    }
     stop();
   }
   return is_new;

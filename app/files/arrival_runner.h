@@ -13,16 +13,16 @@ namespace mesher::app {
 /// document's error; the part that was loaded stays.
 class ArrivalRunner {
  public:
-  /// `wake` as for ByteStream. `edits`: those of the session, which end when their model is
-  /// replaced.
-  ArrivalRunner(Session& session, EditRunner& edits, void (*wake)())
+  /// `wake` as for ByteStream. `edits`: those of the session. While one is running, no new model is
+  /// shown.
+  ArrivalRunner(Session& session, const EditRunner& edits, void (*wake)())
       : session_(session), edits_(edits), wake_(wake) {}
 
   /// Continues an arrival that was started elsewhere; may be null.
   void take_over(std::unique_ptr<PmArrival> arrival);
-  /// Starts to load a file. The shown model stays until the base is loaded. Never blocks. Returns
-  /// whether the file could be opened; if not, only the document's error changes.
-  bool open(const std::filesystem::path& file);
+  /// Starts to load a file. The shown model stays until the base is loaded, which gets a tab. Never
+  /// blocks. Throws InputError if the file cannot be opened; nothing changes then.
+  void open(const std::filesystem::path& file);
   /// Reads for about `seconds`. Returns whether the picture changes.
   bool advance(double seconds);
   /// Returns when everything is loaded. Throws as PmArrival::finish.
@@ -31,12 +31,16 @@ class ArrivalRunner {
   void stop();
 
   bool is_running() const { return arrival_ != nullptr; }
+  /// Returns whether a regular file is loading, which ends by itself.
+  bool is_busy() const;
   /// Returns whether `advance` has something to do.
   bool has_news() const;
 
  private:
+  bool must_wait() const;
+
   Session& session_;
-  EditRunner& edits_;
+  const EditRunner& edits_;
   void (*wake_)();
   std::unique_ptr<PmArrival> arrival_;
 };

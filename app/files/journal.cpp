@@ -1,17 +1,18 @@
 #include "app/files/journal.h"
 
 #include <fcntl.h>
-#include <fmt/chrono.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <utility>
 
 #include "app/document/json.h"
+#include "app/files/paths.h"
+#include "app/files/percent.h"
 #include "engine/core/error.h"
 #include "engine/io/atomic_file.h"
 #include "engine/io/mapped_file.h"
@@ -27,33 +28,6 @@ constexpr const char* kLockExtension = ".lock";
 
 fs::path lock_of(const fs::path& journal) {
   return fs::path(journal).replace_extension(kLockExtension);
-}
-
-// JSON holds UTF-8 only, and file names may be any bytes.
-std::string percent_encoded(const std::string& bytes) {
-  std::string text;
-  for (const char c : bytes) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool is_plain = byte > ' ' && byte < 0x7F && c != '%';
-    text += is_plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
-  }
-  return text;
-}
-
-std::string percent_decoded(const std::string& text) {
-  std::string bytes;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    unsigned byte = 0;
-    const char* digits = text.data() + i + 1;
-    if (text[i] == '%' && i + 2 < text.size() &&
-        std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
-      bytes += static_cast<char>(byte);
-      i += 2;
-    } else {
-      bytes += text[i];
-    }
-  }
-  return bytes;
 }
 
 template <class T>
@@ -84,14 +58,6 @@ std::string journal_text(const Document& document) {
                   {"source", source_json(document.file, document.source)},
                   {"done", history.done_steps()},
                   {"edits", std::move(edits)}});
-}
-
-std::string last_written(const fs::path& file) {
-  std::error_code ignored;
-  const auto time = std::chrono::file_clock::to_sys(fs::last_write_time(file, ignored));
-  const std::time_t seconds = std::chrono::system_clock::to_time_t(
-      std::chrono::time_point_cast<std::chrono::system_clock::duration>(time));
-  return fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(seconds));
 }
 
 void read_source(const Json& json, LostEdits& lost) {
@@ -149,7 +115,8 @@ std::vector<LostEdits> lost_edits(const fs::path& folder) {
     lost.journal = entry.path();
     lost.lock = FileLock::try_lock(lock_of(entry.path()));
     if (!lost.lock) continue;  // its process is running
-    lost.ended = last_written(entry.path());
+    std::error_code ignored;
+    lost.ended = time_text(fs::last_write_time(entry.path(), ignored));
     try {
       read_journal(lost);
       lost.problem = problem_of(lost);

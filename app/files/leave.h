@@ -6,8 +6,9 @@
 
 namespace mesher::app {
 
-/// Opens a file or quits; asks first if edits would be lost.
-void request_leave(Session& session, const Leaving& leaving);
+/// Closes the shown model, or quits; asks first if edits would be lost. Closing the only model
+/// quits. To quit, shows one model after another whose edits are not saved.
+void request_leave(Session& session, Leaving leaving);
 
 /// The answers to that question.
 enum class LeaveAnswer { save, discard, cancel };

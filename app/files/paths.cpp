@@ -1,8 +1,10 @@
 #include "app/files/paths.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <cctype>
+#include <chrono>
 #include <cstdlib>
 
 namespace mesher::app {
@@ -15,17 +17,21 @@ fs::path environment_path(const char* name) {
   return value == nullptr ? fs::path() : fs::path(value);
 }
 
-bool is_folder(const fs::path& path) {
-  std::error_code ignored;
-  return !path.empty() && fs::is_directory(path, ignored);
-}
-
 fs::path pictures_folder() {
   const fs::path xdg = environment_path("XDG_PICTURES_DIR");
   if (is_folder(xdg)) return xdg;
   const fs::path home = environment_path("HOME");
   if (!home.empty() && is_folder(home / "Pictures")) return home / "Pictures";
   return ".";
+}
+
+/// The program's folder in the one that the variable names, or in that below the home folder.
+fs::path own_folder(const char* variable, const char* below_home) {
+  const fs::path folder = environment_path(variable);
+  // The specification says that a relative path is to be ignored.
+  if (folder.is_absolute()) return folder / "mesher";
+  const fs::path home = environment_path("HOME");
+  return home.empty() ? fs::path() : home / below_home / "mesher";
 }
 
 }  // namespace
@@ -35,10 +41,15 @@ bool is_there(const fs::path& path) {
   return fs::exists(path, ignored);
 }
 
+bool is_folder(const fs::path& path) {
+  std::error_code ignored;
+  return !path.empty() && fs::is_directory(path, ignored);
+}
+
 fs::path find_model(const std::string& name) {
   if (is_there(name)) return name;
   if (fs::path(name).has_parent_path()) return name;
-  const fs::path asset = fs::path(MESHER_ASSETS_DIR) / name;
+  const fs::path asset = samples_folder() / name;
   if (is_there(asset) && !is_folder(asset)) return asset;
   const fs::path with_extension = asset.string() + ".obj";
   return is_there(with_extension) ? with_extension : fs::path(name);
@@ -61,11 +72,26 @@ fs::path next_screenshot(const std::string& model_name) {
 }
 
 fs::path state_folder() {
-  const fs::path state = environment_path("XDG_STATE_HOME");
-  // The specification says that a relative path is to be ignored.
-  if (state.is_absolute()) return state / "mesher";
-  const fs::path home = environment_path("HOME");
-  return home.empty() ? fs::path() : home / ".local/state/mesher";
+  return own_folder("XDG_STATE_HOME", ".local/state");
+}
+
+fs::path config_folder() {
+  return own_folder("XDG_CONFIG_HOME", ".config");
+}
+
+fs::path home_folder() {
+  return environment_path("HOME");
+}
+
+fs::path samples_folder() {
+  return MESHER_ASSETS_DIR;
+}
+
+std::string time_text(fs::file_time_type time) {
+  const auto system = std::chrono::file_clock::to_sys(time);
+  const std::time_t seconds = std::chrono::system_clock::to_time_t(
+      std::chrono::time_point_cast<std::chrono::system_clock::duration>(system));
+  return fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(seconds));
 }
 
 bool is_png_name(const fs::path& file) {

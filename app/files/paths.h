@@ -8,6 +8,9 @@ namespace mesher::app {
 /// Returns whether there is a file or folder of this name.
 bool is_there(const std::filesystem::path& path);
 
+/// Returns whether there is a folder of this name.
+bool is_folder(const std::filesystem::path& path);
+
 /// Returns the file that a name refers to: the path as given, or a file in the assets folder, whose
 /// ".obj" may be omitted. If neither exists, returns the path as given, so that the reader reports
 /// the error.
@@ -28,6 +31,17 @@ std::filesystem::path next_screenshot(const std::string& model_name);
 /// Returns the folder of the journals: "mesher" in XDG_STATE_HOME or in ~/.local/state; empty if
 /// there is no home.
 std::filesystem::path state_folder();
+
+/// Returns the folder of the settings: "mesher" in XDG_CONFIG_HOME or in ~/.config; empty if there
+/// is no home.
+std::filesystem::path config_folder();
+/// The home folder; empty if there is none.
+std::filesystem::path home_folder();
+/// The folder of the models that come with the program.
+std::filesystem::path samples_folder();
+
+/// Returns a time of a file as people read it: "2026-11-29 21:30", local time.
+std::string time_text(std::filesystem::file_time_type time);
 
 /// Returns whether a name ends in .png, in upper or lower case.
 bool is_png_name(const std::filesystem::path& file);

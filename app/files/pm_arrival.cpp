@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/document/session.h"
+#include "app/document/tabs.h"
 #include "app/edit/progressive_edits.h"
 #include "app/files/journal.h"
 #include "engine/core/error.h"
@@ -79,6 +80,7 @@ void PmArrival::show_base(Session& session) {
   Model model;
   model.name = file_.filename().string();
   model.mesh = reader_->mesh().mesh();
+  add_tab(session);
   show_model(session, std::move(model), file_);
   session.document.progressive.show(std::move(reader_));
   enter_progressive(session.document);

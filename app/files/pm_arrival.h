@@ -27,10 +27,10 @@ class PmArrival {
   bool has_news(const ProgressiveView& progressive) const;
   /// Reads for about `seconds`; below full detail for longer, at least as long as going to full
   /// detail and back takes. Returns whether the picture changes. When the base is loaded, it
-  /// becomes the document's model, in progressive mode. At the end the full mesh becomes the model,
-  /// and geomorphs are requested. If splits are missing or wrong, or bytes follow the last one, the
-  /// document's error says so, and reading ends.
-  /// Throws InputError if there is no base; the session is unchanged then.
+  /// becomes the model of a new tab, in progressive mode. At the end the full mesh becomes the
+  /// model, and geomorphs are requested. If splits are missing or wrong, or bytes follow the last
+  /// one, the document's error says so, and reading ends. Throws InputError if there is no base;
+  /// the session is unchanged then.
   bool advance(Session& session, double seconds);
   /// Returns when the base is shown. Throws as `advance`.
   void wait_for_base(Session& session);

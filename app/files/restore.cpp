@@ -14,7 +14,7 @@ void answer_lost(Session& session, LostAnswer answer) {
   session.lost.pop_front();
   switch (answer) {
     case LostAnswer::restore:
-      session.wants_restore = std::move(lost);
+      session.wants_restore.push_back(std::move(lost));
       break;
     case LostAnswer::discard:
       discard(std::move(lost));

@@ -5,13 +5,18 @@
 #include <utility>
 
 #include "app/document/document.h"
+#include "app/document/preferences.h"
 #include "app/document/saving.h"
 #include "app/document/shown.h"
+#include "app/edit/progressive_edits.h"
+#include "app/files/browse.h"
 #include "app/files/paths.h"
 #include "engine/core/text.h"
 #include "engine/io/format.h"
 #include "engine/io/losses.h"
+#include "engine/io/pm_file.h"
 #include "engine/io/write.h"
+#include "engine/progressive/build.h"
 
 namespace mesher::app {
 namespace {
@@ -20,7 +25,7 @@ namespace fs = std::filesystem;
 
 bool is_writable(const fs::path& file) {
   const io::FormatInfo* format = io::format_of(file);
-  return format != nullptr && format->write != nullptr;
+  return (format != nullptr && format->write != nullptr) || io::has_pm_ending(file);
 }
 
 bool has_creases(const Model& model, const Statistics& statistics) {
@@ -28,39 +33,119 @@ bool has_creases(const Model& model, const Statistics& statistics) {
 }
 
 /// Returns why the requested file cannot be written; empty if it can.
-std::string objection(Saving& saving, const Statistics& statistics, const fs::path& file) {
-  if (statistics.faces == 0) return "there is nothing to save";
+std::string objection(Saving& saving, const Document& document, const fs::path& file) {
+  if (document.statistics.faces == 0) return "there is nothing to save";
   if (file.empty()) return "enter a file name";
-  if (!is_writable(file)) return "the name must end in " + io::writable_formats();
+  if (!is_writable(file)) return "the name must end in " + io::readable_formats();
+  if (!is_there(file.parent_path())) return "there is no folder " + file.parent_path().string();
+  if (io::has_pm_ending(file) && document.progressive.is_arriving())
+    return "the file is still loading; press Esc to stop loading";
   if (!is_there(file) || saving.asked == file) return "";
   saving.asked = file;
   return file.filename().string() + " already exists; press Enter again to overwrite it";
+}
+
+/// The format of the last saved file, if it can hold the creases.
+std::string extension_for(const Document& document, const Preferences& preferences) {
+  const fs::path last = "x" + preferences.save_extension;
+  const io::FormatInfo* format = io::format_of(last);
+  const bool fits = format != nullptr && is_writable(last) &&
+                    (format->holds.creases || !has_creases(document.model, document.statistics));
+  return fits ? format->extension : suggested_file(document).extension().string();
+}
+
+/// The shown level, or the model that its progressive mesh is made of.
+Shape written_shape(const Document& document, const fs::path& file) {
+  if (io::has_pm_ending(file)) return {document.model.mesh, document.model.attributes};
+  return shown_shape(document);
+}
+
+void write_progressive(const SaveTask& task, Progress* progress) {
+  std::shared_ptr<progressive::ProgressiveMesh> levels = task.levels;
+  if (!levels) {
+    begin_stage(progress, "simplifying");
+    simplify::SimplifyOptions rules = task.rules;
+    rules.progress = progress;
+    levels = std::make_shared<progressive::ProgressiveMesh>(
+        progressive::make_progressive(task.shape->mesh, rules).mesh);
+  }
+  io::AtomicFile file(task.file);
+  io::write_pm_file(file, *levels, {.progress = progress});
+  file.commit();
 }
 
 }  // namespace
 
 fs::path suggested_file(const Document& document) {
   const std::string own = document.file.extension().string();
-  const std::string extension =
-      has_creases(document.model, document.statistics) || !is_writable(document.file) ? ".obj"
-                                                                                      : own;
+  const bool keeps_own = is_writable(document.file) && !io::has_pm_ending(document.file) &&
+                         !has_creases(document.model, document.statistics);
   return free_name(document.file.parent_path(), document.file.stem().string() + "-edited",
-                   extension);
+                   keeps_own ? own : ".obj");
 }
 
-void open_save_dialog(Saving& saving, const Document& document) {
-  saving = {.shows_dialog = true,
-            .typed = suggested_file(document).string(),
-            .remark = {},
-            .asked = {},
-            .then = {},
-            .waiting = saving.waiting};
+void open_save_dialog(Saving& saving, const Document& document, const Preferences& preferences) {
+  const fs::path suggested = suggested_file(document);
+  const fs::path folder =
+      is_there(preferences.save_folder) ? preferences.save_folder : suggested.parent_path();
+  const FolderFilter filter = saving.browser.filter;
+  saving = {
+      .shows_dialog = true, .browser = {}, .asked = {}, .then = {}, .waiting = saving.waiting};
+  saving.browser.filter = filter;
+  saving.browser.filter.shows_hidden = preferences.shows_hidden_files;
+  go_to(saving.browser, folder);
+  const fs::path name = free_name(saving.browser.folder, document.file.stem().string() + "-edited",
+                                  extension_for(document, preferences))
+                            .filename();
+  set_text(saving.browser, name.string());
 }
 
-void submit_save(Saving& saving, const Document& document) {
-  const fs::path file = typed_path(saving.typed);
-  saving.remark = objection(saving, document.statistics, file);
-  if (!saving.remark.empty()) return;
+std::vector<std::string> saved_extensions() {
+  std::vector<std::string> extensions;
+  for (const io::FormatInfo& format : io::formats()) {
+    if (is_writable(std::string("x") + format.extension)) extensions.emplace_back(format.extension);
+  }
+  return extensions;
+}
+
+void choose_format(Saving& saving, const std::string& extension) {
+  fs::path typed = typed_path(saving.browser.typed);
+  if (!typed.has_filename()) return;
+  // A dot in a name need not begin an extension: "scan 2.1".
+  if (is_writable(typed)) typed.replace_extension();
+  set_text(saving.browser, typed.string() + extension);
+}
+
+std::vector<std::string> always_lost(const Document& document, const std::string& extension) {
+  const io::FormatInfo* format = io::format_of("x" + extension);
+  if (format == nullptr) return {};
+  const Attributes& attributes = document.model.attributes;
+  std::vector<std::string> lost;
+  const auto add = [&](bool is_there, bool is_held, const char* name) {
+    if (is_there && !is_held) lost.emplace_back(name);
+  };
+  const io::FormatContents& holds = format->holds;
+  add(has_creases(document.model, document.statistics), holds.creases, "creases");
+  add(!attributes.texcoord.empty(), holds.texcoord != io::Holds::nothing, "texture coordinates");
+  add(!attributes.normal.empty(), holds.normal != io::Holds::nothing, "normals");
+  add(!attributes.color.empty(), holds.color != io::Holds::nothing, "colors");
+  add(!attributes.group.empty(), holds.groups, "groups");
+  return lost;
+}
+
+std::vector<std::string> losses_of(const Document& document, const fs::path& file) {
+  const auto [mesh, attributes] = written_shape(document, file);
+  return io::losses_in_format(file, mesh, attributes);
+}
+
+void submit_save(Saving& saving, const Document& document,
+                 const std::vector<const FolderEntry*>& shown) {
+  FileBrowser& browser = saving.browser;
+  if (take_row(browser, shown)) return;
+  const fs::path file = typed_file(browser);
+  if (is_folder(file)) return go_to(browser, file);
+  const std::string problem = objection(saving, document, file);
+  if (!problem.empty()) return refuse_text(browser, problem);
   saving.waiting = file;
   saving.shows_dialog = false;
   saving.asked.clear();
@@ -68,19 +153,31 @@ void submit_save(Saving& saving, const Document& document) {
 
 std::optional<SaveTask> begin_save(Saving& saving, const Document& document) {
   if (!saving.waiting) return std::nullopt;
+  const bool is_pm = io::has_pm_ending(*saving.waiting);
   SaveTask task{.file = *saving.waiting,
-                .shape = std::make_shared<const Shape>(shown_shape(document)),
+                .shape = std::make_shared<const Shape>(written_shape(document, *saving.waiting)),
+                .levels = nullptr,
+                .rules = {},
                 .opening = document.opening,
                 .state = std::nullopt,
                 .then = std::exchange(saving.then, std::nullopt)};
-  if (!document.progressive.is_on()) task.state = document.edits.history.state();
+  if (is_pm && document.progressive.has_mesh()) {
+    task.levels = std::make_shared<progressive::ProgressiveMesh>(document.progressive.mesh());
+  } else if (is_pm) {
+    task.rules = progressive_options(document);
+  }
+  if (is_pm || !document.progressive.is_on()) task.state = document.edits.history.state();
   saving.waiting.reset();
   return task;
 }
 
-Saved perform(const SaveTask& task) {
+Saved perform(const SaveTask& task, Progress* progress) {
   const auto& [mesh, attributes] = *task.shape;
-  io::write_model(task.file, mesh, attributes);
+  if (io::has_pm_ending(task.file)) {
+    write_progressive(task, progress);
+  } else {
+    io::write_model(task.file, mesh, attributes);
+  }
   return {.file = task.file,
           .faces = mesh.face_count(),
           .losses = io::losses_in_format(task.file, mesh, attributes),

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "app/document/tabs.h"
 #include "app/edit/crease_edits.h"
 #include "app/edit/edits.h"
 #include "app/edit/model_edit.h"
@@ -9,6 +10,7 @@
 #include "app/edit/subdivide_edit.h"
 #include "app/files/command_line.h"
 #include "app/files/leave.h"
+#include "app/files/open.h"
 #include "app/files/save.h"
 #include "engine/core/text.h"
 
@@ -216,14 +218,38 @@ void toggle_help(Session& session) {
   toggle(session.shows_help);
 }
 
+void show_next_tab(Session& session) {
+  if (tab_count(session) == 1) session.document.notice = "no other model is open";
+  show_tab(session, (shown_tab(session) + 1) % tab_count(session));
+}
+
+void show_previous_tab(Session& session) {
+  if (tab_count(session) == 1) session.document.notice = "no other model is open";
+  show_tab(session, (shown_tab(session) + tab_count(session) - 1) % tab_count(session));
+}
+
+void close_model(Session& session) {
+  request_leave(session, Leaving::close);
+}
+
+const char* need_rest(const Document& document) {
+  return tab_refusal(document);
+}
+
 void toggle_open_dialog(Session& session) {
   session.saving.shows_dialog = false;
-  toggle(session.shows_open_dialog);
+  session.shows_start = false;
+  if (session.open_dialog.is_shown) {
+    session.open_dialog.is_shown = false;
+  } else {
+    show_open_dialog(session);
+  }
 }
 
 void show_save_dialog(Session& session) {
-  session.shows_open_dialog = false;
-  open_save_dialog(session.saving, session.document);
+  session.open_dialog.is_shown = false;
+  session.shows_start = false;
+  open_save_dialog(session.saving, session.document, session.preferences);
 }
 
 void request_screenshot(Session& session) {
@@ -231,12 +257,14 @@ void request_screenshot(Session& session) {
 }
 
 void escape(Session& session) {
-  if (session.shows_open_dialog) {
-    session.shows_open_dialog = false;
+  if (session.open_dialog.is_shown) {
+    session.open_dialog.is_shown = false;
   } else if (session.saving.shows_dialog) {
     session.saving.shows_dialog = false;
   } else if (session.shows_palette) {
     session.shows_palette = false;
+  } else if (session.shows_start) {
+    session.shows_start = false;
   } else if (session.shows_help) {
     session.shows_help = false;
   } else if (!session.document.error.empty()) {
@@ -253,7 +281,7 @@ void escape(Session& session) {
 }
 
 void quit(Session& session) {
-  request_leave(session, {});
+  request_leave(session, Leaving::quit);
 }
 
 }  // namespace mesher::app

@@ -63,6 +63,14 @@ void copy_command_line(Session& session);
 void toggle_palette(Session& session);
 void toggle_info(Session& session);
 void toggle_help(Session& session);
+/// Shows the tab at the right or at the left of the shown one; the last one is followed by the
+/// first.
+void show_next_tab(Session& session);
+void show_previous_tab(Session& session);
+/// Closes the shown model. Asks first if edits would be lost.
+void close_model(Session& session);
+/// Returns why another tab cannot be shown now. Null: it can.
+const char* need_rest(const Document& document);
 /// Opens a dialog and closes the other one.
 void toggle_open_dialog(Session& session);
 void show_save_dialog(Session& session);

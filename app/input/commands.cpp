@@ -26,6 +26,7 @@ constexpr Command kCommands[] = {
      toggle_open_dialog},
     {"save_file", "ctrl+s", Group::file, "Save...", "save the model", show_save_dialog},
     {"screenshot", "f12", Group::file, "Save a picture", "save a picture", request_screenshot},
+    {"close_model", "ctrl+w", Group::file, "Close", "close the model", close_model},
     {"quit", "q", Group::file, "Quit", "quit", quit},
 
     {"undo", "ctrl+z", Group::edit, "Undo", "undo", request_undo, need_undo},
@@ -109,6 +110,10 @@ constexpr Command kCommands[] = {
     {"toggle_help", "f1 h shift+/", Group::window, "Help", "show or hide this help", toggle_help},
     {"escape", "escape", Group::window, "Cancel or close", "cancel, close, clear the selection",
      escape},
+    {"next_tab", "ctrl+pagedown", Group::window, "Next model", "show the next open model",
+     show_next_tab, need_rest},
+    {"previous_tab", "ctrl+pageup", Group::window, "Previous model", "show the previous open model",
+     show_previous_tab, need_rest},
     {"find_command", "ctrl+k", Group::window, "Find a command...", "find a command by its name",
      toggle_palette},
     {"tool_model", "ctrl+1", Group::window, "Model", "show the panel: the model and its history",

@@ -11,6 +11,7 @@ constexpr float kFullWidth = 900.0F;
 constexpr float kMediumWidth = 600.0F;
 constexpr float kMediumHeight = 260.0F;
 constexpr float kMenuHeight = 27.0F;
+constexpr float kTabsHeight = 30.0F;
 constexpr float kStatusHeight = 27.0F;
 constexpr float kDetailHeight = 58.0F;
 constexpr float kRailWidth = 40.0F;
@@ -24,7 +25,7 @@ Layout::Width width_of(const glm::vec2& points) {
 
 }  // namespace
 
-Layout layout_of(const glm::vec2& size, float scale, bool shows_docks) {
+Layout layout_of(const glm::vec2& size, float scale, bool shows_docks, bool shows_tabs) {
   const auto units = [&](float points) { return std::round(points * scale); };
   Layout all;
   all.width = width_of(size / scale);
@@ -36,13 +37,15 @@ Layout layout_of(const glm::vec2& size, float scale, bool shows_docks) {
   const float panel = shows_docks ? std::min(units(kPanelWidth), size.x - left) : 0.0F;
   const float right = is_small ? size.x : size.x - panel;
   const float low = std::max(top, bottom - units(kDetailHeight));
+  const float under = shows_tabs && !is_small ? std::min(top + units(kTabsHeight), low) : top;
+  all.tabs = {left + facts, top, right, under};
   all.menu = {0.0F, 0.0F, size.x, top};
   all.status = {0.0F, bottom, size.x, size.y};
   all.rail = {0.0F, top, left, bottom};
   all.facts = {left, top, left + facts, bottom};
   all.detail = {left + facts, low, right, bottom};
   all.panel = {size.x - panel, top, size.x, is_small ? low : bottom};
-  all.model = {left + facts, top, right, low};
+  all.model = {left + facts, under, right, low};
   return all;
 }
 

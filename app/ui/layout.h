@@ -29,6 +29,7 @@ struct Layout {
   };
   Width width = Width::full;
   Rect menu;    ///< at the top
+  Rect tabs;    ///< the open models, above the shown one
   Rect rail;    ///< the tools, at the left
   Rect facts;   ///< of the model, beside the rail
   Rect panel;   ///< of the tool, at the right
@@ -38,8 +39,9 @@ struct Layout {
 };
 
 /// Divides a window of this size. `scale`: ImGui's units per point, which is as long as a pixel at
-/// 96 dpi. `shows_docks`: the facts and the tool's panel are wanted.
-Layout layout_of(const glm::vec2& size, float scale, bool shows_docks);
+/// 96 dpi. `shows_docks`: the facts and the tool's panel are wanted. `shows_tabs`: several models
+/// are open.
+Layout layout_of(const glm::vec2& size, float scale, bool shows_docks, bool shows_tabs);
 
 /// Returns whether a window of this size in pixels has room for docks at both sides of the model.
 bool fits_docks(const glm::dvec2& window, float pixels_per_point);

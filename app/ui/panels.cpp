@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/document/tabs.h"
 #include "app/edit/crease_edits.h"
 #include "app/input/commands.h"
 #include "app/ui/controls.h"
@@ -23,11 +24,12 @@ PanelActions Panels::draw(Session& session, const PanelFacts& facts) {
   note_widgets_in(ui_.widgets);
   set_colors(theme(session.view.settings.background));
   const glm::vec2 size{io.DisplaySize.x, io.DisplaySize.y};
-  ui_.layout = layout_of(size, units(1.0F), session.shows_info);
+  ui_.layout = layout_of(size, units(1.0F), session.shows_info, tab_count(session) > 1);
   resize(session.view, session.document.statistics.box, facts.window,
          insets_of(ui_.layout, size, {io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y}));
   session.panel_covers_model = session.shows_info && ui_.layout.width == Layout::Width::small;
   draw_menu_bar(session, ui_);
+  draw_tabs(session, ui_);
   draw_rail(session, ui_);
   draw_facts(session.document, ui_);
   draw_tool_panel(session, ui_);
@@ -36,6 +38,7 @@ PanelActions Panels::draw(Session& session, const PanelFacts& facts) {
   draw_dialogs(session);
   draw_message(session.document, ui_);
   ui_.submits = false;
+  ui_.row_moves = 0;
   if (ui_.chosen != nullptr) run(session, *ui_.chosen);
   // A text field needs no more frames than its caret.
   if (ImGui::IsAnyItemActive() && !ImGui::GetIO().WantTextInput) ui_.actions.wants_frames = true;
@@ -59,9 +62,10 @@ void Panels::draw_dialogs(Session& session) {
   if (session.shows_palette) draw_palette(session, ui_);
   // A dialog that follows a question appears after it, so that its text field gets the keyboard.
   const bool is_asking = draw_question(session, ui_);
-  if (session.shows_open_dialog && !is_asking) draw_open_dialog(session.shows_open_dialog, ui_);
-  if (session.saving.shows_dialog && !is_asking)
-    draw_save_dialog(session.saving, session.document, ui_);
+  if (is_asking) return;
+  if (session.shows_start) draw_start(session, ui_);
+  if (session.open_dialog.is_shown) draw_open_dialog(session, ui_);
+  if (session.saving.shows_dialog) draw_save_dialog(session, ui_);
 }
 
 bool Panels::covers(const glm::dvec2& at) const {

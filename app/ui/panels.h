@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/document/session.h"
+#include "app/files/folder.h"
 #include "app/ui/layout.h"
 #include "engine/core/job.h"
 #include "engine/render/gpu_mesh.h"
@@ -29,8 +30,6 @@ struct PanelFacts {
 
 /// Requests from panels that the session does not hold.
 struct PanelActions {
-  std::filesystem::path open;
-  std::string copied;  ///< text for the clipboard
   bool cancels_job = false;
   bool wants_frames = false;  ///< something is animated: draw again
 };
@@ -48,6 +47,23 @@ struct TagCount {
   std::uint32_t edges = 0;
 };
 
+/// A folder that a dialog lists, as it was read.
+struct ShownFolder {
+  Folder folder;
+  std::filesystem::file_time_type read_at{};  ///< time of the last change of the folder
+  std::vector<Place> places;                  ///< as they were when the dialog was opened
+  std::uint32_t text_shown = 0;               ///< FileBrowser::texts_set of the last frame
+};
+
+/// What a file that is about to be saved loses, and the state it was found for.
+struct ShownLosses {
+  std::uint64_t opening = 0;
+  std::uint64_t revision = 0;
+  std::uint32_t faces = 0;
+  std::string extension;
+  std::vector<std::string> losses;
+};
+
 /// What panels share while a frame is drawn, and what they keep until the next one.
 struct Ui {
   Layout layout;
@@ -58,11 +74,16 @@ struct Ui {
   const Command* chosen = nullptr;  ///< in a menu: run after all panels are drawn
 
   // Kept from frame to frame.
-  std::string typed_path;      ///< in the open dialog
-  std::string help_filter;     ///< in the help
-  std::string palette_filter;  ///< in the command palette
-  int palette_row = 0;         ///< the chosen one
-  bool submits = false;        ///< Enter was pressed in a dialog
+  ShownFolder open_list;                       ///< of the open dialog
+  ShownFolder save_list;                       ///< of the save dialog
+  ShownLosses losses;                          ///< of the save dialog
+  std::vector<std::filesystem::path> samples;  ///< of the start screen
+  std::uint64_t tab_shown = 0;  ///< Document::opening of the tab that ImGui has selected
+  std::string help_filter;      ///< in the help
+  std::string palette_filter;   ///< in the command palette
+  int palette_row = 0;          ///< the chosen one
+  bool submits = false;         ///< Enter was pressed in a dialog
+  int row_moves = 0;            ///< by the arrow keys, in the list of a dialog
   int slider_faces = 0;  ///< of the detail bar, while it is dragged and until the edit is done
   std::uint64_t target_of = 0;  ///< Document::opening that `target_faces` belongs to
   std::uint32_t target_faces = 0;
@@ -77,8 +98,8 @@ class Panels {
   PanelActions draw(Session& session, const PanelFacts& facts);
   /// Acts as if the button of the open dialog were pressed, when it is drawn next.
   void submit_dialog() { ui_.submits = true; }
-  /// Moves the choice of the command palette.
-  void move_in_palette(int rows) { ui_.palette_row += rows; }
+  /// Moves the choice in the list of the open dialog, when it is drawn next.
+  void move_row(int rows) { ui_.row_moves += rows; }
   /// Returns whether a panel, as last drawn, covers this point.
   bool covers(const glm::dvec2& at) const;
   const WidgetAreas& widgets() const { return ui_.widgets; }
@@ -94,6 +115,8 @@ class Panels {
 
 // The parts of the window, one in each file. Each notes the area that it covers.
 void draw_menu_bar(Session& session, Ui& ui);
+/// The open models, if there are several.
+void draw_tabs(Session& session, Ui& ui);
 /// The menus without a bar, for the rail of small windows and the context menu.
 void draw_menus(const Session& session, Ui& ui);
 /// The menu that a right click on the model opens.
@@ -118,8 +141,14 @@ void draw_levels_tool(Document& document, const View& view, Ui& ui);
 // The dialogs.
 void draw_help(bool& is_open, Ui& ui);
 void draw_palette(Session& session, Ui& ui);
-void draw_open_dialog(bool& is_open, Ui& ui);
-void draw_save_dialog(Saving& saving, const Document& document, Ui& ui);
+void draw_open_dialog(Session& session, Ui& ui);
+void draw_save_dialog(Session& session, Ui& ui);
+/// The window that the program starts with if no model was named.
+void draw_start(Session& session, Ui& ui);
+/// The list of places, the list of files and the text of a dialog of files. Returns the entries
+/// that are shown.
+std::vector<const FolderEntry*> draw_browser(FileBrowser& browser, const Session& session,
+                                             ShownFolder& list, Ui& ui);
 /// The open question, over everything else. Returns whether one was drawn.
 bool draw_question(Session& session, Ui& ui);
 

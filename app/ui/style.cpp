@@ -76,12 +76,15 @@ void set_colors(const Theme& theme) {
   set(theme.panel, {ImGuiCol_WindowBg, ImGuiCol_PopupBg, ImGuiCol_MenuBarBg, ImGuiCol_TitleBg,
                     ImGuiCol_TitleBgActive, ImGuiCol_TitleBgCollapsed, ImGuiCol_ScrollbarBg});
   set(theme.field, {ImGuiCol_FrameBg});
-  set(theme.button, {ImGuiCol_Button, ImGuiCol_Header, ImGuiCol_ScrollbarGrab});
+  set(theme.button, {ImGuiCol_Button, ImGuiCol_Header, ImGuiCol_ScrollbarGrab,
+                     ImGuiCol_TableHeaderBg, ImGuiCol_Tab, ImGuiCol_TabUnfocused});
   set(theme.hovered, {ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered, ImGuiCol_HeaderHovered,
-                      ImGuiCol_ScrollbarGrabHovered});
+                      ImGuiCol_ScrollbarGrabHovered, ImGuiCol_TabHovered});
   set(theme.active, {ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive, ImGuiCol_HeaderActive,
-                     ImGuiCol_ScrollbarGrabActive, ImGuiCol_TextSelectedBg});
-  set(theme.line, {ImGuiCol_Border, ImGuiCol_Separator});
+                     ImGuiCol_ScrollbarGrabActive, ImGuiCol_TextSelectedBg, ImGuiCol_TabActive,
+                     ImGuiCol_TabUnfocusedActive});
+  set(theme.line,
+      {ImGuiCol_Border, ImGuiCol_Separator, ImGuiCol_TableBorderStrong, ImGuiCol_TableBorderLight});
   set(theme.grab, {ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive, ImGuiCol_CheckMark,
                    ImGuiCol_PlotHistogram, ImGuiCol_NavHighlight});
   set(theme.text, {ImGuiCol_Text});

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/files/leave.h"
+#include "app/files/open.h"
 #include "app/files/restore.h"
 #include "app/files/save.h"
 #include "engine/core/error.h"
@@ -25,28 +26,16 @@ BackgroundWork::BackgroundWork(Session& session, const io::ReadOptions& read,
       edits_(session.document, wake),
       arrivals_(session, edits_, wake) {}
 
-void BackgroundWork::open(const std::filesystem::path& file) {
-  session_.shows_open_dialog = false;
-  session_.saving.shows_dialog = false;
+void BackgroundWork::open(const std::vector<std::filesystem::path>& files) {
   session_.document.error.clear();
-  if (io::is_pm_file(file)) {
-    if (arrivals_.open(file)) load_.reset();
-    return;
-  }
-  load_ = std::make_unique<LoadJob>(file, read_, wake_);
+  for (const std::filesystem::path& file : files)
+    queue_.push_back({file, std::nullopt});
 }
 
 void BackgroundWork::restore(LostEdits&& lost) {
   session_.document.error.clear();
-  if (!io::is_pm_file(lost.file)) {
-    load_ = std::make_unique<LoadJob>(std::move(lost), wake_);
-    return;
-  }
-  // Its first edit may need the progressive mesh, so it has to be complete.
-  if (!arrivals_.open(lost.file)) return;
-  load_.reset();
-  arrivals_.finish();
-  request_lost_edits(session_.document, lost);
+  const std::filesystem::path file = lost.file;
+  queue_.push_back({file, std::move(lost)});
 }
 
 bool BackgroundWork::advance() {
@@ -54,21 +43,56 @@ bool BackgroundWork::advance() {
   is_changed |= arrivals_.advance(kArrivalSeconds);
   is_changed |= edits_.advance();
   is_changed |= advance_save();
+  start_opening();
   return is_changed;
 }
 
-void BackgroundWork::stop() {
-  arrivals_.stop();
-  edits_.stop();
+/// An edit belongs to the shown document, and so does a file that is loading. Only a pipe may never
+/// end: the part that has arrived stays in its tab.
+bool BackgroundWork::can_show_next() const {
+  return !edits_.is_running() && !arrivals_.is_busy();
+}
+
+void BackgroundWork::start_opening() {
+  if (load_ || queue_.empty() || !can_show_next()) return;
+  Opening next = std::move(queue_.front());
+  queue_.pop_front();
+  try {
+    start(std::move(next));
+  } catch (const std::exception& error) {
+    failures_.emplace_back(error.what());
+  }
+  report_failures();
+}
+
+void BackgroundWork::start(Opening&& opening) {
+  if (!io::is_pm_file(opening.file)) {
+    load_ = opening.lost ? std::make_unique<LoadJob>(std::move(*opening.lost), wake_)
+                         : std::make_unique<LoadJob>(opening.file, read_, wake_);
+    return;
+  }
+  arrivals_.open(opening.file);
+  if (!opening.lost) return;
+  // Its first edit may need the progressive mesh, so it has to be complete.
+  arrivals_.finish();
+  request_lost_edits(session_.document, *opening.lost);
+}
+
+void BackgroundWork::report_failures() {
+  if (!load_ && queue_.empty() && !failures_.empty())
+    note_not_opened(session_, std::exchange(failures_, {}));
 }
 
 bool BackgroundWork::cancel() {
   if (load_) {
+    queue_.clear();
     load_->cancel();
   } else if (edits_.is_running()) {
     edits_.cancel();
   } else if (arrivals_.is_running()) {
     arrivals_.stop();
+  } else if (save_) {
+    save_->cancel();
   } else {
     return false;
   }
@@ -76,20 +100,24 @@ bool BackgroundWork::cancel() {
 }
 
 const Job* BackgroundWork::visible_job() const {
-  if (load_) return load_.get();
+  if (load_ && !load_->is_done()) return load_.get();
   return edits_.is_running() ? edits_.job() : save_.get();
 }
 
 bool BackgroundWork::finish_load() {
-  if (!load_ || !load_->is_done()) return false;
+  if (!load_ || !load_->is_done() || !can_show_next()) return false;
   const std::unique_ptr<LoadJob> job = std::move(load_);
   try {
+    arrivals_.stop();
     show_(job->take());
+    note_opened(session_, job->file());
   } catch (const Cancelled&) {
+    session_.open_dialog.opening.clear();
     session_.document.notice = "canceled: " + job->file().string();
   } catch (const std::exception& error) {
-    session_.document.error = error.what();
+    failures_.emplace_back(error.what());
   }
+  report_failures();
   return true;
 }
 
@@ -102,6 +130,8 @@ bool BackgroundWork::advance_save() {
       note_saved(session_, job->take());
     }
     if (!save_) start_save();
+  } catch (const Cancelled&) {
+    session_.document.notice = "canceled; nothing was written";
   } catch (const std::exception& error) {
     session_.document.error = error.what();
   }
@@ -113,7 +143,7 @@ void BackgroundWork::start_save() {
   if (!task) return;
   save_ = std::make_unique<JobOf<Saved>>(
       "Saving " + task->file.filename().string(),
-      [task = *task](Progress&) { return perform(task); }, wake_);
+      [task = *task](Progress& progress) { return perform(task, &progress); }, wake_);
 }
 
 void BackgroundWork::finish_saves() {

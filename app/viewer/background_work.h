@@ -1,8 +1,12 @@
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "app/document/session.h"
 #include "app/edit/edit_runner.h"
@@ -20,9 +24,10 @@ class BackgroundWork {
   BackgroundWork(Session& session, const io::ReadOptions& read,
                  std::function<void(LoadedModel&&)> show, void (*wake)());
 
-  /// Begins to load a file; the shown model stays until the file is read.
-  void open(const std::filesystem::path& file);
-  /// Reads the model of lost edits, and requests the edits.
+  /// Queues files, which are opened one after another, each in a tab. The shown model stays until
+  /// the next one is read, its edits are done, and its own file is loaded.
+  void open(const std::vector<std::filesystem::path>& files);
+  /// Queues the model of lost edits, and then requests the edits.
   void restore(LostEdits&& lost);
   /// Continues with a progressive mesh that was opened before there was a window; may be null.
   void take_over(std::unique_ptr<PmArrival> arrival) { arrivals_.take_over(std::move(arrival)); }
@@ -30,8 +35,6 @@ class BackgroundWork {
   /// Takes finished work into the session and starts what comes next. Returns whether anything has
   /// changed that a person can see.
   bool advance();
-  /// Stops the work on the shown model, without a notice. Returns when it has ended.
-  void stop();
   void stop_edits() { edits_.stop(); }
   void stop_arrival() { arrivals_.stop(); }
   /// Cancels the innermost job. Returns whether there was one.
@@ -46,13 +49,23 @@ class BackgroundWork {
 
   /// The job whose progress is shown; null: none.
   const Job* visible_job() const;
-  bool can_cancel() const { return load_ != nullptr || edits_.is_running(); }
+  bool can_cancel() const { return load_ != nullptr || edits_.is_running() || save_ != nullptr; }
   /// Returns whether `advance` has something to do at once.
   bool has_news() const { return arrivals_.has_news(); }
   bool is_arriving() const { return arrivals_.is_running(); }
 
  private:
+  /// A file to open.
+  struct Opening {
+    std::filesystem::path file;
+    std::optional<LostEdits> lost;  ///< to be repeated
+  };
+
+  bool can_show_next() const;
+  void start_opening();
+  void start(Opening&& opening);
   bool finish_load();
+  void report_failures();
   bool advance_save();
   void start_save();
 
@@ -62,6 +75,8 @@ class BackgroundWork {
   void (*wake_)();
   EditRunner edits_;
   ArrivalRunner arrivals_;
+  std::deque<Opening> queue_;
+  std::vector<std::string> failures_;  ///< of the files of the queue
   std::unique_ptr<LoadJob> load_;
   std::unique_ptr<JobOf<Saved>> save_;
 };

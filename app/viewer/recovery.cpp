@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/document/tabs.h"
 #include "app/edit/model_edit.h"
 #include "app/edit/progressive_edits.h"
 #include "app/files/restore.h"
@@ -14,9 +15,11 @@ Recovery::Outcome Recovery::update() {
     const bool is_changed = mirror_.update(session_.document, session_.view.settings);
     good_settings_ = session_.view.settings;
     good_revision_ = session_.document.edits.revision;
+    good_opening_ = session_.document.opening;
+    close_hidden_tab(session_, session_.sample);
     return is_changed ? Outcome::changed : Outcome::unchanged;
   } catch (const Error& error) {
-    if (!revert_settings() && !revert_edit() && !revert_mode()) throw;
+    if (!revert_settings() && !revert_tab() && !revert_edit() && !revert_mode()) throw;
     session_.document.error = error.what();
     mirror_.invalidate();
     return Outcome::reverted;
@@ -24,33 +27,13 @@ Recovery::Outcome Recovery::update() {
 }
 
 void Recovery::show(LoadedModel&& loaded) {
-  work_.stop();
   Document& document = session_.document;
-  Document before;
-  std::swap(before.progressive, document.progressive);
-  document.progressive.change(before.progressive.settings());
-  std::swap(before.model, document.model);
-  std::swap(before.edits, document.edits);
-  before.statistics = document.statistics;
-  before.file = document.file;
-  before.source = document.source;
-  const render::Camera camera = session_.view.camera;
+  add_tab(session_);
   show_model(session_, std::move(loaded.model), loaded.statistics, loaded.file);
   document.source = loaded.source;
-  try {
-    mirror_.update(document, session_.view.settings);
-    good_settings_ = session_.view.settings;
-    good_revision_ = document.edits.revision;
-    if (loaded.lost) request_lost_edits(document, *loaded.lost);
-  } catch (const Error& error) {
-    show_model(session_, std::move(before.model), before.statistics, before.file);
-    document.edits = std::move(before.edits);
-    document.source = before.source;
-    document.progressive = std::move(before.progressive);
-    if (document.progressive.is_on()) enter_progressive(document);
-    session_.view.camera = camera;
-    document.error = error.what();
-  }
+  const std::uint64_t opening = document.opening;
+  if (update() == Outcome::reverted) return close_hidden_tab(session_, opening);
+  if (loaded.lost) request_lost_edits(document, *loaded.lost);
 }
 
 bool Recovery::revert_settings() {
@@ -78,6 +61,19 @@ bool Recovery::revert_mode() {
     forget_progressive(session_.document);
   }
   return true;
+}
+
+/// Goes back to the model that was shown last.
+bool Recovery::revert_tab() {
+  const std::uint64_t failed = session_.document.opening;
+  if (good_opening_ == 0 || good_opening_ == failed) return false;
+  work_.stop_arrival();
+  for (std::size_t i = 0; i < tab_count(session_); ++i) {
+    if (document_of(session_, i).opening != good_opening_) continue;
+    show_tab(session_, i);
+    return true;
+  }
+  return false;
 }
 
 }  // namespace mesher::app

@@ -22,19 +22,22 @@ class Recovery {
   /// nothing left to revert.
   Outcome update();
 
-  /// Shows a loaded model, or keeps the shown one if the GPU cannot hold the new one.
+  /// Shows a loaded model in a tab of its own, or keeps the shown one if the GPU cannot hold the
+  /// new one.
   void show(LoadedModel&& loaded);
 
  private:
   bool revert_settings();
   bool revert_edit();
   bool revert_mode();
+  bool revert_tab();
 
   Session& session_;
   SceneMirror& mirror_;
   BackgroundWork& work_;
   std::optional<render::Settings> good_settings_;  ///< of the last update that succeeded
   std::optional<std::uint64_t> good_revision_;
+  std::uint64_t good_opening_ = 0;  ///< Document::opening of the model that was shown last
 };
 
 }  // namespace mesher::app

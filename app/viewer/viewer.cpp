@@ -3,15 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "app/document/shown.h"
+#include "app/document/tabs.h"
 #include "app/edit/crease_edits.h"
 #include "app/files/journal.h"
 #include "app/files/leave.h"
 #include "app/files/paths.h"
+#include "app/files/preferences_file.h"
 #include "app/input/commands.h"
 #include "app/input/gestures.h"
 #include "app/ui/overlay.h"
@@ -75,13 +78,15 @@ class Viewer {
         recovery_(session, mirror_, work_),
         log_(options.state_log),
         state_folder_(options.state_folder),
-        journal_(options.state_folder) {
+        preferences_file_(options.config_folder) {
     window_.set_events(events());
     const float scale = options.ui_scale > 0.0F ? options.ui_scale : window_.content_scale();
     overlay_ =
         std::make_unique<Overlay>(instance_, device_, presenter_.format(), window_.handle(), scale);
     // The monitor's scale is known only now.
     session.shows_info = session.shows_info && fits_docks(session.view.window, scale);
+    session.preferences = preferences_file_.read();
+    if (session.sample == 0) remember_opened(session.preferences, session.document.file);
     work_.take_over(std::move(arrival));
   }
 
@@ -93,10 +98,11 @@ class Viewer {
       session_.lost.push_back(std::move(lost));
     while (!session_.wants_quit) {
       wait();
-      if (window_.take_close_request()) leave({});
+      if (window_.take_close_request()) leave(Leaving::quit);
       if (work_.advance()) want_frames();
       serve_requests();
-      keep_journal();
+      keep_journals();
+      keep_preferences();
       animate();
       update_hover();
       if (frames_wanted_ > 0) draw();
@@ -105,7 +111,8 @@ class Viewer {
       log_.note(session_, &pointer_, &panels_.widgets());
     }
     work_.finish_saves();
-    journal_.remove();
+    for (auto& [opening, journal] : journals_)
+      journal.remove();
     device_.wait_idle();
     if (instance_.messages().count() > 0) {
       throw DeviceError("validation: " + instance_.messages().list().front());
@@ -155,26 +162,43 @@ class Viewer {
                 },
             .drop =
                 [this](std::vector<std::filesystem::path> files) {
-                  if (!files.empty()) leave({files.front()});
+                  work_.open(files);
+                  want_frames();
                 },
             .changed = [this] { want_frames(); }};
   }
 
-  void leave(const Leaving& leaving) {
+  void leave(Leaving leaving) {
     request_leave(session_, leaving);
     want_frames();
   }
 
   void serve_requests() {
-    if (const auto file = std::exchange(session_.wants_open, std::nullopt)) work_.open(*file);
-    if (auto lost = std::exchange(session_.wants_restore, std::nullopt))
-      work_.restore(std::move(*lost));
+    if (!session_.wants_open.empty()) work_.open(std::exchange(session_.wants_open, {}));
+    for (LostEdits& lost : std::exchange(session_.wants_restore, {}))
+      work_.restore(std::move(lost));
   }
 
-  void keep_journal() {
-    const std::string reason = journal_.note(session_.document);
-    if (reason.empty()) return;
-    session_.document.notice = reason;
+  /// Only the shown document changes.
+  void keep_journals() {
+    Journal& journal =
+        journals_.try_emplace(session_.document.opening, state_folder_).first->second;
+    say(journal.note(session_.document));
+    for (auto entry = journals_.begin(); entry != journals_.end();) {
+      const bool is_open = document_opened_as(session_, entry->first) != nullptr;
+      if (!is_open) entry->second.remove();
+      entry = is_open ? std::next(entry) : journals_.erase(entry);
+    }
+  }
+
+  void keep_preferences() {
+    preferences_file_.write(session_.preferences);
+    say(preferences_file_.take_remark());
+  }
+
+  void say(const std::string& remark) {
+    if (remark.empty()) return;
+    session_.document.notice = remark;
     want_frames();
   }
 
@@ -213,8 +237,9 @@ class Viewer {
     } else if (is_typing) {
       // ImGui polls keys once per frame, and misses a key that was released before.
       if (key.name == "enter" && has_dialog()) panels_.submit_dialog();
-      if (key.name == "down") panels_.move_in_palette(1);
-      if (key.name == "up") panels_.move_in_palette(-1);
+      if (key.name == "down") panels_.move_row(1);
+      if (key.name == "up") panels_.move_row(-1);
+      if (key.name == "tab") complete_typed_path();
       return;
     }
     if (overlay_->takes_key(key.name)) return;
@@ -223,7 +248,12 @@ class Viewer {
   }
 
   bool has_dialog() const {
-    return session_.shows_open_dialog || session_.saving.shows_dialog || session_.shows_palette;
+    return session_.open_dialog.is_shown || session_.saving.shows_dialog || session_.shows_palette;
+  }
+
+  void complete_typed_path() {
+    session_.open_dialog.browser.wants_completion = session_.open_dialog.is_shown;
+    session_.saving.browser.wants_completion = session_.saving.shows_dialog;
   }
 
   // The keys after a dialog was closed are commands again, even before the next frame.
@@ -297,7 +327,6 @@ class Viewer {
     overlay_->end();
     follow_dialogs();
     if (actions.cancels_job) work_.cancel();
-    if (!actions.open.empty()) leave({actions.open});
     if (actions.wants_frames || !session_.document.edits.waiting.empty()) want_frames();
   }
 
@@ -359,7 +388,8 @@ class Viewer {
   Recovery recovery_;
   StateLog log_;
   std::filesystem::path state_folder_;
-  Journal journal_;
+  std::map<std::uint64_t, Journal> journals_;  ///< by Document::opening
+  PreferencesFile preferences_file_;
   SampleChooser samples_;
   std::optional<Drawn> drawn_;
   render::Settings drawable_settings_;  ///< of the session when the mirror was last updated

@@ -17,8 +17,9 @@ struct ViewerOptions {
   bool validation = false;  ///< with the Khronos validation layer
   float ui_scale = 0.0F;    ///< size of the panels; 0: that of the monitor
   std::filesystem::path state_log;
-  std::filesystem::path state_folder;  ///< of journals; empty: edits are not kept in a crash
-  io::ReadOptions read;                ///< for files opened later
+  std::filesystem::path state_folder;   ///< of journals; empty: edits are not kept in a crash
+  std::filesystem::path config_folder;  ///< of settings; empty: they are not kept
+  io::ReadOptions read;                 ///< for files opened later
 };
 
 /// Shows the session in a window of its size until the person quits. Presses `keys` first. Draws

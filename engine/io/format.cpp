@@ -65,7 +65,7 @@ constexpr FormatInfo kFormats[] = {
                  const WriteOptions&) { write_gltf(file, mesh, attributes, true); },
      .write_levels = [](AtomicFile& file,
                         std::span<const GltfLevel> levels) { write_gltf(file, levels, true); }},
-    {.name = "progressive mesh", .extension = ".pm"},
+    {.name = "progressive mesh", .extension = ".pm", .holds = {.creases = true}},
 };
 
 /// Returns the words as "a, b or c".

@@ -91,21 +91,23 @@ TEST_F(EditTest, PanelButtonsWork) {
   quit(*v);
 }
 
-TEST_F(EditTest, OpeningFileClearsHistory) {
+TEST_F(EditTest, OpenedFileHasItsOwnHistory) {
   const auto v = open({"knot", "--size", "800x600"});
   v->key("d");
   EXPECT_REACHES(*v, s["undo_depth"] == 1);
   v->key("ctrl+o");
   EXPECT_REACHES(*v, s["open_dialog"] == true);
   v->settle();
-  server_->xdotool({"type", "--delay", "60", "cube"});
+  server_->xdotool({"type", "--delay", "60", "cube.obj"});
   v->settle();
   v->key("KP_Enter");
-  EXPECT_REACHES(*v, s["question"] == "unsaved");
-  v->key("Delete");
   EXPECT_REACHES(*v, s["faces"] == 12 && s["undo_depth"] == 0);
   v->key("ctrl+z");
   EXPECT_REACHES(*v, s["notice"] == "nothing to undo" && s["faces"] == 12);
+  v->key("ctrl+Next");
+  EXPECT_REACHES(*v, s["faces"] == 2592 && s["undo_depth"] == 1 && s["tab"] == 0);
+  v->key("ctrl+z");
+  EXPECT_REACHES(*v, s["faces"] == 2880);
   quit(*v);
 }
 

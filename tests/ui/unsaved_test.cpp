@@ -47,23 +47,56 @@ TEST_F(UnsavedTest, QuitsAtOnceWithoutEdits) {
   EXPECT_EQ(v->wait_for_end(), 0);
 }
 
-TEST_F(UnsavedTest, DropAsksBeforeItReplacesTheModel) {
+TEST_F(UnsavedTest, DropKeepsEditsAndClosingAsks) {
   const auto v = open({"cube", "--size", "800x600"});
   v->key("s");
   EXPECT_REACHES(*v, s["faces"] == 48);
   const unsigned long window = std::stoul(v->window());
   ASSERT_TRUE(drop_file(server_->display(), window, MESHER_SOURCE_DIR "/assets/knot.obj"));
-  EXPECT_REACHES(*v, s["question"] == "unsaved");
+  EXPECT_REACHES(*v, s["faces"] == 2880 && s["unsaved"] == false);
+  EXPECT_EQ(v->state()["tabs"], json::array({"cube.obj", "knot.obj"}));
+  v->key("q");
+  EXPECT_REACHES(*v, s["question"] == "unsaved" && s["faces"] == 48);
   v->key("w");  // keys do nothing but answer
   v->key("Escape");
   EXPECT_REACHES(*v, s["question"].is_null());
   EXPECT_EQ(v->state()["faces"], 48);
   EXPECT_EQ(v->state()["wireframe"], false);
-  ASSERT_TRUE(drop_file(server_->display(), window, MESHER_SOURCE_DIR "/assets/knot.obj"));
+  v->key("ctrl+w");
   EXPECT_REACHES(*v, s["question"] == "unsaved");
   v->key("Delete");
-  EXPECT_REACHES(*v, s["faces"] == 2880 && s["unsaved"] == false);
-  quit(*v);
+  EXPECT_REACHES(*v, s["faces"] == 2880 && s["tabs"].size() == 1);
+  v->key("ctrl+w");  // the last model
+  EXPECT_EQ(v->wait_for_end(), 0);
+}
+
+TEST_F(UnsavedTest, EditsOfEveryTabOutliveAKill) {
+  const TempFolder home;
+  {
+    const auto v = open({"knot", "--size", "800x600"}, home.path());
+    v->key("d");
+    EXPECT_REACHES(*v, s["undo_depth"] == 1);
+    const unsigned long window = std::stoul(v->window());
+    ASSERT_TRUE(drop_file(server_->display(), window, MESHER_SOURCE_DIR "/assets/cube.obj"));
+    EXPECT_REACHES(*v, s["faces"] == 12);
+    v->key("s");
+    EXPECT_REACHES(*v, s["undo_depth"] == 1 && s["faces"] == 48);
+    v->settle();
+    v->kill();
+  }
+  const auto v = open({"hypersheet", "--size", "800x600"}, home.path());
+  EXPECT_REACHES(*v, s["question"] == "lost");
+  v->key("r");
+  EXPECT_REACHES(*v, s["tabs"].size() == 2 && s["undo_depth"] == 1);
+  EXPECT_REACHES(*v, s["question"] == "lost");
+  v->key("r");
+  EXPECT_REACHES(*v, s["tabs"].size() == 3 && s["undo_depth"] == 1 && s["question"].is_null());
+  v->key("q");
+  EXPECT_REACHES(*v, s["question"] == "unsaved");
+  v->key("Delete");
+  EXPECT_REACHES(*v, s["tabs"].size() == 2 && s["question"] == "unsaved");
+  v->key("Delete");
+  EXPECT_EQ(v->wait_for_end(), 0);
 }
 
 TEST_F(UnsavedTest, EditsOutliveAKill) {

@@ -35,6 +35,7 @@ ViewerProcess::ViewerProcess(const XServer& server, std::vector<std::string> arg
   program_ = std::make_unique<BackgroundProgram>(
       arguments, std::vector<std::string>{server.environment(), "WAYLAND_DISPLAY",
                                           "XDG_STATE_HOME=" + state_home.string(),
+                                          "XDG_CONFIG_HOME=" + (state_home / "config").string(),
                                           "XDG_PICTURES_DIR=" + folder_.path().string()});
   if (!becomes_true([this] { return !state().is_null() || !is_running(); }) || !is_running()) {
     throw std::runtime_error("the viewer did not start");

@@ -11,12 +11,17 @@ namespace {
 
 using namespace std::chrono_literals;
 
+std::string uri_list(const std::vector<std::string>& paths) {
+  std::string list;
+  for (const std::string& path : paths)
+    list += "file://" + path + "\r\n";
+  return list;
+}
+
 class Source {
  public:
-  Source(const std::string& display_name, ::Window target, const std::string& path)
-      : display_(XOpenDisplay(display_name.c_str())),
-        target_(target),
-        uris_("file://" + path + "\r\n") {
+  Source(const std::string& display_name, ::Window target, const std::vector<std::string>& paths)
+      : display_(XOpenDisplay(display_name.c_str())), target_(target), uris_(uri_list(paths)) {
     own_ = XCreateSimpleWindow(display_, DefaultRootWindow(display_), 0, 0, 1, 1, 0, 0, 0);
     XSetSelectionOwner(display_, atom("XdndSelection"), own_, CurrentTime);
   }
@@ -93,7 +98,12 @@ class Source {
 }  // namespace
 
 bool drop_file(const std::string& display_name, unsigned long target, const std::string& path) {
-  return Source(display_name, target, path).run();
+  return drop_files(display_name, target, {path});
+}
+
+bool drop_files(const std::string& display_name, unsigned long target,
+                const std::vector<std::string>& paths) {
+  return Source(display_name, target, paths).run();
 }
 
 }  // namespace mesher::test

@@ -1,9 +1,7 @@
+#include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
-#include <cfloat>
-
-#include "app/files/paths.h"
+#include "app/files/open.h"
 #include "app/ui/controls.h"
 #include "app/ui/panels.h"
 #include "engine/io/format.h"
@@ -11,23 +9,26 @@
 namespace mesher::app {
 namespace {
 
-constexpr float kOpenWidthPoints = 460.0F;
+constexpr float kOpenWidthPoints = 720.0F;
 
 }  // namespace
 
-void draw_open_dialog(bool& is_open, Ui& ui) {
-  if (begin_dialog("Open a model", &is_open, kOpenWidthPoints)) {
-    faint_text(io::readable_formats() + ": a path, or a name in assets/");
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(-FLT_MIN);
-    // `submits` alone reports Enter: ImGui sees the key as well, and must not open the file twice.
-    ImGui::InputText("##path", &ui.typed_path, ImGuiInputTextFlags_AutoSelectAll);
-    const bool opens = wide_button("Open", true, "Enter") || ui.submits;
-    const std::filesystem::path path = opens ? typed_path(ui.typed_path) : std::filesystem::path();
-    if (!path.empty()) ui.actions.open = find_model(path.string());
+void draw_open_dialog(Session& session, Ui& ui) {
+  OpenDialog& dialog = session.open_dialog;
+  if (begin_dialog("Open a model", &dialog.is_shown, kOpenWidthPoints)) {
+    const auto shown = draw_browser(dialog.browser, session, ui.open_list, ui);
+    session.preferences.shows_hidden_files = dialog.browser.filter.shows_hidden;
+    const bool is_reading = !dialog.opening.empty();
+    const bool submits = wide_button(is_reading ? "Opening...###open" : "Open###open", !is_reading,
+                                     "Enter opens, Tab completes, the arrow keys choose") ||
+                         ui.submits;
+    if (submits) submit_open(session, shown);
+    if (is_reading && ui.facts.job != nullptr)
+      ImGui::ProgressBar(ui.facts.job->progress().fraction(), {-FLT_MIN, 0.0F});
+    faint_text("Formats: " + io::readable_formats());
   }
   end_dialog(ui.areas);
-  is_open = is_open && ui.actions.open.empty();
+  if (!dialog.is_shown) dialog.opening.clear();
 }
 
 }  // namespace mesher::app

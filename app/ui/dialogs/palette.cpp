@@ -45,7 +45,8 @@ void draw_palette(Session& session, Ui& ui) {
     ImGui::SetNextItemWidth(-FLT_MIN);
     if (ImGui::InputText("##command", &ui.palette_filter)) ui.palette_row = 0;
     const std::vector<const Command*> found = matching_commands(ui.palette_filter);
-    ui.palette_row = std::clamp(ui.palette_row, 0, std::max(static_cast<int>(found.size()) - 1, 0));
+    ui.palette_row = std::clamp(ui.palette_row + ui.row_moves, 0,
+                                std::max(static_cast<int>(found.size()) - 1, 0));
     const float most = ImGui::GetIO().DisplaySize.y - 4.0F * ImGui::GetFrameHeightWithSpacing();
     ImGui::BeginChild("found", {0.0F, std::max(std::min(units(kListPoints), most), 1.0F)});
     for (std::size_t i = 0; i < found.size(); ++i) {

@@ -21,9 +21,7 @@ constexpr std::size_t kShownEdits = 5;
 std::string leaving_text(const Session& session) {
   const Document& document = session.document;
   const std::string name = document.file.filename().string();
-  const std::string what = session.unsaved->file.empty()
-                               ? "quitting"
-                               : "opening " + session.unsaved->file.filename().string();
+  const char* what = session.unsaved == Leaving::quit ? "quitting" : "closing it";
   return fmt::format("{} has edits that are not saved. Save them before {}?", name, what);
 }
 

@@ -24,7 +24,7 @@ TEST(Session, AnotherModelReplacesEditsAndMessages) {
   s.document.creases.selected = {s.document.model.mesh.edge(Halfedge(0))};
   s.document.error = "an error";
   s.document.notice = "a notice";
-  s.saving = {.shows_dialog = true, .typed = "torus.obj", .waiting = "torus.obj"};
+  s.saving = {.shows_dialog = true, .waiting = "torus.obj"};
   const std::uint64_t generation = s.document.model_generation;
 
   show_model(s, model_of(test::cube(), "cube"), "cube.obj");

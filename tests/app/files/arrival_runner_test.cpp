@@ -6,9 +6,11 @@
 #include <fstream>
 #include <thread>
 
+#include "app/document/tabs.h"
 #include "app/edit/crease_edits.h"
 #include "app/edit/edits.h"
 #include "app/input/commands.h"
+#include "engine/core/error.h"
 #include "engine/core/memory.h"
 #include "engine/progressive/build.h"
 #include "engine/progressive/codec/pm_write.h"
@@ -55,14 +57,14 @@ class ArrivalRunnerTest : public testing::Test {
 };
 
 TEST_F(ArrivalRunnerTest, FailedOpenKeepsRunningEdits) {
-  ASSERT_TRUE(arrivals_.open(torus_file()));
+  arrivals_.open(torus_file());
   arrive();
   EXPECT_EQ(edits_.job(), nullptr);
   edits_.advance();
   ASSERT_TRUE(edits_.is_running()) << "geomorphs";
-  EXPECT_FALSE(arrivals_.open("no such file.pm"));
-  EXPECT_NE(session_.document.error, "");
-  ASSERT_TRUE(arrivals_.open(file_of("no mesh at all", "wrong.pm")));
+  EXPECT_THROW(arrivals_.open("no such file.pm"), InputError);
+  arrivals_.open(file_of("no mesh at all", "wrong.pm"));
+  edits_.finish();
   arrive();
   EXPECT_NE(session_.document.error.find("wrong.pm"), std::string::npos) << session_.document.error;
   edits_.finish();
@@ -70,21 +72,31 @@ TEST_F(ArrivalRunnerTest, FailedOpenKeepsRunningEdits) {
   EXPECT_EQ(session_.document.statistics.faces, 2400U);
 }
 
-TEST_F(ArrivalRunnerTest, BaseEndsEditsOfPreviousModel) {
+TEST_F(ArrivalRunnerTest, BaseWaitsForEditsAndGetsATab) {
   request_collapse_edge(session_.document);
   edits_.advance();
   ASSERT_TRUE(edits_.is_running());
-  ASSERT_TRUE(arrivals_.open(torus_file()));
+  arrivals_.open(torus_file());
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_FALSE(arrivals_.has_news()) << "the window would not sleep";
+    arrivals_.advance(0.01);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
   EXPECT_TRUE(edits_.is_running());
+  EXPECT_EQ(tab_count(session_), 1U);
+  edits_.finish();
+  EXPECT_EQ(session_.document.statistics.faces, 10U);
   arrive();
   edits_.finish();
   EXPECT_EQ(session_.document.statistics.faces, 2400U);
   EXPECT_EQ(session_.document.edits.history.undo_depth(), 0U);
   EXPECT_TRUE(view().has_geomorph()) << "requested after the last split";
+  ASSERT_EQ(tab_count(session_), 2U);
+  EXPECT_EQ(document_of(session_, 0).edits.history.undo_depth(), 1U) << "the edit is kept";
 }
 
 TEST_F(ArrivalRunnerTest, OutOfMemoryKeepsBase) {
-  ASSERT_TRUE(arrivals_.open(torus_file(120, 80)));
+  arrivals_.open(torus_file(120, 80));
   for (int i = 0; i < 5000 && !view().has_mesh(); ++i) {
     arrivals_.advance(0.0);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -103,7 +115,7 @@ TEST_F(ArrivalRunnerTest, OutOfMemoryKeepsBase) {
 }
 
 TEST_F(ArrivalRunnerTest, FinishedGeomorphsDoNotReenterMode) {
-  ASSERT_TRUE(arrivals_.open(torus_file()));
+  arrivals_.open(torus_file());
   arrive();
   edits_.advance();
   ASSERT_TRUE(edits_.is_running());
@@ -128,7 +140,7 @@ TEST_F(ArrivalRunnerTest, CreaseModeStaysOnWhileMeshIsBuilt) {
 }
 
 TEST_F(ArrivalRunnerTest, CanceledGeomorphsAreRequestedAgain) {
-  ASSERT_TRUE(arrivals_.open(torus_file()));
+  arrivals_.open(torus_file());
   arrive();
   edits_.advance();
   edits_.cancel();

@@ -203,9 +203,9 @@ TEST_F(JournalTest, AnswersOfTheQuestion) {
   ASSERT_TRUE(has_question(s));
   answer_question(s, {.name = "r"});
   EXPECT_FALSE(has_question(s));
-  ASSERT_TRUE(s.wants_restore);
-  EXPECT_EQ(s.wants_restore->file, kKnot);
-  s.lost.push_back(*std::exchange(s.wants_restore, std::nullopt));
+  ASSERT_EQ(s.wants_restore.size(), 1U);
+  EXPECT_EQ(s.wants_restore.front().file, kKnot);
+  s.lost = std::exchange(s.wants_restore, {});
   answer_question(s, {.name = "escape"});
   EXPECT_EQ(files(), 2U);
   s.lost.push_back(std::move(lost_edits(journals()).at(0)));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/document/tabs.h"
+#include "app/files/browse.h"
 #include "engine/io/read.h"
 #include "tests/app/edit/editing.h"
 #include "tests/support/temp_folder.h"
@@ -12,10 +14,17 @@ namespace {
 class LeaveTest : public testing::Test {
  protected:
   void save(const std::filesystem::path& file) {
-    s_.saving.typed = file.string();
+    set_text(s_.saving.browser, file.string());
     submit_save(s_.saving, s_.document);
-    ASSERT_EQ(s_.saving.remark, "");
+    ASSERT_EQ(s_.saving.browser.problem, "");
     run_waiting_save(s_);
+  }
+
+  void open_another(Soup soup, const char* name) {
+    add_tab(s_);
+    Model model;
+    model.mesh = build_mesh(std::move(soup)).mesh;
+    show_model(s_, std::move(model), name);
   }
 
   test::TempFolder folder_;
@@ -23,25 +32,71 @@ class LeaveTest : public testing::Test {
 };
 
 TEST_F(LeaveTest, LeavesAtOnceWithoutEdits) {
-  request_leave(s_, {"other.obj"});
+  request_leave(s_, Leaving::quit);
   EXPECT_FALSE(has_question(s_));
-  EXPECT_EQ(s_.wants_open, "other.obj");
-  request_leave(s_, {});
+  EXPECT_TRUE(s_.wants_quit);
+}
+
+TEST_F(LeaveTest, ClosingTheOnlyModelQuits) {
+  request_leave(s_, Leaving::close);
   EXPECT_TRUE(s_.wants_quit);
 }
 
 TEST_F(LeaveTest, AsksWithEditsAndCancelKeepsThem) {
   press(s_, "d");
-  request_leave(s_, {});
+  request_leave(s_, Leaving::quit);
   EXPECT_TRUE(has_question(s_));
   EXPECT_FALSE(s_.wants_quit);
   answer_leave(s_, LeaveAnswer::cancel);
   EXPECT_FALSE(has_question(s_));
   EXPECT_FALSE(s_.wants_quit);
   EXPECT_TRUE(has_unsaved_edits(s_.document));
-  request_leave(s_, {"other.obj"});
+  request_leave(s_, Leaving::close);
+  EXPECT_TRUE(has_question(s_));
   answer_leave(s_, LeaveAnswer::discard);
-  EXPECT_EQ(s_.wants_open, "other.obj");
+  EXPECT_TRUE(s_.wants_quit);
+}
+
+TEST_F(LeaveTest, QuitAsksForEachModel) {
+  press(s_, "d");
+  open_another(test::cube(), "second.obj");
+  open_another(test::tetrahedron(), "third.obj");
+  press(s_, "s");
+  open_another(test::cube(), "fourth.obj");
+  request_leave(s_, Leaving::quit);
+  EXPECT_EQ(s_.document.file, "model.obj") << "the question is about the shown model";
+  ASSERT_TRUE(has_question(s_));
+  answer_leave(s_, LeaveAnswer::cancel);
+  EXPECT_EQ(tab_count(s_), 4U);
+  request_leave(s_, Leaving::quit);
+  answer_leave(s_, LeaveAnswer::discard);
+  EXPECT_EQ(s_.document.file, "third.obj");
+  ASSERT_TRUE(has_question(s_));
+  EXPECT_FALSE(s_.wants_quit);
+  answer_leave(s_, LeaveAnswer::save);
+  save(folder_ / "third.obj");
+  EXPECT_TRUE(s_.wants_quit);
+}
+
+TEST_F(LeaveTest, CloseShowsTheNextModel) {
+  open_another(test::cube(), "second.obj");
+  press(s_, "d");
+  request_leave(s_, Leaving::close);
+  ASSERT_TRUE(has_question(s_));
+  answer_leave(s_, LeaveAnswer::discard);
+  EXPECT_EQ(s_.document.file, "model.obj");
+  EXPECT_EQ(tab_count(s_), 1U);
+  EXPECT_FALSE(s_.wants_quit);
+}
+
+TEST_F(LeaveTest, SavedModelInAnotherTabCounts) {
+  press(s_, "d");
+  s_.saving.waiting = folder_ / "a.ply";
+  const auto task = begin_save(s_.saving, s_.document);
+  open_another(test::cube(), "second.obj");
+  note_saved(s_, perform(*task));
+  EXPECT_FALSE(has_unsaved_edits(document_of(s_, 0)));
+  EXPECT_NE(s_.document.notice.find("saved"), std::string::npos);
 }
 
 TEST_F(LeaveTest, UndoneAndSavedEditsAreNotUnsaved) {
@@ -69,7 +124,7 @@ TEST_F(LeaveTest, RequestedEditIsUnsaved) {
 
 TEST_F(LeaveTest, SaveLeavesOnceTheFileIsWritten) {
   press(s_, "d");
-  request_leave(s_, {});
+  request_leave(s_, Leaving::quit);
   answer_leave(s_, LeaveAnswer::save);
   EXPECT_TRUE(s_.saving.shows_dialog);
   EXPECT_FALSE(s_.wants_quit);
@@ -81,7 +136,7 @@ TEST_F(LeaveTest, SaveLeavesOnceTheFileIsWritten) {
 TEST_F(LeaveTest, SaveInProgressiveModeWritesTheModel) {
   press(s_, "d p home");
   ASSERT_TRUE(s_.document.progressive.is_on());
-  request_leave(s_, {});
+  request_leave(s_, Leaving::quit);
   answer_leave(s_, LeaveAnswer::save);
   save(folder_ / "a.ply");
   EXPECT_TRUE(s_.wants_quit);
@@ -92,7 +147,7 @@ TEST_F(LeaveTest, FormatThatLosesCreasesAsksAgain) {
   s_.document.creases.tag_angle_deg = 1.0F;
   press(s_, "shift+c");
   ASSERT_GT(s_.document.statistics.crease_edges, 0U);
-  request_leave(s_, {});
+  request_leave(s_, Leaving::quit);
   answer_leave(s_, LeaveAnswer::save);
   save(folder_ / "a.stl");
   EXPECT_FALSE(s_.wants_quit);
@@ -102,7 +157,7 @@ TEST_F(LeaveTest, FormatThatLosesCreasesAsksAgain) {
 
 TEST_F(LeaveTest, ClosedSaveDialogStays) {
   press(s_, "d");
-  request_leave(s_, {});
+  request_leave(s_, Leaving::quit);
   answer_leave(s_, LeaveAnswer::save);
   press(s_, "esc");
   EXPECT_FALSE(s_.saving.shows_dialog);

@@ -4,9 +4,11 @@
 
 #include "app/document/session.h"
 #include "app/edit/edits.h"
+#include "app/files/browse.h"
 #include "app/files/leave.h"
 #include "app/input/commands.h"
 #include "engine/core/error.h"
+#include "engine/io/pm_file.h"
 #include "engine/io/read.h"
 #include "engine/mesh/delta.h"
 #include "tests/support/meshes.h"
@@ -24,7 +26,7 @@ class SaveTest : public testing::Test {
     show_model(s_, std::move(model), folder_ / name);
   }
   void submit(const std::filesystem::path& file) {
-    s_.saving.typed = file.string();
+    set_text(s_.saving.browser, file.string());
     submit_save(s_.saving, s_.document);
   }
   void save(const std::filesystem::path& file) {
@@ -40,14 +42,15 @@ class SaveTest : public testing::Test {
 TEST_F(SaveTest, SuggestsNewNameInFolderOfOpenedFile) {
   run(s_, "save_file");
   EXPECT_TRUE(s_.saving.shows_dialog);
-  EXPECT_EQ(s_.saving.typed, (folder_ / "cube-edited.ply").string());
+  EXPECT_EQ(s_.saving.browser.typed, "cube-edited.ply");
+  EXPECT_EQ(typed_file(s_.saving.browser), folder_ / "cube-edited.ply");
   run(s_, "tag_creases");
   run_waiting_edits(s_.document);
   run(s_, "save_file");
-  EXPECT_EQ(s_.saving.typed, (folder_ / "cube-edited.obj").string()) << "PLY cannot hold creases";
+  EXPECT_EQ(s_.saving.browser.typed, "cube-edited.obj") << "PLY cannot hold creases";
   folder_.write("cube-edited.obj", "somebody's");
   run(s_, "save_file");
-  EXPECT_EQ(s_.saving.typed, (folder_ / "cube-edited-2.obj").string());
+  EXPECT_EQ(s_.saving.browser.typed, "cube-edited-2.obj");
   run(s_, "escape");
   EXPECT_FALSE(s_.saving.shows_dialog);
   EXPECT_FALSE(s_.wants_quit);
@@ -83,10 +86,12 @@ TEST_F(SaveTest, OverwritesOnlyAfterConfirmation) {
   run(s_, "save_file");
   submit(file);
   EXPECT_TRUE(s_.saving.shows_dialog);
-  EXPECT_EQ(s_.saving.remark, "mine.obj already exists; press Enter again to overwrite it");
+  EXPECT_EQ(s_.saving.browser.problem,
+            "mine.obj already exists; press Enter again to overwrite it");
   EXPECT_FALSE(s_.saving.waiting);
   submit(other);
-  EXPECT_EQ(s_.saving.remark, "other.obj already exists; press Enter again to overwrite it");
+  EXPECT_EQ(s_.saving.browser.problem,
+            "other.obj already exists; press Enter again to overwrite it");
   submit(file);
   EXPECT_FALSE(s_.saving.waiting) << "another name was submitted since";
   EXPECT_EQ(test::read_bytes(file), "mine");
@@ -103,23 +108,106 @@ TEST_F(SaveTest, OverwritesOnlyAfterConfirmation) {
 TEST_F(SaveTest, InvalidNamesAreRejected) {
   run(s_, "save_file");
   submit(folder_ / "cube.xyz");
-  EXPECT_EQ(s_.saving.remark, "the name must end in obj, ply, stl, off, gltf or glb");
+  EXPECT_EQ(s_.saving.browser.problem, "the name must end in obj, ply, stl, off, gltf, glb or pm");
   submit("  ");
-  EXPECT_EQ(s_.saving.remark, "enter a file name");
+  EXPECT_EQ(s_.saving.browser.problem, "enter a file name");
   EXPECT_TRUE(s_.saving.shows_dialog);
   submit(folder_ / "no such folder" / "cube.obj");
+  EXPECT_EQ(s_.saving.browser.problem,
+            "there is no folder " + (folder_ / "no such folder").string());
+  s_.saving.waiting = folder_ / "no such folder" / "cube.obj";
   EXPECT_THROW(run_waiting_save(s_), OutputError);
   EXPECT_FALSE(s_.saving.waiting);
   show({}, "empty.obj");
   run(s_, "save_file");
   submit(folder_ / "empty2.obj");
-  EXPECT_EQ(s_.saving.remark, "there is nothing to save");
+  EXPECT_EQ(s_.saving.browser.problem, "there is nothing to save");
+}
+
+TEST_F(SaveTest, FolderIsEnteredAndARowIsChosen) {
+  std::filesystem::create_directory(folder_ / "below");
+  folder_.write("other.ply", "");
+  run(s_, "save_file");
+  submit(folder_ / "below");
+  EXPECT_TRUE(s_.saving.shows_dialog);
+  EXPECT_EQ(s_.saving.browser.folder, folder_ / "below");
+  submit(folder_ / "");
+  const Folder folder = read_folder(folder_.path());
+  const auto shown = shown_entries(folder, {});
+  ASSERT_EQ(shown.size(), 2U);
+  move_row(s_.saving.browser, 2, shown.size());
+  submit_save(s_.saving, s_.document, shown);
+  EXPECT_EQ(s_.saving.browser.typed, "other.ply");
+  EXPECT_EQ(s_.saving.browser.problem,
+            "other.ply already exists; press Enter again to overwrite it");
+}
+
+TEST_F(SaveTest, FolderAndFormatAreRemembered) {
+  std::filesystem::create_directory(folder_ / "below");
+  save(folder_ / "below" / "first.stl");
+  run(s_, "save_file");
+  EXPECT_EQ(typed_file(s_.saving.browser), folder_ / "below" / "cube-edited.stl");
+  run(s_, "tag_creases");
+  run_waiting_edits(s_.document);
+  run(s_, "save_file");
+  EXPECT_EQ(s_.saving.browser.typed, "cube-edited.obj") << "STL cannot hold creases";
+  std::filesystem::remove_all(folder_ / "below");
+  run(s_, "save_file");
+  EXPECT_EQ(s_.saving.browser.folder, folder_.path());
+}
+
+TEST_F(SaveTest, ChoosingAFormatChangesTheEnding) {
+  run(s_, "save_file");
+  for (const std::string& extension : saved_extensions()) {
+    choose_format(s_.saving, extension);
+    EXPECT_EQ(s_.saving.browser.typed, "cube-edited" + extension);
+  }
+  set_text(s_.saving.browser, "scan 2.1");
+  choose_format(s_.saving, ".glb");
+  EXPECT_EQ(s_.saving.browser.typed, "scan 2.1.glb");
+}
+
+TEST_F(SaveTest, FormatsSayWhatTheyLose) {
+  run(s_, "tag_creases");
+  run_waiting_edits(s_.document);
+  EXPECT_EQ(always_lost(s_.document, ".stl"), std::vector<std::string>{"creases"});
+  EXPECT_EQ(always_lost(s_.document, ".obj"), std::vector<std::string>{});
+  EXPECT_EQ(always_lost(s_.document, ".pm"), std::vector<std::string>{});
+  EXPECT_EQ(losses_of(s_.document, "x.stl"), std::vector<std::string>{"12 creases"});
+  EXPECT_EQ(losses_of(s_.document, "x.pm"), std::vector<std::string>{});
+  s_.document.model.attributes.color.assign(36, glm::u8vec4(1));
+  EXPECT_EQ(always_lost(s_.document, ".pm"), std::vector<std::string>{"colors"});
+  EXPECT_EQ(losses_of(s_.document, "x.pm"), std::vector<std::string>{"colors"});
+}
+
+TEST_F(SaveTest, ProgressiveMeshIsBuiltOrTaken) {
+  show(test::torus(30, 20), "torus.ply");
+  save(folder_ / "built.pm");
+  const io::PmContents built = io::read_pm_file(folder_ / "built.pm");
+  EXPECT_EQ(built.summary.faces, 1200U);
+  EXPECT_LT(built.summary.base_faces, 1200U);
+  run(s_, "toggle_progressive");
+  run_waiting_edits(s_.document);
+  run(s_, "least_detail");
+  save(folder_ / "taken.pm");
+  EXPECT_EQ(test::read_bytes(folder_ / "taken.pm"), test::read_bytes(folder_ / "built.pm"))
+      << "a .pm file holds all levels, whichever is shown";
+  EXPECT_EQ(s_.document.progressive.position(), 0.0) << "the shown level stays";
+}
+
+TEST_F(SaveTest, CanceledProgressiveMeshLeavesNoFile) {
+  s_.saving.waiting = folder_ / "none.pm";
+  const auto task = begin_save(s_.saving, s_.document);
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(perform(*task, &progress), Cancelled);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "none.pm"));
 }
 
 TEST_F(SaveTest, OpeningDialogClosesOther) {
   run(s_, "open_file");
   run(s_, "save_file");
-  EXPECT_FALSE(s_.shows_open_dialog);
+  EXPECT_FALSE(s_.open_dialog.is_shown);
   run(s_, "open_file");
   EXPECT_FALSE(s_.saving.shows_dialog);
 }

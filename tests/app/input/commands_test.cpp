@@ -37,7 +37,7 @@ TEST(Commands, NoKeyIsBoundTwice) {
     }
   }
   EXPECT_EQ(command_for({"f9", false, false}), nullptr);
-  EXPECT_EQ(command_for({"w", false, true}), nullptr);
+  EXPECT_EQ(command_for({"g", false, true}), nullptr);
 }
 
 TEST(Commands, EachHasUniqueIdAndHelpText) {
@@ -182,7 +182,7 @@ TEST(Commands, EscapeClosesInnermostFirst) {
   s.document.error = "bad file";
   press_keys(s, "h ctrl+o");
   press_keys(s, "esc");
-  EXPECT_FALSE(s.shows_open_dialog);
+  EXPECT_FALSE(s.open_dialog.is_shown);
   EXPECT_TRUE(s.shows_help);
   press_keys(s, "esc");
   EXPECT_FALSE(s.shows_help);

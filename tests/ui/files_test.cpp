@@ -1,0 +1,205 @@
+// Tests in a real window the ways in which people open and save files.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "engine/io/pm_file.h"
+#include "engine/io/read.h"
+#include "tests/support/temp_folder.h"
+#include "tests/ui/window_fixture.h"
+#include "tests/ui/xdnd_source.h"
+
+namespace mesher::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kAssets = MESHER_SOURCE_DIR "/assets";
+
+class FilesTest : public WindowTest {
+ protected:
+  static void type(const ViewerProcess& viewer, const std::string& text) {
+    server_->xdotool({"type", "--delay", "60", text});
+    viewer.settle();
+  }
+  static void open_dialog(const ViewerProcess& viewer) {
+    viewer.key("ctrl+o");
+    EXPECT_REACHES(viewer, s["open_dialog"] == true);
+    viewer.settle();
+  }
+  /// Saves the model under a new name.
+  static void save_as(const ViewerProcess& viewer, const fs::path& file) {
+    viewer.key("ctrl+s");
+    EXPECT_REACHES(viewer, s["save_dialog"] == true);
+    viewer.settle();
+    type(viewer, file.string());
+    viewer.key("Return");
+    EXPECT_REACHES(viewer, s["save_dialog"] == false);
+    EXPECT_REACHES(viewer, s["notice"].get<std::string>().starts_with("saved " + file.string()));
+  }
+};
+
+TEST_F(FilesTest, DialogOpensAClickedFileAndACompletedName) {
+  const TempFolder folder;
+  fs::create_directory(folder / "models");
+  fs::copy(kAssets / "knot.obj", folder / "models/knot.obj");
+  fs::copy(kAssets / "cube.obj", folder / "models/cube.obj");
+  const auto v = open({"hypersheet", "--size", "1000x700"});
+  open_dialog(*v);
+  type(*v, folder.path().string() + "/mod");
+  v->key("Tab");
+  v->settle();
+  click(*v, "Open a model/file knot.obj");
+  EXPECT_EQ(v->state()["open_dialog"], true) << "one click only chooses it";
+  click(*v, "Open a model/open");
+  EXPECT_REACHES(*v, s["open_dialog"] == false && s["faces"] == 2880);
+  EXPECT_EQ(v->state()["wireframe"], false) << "the letters were text, not shortcuts";
+  open_dialog(*v);
+  type(*v, "cu");  // the dialog is in the folder of the last file
+  v->key("Return");
+  EXPECT_REACHES(*v, s["open_dialog"] == false && s["faces"] == 12);
+  open_dialog(*v);
+  v->key("Down");
+  v->key("Down");
+  v->key("Return");
+  EXPECT_REACHES(*v, s["open_dialog"] == false && s["faces"] == 2880);
+  EXPECT_EQ(v->state()["tabs"].size(), 4U);
+  quit(*v);
+}
+
+TEST_F(FilesTest, MistakesStayInTheDialog) {
+  const TempFolder folder;
+  const fs::path bad = folder.write("bad.obj", "v 0 0 0\nf 1 2 3\n");
+  const auto v = open({"cube", "--size", "1000x700"});
+  open_dialog(*v);
+  type(*v, "/no/such/file.obj");
+  v->key("Return");
+  EXPECT_REACHES(*v, s["open_problem"].get<std::string>().find("there is no file") == 0);
+  EXPECT_EQ(v->state()["open_dialog"], true);
+  type(*v, bad.string());
+  v->key("Return");
+  EXPECT_REACHES(*v, s["open_problem"].get<std::string>().find("bad.obj:2") != std::string::npos);
+  EXPECT_EQ(v->state()["open_dialog"], true);
+  EXPECT_EQ(v->state()["error"], "");
+  type(*v, "sgw");  // text, not commands
+  EXPECT_EQ(v->state()["faces"], 12);
+  EXPECT_EQ(v->state()["shading"], "flat");
+  v->key("Escape");
+  EXPECT_REACHES(*v, s["open_dialog"] == false);
+  quit(*v);
+}
+
+TEST_F(FilesTest, DroppedFilesOpenAsTabs) {
+  const TempFolder folder;
+  const fs::path bad = folder.write("bad.obj", "no mesh");
+  const auto v = open({"cube", "--size", "1000x700"});
+  ASSERT_TRUE(drop_files(server_->display(), std::stoul(v->window()),
+                         {kAssets / "knot.obj", bad, kAssets / "hypersheet.obj"}));
+  EXPECT_REACHES(*v, s["tabs"] == json::array({"cube.obj", "knot.obj", "hypersheet.obj"}));
+  EXPECT_REACHES(*v, s["error"].get<std::string>().find("bad.obj") != std::string::npos);
+  v->key("Escape");
+  EXPECT_REACHES(*v, s["error"] == "");
+  click(*v, "tabs/tab knot.obj");
+  EXPECT_REACHES(*v, s["tab"] == 1 && s["faces"] == 2880);
+  v->key("d");
+  EXPECT_REACHES(*v, s["faces"] == 2592);
+  v->key("ctrl+Prior");
+  EXPECT_REACHES(*v, s["tab"] == 0 && s["faces"] == 12);
+  v->key("ctrl+Next");
+  EXPECT_REACHES(*v, s["tab"] == 1 && s["faces"] == 2592 && s["undo_depth"] == 1);
+  v->settle();
+  EXPECT_EQ(v->title().substr(0, 9), "*knot.obj");
+  quit(*v);
+}
+
+TEST_F(FilesTest, AHundredDroppedFilesLoseNothing) {
+  const TempFolder folder;
+  std::vector<std::string> files;
+  for (int i = 0; i < 100; ++i) {
+    const fs::path file = folder / (std::to_string(i) + (i % 3 == 0 ? ".txt" : ".obj"));
+    fs::copy(kAssets / "cube.obj", file);
+    files.push_back(file.string());
+  }
+  const auto v = open({"knot", "--size", "800x600"});
+  v->key("d");
+  EXPECT_REACHES(*v, s["undo_depth"] == 1);
+  ASSERT_TRUE(drop_files(server_->display(), std::stoul(v->window()), files));
+  EXPECT_REACHES(*v, s["tabs"].size() == 67);
+  EXPECT_REACHES(*v, s["error"].get<std::string>().find("and 29 more files") != std::string::npos);
+  v->key("q");
+  EXPECT_REACHES(*v, s["question"] == "unsaved" && s["faces"] == 2592);
+  v->key("Delete");
+  EXPECT_EQ(v->wait_for_end(), 0);
+}
+
+TEST_F(FilesTest, StartScreenOpensSamplesAndRecentFiles) {
+  const TempFolder home;
+  {
+    const auto v = open({"--size", "1000x700"}, home.path());
+    EXPECT_REACHES(*v, s["start"] == true);
+    click(*v, "Welcome to mesher/sample cube.obj");
+    EXPECT_REACHES(*v, s["start"] == false && s["faces"] == 12);
+    EXPECT_REACHES(*v, s["tabs"] == json::array({"cube.obj"}));
+    quit(*v);
+  }
+  const auto v = open({"--size", "1000x700"}, home.path());
+  EXPECT_REACHES(*v, s["start"] == true);
+  click(*v, "Welcome to mesher/recent cube.obj");
+  EXPECT_REACHES(*v, s["start"] == false && s["faces"] == 12);
+  quit(*v);
+}
+
+TEST_F(FilesTest, DamagedSettingsAreSaidAndReplaced) {
+  const TempFolder home;
+  fs::create_directories(home / "config/mesher");
+  home.write("config/mesher/settings.json", "{garbage");
+  const auto v = open({"cube", "--size", "800x600"}, home.path());
+  EXPECT_REACHES(*v, s["notice"].get<std::string>().find("was damaged") != std::string::npos);
+  quit(*v);
+  EXPECT_TRUE(fs::exists(home / "config/mesher/settings.json.damaged"));
+  EXPECT_TRUE(json::accept(read_bytes(home / "config/mesher/settings.json")));
+}
+
+TEST_F(FilesTest, SimplifiedUndoneAndSavedInThreeFormats) {
+  const TempFolder folder;
+  const auto v = open({"knot", "--size", "1200x800"});
+  v->key("d");
+  EXPECT_REACHES(*v, s["undo_depth"] == 1);
+  v->key("d");
+  EXPECT_REACHES(*v, s["undo_depth"] == 2);
+  click(*v, "facts/step 1");
+  EXPECT_REACHES(*v, s["undo_depth"] == 1 && s["redo_depth"] == 1);
+  save_as(*v, folder / "a.ply");
+  EXPECT_REACHES(*v, s["unsaved"] == false);
+  save_as(*v, folder / "a.glb");
+  save_as(*v, folder / "a.pm");
+  EXPECT_EQ(io::read_model(folder / "a.ply").mesh.face_count(), 2592U);
+  EXPECT_EQ(io::read_model(folder / "a.glb").mesh.face_count(), 2592U);
+  EXPECT_EQ(io::read_pm_file(folder / "a.pm").summary.faces, 2592U);
+  quit(*v);
+}
+
+TEST_F(FilesTest, FormatIsChosenFromAList) {
+  const TempFolder folder;
+  fs::copy(kAssets / "creased_cube.obj", folder / "box.obj");
+  const auto v = open({(folder / "box.obj").string(), "--size", "1000x700"});
+  v->key("ctrl+s");
+  EXPECT_REACHES(*v, s["save_dialog"] == true);
+  v->settle();
+  click(*v, "Save the model/format");
+  v->settle();
+  const json widgets = v->state()["widgets"];
+  const auto ply = std::ranges::find_if(
+      widgets.items(), [](const auto& widget) { return widget.key().ends_with("/.ply"); });
+  ASSERT_NE(ply, widgets.items().end()) << widgets.dump();
+  click(*v, ply.key());
+  click(*v, "Save the model/save");
+  EXPECT_REACHES(*v, s["save_dialog"] == false);
+  EXPECT_REACHES(*v, s["notice"].get<std::string>().find("cannot hold") != std::string::npos);
+  EXPECT_EQ(io::read_model(folder / "box-edited.ply").mesh.face_count(), 12U);
+  quit(*v);
+}
+
+}  // namespace
+}  // namespace mesher::test
