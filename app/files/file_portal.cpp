@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/files/cancel_link.h"
 #include "app/files/session_bus.h"
 
 namespace mesher::app {
@@ -204,6 +205,10 @@ std::string request_path(GDBusConnection* bus) {
   return fmt::format("{}/request/{}/{}", kPortalPath, sender, kToken);
 }
 
+void wake_context(GCancellable* /*source*/, void* context) {
+  g_main_context_wakeup(static_cast<GMainContext*>(context));
+}
+
 /// One dialog. Uses the default context of its thread.
 class PortalDialog {
  public:
@@ -250,13 +255,11 @@ class PortalDialog {
 
   /// Waits for the dialog's end; none: `stop` was canceled.
   std::optional<DialogAnswer> wait(GMainContext* context, GCancellable* stop) {
-    const GlibHandle<GSource> stopped(g_cancellable_source_new(stop));
-    g_source_set_dummy_callback(stopped.get());  // has only to wake the loop
-    g_source_attach(stopped.get(), context);
+    // GLib's own source for this leaks if it is destroyed while it is being canceled.
+    const CancelLink link(stop, wake_context, context);
     while (!answer_ && !g_cancellable_is_cancelled(stop)) {
       g_main_context_iteration(context, TRUE);
     }
-    g_source_destroy(stopped.get());
     return answer_;
   }
 

@@ -11,14 +11,13 @@ namespace mesher::app {
 struct GlibRelease {
   void operator()(void* object) const { g_object_unref(object); }
   void operator()(GVariant* variant) const { g_variant_unref(variant); }
-  void operator()(GSource* source) const { g_source_unref(source); }
   void operator()(GMainContext* context) const { g_main_context_unref(context); }
 };
 struct GlibFree {
   void operator()(void* memory) const { g_free(memory); }
 };
 
-/// One reference to an object, a variant, a source or a context.
+/// One reference to an object, a variant or a context.
 template <class T>
 using GlibHandle = std::unique_ptr<T, GlibRelease>;
 using GlibText = std::unique_ptr<char, GlibFree>;

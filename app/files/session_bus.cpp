@@ -12,6 +12,8 @@
 #include <string_view>
 #include <thread>
 
+#include "app/files/cancel_link.h"
+
 namespace mesher::app {
 namespace {
 
@@ -52,20 +54,6 @@ class Deadline {
 
  private:
   std::jthread thread_;
-};
-
-/// Calls a function when, or if already, `source` is canceled, on the thread that cancels.
-class CancelLink {
- public:
-  CancelLink(GCancellable* source, void (*call)(GCancellable*, void*), void* data)
-      : source_(source), id_(g_cancellable_connect(source, G_CALLBACK(call), data, nullptr)) {}
-  ~CancelLink() { g_cancellable_disconnect(source_, id_); }
-  CancelLink(const CancelLink&) = delete;
-  CancelLink& operator=(const CancelLink&) = delete;
-
- private:
-  GCancellable* source_;
-  gulong id_;
 };
 
 void cancel_too(GCancellable* /*source*/, void* target) {
