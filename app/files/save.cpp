@@ -108,6 +108,11 @@ std::vector<std::string> saved_extensions() {
   return extensions;
 }
 
+fs::path with_format(fs::path file, const fs::path& suggested) {
+  if (!is_writable(file)) file += suggested.extension();
+  return file;
+}
+
 void choose_format(Saving& saving, const std::string& extension) {
   fs::path typed = typed_path(saving.browser.typed);
   if (!typed.has_filename()) return;

@@ -28,6 +28,9 @@ std::filesystem::path suggested_file(const Document& document);
 void open_save_dialog(Saving& saving, const Document& document, const Preferences& preferences);
 /// Returns the extensions of the formats that can be saved: ".obj", ".ply", ..., ".pm".
 std::vector<std::string> saved_extensions();
+/// Returns a file with the extension of `suggested`, if its own is none of a format.
+std::filesystem::path with_format(std::filesystem::path file,
+                                  const std::filesystem::path& suggested);
 /// Gives the typed name another extension.
 void choose_format(Saving& saving, const std::string& extension);
 /// Returns what no file of a format can hold of the shown model: "creases", "colors". O(1).

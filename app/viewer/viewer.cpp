@@ -20,6 +20,7 @@
 #include "app/ui/overlay.h"
 #include "app/ui/panels.h"
 #include "app/viewer/background_work.h"
+#include "app/viewer/desktop_files.h"
 #include "app/viewer/recovery.h"
 #include "app/viewer/scene_mirror.h"
 #include "app/viewer/state_log.h"
@@ -76,6 +77,7 @@ class Viewer {
             session, options.read,
             [this](LoadedModel&& loaded) { recovery_.show(std::move(loaded)); }, Window::wake),
         recovery_(session, mirror_, work_),
+        desktop_files_(session, Window::wake),
         log_(options.state_log),
         state_folder_(options.state_folder),
         preferences_file_(options.config_folder) {
@@ -100,6 +102,7 @@ class Viewer {
       wait();
       if (window_.take_close_request()) leave(Leaving::quit);
       if (work_.advance()) want_frames();
+      if (desktop_files_.advance()) want_frames();
       serve_requests();
       keep_journals();
       keep_preferences();
@@ -386,6 +389,7 @@ class Viewer {
   Gestures gestures_;
   BackgroundWork work_;
   Recovery recovery_;
+  DesktopFiles desktop_files_;
   StateLog log_;
   std::filesystem::path state_folder_;
   std::map<std::uint64_t, Journal> journals_;  ///< by Document::opening

@@ -6,6 +6,7 @@
 
 #include "engine/io/pm_file.h"
 #include "engine/io/read.h"
+#include "tests/support/mock_desktop.h"
 #include "tests/support/temp_folder.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/xdnd_source.h"
@@ -198,6 +199,60 @@ TEST_F(FilesTest, FormatIsChosenFromAList) {
   EXPECT_REACHES(*v, s["save_dialog"] == false);
   EXPECT_REACHES(*v, s["notice"].get<std::string>().find("cannot hold") != std::string::npos);
   EXPECT_EQ(io::read_model(folder / "box-edited.ply").mesh.face_count(), 12U);
+  quit(*v);
+}
+
+/// The program on a desktop that has dialogs of files.
+class DesktopFilesTest : public FilesTest {
+ protected:
+  void SetUp() override {
+    if (python_with_dbusmock().empty()) GTEST_SKIP() << "needs dbus-daemon and python3-dbusmock";
+  }
+  static std::unique_ptr<ViewerProcess> open_on(const MockBus& bus) {
+    return std::make_unique<ViewerProcess>(
+        *server_, std::vector<std::string>{"hypersheet", "--size", "800x600"},
+        std::filesystem::path(), bus.address());
+  }
+  static std::string uri(const fs::path& file) { return "file://" + file.string(); }
+};
+
+TEST_F(DesktopFilesTest, DesktopsDialogOpensSeveralFiles) {
+  const MockBus bus;
+  const MockPortal portal(
+      bus, {{"version", 3},
+            {"results", {{"uris", {uri(kAssets / "cube.obj"), uri(kAssets / "knot.obj")}}}}});
+  const auto v = open_on(bus);
+  v->key("ctrl+o");
+  EXPECT_REACHES(*v, s["tabs"] == json::array({"hypersheet.obj", "cube.obj", "knot.obj"}));
+  EXPECT_EQ(v->state()["open_dialog"], false);
+  quit(*v);
+}
+
+TEST_F(DesktopFilesTest, DesktopsDialogSaves) {
+  const TempFolder folder;
+  const MockBus bus;
+  const MockPortal portal(bus, {{"version", 3}, {"results", {{"uris", {uri(folder / "saved")}}}}});
+  const auto v = open_on(bus);
+  v->key("d");
+  EXPECT_REACHES(*v, s["unsaved"] == true);
+  v->key("ctrl+s");
+  EXPECT_REACHES(*v, s["unsaved"] == false);
+  EXPECT_EQ(portal.wait_for("SaveFile")["options"]["current_name"], "hypersheet-edited.obj");
+  EXPECT_TRUE(fs::exists(folder / "saved.obj")) << "the extension was not typed";
+  quit(*v);
+}
+
+TEST_F(DesktopFilesTest, OwnDialogReplacesOneThatFails) {
+  const MockBus bus;
+  const MockPortal portal(bus, {{"version", 3}, {"response", 2}});
+  const auto v = open_on(bus);
+  v->key("ctrl+o");
+  EXPECT_FALSE(portal.wait_for("OpenFile").is_null());
+  EXPECT_REACHES(*v, s["open_dialog"] == true);
+  v->settle();
+  type(*v, "cube.obj");
+  v->key("Return");
+  EXPECT_REACHES(*v, s["faces"] == 12);
   quit(*v);
 }
 

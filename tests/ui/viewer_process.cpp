@@ -27,13 +27,14 @@ bool becomes_true(const std::function<bool()>& condition) {
 }  // namespace
 
 ViewerProcess::ViewerProcess(const XServer& server, std::vector<std::string> arguments,
-                             std::filesystem::path state_home)
+                             std::filesystem::path state_home, const std::string& bus)
     : server_(server) {
   if (state_home.empty()) state_home = folder_.path();
   arguments.insert(arguments.begin(), MESHER_PROGRAM);
   arguments.insert(arguments.end(), {"--validation", "--state-log", folder_ / "state.jsonl"});
   program_ = std::make_unique<BackgroundProgram>(
       arguments, std::vector<std::string>{server.environment(), "WAYLAND_DISPLAY",
+                                          "DBUS_SESSION_BUS_ADDRESS=" + bus,
                                           "XDG_STATE_HOME=" + state_home.string(),
                                           "XDG_CONFIG_HOME=" + (state_home / "config").string(),
                                           "XDG_PICTURES_DIR=" + folder_.path().string()});

@@ -17,9 +17,11 @@ namespace mesher::test {
 class ViewerProcess {
  public:
   /// Waits for the first state. `arguments` as on the command line.
-  /// `state_home`: for XDG_STATE_HOME; empty: a folder of its own.
+  /// `state_home`: for XDG_STATE_HOME; empty: a folder of its own. `bus`: address of the session
+  /// bus; the default: none can be reached, so that the program shows its own dialogs.
   ViewerProcess(const XServer& server, std::vector<std::string> arguments,
-                std::filesystem::path state_home = {});
+                std::filesystem::path state_home = {},
+                const std::string& bus = "unix:path=/nonexistent");
 
   const TempFolder& folder() const { return folder_; }
   /// The last line of the state log.
