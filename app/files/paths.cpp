@@ -28,6 +28,13 @@ fs::path pictures_folder() {
   return ".";
 }
 
+std::string lowered_extension(const fs::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
 }  // namespace
 
 bool is_there(const fs::path& path) {
@@ -69,10 +76,11 @@ fs::path state_folder() {
 }
 
 bool is_png_name(const fs::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension)
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".png";
+  return lowered_extension(file) == ".png";
+}
+
+bool is_webp_name(const fs::path& file) {
+  return lowered_extension(file) == ".webp";
 }
 
 fs::path typed_path(std::string text) {
