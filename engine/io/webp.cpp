@@ -1,5 +1,6 @@
 #include "engine/io/webp.h"
 
+#include <fmt/format.h>
 #include <webp/encode.h>
 #include <webp/mux.h>
 
@@ -56,14 +57,16 @@ std::string_view bytes_of(const std::uint8_t* bytes, std::size_t size) {
   return {reinterpret_cast<const char*>(bytes), size};
 }
 
-bool is_webp_size(std::uint32_t width, std::uint32_t height) {
-  return width > 0 && height > 0 && width <= kMostWebpSide && height <= kMostWebpSide;
+void check_size(const std::string& file, std::uint32_t width, std::uint32_t height) {
+  if (width > 0 && height > 0 && width <= kMostWebpSide && height <= kMostWebpSide) return;
+  throw OutputError(file, fmt::format("{} x {} pixels are not a size of WebP, 1 to {} per side",
+                                      width, height, kMostWebpSide));
 }
 
 }  // namespace
 
 void write_webp(const std::filesystem::path& file, const Image& image, Progress* progress) {
-  MESHER_ASSERT(is_webp_size(image.width, image.height));
+  check_size(file.string(), image.width, image.height);
   AtomicFile out(file);
   WebPConfig config;
   if (WebPConfigInit(&config) == 0 || WebPConfigLosslessPreset(&config, kLosslessLevel) == 0) {
@@ -98,7 +101,7 @@ void WebpAnimation::FreeEncoder::operator()(WebPAnimEncoder* encoder) const {
 WebpAnimation::WebpAnimation(const std::filesystem::path& file, std::uint32_t width,
                              std::uint32_t height)
     : file_(file) {
-  MESHER_ASSERT(is_webp_size(width, height));
+  check_size(file_.name(), width, height);
   WebPAnimEncoderOptions options;
   if (WebPAnimEncoderOptionsInit(&options) == 0) fail();
   options.anim_params.loop_count = 0;

@@ -15,8 +15,8 @@ namespace mesher::io {
 /// The largest side of a WebP image, in pixels.
 inline constexpr std::uint32_t kMostWebpSide = 16'383;
 
-/// Writes an image as lossless WebP that appears whole or not at all. Pre: width and height are
-/// from 1 to kMostWebpSide. Throws OutputError, or Cancelled while it compresses.
+/// Writes an image as lossless WebP that appears whole or not at all. Throws OutputError, also for
+/// a side that is not from 1 to kMostWebpSide; or Cancelled while it compresses.
 void write_webp(const std::filesystem::path& file, const Image& image,
                 Progress* progress = nullptr);
 
@@ -24,8 +24,7 @@ void write_webp(const std::filesystem::path& file, const Image& image,
 /// keeps thin lines sharp. The animation is in memory, compressed, until `finish` writes it.
 class WebpAnimation {
  public:
-  /// Pre: width and height are from 1 to kMostWebpSide. Throws OutputError if the file cannot be
-  /// written.
+  /// Throws OutputError if the file cannot be written, or if a side is not from 1 to kMostWebpSide.
   WebpAnimation(const std::filesystem::path& file, std::uint32_t width, std::uint32_t height);
   ~WebpAnimation();
   WebpAnimation(const WebpAnimation&) = delete;

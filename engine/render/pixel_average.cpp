@@ -41,7 +41,7 @@ struct ByteCurve {
 }  // namespace
 
 Image average_pixels(const Image& drawn, unsigned n) {
-  static const ByteCurve curve;
+  static const ByteCurve kCurve;
   MESHER_ASSERT(n > 0 && drawn.width % n == 0 && drawn.height % n == 0);
   Image result{.width = drawn.width / n, .height = drawn.height / n, .rgba = {}};
   result.rgba.resize(std::size_t{4} * result.width * result.height);
@@ -55,7 +55,7 @@ Image average_pixels(const Image& drawn, unsigned n) {
         const std::uint8_t* p = drawn.pixel(n * x, n * y + row);
         for (unsigned column = 0; column < n; ++column, p += 4) {
           for (std::size_t c = 0; c < light.size(); ++c)
-            light[c] += curve.light[p[c]];
+            light[c] += kCurve.light[p[c]];
           alpha += p[3];
         }
       }
@@ -66,7 +66,7 @@ Image average_pixels(const Image& drawn, unsigned n) {
       // The sum of premultiplied light over the sum of alpha: the count of pixels cancels.
       const float inverse_alpha = 255.0F / static_cast<float>(alpha);
       for (std::size_t c = 0; c < light.size(); ++c)
-        out[c] = curve.encode(inverse_alpha * light[c]);
+        out[c] = kCurve.encode(inverse_alpha * light[c]);
       out[3] = static_cast<std::uint8_t>((alpha + n * n / 2) / (n * n));
     }
   });

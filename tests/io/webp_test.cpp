@@ -61,6 +61,16 @@ TEST(Webp, FailedStillLeavesNoFile) {
   EXPECT_EQ(folder.count_files(), 0U);
 }
 
+TEST(Webp, RefusesSizesThatTheFormatLacks) {
+  const TempFolder folder;
+  EXPECT_NO_THROW(io::write_webp(folder / "a.webp", ramp(io::kMostWebpSide, 1)));
+  std::filesystem::remove(folder / "a.webp");
+  EXPECT_THROW(io::write_webp(folder / "a.webp", ramp(io::kMostWebpSide + 1, 1)), OutputError);
+  EXPECT_THROW(io::write_webp(folder / "a.webp", ramp(1, 0)), OutputError);
+  EXPECT_THROW(io::WebpAnimation(folder / "a.webp", 1, io::kMostWebpSide + 1), OutputError);
+  EXPECT_EQ(folder.count_files(), 0U);
+}
+
 TEST(Webp, CancelledStillLeavesNoFile) {
   const TempFolder folder;
   Progress progress;
