@@ -105,6 +105,11 @@ WebpAnimation::WebpAnimation(const std::filesystem::path& file, std::uint32_t wi
   WebPAnimEncoderOptions options;
   if (WebPAnimEncoderOptionsInit(&options) == 0) fail();
   options.anim_params.loop_count = 0;
+  // Only key frames. The difference to the frame before keeps its compression errors, which show as
+  // ghosts of the model beside it. Of a turn, nearly all pixels change anyway: the file is no
+  // larger.
+  options.kmin = 0;
+  options.kmax = 1;
   encoder_.reset(WebPAnimEncoderNew(static_cast<int>(width), static_cast<int>(height), &options));
   if (!encoder_) fail();
 }

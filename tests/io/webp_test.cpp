@@ -100,6 +100,23 @@ TEST(WebpAnimation, KeepsFramesAndTimesAndRepeatsForever) {
   }
 }
 
+TEST(WebpAnimation, FramesKeepNothingOfTheFramesBefore) {
+  const TempFolder folder;
+  const auto last_frame = [&](std::uint32_t first) {
+    constexpr std::uint32_t kLast = 8;
+    io::WebpAnimation animation(folder / "a.webp", 64, 48);
+    for (std::uint32_t i = first; i <= kLast; ++i) {
+      Image frame = square_at(2 * i);
+      for (std::size_t k = 0; k < frame.rgba.size(); k += 4)
+        frame.rgba[k] = static_cast<std::uint8_t>(frame.rgba[k] - k / 4 % 64 / 2 + i);
+      animation.append(frame, 50 * i);
+    }
+    animation.finish(50 * (kLast + 1));
+    return read_webp(folder / "a.webp").frames.back();
+  };
+  EXPECT_EQ(last_frame(0).rgba, last_frame(8).rgba);
+}
+
 TEST(WebpAnimation, KeepsTransparency) {
   const TempFolder folder;
   io::WebpAnimation animation(folder / "a.webp", 64, 48);
