@@ -33,17 +33,22 @@ bool clip_to_near(inout vec3 a, inout vec3 b) {
   return true;
 }
 
+vec2 picture_size() {
+  return vec2(constants.picture & 0xFFFFu, constants.picture >> 16);
+}
+
 // Returns the window position in pixels from the center, and the depth. The position is lifted
 // toward the viewer by more than the line's half width. So across its width the line wins against
 // its own surface, up to a slope of 1.5. (A depth bias on the surface instead would let back faces
 // show through at silhouettes, where slopes are unbounded.)
 vec3 to_window(vec3 p) {
   const float w = constants.view.perspective != 0.0 ? -p.z : 1.0;
-  const float pixel = 2.0 * w / (abs(constants.view.projection.y) * constants.viewport.y);
+  const vec2 picture = picture_size();
+  const float pixel = 2.0 * w / (abs(constants.view.projection.y) * picture.y);
   const vec4 flat_clip = to_clip(constants.view, p);
   const float lift = 1.5 * (constants.half_width + 0.5) * pixel;
   const vec4 clip = to_clip(constants.view, vec3(p.xy, p.z + min(lift, 0.5 * w)));
-  return vec3(0.5 * constants.viewport * flat_clip.xy / flat_clip.w, min(clip.z / clip.w, 1.0));
+  return vec3(0.5 * picture * flat_clip.xy / flat_clip.w, min(clip.z / clip.w, 1.0));
 }
 
 #ifdef ORDINARY
@@ -105,8 +110,9 @@ void main() {
 #ifdef ORDINARY
   // As in surface.frag. But there a pixel belongs to one face; here edges shorter than two pixels
   // pile up, and more so the shorter they are.
-  out_strength = clamp((out_length - 1.0) / 7.0, 0.08, 1.0) *
-                 min(0.25 * out_length * out_length, 1.0);
+  const float window_length = out_length / constants.pixel_ratio;
+  out_strength = clamp((window_length - 1.0) / 7.0, 0.08, 1.0) *
+                 min(0.25 * window_length * window_length, 1.0);
   out_half_width = constants.half_width;
 #else
   // A line of low weight is still wider than an ordinary edge and differs in color, so that every
@@ -122,5 +128,6 @@ void main() {
   const float reach = constants.half_width + 1.0;
   out_line_position = vec2(is_end ? out_length + reach : -reach, is_left ? reach : -reach);
   const vec2 position = from.xy + along * out_line_position.x + across * out_line_position.y;
-  gl_Position = vec4(2.0 * position / constants.viewport, is_end ? to.z : from.z, 1.0);
+  const vec4 clip = vec4(2.0 * position / picture_size(), is_end ? to.z : from.z, 1.0);
+  gl_Position = to_section(clip, gl_InstanceIndex);
 }

@@ -108,5 +108,5 @@ void main() {
 #else
   out_view = in_view;
 #endif
-  gl_Position = to_clip(constants.view, in_view);
+  gl_Position = to_section(to_clip(constants.view, in_view), gl_InstanceIndex);
 }

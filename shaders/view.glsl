@@ -18,6 +18,15 @@ vec4 to_clip(ViewConstants view, vec3 p) {
               view.projection.z * p.z + view.projection.w, view.perspective != 0.0 ? -p.z : 1.0);
 }
 
+// Enlarges the section of the view that the viewport shows, so that it fills the clip volume: see
+// Section in engine/render/section.h. Section 0 is the whole view and keeps every bit.
+vec4 to_section(vec4 clip, int section) {
+  const vec2 factor =
+      vec2(1 << bitfieldExtract(section, 0, 4), 1 << bitfieldExtract(section, 4, 4));
+  const vec2 center = vec2(bitfieldExtract(section, 8, 8), bitfieldExtract(section, 16, 8));
+  return vec4(factor * clip.xy - center * clip.w, clip.zw);
+}
+
 vec3 fetch_position(Address positions, uint vertex) {
   Floats floats = Floats(positions);
   return vec3(floats.at[3 * vertex], floats.at[3 * vertex + 1], floats.at[3 * vertex + 2]);

@@ -4,15 +4,14 @@
 #include "app/cli/progress_line.h"
 #include "app/document/json.h"
 #include "app/document/progressive_view.h"
-#include "app/files/paths.h"
+#include "app/files/picture.h"
+#include "app/files/turntable.h"
 #include "app/viewer/scripted_session.h"
 #include "engine/core/error.h"
-#include "engine/io/png.h"
 #include "engine/progressive/base.h"
 #include "engine/progressive/build.h"
 #include "engine/progressive/detail_range.h"
 #include "engine/progressive/geomorph.h"
-#include "engine/render/offscreen.h"
 
 namespace mesher::app {
 namespace {
@@ -32,8 +31,12 @@ progressive::ProgressiveMesh progressive_of(const LoadedModel& loaded, Progress*
   return progressive::make_progressive(loaded.model.mesh, options).mesh;
 }
 
+Size size_of(const LookOptions& look) {
+  return parse_size(look.size.empty() ? "800x600" : look.size);
+}
+
 void show(Session& session, LoadedModel&& loaded, const LookOptions& look) {
-  const Size size = parse_size(look.size.empty() ? "800x600" : look.size);
+  const Size size = size_of(look);
   session.view.window = {size.width, size.height};
   show_model(session, std::move(loaded.model), loaded.statistics, loaded.file);
   apply_look(session.view, session.document.statistics.box, look);
@@ -55,53 +58,95 @@ Detail open_detail(Session& session, LoadedLevels&& opened, double lod, const Lo
   return detail;
 }
 
-Image picture_of(Detail& detail, const Session& session, const LookOptions& look) {
-  gpu::Instance instance({.extensions = {}, .validation = look.validation});
-  gpu::Device device(instance, {.select = look.device});
-  const progressive::Geomorph& geomorph = detail.geomorph;
-  Image image =
-      render::render_image(device, detail.mesh.mesh(), session.view.camera, session.view.settings,
-                           static_cast<std::uint32_t>(session.view.window.x),
-                           static_cast<std::uint32_t>(session.view.window.y),
-                           {.vertex_normals = geomorph.normals(),
-                            .morph = {.heads = geomorph.heads(), .splits = geomorph.splits()}});
-  if (instance.messages().count() > 0) {
-    throw DeviceError("validation: " + instance.messages().list().front());
-  }
-  return image;
+/// Refuses what cannot be drawn or written, before the work starts.
+void check(const std::string& output, const LookOptions& look, const PictureArguments& picture) {
+  const Size size = size_of(look);
+  const VkExtent2D window{size.width, size.height};
+  const std::string objection =
+      picture.turntable ? turntable_objection(output, window, picture.options, picture.turn)
+                        : picture_objection(output, window, picture.options);
+  if (!objection.empty()) throw UsageError(objection);
+  if (picture.turntable) return check_turntable_files(output, picture.turn);
+  io::AtomicFile::check(output);
 }
 
-void draw_moment(LoadedLevels&& opened, double lod, const std::string& output,
-                 const LookOptions& look, const CommonOptions& common) {
-  Session session;
-  const std::optional<io::PmSummary> pm = opened.loaded.pm;
-  Detail detail = open_detail(session, std::move(opened), lod, look, common);
-  io::write_png(output, picture_of(detail, session, look));
-  if (!common.json) return;
+void write(const PictureScene& scene, const std::string& output, const PictureArguments& picture,
+           const CommonOptions& common) {
+  ProgressLine line(!common.quiet);
+  if (picture.turntable) {
+    write_turntable(scene, picture.options, picture.turn, output, line.progress());
+  } else {
+    write_picture(scene, picture.options, output, line.progress());
+  }
+}
+
+void print_report(const Session& session, const std::string& output,
+                  const PictureArguments& picture, const std::optional<io::PmSummary>& pm,
+                  const Json& detail) {
   Json json = to_json(session);
   json["output"] = output;
-  json["detail"] = {{"lod", lod},
-                    {"level", detail.moment.level},
-                    {"splits", detail.mesh.split_count()},
-                    {"time", detail.moment.time},
-                    {"window", detail.moment.window}};
+  if (!detail.is_null()) json["detail"] = detail;
+  json["picture"] = options_json(kPictureOptions, picture.options);
+  const auto side = [&](double window) {
+    return picture.options.scale * static_cast<std::uint32_t>(window);
+  };
+  json["picture"]["size"] = {side(session.view.window.x), side(session.view.window.y)};
+  if (picture.turntable) json["turntable"] = options_json(kTurntableOptions, picture.turn);
   add_pm(json, pm);
   print_json(json);
 }
 
+void write_detail(Detail& detail, const Session& session, const std::string& output,
+                  const LookOptions& look, const PictureArguments& picture,
+                  const CommonOptions& common) {
+  gpu::Instance instance({.extensions = {}, .validation = look.validation});
+  gpu::Device device(instance, {.select = look.device});
+  const progressive::Geomorph& geomorph = detail.geomorph;
+  render::GpuMesh mesh(device);
+  mesh.apply(detail.mesh.mesh(), session.view.settings,
+             {.corner_normals = {},
+              .vertex_normals = geomorph.normals(),
+              .morph = {.heads = geomorph.heads(), .splits = geomorph.splits()}});
+  render::Renderer renderer(device);
+  write({.device = device,
+         .renderer = renderer,
+         .mesh = mesh,
+         .camera = session.view.camera,
+         .settings = session.view.settings,
+         .box = session.document.statistics.box,
+         .window = {static_cast<std::uint32_t>(session.view.window.x),
+                    static_cast<std::uint32_t>(session.view.window.y)}},
+        output, picture, common);
+  if (instance.messages().count() > 0) {
+    throw DeviceError("validation: " + instance.messages().list().front());
+  }
+}
+
+void draw_moment(LoadedLevels&& opened, double lod, const std::string& output,
+                 const LookOptions& look, const PictureArguments& picture,
+                 const CommonOptions& common) {
+  Session session;
+  const std::optional<io::PmSummary> pm = opened.loaded.pm;
+  Detail detail = open_detail(session, std::move(opened), lod, look, common);
+  write_detail(detail, session, output, look, picture, common);
+  if (!common.json) return;
+  print_report(session, output, picture, pm,
+               {{"lod", lod},
+                {"level", detail.moment.level},
+                {"splits", detail.mesh.split_count()},
+                {"time", detail.moment.time},
+                {"window", detail.moment.window}});
+}
+
 void draw(LoadedModel&& loaded, const std::string& output, const LookOptions& look,
-          const CommonOptions& common) {
+          const PictureArguments& picture, const CommonOptions& common) {
   Session session;
   const std::optional<io::PmSummary> pm = loaded.pm;
   show(session, std::move(loaded), look);
   ScriptedSession script(session, {.device = look.device, .validation = look.validation});
-  io::write_png(output, script.picture());
+  write(script.scene(), output, picture, common);
   script.expect_no_messages();
-  if (!common.json) return;
-  Json json = to_json(session);
-  json["output"] = output;
-  add_pm(json, pm);
-  print_json(json);
+  if (common.json) print_report(session, output, picture, pm, {});
 }
 
 /// Reduces the number of faces: by the level of a progressive mesh, or by simplification.
@@ -130,17 +175,18 @@ DetailMoment detail_moment(double lod, std::uint32_t base_vertices, std::uint32_
 }
 
 void run_render(const InputOptions& input, const std::string& output, const LookOptions& look,
-                const DetailArguments& detail, const CommonOptions& common) {
+                const PictureArguments& picture, const DetailArguments& detail,
+                const CommonOptions& common) {
   // Reject bad arguments before the work starts.
-  if (!look.size.empty()) parse_size(look.size);
   if (!look.camera.empty()) parse_camera(look.camera);
-  if (!is_png_name(output)) throw UsageError("-o: '" + output + "' does not end in .png");
-  io::AtomicFile::check(output);
-  if (!detail.faces && !detail.lod) return draw(load(input, common), output, look, common);
+  check(output, look, picture);
+  if (!detail.faces && !detail.lod) {
+    return draw(load(input, common), output, look, picture, common);
+  }
   LoadedLevels opened = load_levels(input, common);
-  if (detail.lod) return draw_moment(std::move(opened), *detail.lod, output, look, common);
+  if (detail.lod) return draw_moment(std::move(opened), *detail.lod, output, look, picture, common);
   reduce(opened, detail, common);
-  draw(std::move(opened.loaded), output, look, common);
+  draw(std::move(opened.loaded), output, look, picture, common);
 }
 
 }  // namespace mesher::app

@@ -149,13 +149,24 @@ class CommandLine {
 
   void add_render() {
     CLI::App* command = add_command("render", "draw a picture without a window", [this] {
-      run_render(input_, output_, look_, detail_, common_);
+      run_render(input_, output_, look_, picture_, detail_, common_);
     });
     add_input(command)->required();
-    command->add_option("-o,--output", output_, "PNG to write")->required();
+    command
+        ->add_option(
+            "-o,--output", output_,
+            "PNG or WebP to write; with --turntable, an animated WebP, or one PNG per frame: "
+            "turn_###.png")
+        ->required();
     add_detail(command, "simplify to this number of faces first",
                "level of detail, from 0 (the base that `progressive` chooses) to 1 (full detail)");
     add_look(command);
+    add_options(*command, kPictureOptions, picture_.options);
+    CLI::Option* turntable =
+        command->add_flag("--turntable", picture_.turntable,
+                          "draw a full turn around the model instead of one picture");
+    for (const Option<TurntableOptions>& option : kTurntableOptions)
+      add_option(*command, option, picture_.turn)->needs(turntable);
   }
 
   void add_info() {
@@ -304,6 +315,7 @@ class CommandLine {
   ProgressiveArguments progressive_;
   LodArguments lods_;
   DetailArguments detail_;
+  PictureArguments picture_;
   InputOptions second_;
   std::uint64_t samples_ = analysis::DistanceOptions{}.samples;
   std::string output_;

@@ -34,6 +34,13 @@ fs::path own_folder(const char* variable, const char* below_home) {
   return home.empty() ? fs::path() : home / below_home / "mesher";
 }
 
+std::string lowered_extension(const fs::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
 }  // namespace
 
 bool is_there(const fs::path& path) {
@@ -95,10 +102,11 @@ std::string time_text(fs::file_time_type time) {
 }
 
 bool is_png_name(const fs::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension)
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".png";
+  return lowered_extension(file) == ".png";
+}
+
+bool is_webp_name(const fs::path& file) {
+  return lowered_extension(file) == ".webp";
 }
 
 fs::path typed_path(std::string text) {

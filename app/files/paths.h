@@ -45,6 +45,8 @@ std::string time_text(std::filesystem::file_time_type time);
 
 /// Returns whether a name ends in .png, in upper or lower case.
 bool is_png_name(const std::filesystem::path& file);
+/// The same for .webp.
+bool is_webp_name(const std::filesystem::path& file);
 
 /// Returns a path that was typed or pasted, without blanks and quotes around it. A leading ~ is
 /// replaced by the home folder.

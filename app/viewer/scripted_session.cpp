@@ -68,9 +68,24 @@ void ScriptedSession::press(std::span<const KeyPress> keys) {
   }
 }
 
-Image ScriptedSession::picture() {
+PictureScene ScriptedSession::scene() {
+  update_mirror();
+  return {.device = gpu_->device,
+          .renderer = gpu_->renderer,
+          .mesh = gpu_->mirror.mesh(),
+          .camera = session_.view.camera,
+          .settings = gpu_->mirror.settings(),
+          .box = session_.document.statistics.box,
+          .window = extent()};
+}
+
+void ScriptedSession::update_mirror() {
   if (!gpu_) gpu_ = std::make_unique<Gpu>(options_);
   gpu_->mirror.update(session_.document, session_.view.settings);
+}
+
+Image ScriptedSession::picture() {
+  update_mirror();
   if (options_.panels) return picture_with_panels();
   return render::render_image(gpu_->device, gpu_->renderer, gpu_->mirror.mesh(),
                               session_.view.camera, gpu_->mirror.settings(), extent().width,

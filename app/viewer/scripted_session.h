@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/document/session.h"
+#include "app/files/picture.h"
 #include "app/input/keys.h"
 #include "app/ui/panels.h"
 #include "engine/core/image.h"
@@ -35,6 +36,9 @@ class ScriptedSession {
   /// Draws the model as the session shows it, at the size of session.view.window. Throws
   /// DeviceError.
   Image picture();
+  /// Sets up everything that draws the same picture, for write_picture and write_turntable. Valid
+  /// while the session does not change. Throws DeviceError.
+  PictureScene scene();
   /// Where the widgets of the last picture with panels are; null: there was none.
   const WidgetAreas* widgets() const;
   /// Throws DeviceError with the first validation message, if there is one.
@@ -44,6 +48,7 @@ class ScriptedSession {
   struct Gpu;
   struct PanelLayer;
 
+  void update_mirror();
   Image picture_with_panels();
   VkExtent2D extent() const;
 

@@ -2,59 +2,30 @@
 
 #include <spng.h>
 
-#include <cstdlib>
 #include <memory>
-#include <string_view>
 
-#include "engine/core/assert.h"
 #include "engine/core/error.h"
 #include "engine/io/atomic_file.h"
 #include "engine/io/mapped_file.h"
+#include "engine/io/png_writer.h"
 
 namespace mesher::io {
 namespace {
 
 constexpr std::uint32_t kLargestSide = 32768;
-/// Rendered images are mostly uniform areas. There, the level hardly changes the size but does
-/// change the time.
-constexpr int kCompressionLevel = 1;
 
 struct FreeContext {
   void operator()(spng_ctx* context) const { spng_ctx_free(context); }
 };
 using Context = std::unique_ptr<spng_ctx, FreeContext>;
 
-struct FreeBuffer {
-  void operator()(void* buffer) const { std::free(buffer); }
-};
-
 }  // namespace
 
 void write_png(const std::filesystem::path& file, const Image& image) {
-  MESHER_ASSERT(image.width > 0 && image.height > 0);
-  MESHER_ASSERT(image.rgba.size() == std::size_t{4} * image.width * image.height);
   AtomicFile out(file);
-  const Context context(spng_ctx_new(SPNG_CTX_ENCODER));
-  const auto check = [&](int error) {
-    if (error != 0) throw OutputError(file.string(), spng_strerror(error));
-  };
-  if (!context) throw OutputError(file.string(), "out of memory");
-  spng_ihdr header = {};
-  header.width = image.width;
-  header.height = image.height;
-  header.bit_depth = 8;
-  header.color_type = SPNG_COLOR_TYPE_TRUECOLOR_ALPHA;
-  check(spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1));
-  check(spng_set_option(context.get(), SPNG_IMG_COMPRESSION_LEVEL, kCompressionLevel));
-  check(spng_set_option(context.get(), SPNG_FILTER_CHOICE, SPNG_FILTER_CHOICE_SUB));
-  check(spng_set_ihdr(context.get(), &header));
-  check(spng_encode_image(context.get(), image.rgba.data(), image.rgba.size(), SPNG_FMT_PNG,
-                          SPNG_ENCODE_FINALIZE));
-  std::size_t size = 0;
-  int error = 0;
-  const std::unique_ptr<void, FreeBuffer> bytes(spng_get_png_buffer(context.get(), &size, &error));
-  check(error);
-  out.write({static_cast<const char*>(bytes.get()), size});
+  PngWriter writer(out, image.width, image.height);
+  writer.append(image);
+  writer.finish();
   out.commit();
 }
 

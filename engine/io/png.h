@@ -6,8 +6,8 @@
 
 namespace mesher::io {
 
-/// Writes an image as 8-bit RGBA PNG that appears whole or not at all. Favors speed over size: a
-/// cheap filter and light compression. Throws OutputError. Pre: width and height are at least 1.
+/// Writes an image as 8-bit RGBA PNG (PngWriter) that appears whole or not at all. Throws
+/// OutputError. Pre: width and height are at least 1.
 void write_png(const std::filesystem::path& file, const Image& image);
 
 /// Reads any PNG as 8-bit RGBA. Throws InputError if the file is damaged, is not a PNG, or is wider

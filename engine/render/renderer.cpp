@@ -42,12 +42,15 @@ glm::vec3 linear(const Color& color) {
   return {decode(color.x), decode(color.y), decode(color.z)};
 }
 
-std::uint32_t pack(const Color& color, float alpha = 1.0F) {
+std::uint32_t pack(const Color& color, float alpha) {
   return glm::packUnorm4x8(glm::vec4(glm::sqrt(linear(color)), alpha));
 }
 
-float line_scale(VkExtent2D extent) {
-  return std::clamp(std::sqrt(static_cast<float>(extent.height) / kReferenceHeight), 0.75F, 3.0F);
+/// Returns the factor of all line widths: that of the window, enlarged with the picture.
+float line_scale(const PicturePart& part) {
+  const auto ratio = static_cast<float>(part.pixel_ratio);
+  const float height = static_cast<float>(part.picture.height) / ratio;
+  return ratio * std::clamp(std::sqrt(height / kReferenceHeight), 0.75F, 3.0F);
 }
 
 shared::ViewConstants view_constants(const ViewTransform& view) {
@@ -75,13 +78,16 @@ VkRenderingAttachmentInfo attachment(const gpu::DeviceImage& image, VkImageLayou
 class Recording {
  public:
   Recording(VkCommandBuffer commands, ScenePipelines& pipelines, const SceneTarget& target,
-            const GpuMesh& mesh, const Camera& camera)
+            const GpuMesh& mesh, const Camera& camera, const PicturePart& part,
+            const Section& section)
       : commands_(commands),
         pipelines_(pipelines),
         target_(target),
         mesh_(mesh),
+        part_(part),
+        section_(section),
         view_(view_constants(camera.transform(
-            static_cast<double>(target.extent().width) / target.extent().height, mesh.box()))),
+            static_cast<double>(part.picture.width) / part.picture.height, mesh.box()))),
         positions_(mesh.positions().address()) {}
 
   /// Makes later draws take vertices from `block`.
@@ -119,6 +125,8 @@ class Recording {
   ScenePipelines& pipelines_;
   const SceneTarget& target_;
   const GpuMesh& mesh_;
+  const PicturePart& part_;
+  const Section& section_;
   shared::ViewConstants view_;
   VkDeviceAddress positions_;  ///< address for the shaders: positions, or GeomorphConstants
   Vertices vertices_ = Vertices::still;
@@ -138,7 +146,7 @@ void Recording::begin(const Color& background) {
       attachment(drawn, gpu::kColorAttachment.layout,
                  resolves ? VK_ATTACHMENT_STORE_OP_DONT_CARE : VK_ATTACHMENT_STORE_OP_STORE);
   const glm::vec3 clear = linear(background);
-  color.clearValue.color = {{clear.x, clear.y, clear.z, 1.0F}};
+  if (!part_.is_transparent) color.clearValue.color = {{clear.x, clear.y, clear.z, 1.0F}};
   if (resolves) {
     color.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
     color.resolveImageView = target_.color().view();
@@ -157,9 +165,7 @@ void Recording::begin(const Color& background) {
   info.pColorAttachments = &color;
   info.pDepthAttachment = &depth;
   vkCmdBeginRendering(commands_, &info);
-  const VkViewport viewport{
-      0.0F, 0.0F, static_cast<float>(extent.width), static_cast<float>(extent.height), 0.0F, 1.0F};
-  vkCmdSetViewport(commands_, 0, 1, &viewport);
+  vkCmdSetViewport(commands_, 0, 1, &section_.viewport);
   vkCmdSetScissor(commands_, 0, 1, &info.renderArea);
 }
 
@@ -170,17 +176,18 @@ void Recording::end() {
 
 void Recording::surface(Pass pass, const Settings& settings, float line_strength) {
   bind(pass);
-  push(shared::SurfaceConstants{.view = view_,
-                                .positions = positions_,
-                                .indices = mesh_.indices().address(),
-                                .classes = mesh_.classes().address(),
-                                .normals = mesh_.normals().buffer().address(),
-                                .front = pack(settings.front),
-                                .back = pack(settings.back),
-                                .line = pack(edge_color(settings), line_strength),
-                                .line_width = kEdgeWidth * line_scale(target_.extent())});
+  push(shared::SurfaceConstants{
+      .view = view_,
+      .positions = positions_,
+      .indices = mesh_.indices().address(),
+      .classes = mesh_.classes().address(),
+      .normals = mesh_.normals().buffer().address(),
+      .front = pack(settings.front, static_cast<float>(part_.pixel_ratio) / 255.0F),
+      .back = pack(settings.back, 1.0F),
+      .line = pack(edge_color(settings), line_strength),
+      .line_width = kEdgeWidth * line_scale(part_)});
   if (!is_indexed(pass)) {
-    vkCmdDraw(commands_, mesh_.halfedge_count(), 1, 0, 0);
+    vkCmdDraw(commands_, mesh_.halfedge_count(), 1, 0, section_.code);
     return;
   }
   const std::array buffers{mesh_.positions().handle(), mesh_.normals().buffer().handle()};
@@ -188,7 +195,7 @@ void Recording::surface(Pass pass, const Settings& settings, float line_strength
   vkCmdBindVertexBuffers(commands_, 0, pass == Pass::gouraud ? 2 : 1, buffers.data(),
                          kOffsets.data());
   vkCmdBindIndexBuffer(commands_, mesh_.indices().handle(), 0, VK_INDEX_TYPE_UINT32);
-  vkCmdDrawIndexed(commands_, mesh_.halfedge_count(), 1, 0, 0, 0);
+  vkCmdDrawIndexed(commands_, mesh_.halfedge_count(), 1, 0, 0, section_.code);
 }
 
 void Recording::edges(Pass pass, const Settings& settings, float strength) {
@@ -214,18 +221,17 @@ void Recording::lines(Pass pass, const Settings& settings, float strength) {
 
 void Recording::draw_lines(LineList list, const Color& color, float width, float strength) {
   if (list.count == 0) return;
-  const VkExtent2D extent = target_.extent();
   constexpr std::uint32_t kVerticesPerLine = 6;
-  push(shared::LineConstants{
-      .view = view_,
-      .positions = positions_,
-      .indices = mesh_.indices().address(),
-      .lines = list.lines,
-      .classes = mesh_.classes().address(),
-      .color = pack(color, strength),
-      .half_width = 0.5F * width * line_scale(extent),
-      .viewport = {static_cast<float>(extent.width), static_cast<float>(extent.height)}});
-  vkCmdDraw(commands_, kVerticesPerLine * list.count, 1, 0, 0);
+  push(shared::LineConstants{.view = view_,
+                             .positions = positions_,
+                             .indices = mesh_.indices().address(),
+                             .lines = list.lines,
+                             .classes = mesh_.classes().address(),
+                             .color = pack(color, strength),
+                             .half_width = 0.5F * width * line_scale(part_),
+                             .picture = part_.picture.width | part_.picture.height << 16,
+                             .pixel_ratio = static_cast<float>(part_.pixel_ratio)});
+  vkCmdDraw(commands_, kVerticesPerLine * list.count, 1, 0, section_.code);
 }
 
 /// Draws hidden lines faintly too, so that one can see through the mesh without mistaking back for
@@ -262,7 +268,13 @@ Pass surface_pass(const GpuMesh& mesh, const Settings& settings) {
 
 void Renderer::draw(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
                     const Camera& camera, const Settings& settings) {
-  Recording recording(commands, pipelines_, target, mesh, camera);
+  draw(commands, target, mesh, camera, settings, {.picture = target.extent()});
+}
+
+void Renderer::draw(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
+                    const Camera& camera, const Settings& settings, const PicturePart& part) {
+  const Section section = section_of(part, target.extent(), largest_viewport_);
+  Recording recording(commands, pipelines_, target, mesh, camera, part, section);
   if (mesh.face_count() > 0 && needs_geomorph(mesh, settings)) {
     recording.morph(geomorph_.write(commands, mesh, settings));
   }
@@ -280,7 +292,9 @@ void Renderer::draw(VkCommandBuffer commands, const SceneTarget& target, const G
 
 void Renderer::draw_bare(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
                          const Camera& camera, const Settings& settings) {
-  Recording recording(commands, pipelines_, target, mesh, camera);
+  const PicturePart whole{.picture = target.extent()};
+  const Section section = section_of(whole, target.extent(), largest_viewport_);
+  Recording recording(commands, pipelines_, target, mesh, camera, whole, section);
   recording.begin(background_color(settings.background));
   if (mesh.face_count() > 0) recording.surface(Pass::bare, settings);
   recording.end();

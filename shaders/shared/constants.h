@@ -40,7 +40,7 @@ struct SurfaceConstants {
   Address indices;    // uint per half-edge
   Address classes;    // 16 half-edges per uint
   Address normals;    // octahedral snorm16x2, per vertex or per half-edge
-  uint front;
+  uint front;         // its alpha byte: pixels of the picture per pixel of the window
   uint back;
   uint line;         // alpha: opacity where the mesh is not dense
   float line_width;  // pixels
@@ -53,8 +53,9 @@ struct LineConstants {
   Address lines;    // half-edge and weight (uint, float) of each edge to draw
   Address classes;  // as above
   uint color;
-  float half_width;  // pixels
-  vec2 viewport;     // pixels
+  float half_width;   // pixels
+  uint picture;       // width and height in pixels, 16 bits each
+  float pixel_ratio;  // pixels of the picture per pixel of the window
 };
 
 /// The data that moves vertices during a geomorph: see GeomorphTime and SplitMorph in

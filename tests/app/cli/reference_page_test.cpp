@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string>
 
+#include "app/document/picture_options.h"
 #include "app/document/progressive_view.h"
 #include "app/document/simplification.h"
 #include "app/edit/edit_text.h"
@@ -90,6 +91,8 @@ std::string reference_page() {
   write_table(page, "Rendering",
               "`view` and `render` take these options; the info panel sets most of them.",
               render::kRenderOptions);
+  write_table(page, "Pictures", "`render` takes these options.", kPictureOptions);
+  write_table(page, "Turntables", "`render --turntable` takes these options.", kTurntableOptions);
   write_table(page, "Progressive mode",
               "The Progressive mesh panel sets these options; `progressive` takes `--base-faces`.",
               kProgressiveOptions);

@@ -1,10 +1,12 @@
 // Tests pictures of models at less than full detail.
 #include "app/cli/render_command.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/io/png.h"
 #include "tests/app/program_test.h"
+#include "tests/support/webp_file.h"
 
 namespace mesher::test {
 namespace {
@@ -108,6 +110,110 @@ TEST_F(RenderCommand, InvalidDetailIsRejected) {
   EXPECT_EQ(mesher({"render", "c.pm", "-o", "x.png", "--lod", "1", "--tag-creases", "9"}).exit_code,
             1);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "x.png"));
+}
+
+TEST_F(RenderCommand, ScaleMultipliesTheSize) {
+  const Image once = picture({"creased_cube", "--wireframe"});
+  const Image picture_x3 = picture({"creased_cube", "--wireframe", "--scale", "3"});
+  EXPECT_EQ(once.width, 160U);
+  EXPECT_EQ(picture_x3.width, 480U);
+  ASSERT_EQ(mesher({"render", "creased_cube", "-o", "large.png", "--size", "480", "--wireframe"})
+                .exit_code,
+            0);
+  EXPECT_GT(difference(picture_x3, io::read_png(folder_ / "large.png")), 0.2)
+      << "the lines of a larger window are thinner";
+  const auto json = mesher_json({"render", "cube", "-o", "r.png", "--size", "20x10", "--scale", "2",
+                                 "--supersample", "3", "--transparent"});
+  EXPECT_EQ(json["picture"]["size"], nlohmann::json({40, 20}));
+  EXPECT_EQ(json["picture"]["scale"], 2);
+  EXPECT_EQ(json["picture"]["supersample"], 3);
+  EXPECT_EQ(json["picture"]["transparent"], true);
+  EXPECT_FALSE(json.contains("turntable"));
+}
+
+TEST_F(RenderCommand, TransparentPictureHasNoBackground) {
+  const Image opaque = picture({"cube"});
+  const Image transparent = picture({"cube", "--transparent"});
+  EXPECT_EQ(opaque.pixel(0, 0)[3], 255);
+  EXPECT_EQ(transparent.pixel(0, 0)[3], 0);
+  EXPECT_EQ(transparent.pixel(80, 80)[3], 255);
+  EXPECT_TRUE(
+      std::equal(opaque.pixel(80, 80), opaque.pixel(80, 80) + 4, transparent.pixel(80, 80)));
+}
+
+TEST_F(RenderCommand, OutputFormatFollowsTheEnding) {
+  for (const char* lod : {"0.4", "1"}) {
+    const Image png = picture({"bunny", "--supersample", "2", "--lod", lod});
+    ASSERT_EQ(mesher({"render", "bunny", "-o", "r.webp", "--size", "160", "--supersample", "2",
+                      "--lod", lod})
+                  .exit_code,
+              0);
+    const WebpFile webp = read_webp(folder_ / "r.webp");
+    ASSERT_EQ(webp.frames.size(), 1U);
+    EXPECT_TRUE(webp.frames[0].rgba == png.rgba);
+  }
+}
+
+TEST_F(RenderCommand, TurntableWritesAnimationOrFrames) {
+  const auto json = mesher_json({"render", "bunny", "-o", "t.webp", "--size", "60", "--turntable",
+                                 "--frames", "8", "--seconds", "2", "--validation"});
+  EXPECT_EQ(json["turntable"]["frames"], 8);
+  EXPECT_EQ(json["turntable"]["seconds"], 2.0);
+  const WebpFile animation = read_webp(folder_ / "t.webp");
+  ASSERT_EQ(animation.frames.size(), 8U);
+  EXPECT_EQ(animation.ends_ms.back(), 2000U);
+  ASSERT_EQ(mesher({"render", "bunny", "-o", "t_##.png", "--size", "60", "--turntable", "--frames",
+                    "8", "--lod", "0.5"})
+                .exit_code,
+            0);
+  EXPECT_EQ(folder_.count_files(), 9U);
+  EXPECT_EQ(io::read_png(folder_ / "t_07.png").width, 60U);
+}
+
+TEST_F(RenderCommand, TurntableHas72FramesIn6Seconds) {
+  ASSERT_EQ(mesher({"render", "cube", "-o", "t.webp", "--size", "16", "--turntable"}).exit_code, 0);
+  const WebpFile animation = read_webp(folder_ / "t.webp");
+  EXPECT_EQ(animation.frames.size(), 72U);
+  ASSERT_FALSE(animation.ends_ms.empty());
+  EXPECT_EQ(animation.ends_ms.back(), 6000U);
+}
+
+TEST_F(RenderCommand, InvalidPictureIsRejected) {
+  const std::vector<std::vector<std::string>> cases{
+      {"-o", "x.jpg"},
+      {"-o", "x.png", "--scale", "0"},
+      {"-o", "x.png", "--scale", "9"},
+      {"-o", "x.png", "--scale", "1.5"},
+      {"-o", "x.png", "--supersample", "4"},
+      {"-o", "x.png", "--size", "16384", "--scale", "3"},
+      {"-o", "x.png", "--size", "3840", "--scale", "8", "--supersample", "3"},
+      {"-o", "x.webp", "--size", "3000", "--scale", "8"},
+      {"-o", "x.png", "--turntable"},
+      {"-o", "x_##.webp", "--turntable"},
+      {"-o", "x.webp", "--frames", "9"},
+      {"-o", "x.webp", "--seconds", "9"},
+      {"-o", "x.webp", "--turntable", "--frames", "1"},
+      {"-o", "x.webp", "--turntable", "--frames", "721"},
+      {"-o", "x.webp", "--turntable", "--seconds", "nan"},
+      {"-o", "x.webp", "--turntable", "--frames", "100", "--seconds", "1"}};
+  for (std::vector<std::string> arguments : cases) {
+    arguments.insert(arguments.begin(), {"render", "cube"});
+    const Finished run = mesher(arguments);
+    EXPECT_EQ(run.exit_code, 1) << run.err;
+    EXPECT_FALSE(run.err.empty());
+  }
+  EXPECT_EQ(mesher({"render", "cube", "-o", "no/x_#.png", "--turntable"}).exit_code, 4);
+  EXPECT_EQ(folder_.count_files(), 0U);
+}
+
+TEST_F(RenderCommand, InterruptLeavesNoFile) {
+  for (const char* name : {"t.webp", "t_###.png"}) {
+    const Finished run =
+        shell(std::string("timeout -s INT 1.5 " MESHER_PROGRAM " render bunny -o ") + name +
+              " --size 1200 --turntable --frames 360");
+    EXPECT_NE(run.exit_code, 0);
+    EXPECT_EQ(folder_.count_files(), 0U) << name;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,85 @@
+#include "app/files/picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/files/paths.h"
+#include "engine/io/png_writer.h"
+#include "engine/io/webp.h"
+#include "engine/render/picture.h"
+
+namespace mesher::app {
+namespace {
+
+render::PictureOptions options_of(const PictureScene& scene, const PictureOptions& options,
+                                  Progress* progress) {
+  return {.window = scene.window,
+          .scale = options.scale,
+          .supersample = options.supersample,
+          .is_transparent = options.is_transparent,
+          .tiles = {},
+          .progress = progress};
+}
+
+render::Settings settings_of(const PictureScene& scene, const PictureOptions& options) {
+  render::Settings settings = scene.settings;
+  if (options.has_lines || settings.shading == render::Shading::none) return settings;
+  settings.wireframe = false;
+  settings.line_edges = false;
+  return settings;
+}
+
+void write_png_picture(const PictureScene& scene, const PictureOptions& options,
+                       const std::filesystem::path& file, Progress* progress) {
+  io::AtomicFile out(file);
+  const render::PictureOptions drawn = options_of(scene, options, progress);
+  const VkExtent2D size = render::picture_size(drawn);
+  io::PngWriter writer(out, size.width, size.height);
+  render::draw_picture(scene.device, scene.renderer, scene.mesh, scene.camera,
+                       settings_of(scene, options), drawn,
+                       [&](const Image& rows) { writer.append(rows); });
+  writer.finish();
+  out.commit();
+}
+
+}  // namespace
+
+std::string picture_objection(const std::filesystem::path& file, VkExtent2D window,
+                              const PictureOptions& options) {
+  if (!is_png_name(file) && !is_webp_name(file)) {
+    return "'" + file.string() + "' does not end in .png or .webp";
+  }
+  const std::uint32_t side = options.scale * std::max(window.width, window.height);
+  const std::string size =
+      fmt::format("{} x {} pixels", options.scale * window.width, options.scale * window.height);
+  if (side > render::kMostPictureSide) {
+    return fmt::format("{} are too large: a side has at most {} pixels", size,
+                       render::kMostPictureSide);
+  }
+  if (is_webp_name(file) && side > io::kMostWebpSide) {
+    return fmt::format("{} are too large for WebP: a side has at most {} pixels; write a .png",
+                       size, io::kMostWebpSide);
+  }
+  if (options.supersample * side > render::kMostDrawnSide) {
+    return fmt::format("{} cannot be supersampled {} times: a side has at most {} pixels then",
+                       size, options.supersample, render::kMostDrawnSide / options.supersample);
+  }
+  return "";
+}
+
+Image draw_picture(const PictureScene& scene, const PictureOptions& options, Progress* progress) {
+  return render::draw_picture(scene.device, scene.renderer, scene.mesh, scene.camera,
+                              settings_of(scene, options), options_of(scene, options, progress));
+}
+
+void write_picture(const PictureScene& scene, const PictureOptions& options,
+                   const std::filesystem::path& file, Progress* progress) {
+  begin_stage(progress, "drawing");
+  if (!is_webp_name(file)) return write_png_picture(scene, options, file, progress);
+  const Image image = draw_picture(scene, options, progress);
+  begin_stage(progress, "compressing");
+  io::write_webp(file, image, progress);
+}
+
+}  // namespace mesher::app

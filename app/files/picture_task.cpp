@@ -1,0 +1,80 @@
+#include "app/files/picture_task.h"
+
+#include <cmath>
+#include <utility>
+
+#include "app/document/shown.h"
+#include "app/files/picture.h"
+#include "app/files/turntable.h"
+#include "engine/core/error.h"
+
+namespace mesher::app {
+namespace {
+
+VkExtent2D shown_size(const View& view) {
+  return {static_cast<std::uint32_t>(std::lround(view.size().x)),
+          static_cast<std::uint32_t>(std::lround(view.size().y))};
+}
+
+template <class T>
+Array<T> copied(std::span<const T> values) {
+  return {values.begin(), values.end()};
+}
+
+}  // namespace
+
+std::string objection(const PictureRequest& request, const View& view) {
+  const VkExtent2D size = shown_size(view);
+  return request.turn ? turntable_objection(request.file, size, request.options, *request.turn)
+                      : picture_objection(request.file, size, request.options);
+}
+
+PictureTask begin_picture(const Document& document, const View& view, PictureRequest request) {
+  const render::Sources sources = shown_sources(document);
+  const VkExtent2D size = shown_size(view);
+  return {.request = std::move(request),
+          .mesh = shown_mesh(document),
+          .corner_normals = copied(sources.corner_normals),
+          .vertex_normals = copied(sources.vertex_normals),
+          .heads = copied(sources.morph.heads),
+          .splits = copied(sources.morph.splits),
+          .marked = marked_edges(document.creases),
+          .settings = shown_settings(view.settings, document),
+          .camera = view.camera,
+          .box = document.statistics.box,
+          .width = size.width,
+          .height = size.height,
+          .device = {}};
+}
+
+void perform(PictureTask& task, Progress* progress) {
+  const gpu::Instance instance({.extensions = {}, .validation = task.validation});
+  {
+    gpu::Device device(instance, {.select = task.device});
+    render::GpuMesh mesh(device);
+    mesh.apply(task.mesh, task.settings,
+               {.corner_normals = task.corner_normals,
+                .vertex_normals = task.vertex_normals,
+                .morph = {.heads = task.heads, .splits = task.splits}});
+    mesh.mark(task.marked);
+    render::Renderer renderer(device);
+    const PictureScene scene{.device = device,
+                             .renderer = renderer,
+                             .mesh = mesh,
+                             .camera = task.camera,
+                             .settings = task.settings,
+                             .box = task.box,
+                             .window = {task.width, task.height}};
+    const PictureRequest& request = task.request;
+    if (request.turn) {
+      write_turntable(scene, request.options, *request.turn, request.file, progress);
+    } else {
+      write_picture(scene, request.options, request.file, progress);
+    }
+  }
+  if (instance.messages().count() > 0) {
+    throw DeviceError("validation: " + instance.messages().list().front());
+  }
+}
+
+}  // namespace mesher::app

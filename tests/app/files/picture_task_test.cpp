@@ -1,0 +1,109 @@
+#include "app/files/picture_task.h"
+
+#include <gtest/gtest.h>
+
+#include "app/document/session.h"
+#include "app/edit/edits.h"
+#include "app/input/commands.h"
+#include "app/viewer/scripted_session.h"
+#include "engine/core/error.h"
+#include "engine/core/job.h"
+#include "engine/io/png.h"
+#include "tests/support/assets.h"
+#include "tests/support/temp_folder.h"
+#include "tests/support/webp_file.h"
+
+namespace mesher::app {
+namespace {
+
+class PictureTaskTest : public testing::Test {
+ protected:
+  PictureTaskTest() {
+    session_.view.window = {120, 90};
+    set_default_view(session_.view.camera);
+    Model model;
+    model.name = "bunny.obj";
+    model.mesh = test::asset("bunny.obj");
+    show_model(session_, std::move(model), "bunny.obj");
+  }
+  PictureTask task(const PictureRequest& request) {
+    PictureTask task = begin_picture(session_.document, session_.view, request);
+    task.validation = true;
+    return task;
+  }
+  Image drawn(const PictureOptions& options = {}) {
+    PictureTask begun = task({.file = folder_ / "a.png", .options = options});
+    perform(begun, nullptr);
+    return io::read_png(folder_ / "a.png");
+  }
+
+  test::TempFolder folder_;
+  Session session_;
+  ScriptedSession script_{session_, {.device = "", .validation = true}};
+};
+
+TEST_F(PictureTaskTest, DrawsWhatTheWindowShows) {
+  EXPECT_EQ(drawn().rgba, script_.picture().rgba);
+  for (const char* keys : {"w", "shift+w", "g", "c ctrl+a", "d", "s l"}) {
+    script_.press(parse_keys(keys));
+    EXPECT_EQ(drawn().rgba, script_.picture().rgba) << keys;
+  }
+}
+
+TEST_F(PictureTaskTest, DrawsGeomorphs) {
+  script_.press(parse_keys("p home pageup pageup shift+b g"));
+  EXPECT_EQ(drawn().rgba, script_.picture().rgba);
+}
+
+TEST_F(PictureTaskTest, ShowsThePartBesideThePanels) {
+  session_.view.insets = {.left = 40, .top = 0, .right = 0, .bottom = 30};
+  const Image picture = drawn({.scale = 2});
+  EXPECT_EQ(picture.width, 160U);
+  EXPECT_EQ(picture.height, 120U);
+}
+
+TEST_F(PictureTaskTest, RunsOnAnotherThreadWhileTheModelChanges) {
+  const Image before = script_.picture();
+  auto begun = std::make_shared<PictureTask>(task({.file = folder_ / "a.png"}));
+  JobOf<std::filesystem::path> job(
+      "Drawing",
+      [begun](Progress& progress) {
+        perform(*begun, &progress);
+        return begun->request.file;
+      },
+      nullptr);
+  script_.press(parse_keys("d d d"));
+  job.wait();
+  EXPECT_EQ(job.take(), folder_ / "a.png");
+  EXPECT_EQ(io::read_png(folder_ / "a.png").rgba, before.rgba);
+}
+
+TEST_F(PictureTaskTest, WritesATurn) {
+  PictureTask begun =
+      task({.file = folder_ / "t.webp", .options = {}, .turn = TurntableOptions{.frames = 4}});
+  perform(begun, nullptr);
+  EXPECT_EQ(test::read_webp(folder_ / "t.webp").frames.size(), 4U);
+}
+
+TEST_F(PictureTaskTest, CancelledTaskLeavesNoFile) {
+  PictureTask begun =
+      task({.file = folder_ / "t.webp", .options = {}, .turn = TurntableOptions{.frames = 4}});
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(perform(begun, &progress), Cancelled);
+  EXPECT_EQ(folder_.count_files(), 0U);
+}
+
+TEST_F(PictureTaskTest, ObjectionDependsOnTheTurnAndTheView) {
+  PictureRequest request{.file = "a.png", .options = {.scale = 8}};
+  EXPECT_EQ(objection(request, session_.view), "");
+  session_.view.window = {5000, 90};
+  EXPECT_NE(objection(request, session_.view), "");
+  request.options.scale = 1;
+  EXPECT_EQ(objection(request, session_.view), "");
+  request.turn = TurntableOptions{};
+  EXPECT_NE(objection(request, session_.view), "") << "a .png holds one picture";
+}
+
+}  // namespace
+}  // namespace mesher::app
