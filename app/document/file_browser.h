@@ -7,13 +7,17 @@
 
 namespace mesher::app {
 
+/// The files that a dialog is about.
+enum class FileKind { models, pictures };
+
 enum class FolderOrder { name, size, modified };
 
 /// Which entries of a folder are shown, and in which order.
 struct FolderFilter {
   std::string part;  ///< names contain it, in upper or lower case
   bool shows_hidden = false;
-  bool shows_all_files = false;  ///< otherwise only files that can be opened
+  bool shows_all_files = false;  ///< otherwise only those of the kind
+  FileKind kind = FileKind::models;
   FolderOrder order = FolderOrder::name;
   bool is_descending = false;
 };

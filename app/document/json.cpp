@@ -234,6 +234,7 @@ Json to_json(const Session& session) {
                {"tabs", tab_names(session)},
                {"tab", shown_tab(session)},
                {"save_dialog", session.saving.shows_dialog},
+               {"picture_dialog", session.picture.is_shown},
                {"error", session.document.error},
                {"notice", session.document.notice}});
   return json;

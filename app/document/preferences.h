@@ -14,6 +14,7 @@ struct Preferences {
   std::filesystem::path open_folder;          ///< of the file that was opened last
   std::filesystem::path save_folder;          ///< of the file that was saved last
   std::string save_extension;                 ///< of that file, such as ".ply"
+  std::filesystem::path picture_folder;       ///< of the last picture of the dialog
   bool shows_hidden_files = false;
   friend bool operator==(const Preferences&, const Preferences&) = default;
 };

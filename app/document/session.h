@@ -10,6 +10,7 @@
 #include "app/document/file_browser.h"
 #include "app/document/leaving.h"
 #include "app/document/lost_edits.h"
+#include "app/document/picture_dialog.h"
 #include "app/document/preferences.h"
 #include "app/document/saving.h"
 #include "app/document/tabs.h"
@@ -27,6 +28,7 @@ struct Session {
   Tabs tabs;
   Saving saving;
   OpenDialog open_dialog;
+  PictureDialog picture;
   Preferences preferences;
   /// Document::opening of the model that is shown because none was named; 0: there is none.
   std::uint64_t sample = 0;

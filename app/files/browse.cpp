@@ -96,6 +96,12 @@ bool take_row(FileBrowser& browser, const std::vector<const FolderEntry*>& shown
   return entry.is_folder;
 }
 
+std::string overwrite_question(fs::path& asked, const fs::path& file) {
+  if (!is_there(file) || asked == file) return "";
+  asked = file;
+  return file.filename().string() + " already exists; press Enter again to overwrite it";
+}
+
 std::optional<fs::path> submit(FileBrowser& browser, const std::vector<const FolderEntry*>& shown) {
   browser.problem.clear();
   if (take_row(browser, shown)) return std::nullopt;

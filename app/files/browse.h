@@ -34,6 +34,10 @@ std::string completed_text(const std::string& typed, const std::vector<const Fol
 /// If a row is chosen, goes to its folder or types its name. Returns whether it was a folder.
 bool take_row(FileBrowser& browser, const std::vector<const FolderEntry*>& shown);
 
+/// Returns a question if the file exists and is not the one in `asked`, which it becomes; else an
+/// empty text.
+std::string overwrite_question(std::filesystem::path& asked, const std::filesystem::path& file);
+
 /// Handles Enter: returns the chosen row or, without one, the typed file, a model that comes with
 /// the program, or the only file that the list shows. Goes to a folder instead. Returns none and
 /// sets the problem if there is no such file.

@@ -46,8 +46,10 @@ bool is_hidden(const FolderEntry& entry) {
   return entry.name.starts_with('.');
 }
 
-bool can_be_opened(const FolderEntry& entry) {
-  return entry.is_folder || io::format_of(entry.name) != nullptr;
+bool is_of(FileKind kind, const FolderEntry& entry) {
+  if (entry.is_folder) return true;
+  return kind == FileKind::models ? io::format_of(entry.name) != nullptr
+                                  : is_png_name(entry.name) || is_webp_name(entry.name);
 }
 
 /// Returns -1, 0 or 1: how `a` compares with `b`, apart from their names.
@@ -114,7 +116,7 @@ std::vector<const FolderEntry*> shown_entries(const Folder& folder, const Folder
   std::vector<const FolderEntry*> shown;
   for (const FolderEntry& entry : folder.entries) {
     const bool is_wanted = filter.shows_hidden || filter.part.starts_with('.') || !is_hidden(entry);
-    if (is_wanted && (filter.shows_all_files || can_be_opened(entry)) &&
+    if (is_wanted && (filter.shows_all_files || is_of(filter.kind, entry)) &&
         contains(entry.name, filter.part))
       shown.push_back(&entry);
   }

@@ -30,6 +30,7 @@ Json preferences_json(const Preferences& preferences) {
           {"recent", std::move(recent)},
           {"open_folder", percent_encoded(preferences.open_folder.string())},
           {"save_folder", percent_encoded(preferences.save_folder.string())},
+          {"picture_folder", percent_encoded(preferences.picture_folder.string())},
           {"save_extension", preferences.save_extension},
           {"shows_hidden_files", preferences.shows_hidden_files}};
 }
@@ -48,6 +49,7 @@ Preferences preferences_of(const Json& json) {
   }
   preferences.open_folder = path_of(json, "open_folder");
   preferences.save_folder = path_of(json, "save_folder");
+  preferences.picture_folder = path_of(json, "picture_folder");
   preferences.save_extension = json.value("save_extension", std::string());
   preferences.shows_hidden_files = json.value("shows_hidden_files", false);
   return preferences;

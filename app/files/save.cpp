@@ -40,9 +40,7 @@ std::string objection(Saving& saving, const Document& document, const fs::path& 
   if (!is_there(file.parent_path())) return "there is no folder " + file.parent_path().string();
   if (io::has_pm_ending(file) && document.progressive.is_arriving())
     return "the file is still loading; press Esc to stop loading";
-  if (!is_there(file) || saving.asked == file) return "";
-  saving.asked = file;
-  return file.filename().string() + " already exists; press Enter again to overwrite it";
+  return overwrite_question(saving.asked, file);
 }
 
 /// The format of the last saved file, if it can hold the creases.

@@ -11,6 +11,7 @@
 #include "app/files/command_line.h"
 #include "app/files/leave.h"
 #include "app/files/open.h"
+#include "app/files/picture_requests.h"
 #include "app/files/save.h"
 #include "engine/core/text.h"
 
@@ -36,6 +37,13 @@ bool may_change(const Edits& edits) {
 
 void change_sharpness(Document& document, CreaseRequest::Kind kind, float value) {
   request_crease_edit(document, {.kind = kind, .value = value});
+}
+
+void close_file_dialogs(Session& session) {
+  session.open_dialog.is_shown = false;
+  session.saving.shows_dialog = false;
+  session.picture.is_shown = false;
+  session.shows_start = false;
 }
 
 void toggle_setting(Document& document, bool ProgressiveSettings::*member,
@@ -237,19 +245,19 @@ const char* need_rest(const Document& document) {
 }
 
 void toggle_open_dialog(Session& session) {
-  session.saving.shows_dialog = false;
-  session.shows_start = false;
-  if (session.open_dialog.is_shown) {
-    session.open_dialog.is_shown = false;
-  } else {
-    show_open_dialog(session);
-  }
+  const bool was_shown = session.open_dialog.is_shown;
+  close_file_dialogs(session);
+  if (!was_shown) show_open_dialog(session);
 }
 
 void show_save_dialog(Session& session) {
-  session.open_dialog.is_shown = false;
-  session.shows_start = false;
+  close_file_dialogs(session);
   open_save_dialog(session.saving, session.document, session.preferences);
+}
+
+void show_picture_options(Session& session) {
+  close_file_dialogs(session);
+  show_picture_dialog(session);
 }
 
 void request_screenshot(Session& session) {
@@ -261,6 +269,8 @@ void escape(Session& session) {
     session.open_dialog.is_shown = false;
   } else if (session.saving.shows_dialog) {
     session.saving.shows_dialog = false;
+  } else if (session.picture.is_shown) {
+    session.picture.is_shown = false;
   } else if (session.shows_palette) {
     session.shows_palette = false;
   } else if (session.shows_start) {

@@ -74,6 +74,7 @@ const char* need_rest(const Document& document);
 /// Opens a dialog and closes the other one.
 void toggle_open_dialog(Session& session);
 void show_save_dialog(Session& session);
+void show_picture_options(Session& session);
 void request_screenshot(Session& session);
 /// Closes the innermost dialog, message, selection or mode.
 void escape(Session& session);

@@ -25,7 +25,10 @@ constexpr Command kCommands[] = {
     {"open_file", "ctrl+o", Group::file, "Open...", "open a file (or drop one on the window)",
      toggle_open_dialog},
     {"save_file", "ctrl+s", Group::file, "Save...", "save the model", show_save_dialog},
-    {"screenshot", "f12", Group::file, "Save a picture", "save a picture", request_screenshot},
+    {"screenshot", "f12", Group::file, "Save a picture", "save a picture of the window's size",
+     request_screenshot},
+    {"picture", "shift+f12", Group::file, "Picture or turntable...",
+     "save a picture of another size, transparent, or a turntable", show_picture_options},
     {"close_model", "ctrl+w", Group::file, "Close", "close the model", close_model},
     {"quit", "q", Group::file, "Quit", "quit", quit},
 

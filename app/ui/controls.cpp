@@ -295,6 +295,7 @@ bool edit_number(const char* what, std::uint64_t& value, const NumberRange& rang
       ImGui::InputScalar(id_of(what).c_str(), ImGuiDataType_U64, &value, &kStep);
   note_widget(what);
   value = std::max(value, static_cast<std::uint64_t>(range.least));
+  if (!std::isinf(range.most)) value = std::min(value, static_cast<std::uint64_t>(range.most));
   wrapped_tooltip(range.help);
   return is_changed;
 }

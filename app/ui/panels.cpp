@@ -65,6 +65,7 @@ void Panels::draw_dialogs(Session& session) {
   if (is_asking) return;
   if (session.shows_start) draw_start(session, ui_);
   if (session.open_dialog.is_shown) draw_open_dialog(session, ui_);
+  if (session.picture.is_shown) draw_picture_dialog(session, ui_);
   if (session.saving.shows_dialog) draw_save_dialog(session, ui_);
 }
 

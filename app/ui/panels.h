@@ -76,6 +76,7 @@ struct Ui {
   // Kept from frame to frame.
   ShownFolder open_list;                       ///< of the open dialog
   ShownFolder save_list;                       ///< of the save dialog
+  ShownFolder picture_list;                    ///< of the dialog of pictures
   ShownLosses losses;                          ///< of the save dialog
   std::vector<std::filesystem::path> samples;  ///< of the start screen
   std::uint64_t tab_shown = 0;  ///< Document::opening of the tab that ImGui has selected
@@ -145,10 +146,11 @@ void draw_open_dialog(Session& session, Ui& ui);
 void draw_save_dialog(Session& session, Ui& ui);
 /// The window that the program starts with if no model was named.
 void draw_start(Session& session, Ui& ui);
+void draw_picture_dialog(Session& session, Ui& ui);
 /// The list of places, the list of files and the text of a dialog of files. Returns the entries
-/// that are shown.
+/// that are shown. `rest_points`: height that the dialog needs below.
 std::vector<const FolderEntry*> draw_browser(FileBrowser& browser, const Session& session,
-                                             ShownFolder& list, Ui& ui);
+                                             ShownFolder& list, float rest_points, Ui& ui);
 /// The open question, over everything else. Returns whether one was drawn.
 bool draw_question(Session& session, Ui& ui);
 

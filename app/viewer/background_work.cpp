@@ -4,6 +4,7 @@
 
 #include "app/files/leave.h"
 #include "app/files/open.h"
+#include "app/files/picture_requests.h"
 #include "app/files/restore.h"
 #include "app/files/save.h"
 #include "engine/core/error.h"
@@ -18,9 +19,11 @@ constexpr double kArrivalSeconds = 0.008;
 }  // namespace
 
 BackgroundWork::BackgroundWork(Session& session, const io::ReadOptions& read,
-                               std::function<void(LoadedModel&&)> show, void (*wake)())
+                               const PictureDevice& gpu, std::function<void(LoadedModel&&)> show,
+                               void (*wake)())
     : session_(session),
       read_(read),
+      gpu_(gpu),
       show_(std::move(show)),
       wake_(wake),
       edits_(session.document, wake),
@@ -43,6 +46,7 @@ bool BackgroundWork::advance() {
   is_changed |= arrivals_.advance(kArrivalSeconds);
   is_changed |= edits_.advance();
   is_changed |= advance_save();
+  is_changed |= advance_picture();
   start_opening();
   return is_changed;
 }
@@ -93,6 +97,8 @@ bool BackgroundWork::cancel() {
     arrivals_.stop();
   } else if (save_) {
     save_->cancel();
+  } else if (picture_) {
+    picture_->cancel();
   } else {
     return false;
   }
@@ -101,7 +107,8 @@ bool BackgroundWork::cancel() {
 
 const Job* BackgroundWork::visible_job() const {
   if (load_ && !load_->is_done()) return load_.get();
-  return edits_.is_running() ? edits_.job() : save_.get();
+  if (edits_.is_running()) return edits_.job();
+  return save_ ? static_cast<const Job*>(save_.get()) : picture_.get();
 }
 
 bool BackgroundWork::finish_load() {
@@ -144,6 +151,38 @@ void BackgroundWork::start_save() {
   save_ = std::make_unique<JobOf<Saved>>(
       "Saving " + task->file.filename().string(),
       [task = *task](Progress& progress) { return perform(task, &progress); }, wake_);
+}
+
+bool BackgroundWork::advance_picture() {
+  bool is_changed = false;
+  try {
+    if (picture_ && picture_->is_done()) {
+      const std::unique_ptr<JobOf<std::filesystem::path>> job = std::move(picture_);
+      is_changed = true;
+      session_.document.notice = "saved " + job->take().string();
+    }
+    if (!picture_) start_picture();
+  } catch (const Cancelled&) {
+    session_.document.notice = "canceled; no picture was written";
+  } catch (const std::exception& error) {
+    session_.document.error = error.what();
+  }
+  return is_changed;
+}
+
+void BackgroundWork::start_picture() {
+  std::optional<PictureTask> task = begin_requested_picture(session_);
+  if (!task) return;
+  task->device = gpu_.select;
+  task->validation = gpu_.validation;
+  const std::string title = "Drawing " + task->request.file.filename().string();
+  picture_ = std::make_unique<JobOf<std::filesystem::path>>(
+      title,
+      [task = std::make_shared<PictureTask>(std::move(*task))](Progress& progress) {
+        perform(*task, &progress);
+        return task->request.file;
+      },
+      wake_);
 }
 
 void BackgroundWork::finish_saves() {

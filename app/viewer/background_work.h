@@ -16,12 +16,19 @@
 
 namespace mesher::app {
 
+/// The device that pictures are drawn on, besides the window's.
+struct PictureDevice {
+  std::string select;       ///< as gpu::DeviceOptions::select
+  bool validation = false;  ///< messages of the validation layer are errors
+};
+
 /// The work that a window does while it stays responsive: edits, loading models and progressive
 /// meshes, saving. Failures become the session's error.
 class BackgroundWork {
  public:
   /// `show` receives a model that has been loaded. `wake` as for Job.
-  BackgroundWork(Session& session, const io::ReadOptions& read,
+  /// `gpu`: on which pictures are drawn.
+  BackgroundWork(Session& session, const io::ReadOptions& read, const PictureDevice& gpu,
                  std::function<void(LoadedModel&&)> show, void (*wake)());
 
   /// Queues files, which are opened one after another, each in a tab. The shown model stays until
@@ -49,7 +56,7 @@ class BackgroundWork {
 
   /// The job whose progress is shown; null: none.
   const Job* visible_job() const;
-  bool can_cancel() const { return load_ != nullptr || edits_.is_running() || save_ != nullptr; }
+  bool can_cancel() const { return visible_job() != nullptr; }
   /// Returns whether `advance` has something to do at once.
   bool has_news() const { return arrivals_.has_news(); }
   bool is_arriving() const { return arrivals_.is_running(); }
@@ -67,10 +74,13 @@ class BackgroundWork {
   bool finish_load();
   void report_failures();
   bool advance_save();
+  bool advance_picture();
+  void start_picture();
   void start_save();
 
   Session& session_;
   io::ReadOptions read_;
+  PictureDevice gpu_;
   std::function<void(LoadedModel&&)> show_;
   void (*wake_)();
   EditRunner edits_;
@@ -79,6 +89,7 @@ class BackgroundWork {
   std::vector<std::string> failures_;  ///< of the files of the queue
   std::unique_ptr<LoadJob> load_;
   std::unique_ptr<JobOf<Saved>> save_;
+  std::unique_ptr<JobOf<std::filesystem::path>> picture_;
 };
 
 }  // namespace mesher::app

@@ -74,7 +74,7 @@ class Viewer {
         mirror_(device_),
         gestures_(session.document, session.view),
         work_(
-            session, options.read,
+            session, options.read, {options.device, options.validation},
             [this](LoadedModel&& loaded) { recovery_.show(std::move(loaded)); }, Window::wake),
         recovery_(session, mirror_, work_),
         desktop_files_(session, Window::wake),
@@ -251,12 +251,14 @@ class Viewer {
   }
 
   bool has_dialog() const {
-    return session_.open_dialog.is_shown || session_.saving.shows_dialog || session_.shows_palette;
+    return session_.open_dialog.is_shown || session_.saving.shows_dialog ||
+           session_.picture.is_shown || session_.shows_palette;
   }
 
   void complete_typed_path() {
     session_.open_dialog.browser.wants_completion = session_.open_dialog.is_shown;
     session_.saving.browser.wants_completion = session_.saving.shows_dialog;
+    session_.picture.browser.wants_completion = session_.picture.is_shown;
   }
 
   // The keys after a dialog was closed are commands again, even before the next frame.

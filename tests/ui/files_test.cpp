@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "engine/io/pm_file.h"
+#include "engine/io/png.h"
 #include "engine/io/read.h"
 #include "tests/support/mock_desktop.h"
 #include "tests/support/temp_folder.h"
@@ -199,6 +200,35 @@ TEST_F(FilesTest, FormatIsChosenFromAList) {
   EXPECT_REACHES(*v, s["save_dialog"] == false);
   EXPECT_REACHES(*v, s["notice"].get<std::string>().find("cannot hold") != std::string::npos);
   EXPECT_EQ(io::read_model(folder / "box-edited.ply").mesh.face_count(), 12U);
+  quit(*v);
+}
+
+TEST_F(FilesTest, PictureDialogWritesPictureAndTurntable) {
+  const auto v = open({"cube", "--size", "800x700"});
+  v->key("shift+F12");
+  EXPECT_REACHES(*v, s["picture_dialog"] == true);
+  v->settle();
+  type(*v, "twice.png");
+  click(*v, "Save a picture/scale");
+  server_->xdotool({"key", "ctrl+a"});
+  type(*v, "2");
+  click(*v, "Save a picture/transparent");
+  click(*v, "Save a picture/save");
+  EXPECT_REACHES(*v, s["notice"].get<std::string>().ends_with("twice.png"));
+  const Image image = io::read_png(v->folder() / "twice.png");
+  const json size = v->state()["model_rectangle"];
+  EXPECT_EQ(image.width, 2 * size[2].get<unsigned>());
+  EXPECT_EQ(image.height, 2 * size[3].get<unsigned>());
+  EXPECT_EQ(image.rgba[3], 0) << "the corner is transparent";
+  v->key("shift+F12");
+  EXPECT_REACHES(*v, s["picture_dialog"] == true);
+  v->settle();
+  click(*v, "Save a picture/turntable");
+  type(*v, "turn.webp");
+  v->key("Return");
+  v->key("Escape");  // cancels
+  EXPECT_REACHES(*v, s["notice"].get<std::string>().find("canceled") != std::string::npos);
+  EXPECT_FALSE(fs::exists(v->folder() / "turn.webp"));
   quit(*v);
 }
 

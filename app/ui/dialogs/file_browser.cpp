@@ -23,8 +23,8 @@ constexpr float kPlacesPoints = 150.0F;
 constexpr float kPlacesNeedPoints = 560.0F;
 constexpr float kListMostPoints = 320.0F;
 constexpr float kListLeastPoints = 60.0F;
-// Of everything in a dialog but the list.
-constexpr float kRestPoints = 240.0F;
+// Of the browser without its list, and of the dialog's frame.
+constexpr float kFramePoints = 170.0F;
 
 /// Reads the folder again if it is another one or has changed.
 void update_list(ShownFolder& list, const fs::path& folder) {
@@ -197,11 +197,11 @@ void draw_switches(FolderFilter& filter) {
 }  // namespace
 
 std::vector<const FolderEntry*> draw_browser(FileBrowser& browser, const Session& session,
-                                             ShownFolder& list, Ui& ui) {
+                                             ShownFolder& list, float rest_points, Ui& ui) {
   if (ImGui::IsWindowAppearing()) list.places = places();
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const float height =
-      std::clamp(size.y - units(kRestPoints), units(kListLeastPoints), units(kListMostPoints));
+  const float height = std::clamp(size.y - units(kFramePoints + rest_points),
+                                  units(kListLeastPoints), units(kListMostPoints));
   draw_path(browser, shown_folder(browser));
   if (ImGui::GetContentRegionAvail().x > units(kPlacesNeedPoints)) {
     ImGui::BeginChild("places", {units(kPlacesPoints), height});

@@ -10,13 +10,15 @@ namespace mesher::app {
 namespace {
 
 constexpr float kOpenWidthPoints = 720.0F;
+// Of the button, the progress bar and the list of formats.
+constexpr float kRestPoints = 70.0F;
 
 }  // namespace
 
 void draw_open_dialog(Session& session, Ui& ui) {
   OpenDialog& dialog = session.open_dialog;
   if (begin_dialog("Open a model", &dialog.is_shown, kOpenWidthPoints)) {
-    const auto shown = draw_browser(dialog.browser, session, ui.open_list, ui);
+    const auto shown = draw_browser(dialog.browser, session, ui.open_list, kRestPoints, ui);
     session.preferences.shows_hidden_files = dialog.browser.filter.shows_hidden;
     const bool is_reading = !dialog.opening.empty();
     const bool submits = wide_button(is_reading ? "Opening...###open" : "Open###open", !is_reading,

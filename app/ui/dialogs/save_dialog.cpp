@@ -13,6 +13,8 @@ namespace mesher::app {
 namespace {
 
 constexpr float kSaveWidthPoints = 720.0F;
+// Of the list of formats, what they lose, and the button.
+constexpr float kFormatPoints = 110.0F;
 
 std::string list_of_names(const std::vector<std::string>& names) {
   std::string list;
@@ -70,7 +72,7 @@ void draw_save_dialog(Session& session, Ui& ui) {
   Saving& saving = session.saving;
   const Document& document = session.document;
   if (begin_dialog("Save the model", &saving.shows_dialog, kSaveWidthPoints)) {
-    const auto shown = draw_browser(saving.browser, session, ui.save_list, ui);
+    const auto shown = draw_browser(saving.browser, session, ui.save_list, kFormatPoints, ui);
     session.preferences.shows_hidden_files = saving.browser.filter.shows_hidden;
     const std::filesystem::path file = typed_file(saving.browser);
     const io::FormatInfo* format = io::format_of(file);
