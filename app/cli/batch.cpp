@@ -44,14 +44,6 @@ void print_statistics(const Statistics& s) {
   if (s.is_closed()) print("volume", number_text(s.volume));
 }
 
-void say_repairs(const BuildReport& report) {
-  for (std::size_t i = 0; i < kRepairs.size(); ++i) {
-    const auto repair = static_cast<Repair>(i);
-    if (report[repair] == 0) continue;
-    say(count_phrase(static_cast<std::int64_t>(report[repair]), describe(repair)));
-  }
-}
-
 /// Prints even with --quiet, because the result is not the complete model.
 void say_damage(const LoadedModel& loaded) {
   if (loaded.pm->damage.empty()) return;
@@ -94,6 +86,14 @@ void add_pm(Json& json, const std::optional<io::PmSummary>& pm, const char* key)
 
 void say(const std::string& words) {
   std::cerr << "mesher: " << words << '\n';
+}
+
+void say_repairs(const BuildReport& report) {
+  for (std::size_t i = 0; i < kRepairs.size(); ++i) {
+    const auto repair = static_cast<Repair>(i);
+    if (report[repair] == 0) continue;
+    say(count_phrase(static_cast<std::int64_t>(report[repair]), describe(repair)));
+  }
 }
 
 void say_losses(const std::string& output, const std::vector<std::string>& losses) {

@@ -25,6 +25,8 @@ void run_compare(const InputOptions& first, const InputOptions& second, std::uin
 
 /// Prints one line on stderr.
 void say(const std::string& words);
+/// Prints on stderr what was repaired, if anything was.
+void say_repairs(const BuildReport& report);
 /// Says what the format of `output` cannot hold.
 void say_losses(const std::string& output, const std::vector<std::string>& losses);
 

@@ -20,6 +20,9 @@
 namespace mesher::app {
 namespace {
 
+// Longer waits would be felt.
+constexpr double kMomentSeconds = 0.2;
+
 void print_state(const Session& session, const std::string& output) {
   Json json = to_json(session);
   if (!output.empty()) json["output"] = output;
@@ -73,14 +76,26 @@ void finish(Session& session, PmArrival& arrival) {
   run_waiting_edits(session.document);
 }
 
+LoadOptions load_options(const InputOptions& input) {
+  return {.read = {.crease_index_base = input.crease_index_base,
+                   .keep_isolated_vertices = input.keep_isolated},
+          .tag_creases_deg = input.tag_creases_deg};
+}
+
+void show(Session& session, LoadedModel&& loaded) {
+  show_model(session, std::move(loaded.model), loaded.statistics, loaded.file);
+  session.document.source = loaded.source;
+  session.document.stand_in = loaded.stand_in;
+}
+
 /// Shows a model.
 void open_model(Session& session, const InputOptions& input, const CommonOptions& common) {
   LoadedModel loaded = load(input, common);
-  show_model(session, std::move(loaded.model), loaded.statistics, loaded.file);
-  session.document.source = {.stamp = stamp_of(loaded.file),
-                             .crease_index_base = input.crease_index_base,
-                             .keep_isolated_vertices = input.keep_isolated,
-                             .tag_creases_deg = input.tag_creases_deg};
+  loaded.source = {.stamp = stamp_of(loaded.file),
+                   .crease_index_base = input.crease_index_base,
+                   .keep_isolated_vertices = input.keep_isolated,
+                   .tag_creases_deg = input.tag_creases_deg};
+  show(session, std::move(loaded));
 }
 
 /// Begins to load a progressive mesh.
@@ -93,17 +108,32 @@ std::unique_ptr<PmArrival> start_arrival(const InputOptions& input) {
   return std::make_unique<PmArrival>(find_model(input.model));
 }
 
-/// Shows the model, or the base of a progressive mesh. Returns the arrival that loads the rest, or
-/// null. A script gets the complete mesh at once.
-std::unique_ptr<PmArrival> open_shown(Session& session, const InputOptions& input,
-                                      const ViewOptions& view, const CommonOptions& common) {
-  if (!view.screenshot.empty() || !io::is_pm_file(find_model(input.model))) {
-    open_whole(session, input, common);
-    return nullptr;
+/// Begins to open the model of a window, and waits a moment, so that a small model is in the first
+/// picture and a damaged one is an error of the command. Returns what is still to be loaded.
+RestOfModel begin_to_open(Session& session, const InputOptions& input,
+                          const CommonOptions& common) {
+  RestOfModel rest;
+  const std::filesystem::path file = find_model(input.model);
+  if (io::is_pm_file(file)) {
+    rest.arrival = start_arrival(input);
+    rest.arrival->wait_for_base(session, kMomentSeconds);
+    return rest;
   }
-  auto arrival = start_arrival(input);
-  arrival->wait_for_base(session);
-  return arrival;
+  rest.load = std::make_unique<LoadJob>(file, load_options(input), nullptr);
+  if (!rest.load->wait_for(kMomentSeconds)) return rest;
+  LoadedModel loaded = rest.load->take();
+  rest.load.reset();
+  if (!common.quiet) say_repairs(loaded.model.report);
+  show(session, std::move(loaded));
+  return rest;
+}
+
+/// Loads what is still to be loaded.
+void finish(Session& session, RestOfModel& rest) {
+  if (rest.arrival) finish(session, *rest.arrival);
+  if (!rest.load) return;
+  rest.load->wait();
+  show(session, rest.load->take());
 }
 
 }  // namespace
@@ -124,12 +154,20 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
   refuse_mistyped_command(input.model, view.nearest_command);
   Session session;
   session.view.window = {size.width, size.height};
-  std::unique_ptr<PmArrival> arrival = open_shown(session, input, view, common);
-  apply_look(session.view, session.document.statistics.box, look);
-  if (look.camera.empty() && look.view.empty()) {
-    set_default_view(session.view.camera, session.document.statistics.box);
-    session.view.camera.frame(session.document.statistics.box, session.view.aspect());
+  // Keys act on the whole model, and the sample is small.
+  const bool is_whole = !view.screenshot.empty() || !keys.empty() || view.is_sample;
+  RestOfModel rest;
+  if (is_whole) {
+    open_whole(session, input, common);
+  } else {
+    rest = begin_to_open(session, input, common);
   }
+  const auto frame = [&look](Session& shown) {
+    const Box& box = shown.document.statistics.box;
+    apply_look(shown.view, box, look);
+    if (look.camera.empty() && look.view.empty()) frame_from_default_view(shown.view, box);
+  };
+  frame(session);
   session.shows_info = fits_docks(session.view.window, view.ui_scale > 0.0F ? view.ui_scale : 1.0F);
   if (view.is_sample) session.sample = session.document.opening;
   session.shows_start = view.is_sample && view.screenshot.empty() && keys.empty();
@@ -145,11 +183,13 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
                   .state_log = view.state_log,
                   .state_folder = state_folder(),
                   .config_folder = config_folder(),
+                  .frame_first = frame,
                   .read = {.crease_index_base = input.crease_index_base,
                            .keep_isolated_vertices = input.keep_isolated}},
-                 arrival);
+                 rest);
     } catch (const NoDisplay& no_display) {
-      if (arrival) finish(session, *arrival);
+      finish(session, rest);
+      frame(session);
       const Image picture = scripted_picture(session, keys, look, view);
       output = free_picture_name("", session.document.file.stem().string()).string();
       io::write_png(output, picture);

@@ -17,6 +17,7 @@ void replace_model(Document& document, Model&& model, const Statistics& stats,
   document.statistics = stats;
   document.file = file;
   document.source = {};
+  document.stand_in.reset();
   document.opening = ++files_opened;
   document.edits = {};
   document.edits.opened_faces = stats.faces;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "app/document/creases.h"
@@ -21,6 +22,9 @@ struct Document {
   ModelSource source;  ///< how `model` was read from `file`
   Model model;
   Statistics statistics;
+  /// A coarse copy of the model as it was opened, to be shown while drawing the model would take
+  /// too long; null: it was not made then.
+  std::shared_ptr<const Mesh> stand_in;
   Edits edits;
   SimplifySettings simplify;
   subdivide::SubdivideOptions subdivide;  ///< those of kSubdivideRules

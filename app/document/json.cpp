@@ -223,6 +223,7 @@ Json to_json(const Session& session) {
                {"model_rectangle",
                 {session.view.corner().x, session.view.corner().y, session.view.size().x,
                  session.view.size().y}},
+               {"picture_finished", session.view.is_finished},
                {"tool", text_of(session.tool).key},
                {"info", session.shows_info},
                {"palette", session.shows_palette},

@@ -51,4 +51,9 @@ void set_default_view(render::Camera& camera, const Box& box) {
   if (size.x < kFlat * std::min(size.y, size.z)) camera.set_angles(60.0 * kDegree, 15.0 * kDegree);
 }
 
+void frame_from_default_view(View& view, const Box& box) {
+  set_default_view(view.camera, box);
+  view.camera.frame(box, view.aspect());
+}
+
 }  // namespace mesher::app

@@ -21,7 +21,8 @@ struct View {
   render::Settings settings;  ///< as chosen; `shown_settings` adds what the document asks for
   render::Camera camera;
   glm::dvec2 window{800.0, 600.0};  ///< width and height in pixels
-  Insets insets;                    ///< of panels; the model is drawn into the rest of the window
+  bool is_finished = true;  ///< the window shows the model, and not a stand-in or an older picture
+  Insets insets;            ///< of panels; the model is drawn into the rest of the window
 
   /// The upper left corner of the rectangle that shows the model, in pixels.
   glm::dvec2 corner() const { return {insets.left, insets.top}; }
@@ -40,5 +41,7 @@ void resize(View& view, const Box& box, const glm::dvec2& window, const Insets& 
 void set_default_view(render::Camera& camera);
 /// As above, but turned so that a flat model is not seen from its edge.
 void set_default_view(render::Camera& camera, const Box& box);
+/// Frames a model from that angle.
+void frame_from_default_view(View& view, const Box& box);
 
 }  // namespace mesher::app

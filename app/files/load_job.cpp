@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/document/stand_in.h"
 #include "app/files/journal.h"
 #include "engine/core/error.h"
 #include "engine/mesh/creases.h"
@@ -21,30 +22,31 @@ LoadedModel open_model(const std::filesystem::path& file, const io::ReadOptions&
 
 namespace {
 
-LoadedModel load(const std::filesystem::path& file, io::ReadOptions options, Progress& progress) {
-  options.progress = &progress;
-  LoadedModel loaded = open_model(file, options);
+LoadedModel load(const std::filesystem::path& file, LoadOptions options, Progress& progress) {
+  options.read.progress = &progress;
+  LoadedModel loaded = open_model(file, options.read);
   loaded.source = {.stamp = stamp_of(file),
-                   .crease_index_base = options.crease_index_base,
-                   .keep_isolated_vertices = options.keep_isolated_vertices,
-                   .tag_creases_deg = std::nullopt};
+                   .crease_index_base = options.read.crease_index_base,
+                   .keep_isolated_vertices = options.read.keep_isolated_vertices,
+                   .tag_creases_deg = options.tag_creases_deg};
+  if (options.tag_creases_deg)
+    tag_creases_by_angle(loaded.model.mesh, glm::radians(*options.tag_creases_deg));
   begin_stage(&progress, "counting");
   loaded.statistics = statistics(loaded.model.mesh);
+  if (loaded.statistics.faces > kStandInFrom)
+    loaded.stand_in = make_stand_in(loaded.model.mesh, loaded.statistics);
   return loaded;
 }
 
 LoadedModel load_lost(LostEdits&& lost, Progress& progress) {
+  const ModelSource& source = lost.source;
   LoadedModel loaded = load(lost.file,
-                            {.crease_index_base = lost.source.crease_index_base,
-                             .keep_isolated_vertices = lost.source.keep_isolated_vertices},
+                            {.read = {.crease_index_base = source.crease_index_base,
+                                      .keep_isolated_vertices = source.keep_isolated_vertices},
+                             .tag_creases_deg = source.tag_creases_deg},
                             progress);
-  if (loaded.source.stamp != lost.source.stamp)
+  if (loaded.source.stamp != source.stamp)
     throw InputError(lost.file.string(), 0, "has changed: its edits cannot be repeated");
-  if (lost.source.tag_creases_deg) {
-    tag_creases_by_angle(loaded.model.mesh, glm::radians(*lost.source.tag_creases_deg));
-    loaded.statistics = statistics(loaded.model.mesh);
-  }
-  loaded.source = lost.source;
   loaded.lost = std::move(lost);
   return loaded;
 }
@@ -60,7 +62,7 @@ LoadJob::LoadJob(LostEdits&& lost, void (*wake)())
           wake),
       file_(lost.file) {}
 
-LoadJob::LoadJob(const std::filesystem::path& file, const io::ReadOptions& options, void (*wake)())
+LoadJob::LoadJob(const std::filesystem::path& file, const LoadOptions& options, void (*wake)())
     : JobOf(
           "Opening " + file.filename().string(),
           [file, options](Progress& progress) { return load(file, options, progress); }, wake),

@@ -54,6 +54,12 @@ void note_opened(Session& session, const fs::path& file) {
   dialog.is_shown = false;
 }
 
+void note_canceled(Session& session, const fs::path& file) {
+  session.open_dialog.opening.clear();
+  session.document.notice = "canceled: " + file.string();
+  session.shows_start = session.document.opening == 0;
+}
+
 void note_not_opened(Session& session, const std::vector<std::string>& reasons) {
   OpenDialog& dialog = session.open_dialog;
   std::string text;
@@ -67,6 +73,7 @@ void note_not_opened(Session& session, const std::vector<std::string>& reasons) 
     refuse_text(dialog.browser, text);
   } else {
     session.document.error = text;
+    session.shows_start = session.document.opening == 0;
   }
 }
 

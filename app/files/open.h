@@ -18,6 +18,8 @@ void request_open(Session& session, const std::filesystem::path& file);
 
 /// Call when a file was opened: closes the dialog and the start screen, and remembers the file.
 void note_opened(Session& session, const std::filesystem::path& file);
+/// Call when the opening of a file was canceled.
+void note_canceled(Session& session, const std::filesystem::path& file);
 /// Call when files could not be opened. The dialog that asked for one stays and says why;
 /// otherwise, the document's error does.
 void note_not_opened(Session& session, const std::vector<std::string>& reasons);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <thread>
 #include <utility>
 
 #include "app/document/session.h"
@@ -123,10 +124,10 @@ void PmArrival::stop(Document& document) {
   request_geomorph(document);
 }
 
-void PmArrival::wait_for_base(Session& session) {
-  while (!has_base_ && !is_done_) {
-    stream_.wait();
-    advance(session, 0.0);
+void PmArrival::wait_for_base(Session& session, double seconds) {
+  const double end = now_s() + seconds;
+  while (!has_base_ && !is_done_ && now_s() < end) {
+    if (!advance(session, 0.0)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }
 

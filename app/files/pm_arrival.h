@@ -32,8 +32,8 @@ class PmArrival {
   /// one, the document's error says so, and reading ends. Throws InputError if there is no base;
   /// the session is unchanged then.
   bool advance(Session& session, double seconds);
-  /// Returns when the base is shown. Throws as `advance`.
-  void wait_for_base(Session& session);
+  /// Returns when the base is shown, or after some seconds. Throws as `advance`.
+  void wait_for_base(Session& session, double seconds);
   /// Returns when everything is loaded. Throws as `advance`.
   void finish(Session& session);
   /// Stops loading; the part that was loaded becomes the whole mesh. Pre: the base is shown.

@@ -86,7 +86,9 @@ void draw_face_slider(Document& document, Ui& ui) {
 
 void draw_detail_bar(Document& document, Ui& ui) {
   if (!begin_part("detail", ui.layout.detail)) return;
-  if (document.progressive.is_on()) {
+  if (document.opening == 0) {
+    faint_text("detail");
+  } else if (document.progressive.is_on()) {
     draw_level_slider(document.progressive, ui.layout.width == Layout::Width::small);
   } else {
     draw_face_slider(document, ui);

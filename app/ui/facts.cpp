@@ -114,6 +114,7 @@ void draw_gpu(const PanelFacts& facts) {
 }  // namespace
 
 void draw_model_tool(Document& document, Ui& ui) {
+  if (document.opening == 0) return faint_text("No model is open yet.");
   ImGui::TextWrapped("%s", document.model.name.c_str());
   draw_history(document, ui.shown_step);
   draw_size(document.statistics);

@@ -72,7 +72,7 @@ void draw_status_line(Session& session, Ui& ui) {
 
 void draw_message(Document& document, Ui& ui) {
   const bool has_status = !ui.layout.status.is_empty();
-  const bool has_job = !has_status && shows_job(ui);
+  const bool has_job = shows_job(ui) && (!has_status || document.opening == 0);
   const bool has_notice = !document.notice.empty() && !fits(document.notice, ui.layout);
   if (document.error.empty() && !has_job && !has_notice) return;
   const Rect& model = ui.layout.model;

@@ -71,8 +71,9 @@ void BackgroundWork::start_opening() {
 
 void BackgroundWork::start(Opening&& opening) {
   if (!io::is_pm_file(opening.file)) {
-    load_ = opening.lost ? std::make_unique<LoadJob>(std::move(*opening.lost), wake_)
-                         : std::make_unique<LoadJob>(opening.file, read_, wake_);
+    load_ = opening.lost
+                ? std::make_unique<LoadJob>(std::move(*opening.lost), wake_)
+                : std::make_unique<LoadJob>(opening.file, LoadOptions{read_, std::nullopt}, wake_);
     return;
   }
   arrivals_.open(opening.file);
@@ -112,15 +113,14 @@ const Job* BackgroundWork::visible_job() const {
 }
 
 bool BackgroundWork::finish_load() {
-  if (!load_ || !load_->is_done() || !can_show_next()) return false;
+  if (!has_loaded()) return false;
   const std::unique_ptr<LoadJob> job = std::move(load_);
   try {
     arrivals_.stop();
     show_(job->take());
     note_opened(session_, job->file());
   } catch (const Cancelled&) {
-    session_.open_dialog.opening.clear();
-    session_.document.notice = "canceled: " + job->file().string();
+    note_canceled(session_, job->file());
   } catch (const std::exception& error) {
     failures_.emplace_back(error.what());
   }

@@ -34,6 +34,8 @@ class BackgroundWork {
   /// Queues files, which are opened one after another, each in a tab. The shown model stays until
   /// the next one is read, its edits are done, and its own file is loaded.
   void open(const std::vector<std::filesystem::path>& files);
+  /// Continues to read a model that was begun before there was a window; may be null.
+  void take_over(std::unique_ptr<LoadJob> load) { load_ = std::move(load); }
   /// Queues the model of lost edits, and then requests the edits.
   void restore(LostEdits&& lost);
   /// Continues with a progressive mesh that was opened before there was a window; may be null.
@@ -58,7 +60,7 @@ class BackgroundWork {
   const Job* visible_job() const;
   bool can_cancel() const { return visible_job() != nullptr; }
   /// Returns whether `advance` has something to do at once.
-  bool has_news() const { return arrivals_.has_news(); }
+  bool has_news() const { return arrivals_.has_news() || has_loaded(); }
   bool is_arriving() const { return arrivals_.is_running(); }
 
  private:
@@ -69,6 +71,7 @@ class BackgroundWork {
   };
 
   bool can_show_next() const;
+  bool has_loaded() const { return load_ && load_->is_done() && can_show_next(); }
   void start_opening();
   void start(Opening&& opening);
   bool finish_load();

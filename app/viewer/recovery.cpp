@@ -28,9 +28,16 @@ Recovery::Outcome Recovery::update() {
 
 void Recovery::show(LoadedModel&& loaded) {
   Document& document = session_.document;
+  const bool is_first = document.opening == 0;
   add_tab(session_);
   show_model(session_, std::move(loaded.model), loaded.statistics, loaded.file);
   document.source = loaded.source;
+  document.stand_in = loaded.stand_in;
+  if (is_first && frame_first_) {
+    frame_first_(session_);
+  } else {
+    frame_from_default_view(session_.view, document.statistics.box);
+  }
   const std::uint64_t opening = document.opening;
   if (update() == Outcome::reverted) return close_hidden_tab(session_, opening);
   if (loaded.lost) request_lost_edits(document, *loaded.lost);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include "app/document/session.h"
 #include "app/files/load_job.h"
@@ -14,8 +16,10 @@ namespace mesher::app {
 /// session's error says so.
 class Recovery {
  public:
-  Recovery(Session& session, SceneMirror& mirror, BackgroundWork& work)
-      : session_(session), mirror_(mirror), work_(work) {}
+  /// `frame_first`: frames the model of the command line; may be empty.
+  Recovery(Session& session, SceneMirror& mirror, BackgroundWork& work,
+           std::function<void(Session&)> frame_first)
+      : session_(session), mirror_(mirror), work_(work), frame_first_(std::move(frame_first)) {}
 
   enum class Outcome { unchanged, changed, reverted };
   /// Updates the mirror, and reverts the last change if that fails. Throws DeviceError if there is
@@ -35,6 +39,7 @@ class Recovery {
   Session& session_;
   SceneMirror& mirror_;
   BackgroundWork& work_;
+  std::function<void(Session&)> frame_first_;
   std::optional<render::Settings> good_settings_;  ///< of the last update that succeeded
   std::optional<std::uint64_t> good_revision_;
   std::uint64_t good_opening_ = 0;  ///< Document::opening of the model that was shown last

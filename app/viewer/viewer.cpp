@@ -23,60 +23,41 @@
 #include "app/viewer/desktop_files.h"
 #include "app/viewer/recovery.h"
 #include "app/viewer/scene_mirror.h"
+#include "app/viewer/scene_painter.h"
 #include "app/viewer/state_log.h"
 #include "app/viewer/window.h"
 #include "engine/core/text.h"
 #include "engine/gpu/presenter.h"
 #include "engine/io/png.h"
 #include "engine/render/offscreen.h"
-#include "engine/render/renderer.h"
 
 namespace mesher::app {
 namespace {
 
 constexpr double kJobPollSeconds = 0.1;
 constexpr double kCaretBlinkSeconds = 0.4;
-// After longer frames there is one sample per pixel while the picture changes.
-constexpr double kLongFrameMs = 40.0;
 // The longest time step of an animation, so that a long frame does not make it jump.
 constexpr double kLongestStepSeconds = 0.1;
 // ImGui settles its layout within a few frames of an event.
 constexpr int kFramesAfterEvent = 3;
 
-/// Chooses the number of samples per pixel. While the picture changes in every frame and frames
-/// take long, there is one, because latency matters more than antialiasing. The first frame that
-/// shows nothing new is antialiased.
-class SampleChooser {
- public:
-  unsigned choose(unsigned wanted, bool is_changed, double last_frame_ms) {
-    is_hurried_ = is_changed && was_changed_ && (is_hurried_ || last_frame_ms > kLongFrameMs);
-    was_changed_ = is_changed;
-    return is_hurried_ ? 1 : wanted;
-  }
-  bool is_hurried() const { return is_hurried_; }
-
- private:
-  bool was_changed_ = false;
-  bool is_hurried_ = false;
-};
-
 /// The window: turns events into commands and gestures, and draws a frame when something changed.
 class Viewer {
  public:
-  Viewer(Session& session, const ViewerOptions& options, std::unique_ptr<PmArrival>& arrival)
+  Viewer(Session& session, const ViewerOptions& options, RestOfModel& rest)
       : session_(session),
         window_(glm::ivec2(session.view.window), "mesher"),
         instance_({.extensions = Window::instance_extensions(), .validation = options.validation}),
         surface_(instance_, window_.create_surface(instance_.handle())),
         device_(instance_, {.select = options.device, .surface = surface_.handle()}),
         presenter_(device_, surface_.handle()),
-        renderer_(device_),
+        painter_(device_, presenter_.format()),
         mirror_(device_),
         gestures_(session.document, session.view),
         work_(
             session, options.read, {options.device, options.validation},
             [this](LoadedModel&& loaded) { recovery_.show(std::move(loaded)); }, Window::wake),
-        recovery_(session, mirror_, work_),
+        recovery_(session, mirror_, work_, options.frame_first),
         desktop_files_(session, Window::wake),
         log_(options.state_log),
         state_folder_(options.state_folder),
@@ -88,8 +69,10 @@ class Viewer {
     // The monitor's scale is known only now.
     session.shows_info = session.shows_info && fits_docks(session.view.window, scale);
     session.preferences = preferences_file_.read();
-    if (session.sample == 0) remember_opened(session.preferences, session.document.file);
-    work_.take_over(std::move(arrival));
+    if (session.sample == 0 && session.document.opening > 0)
+      remember_opened(session.preferences, session.document.file);
+    work_.take_over(std::move(rest.arrival));
+    work_.take_over(std::move(rest.load));
   }
 
   void run(const std::vector<KeyPress>& keys) {
@@ -123,12 +106,6 @@ class Viewer {
   }
 
  private:
-  struct Drawn {
-    render::Settings settings;
-    render::Camera camera;
-    friend bool operator==(const Drawn&, const Drawn&) = default;
-  };
-
   // As in a script, each key acts on the result of the keys before it.
   void press(const std::vector<KeyPress>& keys) {
     if (!keys.empty()) work_.finish_arrival();
@@ -295,7 +272,7 @@ class Viewer {
   /// hold a change, which is then reverted: draw in the next frame.
   bool update_scene() {
     const Recovery::Outcome outcome = recovery_.update();
-    if (outcome != Recovery::Outcome::unchanged) drawn_.reset();
+    if (outcome != Recovery::Outcome::unchanged) painter_.invalidate();
     drawable_settings_ = session_.view.settings;
     if (outcome == Recovery::Outcome::reverted) want_frames();
     return outcome != Recovery::Outcome::reverted;
@@ -311,7 +288,7 @@ class Viewer {
     draw_panels(frame->extent);
     const VkRect2D place = model_rectangle(session_.view, frame->extent);
     draw_scene(*frame, place.extent);
-    target_->copy_to(frame->commands, frame->image, place.offset);
+    painter_.image().copy_to(frame->commands, frame->image, place.offset);
     overlay_->draw(frame->commands, frame->view, frame->extent);
     presenter_.end(*frame);
     frame_ms_ = 1000.0 * (Window::time() - start);
@@ -336,20 +313,12 @@ class Viewer {
   }
 
   void draw_scene(const gpu::Frame& frame, const VkExtent2D& extent) {
-    const Drawn now{mirror_.settings(), session_.view.camera};
-    const unsigned samples =
-        device_.supported_samples(samples_.choose(now.settings.samples, drawn_ != now, frame_ms_));
-    if (samples_.is_hurried()) want_frames();
-    if (!target_ || target_->extent().width != extent.width ||
-        target_->extent().height != extent.height || target_->samples() != samples) {
-      target_.emplace(device_, extent, samples, presenter_.format());
-      drawn_.reset();
-    }
+    if (painter_.draw(frame.commands, extent, mirror_, session_.document, session_.view.camera,
+                      Window::time()))
+      want_frames();
+    session_.view.is_finished = painter_.is_finished();
     // If panels have just changed the settings, the mirror is updated before the next frame.
     if (session_.view.settings != drawable_settings_) want_frames();
-    if (drawn_ == now) return;  // only the panels changed
-    renderer_.draw(frame.commands, *target_, mirror_.mesh(), now.camera, now.settings);
-    drawn_ = now;
   }
 
   void update_title() {
@@ -367,7 +336,7 @@ class Viewer {
     if (!update_scene()) return;
     const std::filesystem::path file = next_screenshot(session_.document.model.name);
     try {
-      io::write_png(file, render::render_image(device_, renderer_, mirror_.mesh(),
+      io::write_png(file, render::render_image(device_, painter_.renderer(), mirror_.mesh(),
                                                session_.view.camera, mirror_.settings(),
                                                static_cast<std::uint32_t>(session_.view.window.x),
                                                static_cast<std::uint32_t>(session_.view.window.y)));
@@ -383,9 +352,8 @@ class Viewer {
   gpu::Surface surface_;
   gpu::Device device_;
   gpu::Presenter presenter_;
-  render::Renderer renderer_;
+  ScenePainter painter_;
   SceneMirror mirror_;
-  std::optional<render::SceneTarget> target_;
   std::unique_ptr<Overlay> overlay_;
   Panels panels_;
   Gestures gestures_;
@@ -396,8 +364,6 @@ class Viewer {
   std::filesystem::path state_folder_;
   std::map<std::uint64_t, Journal> journals_;  ///< by Document::opening
   PreferencesFile preferences_file_;
-  SampleChooser samples_;
-  std::optional<Drawn> drawn_;
   render::Settings drawable_settings_;  ///< of the session when the mirror was last updated
   Pointer pointer_;
   std::string title_;
@@ -413,8 +379,8 @@ class Viewer {
 }  // namespace
 
 void run_viewer(Session& session, const std::vector<KeyPress>& keys, const ViewerOptions& options,
-                std::unique_ptr<PmArrival>& arrival) {
-  Viewer(session, options, arrival).run(keys);
+                RestOfModel& rest) {
+  Viewer(session, options, rest).run(keys);
 }
 
 }  // namespace mesher::app

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "app/document/session.h"
+#include "app/files/load_job.h"
 #include "app/files/pm_arrival.h"
 #include "app/input/keys.h"
 #include "engine/io/read.h"
@@ -19,15 +21,23 @@ struct ViewerOptions {
   std::filesystem::path state_log;
   std::filesystem::path state_folder;   ///< of journals; empty: edits are not kept in a crash
   std::filesystem::path config_folder;  ///< of settings; empty: they are not kept
-  io::ReadOptions read;                 ///< for files opened later
+  /// Frames the model once it is loaded; empty: it is seen from the default angle.
+  std::function<void(Session&)> frame_first;
+  io::ReadOptions read;  ///< for files opened later
+};
+
+/// What is still to be loaded when the window opens; at most one of them.
+struct RestOfModel {
+  std::unique_ptr<PmArrival> arrival;
+  std::unique_ptr<LoadJob> load;
 };
 
 /// Shows the session in a window of its size until the person quits. Presses `keys` first. Draws
 /// when something has changed, and sleeps otherwise. Errors of files are shown in the window.
-/// `arrival`: loads the rest of the session's model, or null; it is taken once there is a window.
+/// `rest`: loads the session's model, or the rest of it; it is taken once there is a window.
 /// Throws NoDisplay if no window can be opened. Throws DeviceError if there is no usable Vulkan
 /// device, or if the validation layer reports a message.
 void run_viewer(Session& session, const std::vector<KeyPress>& keys, const ViewerOptions& options,
-                std::unique_ptr<PmArrival>& arrival);
+                RestOfModel& rest);
 
 }  // namespace mesher::app

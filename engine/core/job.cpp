@@ -20,6 +20,13 @@ void Job::wait() {
   if (thread_.joinable()) thread_.join();
 }
 
+bool Job::wait_for(double seconds) const {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  while (!is_done() && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return is_done();
+}
+
 double Job::age_s() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }

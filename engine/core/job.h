@@ -27,6 +27,8 @@ class Job {
   bool is_done() const { return is_done_.load(std::memory_order_acquire); }
   /// Waits until the job is done.
   void wait();
+  /// Waits until the job is done, for at most `seconds`. Returns whether it is done.
+  bool wait_for(double seconds) const;
   /// Returns the seconds since the job began.
   double age_s() const;
 

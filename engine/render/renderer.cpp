@@ -6,6 +6,7 @@
 #include <glm/packing.hpp>
 #include <glm/vec4.hpp>
 
+#include "engine/core/assert.h"
 #include "shaders/shared/constants.h"
 
 namespace mesher::render {
@@ -63,16 +64,28 @@ shared::ViewConstants view_constants(const ViewTransform& view) {
           .perspective = view.perspective ? 1.0F : 0.0F};
 }
 
+/// Where a slice lies in the drawing of its scene.
+struct SlicePlace {
+  bool is_first = true;
+  bool is_last = true;
+};
+
 VkRenderingAttachmentInfo attachment(const gpu::DeviceImage& image, VkImageLayout layout,
-                                     VkAttachmentStoreOp store) {
+                                     bool is_first, bool is_stored) {
   VkRenderingAttachmentInfo info{};
   info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
   info.imageView = image.view();
   info.imageLayout = layout;
-  info.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
-  info.storeOp = store;
+  info.loadOp = is_first ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
+  info.storeOp = is_stored ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE;
   return info;
 }
+
+/// Faces that follow one another.
+struct FaceRange {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
 
 /// Records the draws of one frame.
 class Recording {
@@ -95,15 +108,21 @@ class Recording {
     positions_ = block;
     vertices_ = Vertices::morphed;
   }
-  void begin(const Color& background);
-  void end();
-  void surface(Pass pass, const Settings& settings, float line_strength = kEdgeStrength);
+  void begin(const Color& background, const SlicePlace& place = {});
+  void end(const SlicePlace& place = {});
+  /// Draws a part of the work. Pre: the rendering has begun.
+  void scene(const Settings& settings, const WorkRange& range);
+  void surface(Pass pass, const Settings& settings, const FaceRange& faces,
+               float line_strength = kEdgeStrength);
   void edges(Pass pass, const Settings& settings, float strength);
   /// Draws marked edges, and creases and boundaries on top of them.
   void lines(Pass pass, const Settings& settings, float strength);
-  void wire_alone(const Settings& settings);
 
  private:
+  void pass(std::uint32_t number, const Settings& settings, const FaceRange& faces);
+  void lone_edges(Pass by_quads, Pass by_faces, const Settings& settings, const FaceRange& faces,
+                  float strength);
+
   struct LineList {
     VkDeviceAddress lines;  ///< 0: every half-edge
     std::uint32_t count;
@@ -132,28 +151,30 @@ class Recording {
   Vertices vertices_ = Vertices::still;
 };
 
-void Recording::begin(const Color& background) {
+void Recording::begin(const Color& background, const SlicePlace& place) {
   const bool resolves = static_cast<bool>(target_.multisampled());
   const gpu::DeviceImage& drawn = resolves ? target_.multisampled() : target_.color();
-  gpu::transition(commands_, target_.color().handle(), gpu::kUndefined, gpu::kColorAttachment);
-  if (resolves) {
-    gpu::transition(commands_, drawn.handle(), gpu::kUndefined, gpu::kColorAttachment);
-  }
-  gpu::transition(commands_, target_.depth().handle(), gpu::kUndefined, gpu::kDepthAttachment,
-                  VK_IMAGE_ASPECT_DEPTH_BIT);
+  const bool writes_color = !resolves || place.is_last;
+  const auto prepare = [&](const gpu::DeviceImage& image, const gpu::ImageState& use, bool is_new,
+                           VkImageAspectFlags aspect) {
+    gpu::transition(commands_, image.handle(), is_new ? gpu::kUndefined : use, use, aspect);
+  };
+  prepare(drawn, gpu::kColorAttachment, place.is_first, VK_IMAGE_ASPECT_COLOR_BIT);
+  if (resolves && writes_color)
+    prepare(target_.color(), gpu::kColorAttachment, true, VK_IMAGE_ASPECT_COLOR_BIT);
+  prepare(target_.depth(), gpu::kDepthAttachment, place.is_first, VK_IMAGE_ASPECT_DEPTH_BIT);
 
   VkRenderingAttachmentInfo color =
-      attachment(drawn, gpu::kColorAttachment.layout,
-                 resolves ? VK_ATTACHMENT_STORE_OP_DONT_CARE : VK_ATTACHMENT_STORE_OP_STORE);
+      attachment(drawn, gpu::kColorAttachment.layout, place.is_first, !resolves || !place.is_last);
   const glm::vec3 clear = linear(background);
   if (!part_.is_transparent) color.clearValue.color = {{clear.x, clear.y, clear.z, 1.0F}};
-  if (resolves) {
+  if (resolves && place.is_last) {
     color.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
     color.resolveImageView = target_.color().view();
     color.resolveImageLayout = gpu::kColorAttachment.layout;
   }
   VkRenderingAttachmentInfo depth =
-      attachment(target_.depth(), gpu::kDepthAttachment.layout, VK_ATTACHMENT_STORE_OP_DONT_CARE);
+      attachment(target_.depth(), gpu::kDepthAttachment.layout, place.is_first, !place.is_last);
   depth.clearValue.depthStencil = {0.0F, 0};
 
   const VkExtent2D extent = target_.extent();
@@ -169,12 +190,14 @@ void Recording::begin(const Color& background) {
   vkCmdSetScissor(commands_, 0, 1, &info.renderArea);
 }
 
-void Recording::end() {
+void Recording::end(const SlicePlace& place) {
   vkCmdEndRendering(commands_);
+  if (!place.is_last) return;
   gpu::transition(commands_, target_.color().handle(), gpu::kColorAttachment, gpu::kTransferSource);
 }
 
-void Recording::surface(Pass pass, const Settings& settings, float line_strength) {
+void Recording::surface(Pass pass, const Settings& settings, const FaceRange& faces,
+                        float line_strength) {
   bind(pass);
   push(shared::SurfaceConstants{
       .view = view_,
@@ -187,7 +210,7 @@ void Recording::surface(Pass pass, const Settings& settings, float line_strength
       .line = pack(edge_color(settings), line_strength),
       .line_width = kEdgeWidth * line_scale(part_)});
   if (!is_indexed(pass)) {
-    vkCmdDraw(commands_, mesh_.halfedge_count(), 1, 0, section_.code);
+    vkCmdDraw(commands_, 3 * faces.count, 1, 3 * faces.first, section_.code);
     return;
   }
   const std::array buffers{mesh_.positions().handle(), mesh_.normals().buffer().handle()};
@@ -195,7 +218,7 @@ void Recording::surface(Pass pass, const Settings& settings, float line_strength
   vkCmdBindVertexBuffers(commands_, 0, pass == Pass::gouraud ? 2 : 1, buffers.data(),
                          kOffsets.data());
   vkCmdBindIndexBuffer(commands_, mesh_.indices().handle(), 0, VK_INDEX_TYPE_UINT32);
-  vkCmdDrawIndexed(commands_, mesh_.halfedge_count(), 1, 0, 0, section_.code);
+  vkCmdDrawIndexed(commands_, 3 * faces.count, 1, 3 * faces.first, 0, section_.code);
 }
 
 void Recording::edges(Pass pass, const Settings& settings, float strength) {
@@ -234,25 +257,6 @@ void Recording::draw_lines(LineList list, const Color& color, float width, float
   vkCmdDraw(commands_, kVerticesPerLine * list.count, 1, 0, section_.code);
 }
 
-/// Draws hidden lines faintly too, so that one can see through the mesh without mistaking back for
-/// front.
-void Recording::wire_alone(const Settings& settings) {
-  surface(Pass::depth, settings);
-  const LoneStrength strength = settings.background == Background::light ? kOnLight : kOnDark;
-  const bool as_quads = mesh_.face_count() <= kQuadFaces;
-  const auto ordinary = [&](Pass by_quads, Pass by_faces, float share) {
-    if (as_quads) {
-      edges(by_quads, settings, share);
-    } else {
-      surface(by_faces, settings, share);
-    }
-  };
-  ordinary(Pass::edge_hidden, Pass::wire_hidden, strength.hidden);
-  lines(Pass::line_hidden, settings, 1.5F * strength.hidden);
-  ordinary(Pass::edge_visible, Pass::wire_visible, strength.visible);
-  lines(Pass::line_visible, settings, 1.0F);
-}
-
 Pass surface_pass(const GpuMesh& mesh, const Settings& settings) {
   const GpuNormals::Mode normals = mesh.normals().mode();
   if (settings.shading == Shading::flat || normals == GpuNormals::Mode::none) {
@@ -262,6 +266,53 @@ Pass surface_pass(const GpuMesh& mesh, const Settings& settings) {
     return settings.wireframe ? Pass::gouraud_corner_wire : Pass::gouraud_corner;
   }
   return settings.wireframe ? Pass::gouraud_wire : Pass::gouraud;
+}
+
+/// The number of times that the triangles of the mesh are drawn. Without a surface: depth, hidden
+/// edges, visible edges.
+std::uint32_t pass_count(const Settings& settings) {
+  return settings.shading == Shading::none ? 3 : 1;
+}
+
+/// Hidden lines are drawn faintly too, so that one can see through the mesh without mistaking back
+/// for front.
+void Recording::lone_edges(Pass by_quads, Pass by_faces, const Settings& settings,
+                           const FaceRange& faces, float strength) {
+  if (mesh_.face_count() > kQuadFaces) return surface(by_faces, settings, faces, strength);
+  // Few faces are one slice.
+  edges(by_quads, settings, strength);
+}
+
+void Recording::pass(std::uint32_t number, const Settings& settings, const FaceRange& faces) {
+  const bool is_end = faces.first + faces.count == mesh_.face_count();
+  if (settings.shading != Shading::none) {
+    surface(surface_pass(mesh_, settings), settings, faces);
+    if (is_end && (settings.wireframe || settings.line_edges))
+      lines(Pass::line_visible, settings, 1.0F);
+    return;
+  }
+  const LoneStrength strength = settings.background == Background::light ? kOnLight : kOnDark;
+  if (number == 0) {
+    surface(Pass::depth, settings, faces);
+  } else if (number == 1) {
+    lone_edges(Pass::edge_hidden, Pass::wire_hidden, settings, faces, strength.hidden);
+    if (is_end) lines(Pass::line_hidden, settings, 1.5F * strength.hidden);
+  } else {
+    lone_edges(Pass::edge_visible, Pass::wire_visible, settings, faces, strength.visible);
+    if (is_end) lines(Pass::line_visible, settings, 1.0F);
+  }
+}
+
+void Recording::scene(const Settings& settings, const WorkRange& range) {
+  const std::uint64_t faces = mesh_.face_count();
+  for (std::uint32_t number = 0; faces > 0 && number < pass_count(settings); ++number) {
+    const std::uint64_t begin = std::max(range.begin, number * faces);
+    const std::uint64_t end = std::min(range.end, (number + 1) * faces);
+    if (begin >= end) continue;
+    pass(number, settings,
+         {static_cast<std::uint32_t>(begin - number * faces),
+          static_cast<std::uint32_t>(end - begin)});
+  }
 }
 
 }  // namespace
@@ -279,15 +330,25 @@ void Renderer::draw(VkCommandBuffer commands, const SceneTarget& target, const G
     recording.morph(geomorph_.write(commands, mesh, settings));
   }
   recording.begin(background_color(settings.background));
-  if (mesh.face_count() > 0 && settings.shading == Shading::none) {
-    recording.wire_alone(settings);
-  } else if (mesh.face_count() > 0) {
-    recording.surface(surface_pass(mesh, settings), settings);
-    if (settings.wireframe || settings.line_edges) {
-      recording.lines(Pass::line_visible, settings, 1.0F);
-    }
-  }
+  recording.scene(settings, {0, work(mesh, settings)});
   recording.end();
+}
+
+void Renderer::draw_slice(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
+                          const Camera& camera, const Settings& settings, const WorkRange& slice) {
+  MESHER_ASSERT(slice.begin < slice.end && !needs_geomorph(mesh, settings));
+  const PicturePart whole{.picture = target.extent()};
+  const Section section = section_of(whole, target.extent(), largest_viewport_);
+  Recording recording(commands, pipelines_, target, mesh, camera, whole, section);
+  const SlicePlace place{.is_first = slice.begin == 0,
+                         .is_last = slice.end >= work(mesh, settings)};
+  recording.begin(background_color(settings.background), place);
+  recording.scene(settings, slice);
+  recording.end(place);
+}
+
+std::uint64_t Renderer::work(const GpuMesh& mesh, const Settings& settings) {
+  return std::max<std::uint64_t>(1, std::uint64_t{mesh.face_count()} * pass_count(settings));
 }
 
 void Renderer::draw_bare(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
@@ -296,7 +357,7 @@ void Renderer::draw_bare(VkCommandBuffer commands, const SceneTarget& target, co
   const Section section = section_of(whole, target.extent(), largest_viewport_);
   Recording recording(commands, pipelines_, target, mesh, camera, whole, section);
   recording.begin(background_color(settings.background));
-  if (mesh.face_count() > 0) recording.surface(Pass::bare, settings);
+  if (mesh.face_count() > 0) recording.surface(Pass::bare, settings, {0, mesh.face_count()});
   recording.end();
 }
 

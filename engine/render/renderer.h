@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "engine/render/camera.h"
 #include "engine/render/geomorph_block.h"
 #include "engine/render/gpu_mesh.h"
@@ -9,6 +11,12 @@
 #include "engine/render/settings.h"
 
 namespace mesher::render {
+
+/// A part of the work of drawing a scene: triangles `begin` to `end`, counted over all passes.
+struct WorkRange {
+  std::uint64_t begin = 0;
+  std::uint64_t end = 0;
+};
 
 /// Records scenes. Pipelines are created when first needed, and kept.
 ///
@@ -29,6 +37,15 @@ class Renderer {
   /// Records one part of a picture that may be larger than the target. Pre: as for section_of.
   void draw(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
             const Camera& camera, const Settings& settings, const PicturePart& part);
+  /// Records a part of the work of drawing the scene, so that a scene that takes long can be drawn
+  /// in several command buffers, with frames in between. The slices have to be drawn in order, with
+  /// the same arguments otherwise; after the last one, the target is the same, bit by bit, as after
+  /// one `draw`. Pre: `needs_geomorph` is false for the mesh; slice.begin < slice.end.
+  void draw_slice(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
+                  const Camera& camera, const Settings& settings, const WorkRange& slice);
+  /// Returns the work of drawing the scene, in triangles, which is the end of the last slice; at
+  /// least 1.
+  static std::uint64_t work(const GpuMesh& mesh, const Settings& settings);
   /// Records the same triangles into the same target in one constant color: the minimum cost of any
   /// indexed draw.
   void draw_bare(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,

@@ -1,5 +1,8 @@
 // Tests in a real window the ways in which people open and save files.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -149,6 +152,58 @@ TEST_F(FilesTest, StartScreenOpensSamplesAndRecentFiles) {
   EXPECT_REACHES(*v, s["start"] == true);
   click(*v, "Welcome to mesher/recent cube.obj");
   EXPECT_REACHES(*v, s["start"] == false && s["faces"] == 12);
+  quit(*v);
+}
+
+TEST_F(FilesTest, WindowIsThereBeforeTheModel) {
+  const TempFolder folder;
+  const std::string pipe = folder / "slow.obj";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const auto v = open({pipe, "--size", "800x600"});
+  EXPECT_REACHES(*v, s["tabs"] == json::array({""}) && s["faces"] == 0);
+  v->settle();
+  v->key("s");
+  v->key("ctrl+z");
+  std::ofstream(pipe) << read_bytes(kAssets / "cube.obj");
+  EXPECT_REACHES(*v, s["tabs"] == json::array({"slow.obj"}) && s["faces"] == 12);
+  quit(*v);
+}
+
+TEST_F(FilesTest, CanceledFirstFileLeavesTheStartScreen) {
+  const TempFolder folder;
+  const std::string pipe = folder / "never.obj";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const int out = ::open(pipe.c_str(), O_RDWR | O_CLOEXEC);
+  const auto v = open({pipe, "--size", "1000x700"});
+  EXPECT_REACHES(*v, s["faces"] == 0);
+  v->settle();
+  ASSERT_EQ(::write(out, "v 0 0 0\nf 1 2 3\n", 16), 16);
+  ::close(out);
+  EXPECT_REACHES(*v, s["start"] == true && s["error"] != "");
+  click(*v, "Welcome to mesher/sample cube.obj");
+  EXPECT_REACHES(*v, s["faces"] == 12 && s["start"] == false);
+  quit(*v);
+}
+
+TEST_F(FilesTest, HeavyModelIsCoarseWhileItMoves) {
+  const auto v = open({"knot", "--size", "800x600", "--keys", "s s s s s"});
+  EXPECT_REACHES(*v, s["faces"] == 2880 * 1024 && s["picture_finished"] == true);
+  v->settle();
+  v->move(400, 300);
+  v->press(1);
+  v->move(430, 310);
+  v->move(460, 320);
+  EXPECT_REACHES(*v, s["picture_finished"] == false);
+  v->release(1);
+  EXPECT_REACHES(*v, s["picture_finished"] == true);
+  v->settle();
+  const auto refined = v->screenshot();
+  v->key("ctrl+z");
+  EXPECT_REACHES(*v, s["faces"] == 2880 * 256 && s["picture_finished"] == true);
+  v->key("ctrl+y");
+  EXPECT_REACHES(*v, s["faces"] == 2880 * 1024 && s["picture_finished"] == true);
+  v->settle();
+  EXPECT_EQ(v->screenshot().size(), refined.size());
   quit(*v);
 }
 

@@ -123,7 +123,7 @@ TEST_F(PmArrivalTest, PipeIsShownWhileItLoads) {
   const std::size_t most = bytes_.size() - bytes_.size() / 20;  // all but the last block
   PmArrival arrival(pipe());
   put(0, bytes_.size() / 4);
-  arrival.wait_for_base(session_);
+  arrival.wait_for_base(session_, 60.0);
   EXPECT_TRUE(view().is_on());
   EXPECT_TRUE(view().is_arriving());
   EXPECT_GE(session_.document.statistics.faces, mesh_.base_face_count());
@@ -197,7 +197,7 @@ TEST_F(PmArrivalTest, ReadingEndsAfterLastSplitOrDamage) {
 TEST_F(PmArrivalTest, ReadingBelowFullDetailUsesLargerSteps) {
   const auto bites = [&](bool follows) {
     PmArrival arrival(file_of(bytes_));
-    arrival.wait_for_base(session_);
+    arrival.wait_for_base(session_, 60.0);
     if (!follows) view().move_to(0.0);
     std::this_thread::sleep_for(std::chrono::milliseconds(300));  // the whole file is buffered now
     int count = 0;
