@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/io/pm_file.h"
+
 namespace mesher::app {
 namespace {
 
@@ -24,7 +26,8 @@ void remember_opened(Preferences& preferences, const std::filesystem::path& file
 
 void remember_saved(Preferences& preferences, const std::filesystem::path& file) {
   preferences.save_folder = whole_path(file).parent_path();
-  preferences.save_extension = file.extension().string();
+  // A progressive mesh is saved besides the model, and not in its place.
+  if (!io::has_pm_ending(file)) preferences.save_extension = file.extension().string();
 }
 
 }  // namespace mesher::app

@@ -118,10 +118,17 @@ void add_tab(Session& session) {
 }
 
 void close_shown_tab(Session& session) {
-  MESHER_ASSERT(tab_count(session) > 1 && !session.document.progressive.is_arriving());
+  MESHER_ASSERT(!session.document.progressive.is_arriving());
   const std::uint64_t generation = next_generation(session);
   session.saving = {};
   auto& [before, after] = session.tabs;
+  if (tab_count(session) == 1) {
+    const Document closed = std::exchange(session.document, {});
+    copy_rules(closed, session.document);
+    session.document.model_generation = generation;
+    session.shows_start = true;
+    return;
+  }
   show(session, after.empty() ? take_last(before) : take_first(after), generation);
 }
 

@@ -42,8 +42,8 @@ void show_tab(Session& session, std::size_t tab);
 /// Adds an empty tab after the shown one, with the same rules for edits, and shows it. If the shown
 /// document is empty, does nothing. Pre: as for show_tab.
 void add_tab(Session& session);
-/// Closes the shown tab and shows the next one, or the one before the last. Pre: there is another
-/// one, and the shown one is not loading.
+/// Closes the shown tab and shows the next one, or the one before the last. After the only one, an
+/// empty document and the start screen are left. Pre: the shown one is not loading.
 void close_shown_tab(Session& session);
 /// Closes the hidden tab of the document with this number, if there is one without unsaved edits.
 void close_hidden_tab(Session& session, std::uint64_t opening);

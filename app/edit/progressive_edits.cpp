@@ -50,7 +50,7 @@ void show_levels(Document& document, DetailLevels&& levels) {
   if (!is_new) return;
   const progressive::ProgressiveMesh& mesh = view.mesh();
   document.notice =
-      fmt::format("{} to {} faces: Space plays, PageUp and PageDown refine{}",
+      fmt::format("{} to {} faces: Space plays, PageUp and PageDown change the level{}",
                   count_text(mesh.base_face_count()), count_text(mesh.full_face_count()),
                   remark_on_base(document.progressive, document.statistics));
 }

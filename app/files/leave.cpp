@@ -32,11 +32,7 @@ void ask(Session& session, Leaving leaving) {
 
 /// Closes the shown model, whose edits are saved or discarded.
 void close(Session& session) {
-  if (tab_count(session) == 1) {
-    session.wants_quit = true;
-  } else if (can_close(session.document)) {
-    close_shown_tab(session);
-  }
+  if (can_close(session.document)) close_shown_tab(session);
 }
 
 void quit(Session& session) {
@@ -72,7 +68,7 @@ void answer_leave(Session& session, LeaveAnswer answer) {
     case LeaveAnswer::discard:
       close(session);
       // The edits of other models may be unsaved, too.
-      if (leaving == Leaving::quit && !session.wants_quit) quit(session);
+      if (leaving == Leaving::quit) quit(session);
       break;
     case LeaveAnswer::cancel:
       break;

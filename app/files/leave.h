@@ -6,8 +6,8 @@
 
 namespace mesher::app {
 
-/// Closes the shown model, or quits; asks first if edits would be lost. Closing the only model
-/// quits. To quit, shows one model after another whose edits are not saved.
+/// Closes the shown model, or quits; asks first if edits would be lost. To quit, shows one model
+/// after another whose edits are not saved.
 void request_leave(Session& session, Leaving leaving);
 
 /// The answers to that question.

@@ -36,16 +36,18 @@ std::string problem_of(Session& session, const PictureRequest& request) {
 
 void show_picture_dialog(Session& session) {
   PictureDialog& dialog = session.picture;
-  const fs::path suggested = next_screenshot(session.document.model.name);
+  const std::string& model = session.document.model.name;
   dialog.is_shown = true;
   dialog.asked.clear();
   dialog.browser.filter.kind = FileKind::pictures;
   dialog.browser.filter.shows_hidden = session.preferences.shows_hidden_files;
   go_to(dialog.browser, is_folder(session.preferences.picture_folder)
                             ? session.preferences.picture_folder
-                            : suggested.parent_path());
+                            : next_screenshot(model).parent_path());
   set_text(dialog.browser,
-           free_picture_name(dialog.browser.folder, suggested.stem().string()).filename().string());
+           free_picture_name(dialog.browser.folder, "mesher-" + fs::path(model).stem().string())
+               .filename()
+               .string());
   choose_turn(dialog, dialog.is_turn);
 }
 

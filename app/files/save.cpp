@@ -84,8 +84,10 @@ fs::path suggested_file(const Document& document) {
 
 void open_save_dialog(Saving& saving, const Document& document, const Preferences& preferences) {
   const fs::path suggested = suggested_file(document);
-  const fs::path folder =
-      is_there(preferences.save_folder) ? preferences.save_folder : suggested.parent_path();
+  // The samples belong to the program.
+  const bool is_sample = suggested.parent_path() == samples_folder();
+  const fs::path own = is_sample ? fs::path(".") : suggested.parent_path();
+  const fs::path folder = is_folder(preferences.save_folder) ? preferences.save_folder : own;
   const FolderFilter filter = saving.browser.filter;
   saving = {
       .shows_dialog = true, .browser = {}, .asked = {}, .then = {}, .waiting = saving.waiting};

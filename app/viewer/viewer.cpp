@@ -212,7 +212,10 @@ class Viewer {
     // A dialog takes the keyboard at once; its text field takes it only after it was drawn.
     const bool is_typing = has_dialog() || overlay_->wants_text();
     if (key.name == "escape") {
-      if (overlay_->close_popups() || work_.cancel()) return;
+      if (overlay_->close_popups()) return;
+      // A dialog is closed first, unless it waits for the job.
+      const bool may_cancel = !has_dialog() || !session_.open_dialog.opening.empty();
+      if (may_cancel && work_.cancel()) return;
       if (is_typing && !has_dialog()) return;  // ImGui takes the focus from the text field
     } else if (is_typing) {
       // ImGui polls keys once per frame, and misses a key that was released before.

@@ -82,6 +82,7 @@ TEST_F(FilesTest, MistakesStayInTheDialog) {
   v->key("Return");
   EXPECT_REACHES(*v, s["open_problem"].get<std::string>().find("there is no file") == 0);
   EXPECT_EQ(v->state()["open_dialog"], true);
+  v->settle();
   type(*v, bad.string());
   v->key("Return");
   EXPECT_REACHES(*v, s["open_problem"].get<std::string>().find("bad.obj:2") != std::string::npos);
@@ -234,6 +235,45 @@ TEST_F(FilesTest, SimplifiedUndoneAndSavedInThreeFormats) {
   EXPECT_EQ(io::read_model(folder / "a.ply").mesh.face_count(), 2592U);
   EXPECT_EQ(io::read_model(folder / "a.glb").mesh.face_count(), 2592U);
   EXPECT_EQ(io::read_pm_file(folder / "a.pm").summary.faces, 2592U);
+  quit(*v);
+}
+
+TEST_F(FilesTest, FailedSaveLosesNothing) {
+  const auto v = open({"knot", "--size", "1000x700"});
+  v->key("d");
+  EXPECT_REACHES(*v, s["unsaved"] == true);
+  v->key("ctrl+s");
+  EXPECT_REACHES(*v, s["save_dialog"] == true);
+  v->settle();
+  type(*v, "/proc/no_file_can_be_made_here.obj");
+  v->key("Return");
+  EXPECT_REACHES(*v, s["error"].get<std::string>().find("/proc/no_file") != std::string::npos);
+  EXPECT_EQ(v->state()["unsaved"], true);
+  EXPECT_EQ(v->state()["undo_depth"], 1);
+  v->key("Escape");
+  EXPECT_REACHES(*v, s["error"] == "");
+  save_as(*v, v->folder() / "kept.obj");
+  EXPECT_REACHES(*v, s["unsaved"] == false);
+  quit(*v);
+}
+
+TEST_F(FilesTest, WindowClosedDuringAJobAsksAndEnds) {
+  const auto v = open({"knot", "--size", "800x600"});
+  for (int i = 0; i < 7; ++i)
+    v->key("s");
+  v->press_close_button();
+  EXPECT_REACHES(*v, s["question"] == "unsaved");
+  v->key("Delete");
+  EXPECT_EQ(v->wait_for_end(), 0);
+}
+
+TEST_F(FilesTest, EscapeClosesADialogBeforeItCancelsAJob) {
+  const auto v = open({"knot", "--size", "800x600"});
+  for (int i = 0; i < 4; ++i)
+    v->key("s");
+  v->key("ctrl+o");
+  v->key("Escape");
+  EXPECT_REACHES(*v, s["open_dialog"] == false && s["subdivision_level"] == 4);
   quit(*v);
 }
 

@@ -67,7 +67,8 @@ TEST_F(UnsavedTest, DropKeepsEditsAndClosingAsks) {
   v->key("Delete");
   EXPECT_REACHES(*v, s["faces"] == 2880 && s["tabs"].size() == 1);
   v->key("ctrl+w");  // the last model
-  EXPECT_EQ(v->wait_for_end(), 0);
+  EXPECT_REACHES(*v, s["start"] == true && s["faces"] == 0);
+  quit(*v);
 }
 
 TEST_F(UnsavedTest, EditsOfEveryTabOutliveAKill) {

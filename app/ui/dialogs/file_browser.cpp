@@ -63,7 +63,8 @@ void draw_path(FileBrowser& browser, const fs::path& folder) {
   }
 }
 
-void draw_places(FileBrowser& browser, const Session& session, const std::vector<Place>& places) {
+void draw_places(FileBrowser& browser, const Session& session, const std::vector<Place>& places,
+                 Ui& ui) {
   int number = 0;
   for (const Place& place : places) {
     ImGui::PushID(number++);
@@ -76,7 +77,11 @@ void draw_places(FileBrowser& browser, const Session& session, const std::vector
   heading("Recent");
   for (const fs::path& file : session.preferences.recent) {
     ImGui::PushID(number++);
-    if (ImGui::Selectable(file.filename().c_str())) set_text(browser, file.string());
+    if (ImGui::Selectable(file.filename().c_str(), false, ImGuiSelectableFlags_AllowDoubleClick)) {
+      browser.row.reset();
+      set_text(browser, file.string());
+      if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) ui.submits = true;
+    }
     note_widget("recent " + file.filename().string());
     tooltip(file.c_str());
     ImGui::PopID();
@@ -205,7 +210,7 @@ std::vector<const FolderEntry*> draw_browser(FileBrowser& browser, const Session
   draw_path(browser, shown_folder(browser));
   if (ImGui::GetContentRegionAvail().x > units(kPlacesNeedPoints)) {
     ImGui::BeginChild("places", {units(kPlacesPoints), height});
-    draw_places(browser, session, list.places);
+    draw_places(browser, session, list.places, ui);
     ImGui::EndChild();
     ImGui::SameLine();
   }

@@ -7,7 +7,9 @@
 #include "app/files/save.h"
 #include "app/ui/controls.h"
 #include "app/ui/panels.h"
+#include "engine/core/text.h"
 #include "engine/io/format.h"
+#include "engine/io/pm_file.h"
 
 namespace mesher::app {
 namespace {
@@ -78,6 +80,11 @@ void draw_save_dialog(Session& session, Ui& ui) {
     const io::FormatInfo* format = io::format_of(file);
     const std::string extension = format != nullptr ? format->extension : "";
     draw_formats(saving, document, extension);
+    if (document.progressive.is_on())
+      faint_text(io::has_pm_ending(file)
+                     ? "All levels are written."
+                     : "The shown level is written: " +
+                           count_text(shown_mesh(document).face_count(), "face") + ".");
     if (format != nullptr) draw_losses(shown_losses(ui.losses, document, file, extension));
     const bool overwrites = !saving.asked.empty() && !saving.browser.problem.empty();
     if (wide_button(overwrites ? "Overwrite###save" : "Save###save", true, "Enter") || ui.submits)

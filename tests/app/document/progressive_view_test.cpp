@@ -333,7 +333,7 @@ TEST_F(ProgressiveViewTest, RebuildUsesRequestedBase) {
 TEST_F(ProgressiveViewTest, NoticeDescribesBase) {
   press_and_settle(session_, "p");
   EXPECT_EQ(session_.document.notice,
-            "200 to 2,400 faces: Space plays, PageUp and PageDown refine");
+            "200 to 2,400 faces: Space plays, PageUp and PageDown change the level");
   ASSERT_TRUE(view().levels().report.has_value());
   EXPECT_EQ(view().levels().report->faces_reached, 200U);
   show(test::cube());

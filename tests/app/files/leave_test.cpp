@@ -37,9 +37,19 @@ TEST_F(LeaveTest, LeavesAtOnceWithoutEdits) {
   EXPECT_TRUE(s_.wants_quit);
 }
 
-TEST_F(LeaveTest, ClosingTheOnlyModelQuits) {
+TEST_F(LeaveTest, ClosingTheOnlyModelLeavesTheStartScreen) {
+  s_.document.simplify.rules.seed = 7;
+  const std::uint64_t generation = s_.document.model_generation;
   request_leave(s_, Leaving::close);
-  EXPECT_TRUE(s_.wants_quit);
+  EXPECT_FALSE(s_.wants_quit);
+  EXPECT_TRUE(s_.shows_start);
+  EXPECT_EQ(s_.document.statistics.faces, 0U);
+  EXPECT_GT(s_.document.model_generation, generation);
+  EXPECT_EQ(s_.document.simplify.rules.seed, 7U);
+  press(s_, "d s c w g p c f ctrl+z ctrl+y k shift+d");
+  EXPECT_EQ(s_.document.statistics.faces, 0U) << "no command needs a model";
+  open_another(test::cube(), "second.obj");
+  EXPECT_EQ(tab_count(s_), 1U);
 }
 
 TEST_F(LeaveTest, AsksWithEditsAndCancelKeepsThem) {
@@ -54,7 +64,8 @@ TEST_F(LeaveTest, AsksWithEditsAndCancelKeepsThem) {
   request_leave(s_, Leaving::close);
   EXPECT_TRUE(has_question(s_));
   answer_leave(s_, LeaveAnswer::discard);
-  EXPECT_TRUE(s_.wants_quit);
+  EXPECT_FALSE(has_unsaved_edits(s_.document));
+  EXPECT_TRUE(s_.shows_start);
 }
 
 TEST_F(LeaveTest, QuitAsksForEachModel) {
