@@ -330,6 +330,7 @@ class Viewer {
                                                          .frame_ms = frame_ms_,
                                                          .device = device_.name()});
     overlay_->end();
+    if (overlay_->require_glyphs(panels_.code_points())) want_frames();
     follow_dialogs();
     if (actions.cancels_job) work_.cancel();
     if (actions.wants_frames || !session_.document.edits.waiting.empty()) want_frames();
