@@ -143,6 +143,11 @@ void Overlay::restart_renderer() {
 #endif
 }
 
+void Overlay::set_scale(float scale) {
+  set_sizes(scale);
+  fonts_.set_scale(scale);
+}
+
 void Overlay::begin(const glm::dvec2& size) {
   if (fonts_.update()) restart_renderer();
   ImGui_ImplVulkan_NewFrame();

@@ -31,7 +31,12 @@ class Overlay {
   /// more of them in the next frame, so that one is needed.
   bool require_glyphs(const CodePoints& shown) { return fonts_.require(shown); }
 
-  /// Begins a frame. If glyphs were asked for, this waits for the device and builds the font again.
+  /// Changes the size of the panels from the next frame on. `scale`: ImGui's units per point. Call
+  /// between frames.
+  void set_scale(float scale);
+
+  /// Begins a frame. If glyphs or another scale were asked for, this waits for the device and
+  /// builds the font again.
   void begin(const glm::dvec2& size);
   void end();
   /// Records the panels into an image. The image is in COLOR_ATTACHMENT_OPTIMAL before and after.

@@ -40,6 +40,7 @@ const Theme& theme(render::Background background) {
 
 void set_sizes(float scale) {
   ImGuiStyle& style = ImGui::GetStyle();
+  style = {};  // ScaleAllSizes multiplies what is there
   style.WindowRounding = 6.0F;
   style.FrameRounding = 4.0F;
   style.GrabRounding = 4.0F;
