@@ -150,6 +150,15 @@ void label(const char* text) {
   ImGui::SetNextItemWidth(-FLT_MIN);
 }
 
+void check_mark(const char* text) {
+  const ImVec2 least = ImGui::GetItemRectMin();
+  const float size = 0.75F * ImGui::GetFontSize();
+  ImGui::RenderCheckMark(ImGui::GetWindowDrawList(),
+                         {least.x + ImGui::CalcTextSize(text).x + units(12.0F),
+                          0.5F * (least.y + ImGui::GetItemRectMax().y - size)},
+                         ImGui::GetColorU32(ImGuiCol_CheckMark), size);
+}
+
 void tooltip(const char* text) {
   wrapped_tooltip(text);
 }

@@ -43,6 +43,8 @@ inline constexpr const char* kToolPanel = "panel";
 void heading(const char* name);
 /// Writes a label into the first column; the next widget fills the second.
 void label(const char* text);
+/// Draws a check mark into the last widget, behind its text.
+void check_mark(const char* text);
 /// Adds a tooltip to the last widget, even if that is disabled.
 void tooltip(const char* text);
 /// Begins a table of two columns; `row` fills it. Call ImGui::EndTable if it returns true.

@@ -24,6 +24,7 @@ bool draw_command(const Session& session, const Command& command, bool is_chosen
   const std::string id = std::string(command.label) + "##" + command.id;
   const bool is_clicked = ImGui::Selectable(id.c_str(), is_chosen);
   ImGui::EndDisabled();
+  if (is_on(session, command)) check_mark(command.label);
   note_widget(command.id);
   tooltip(reason != nullptr ? reason : command.help);
   if (is_chosen) ImGui::SetScrollHereY();
