@@ -114,7 +114,7 @@ class CommandLine {
   void add_look(CLI::App* command) {
     add_options(*command, render::kRenderOptions, look_.settings);
     command->add_option("--size", look_.size,
-                        "N or WxH [pixels] (default: 1280x800 for view, 800x600 for render)");
+                        "N or WxH [pixels] (default: 800x600; view: 1280x800 points)");
     command->add_flag("--gouraud", look_.gouraud, "short for --shading gouraud");
     command->add_flag("--dark", look_.dark, "short for --background dark");
     command->add_option("--camera", look_.camera,

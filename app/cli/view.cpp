@@ -69,6 +69,13 @@ std::vector<KeyPress> checked_keys(const std::string& text) {
   return keys;
 }
 
+/// The size of the window or picture, in pixels. That of a window without --size is known later.
+glm::dvec2 window_size(const LookOptions& look, float scale) {
+  if (look.size.empty()) return default_window_size(scale, {});
+  const Size size = parse_size(look.size);
+  return {size.width, size.height};
+}
+
 /// Loads the rest. Prints what is damaged, as there is no window that shows it.
 void finish(Session& session, PmArrival& arrival) {
   arrival.finish(session);
@@ -145,7 +152,8 @@ void open_whole(Session& session, const InputOptions& input, const CommonOptions
 
 void run_view(const InputOptions& input, const LookOptions& look, const ViewOptions& view,
               const CommonOptions& common) {
-  const Size size = parse_size(look.size.empty() ? "1280x800" : look.size);
+  const float scale = view.ui_scale > 0.0F ? view.ui_scale : 1.0F;
+  const glm::dvec2 window = window_size(look, scale);
   const std::vector<KeyPress> keys = checked_keys(view.keys);
   if (!look.camera.empty()) parse_camera(look.camera);
   if (!view.screenshot.empty() && !is_png_name(view.screenshot)) {
@@ -153,7 +161,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
   }
   refuse_mistyped_command(input.model, view.nearest_command);
   Session session;
-  session.view.window = {size.width, size.height};
+  session.view.window = window;
   // Keys act on the whole model, and the sample is small.
   const bool is_whole = !view.screenshot.empty() || !keys.empty() || view.is_sample;
   RestOfModel rest;
@@ -168,7 +176,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
     if (look.camera.empty() && look.view.empty()) frame_from_default_view(shown.view, box);
   };
   frame(session);
-  session.shows_info = fits_docks(session.view.window, view.ui_scale > 0.0F ? view.ui_scale : 1.0F);
+  session.shows_info = fits_docks(session.view.window, scale);
   if (view.is_sample) session.sample = session.document.opening;
   session.shows_start = view.is_sample && view.screenshot.empty() && keys.empty();
   std::string output = view.screenshot;
@@ -180,6 +188,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
                  {.device = look.device,
                   .validation = look.validation,
                   .ui_scale = view.ui_scale,
+                  .is_sized = !look.size.empty(),
                   .state_log = view.state_log,
                   .state_folder = state_folder(),
                   .config_folder = config_folder(),

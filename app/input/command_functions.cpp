@@ -90,6 +90,46 @@ void toggle_orthographic(View& view) {
   view.camera.set_orthographic(!view.camera.is_orthographic());
 }
 
+bool shows_wireframe(const Session& session) {
+  return session.view.settings.wireframe;
+}
+
+bool shows_surface(const Session& session) {
+  return session.view.settings.shading != render::Shading::none;
+}
+
+bool shows_gouraud(const Session& session) {
+  return session.view.settings.shading == render::Shading::gouraud;
+}
+
+bool is_dark(const Session& session) {
+  return session.view.settings.background == render::Background::dark;
+}
+
+bool is_orthographic(const Session& session) {
+  return session.view.camera.is_orthographic();
+}
+
+bool shows_limit(const Session& session) {
+  return session.document.subdivide.limit;
+}
+
+bool edits_creases(const Session& session) {
+  return session.document.creases.is_on;
+}
+
+bool is_progressive(const Session& session) {
+  return session.document.progressive.is_on();
+}
+
+bool shows_panels(const Session& session) {
+  return session.shows_info;
+}
+
+bool shows_help(const Session& session) {
+  return session.shows_help;
+}
+
 void frame_model(Session& session) {
   session.view.camera.frame(session.document.statistics.box, session.view.aspect());
 }

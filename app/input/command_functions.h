@@ -31,6 +31,27 @@ void sharpen_fully(Document& document);
 void make_smooth(Document& document);
 void mark_creases_by_angle(Document& document);
 
+// Whether a toggle is on.
+
+bool shows_wireframe(const Session& session);
+bool shows_surface(const Session& session);
+bool shows_gouraud(const Session& session);
+bool is_dark(const Session& session);
+bool is_orthographic(const Session& session);
+bool shows_limit(const Session& session);
+bool edits_creases(const Session& session);
+bool is_progressive(const Session& session);
+template <bool ProgressiveSettings::*kMember>
+bool has_progressive(const Session& session) {
+  return session.document.progressive.settings().*kMember;
+}
+bool shows_panels(const Session& session);
+bool shows_help(const Session& session);
+template <Tool kTool>
+bool shows_tool(const Session& session) {
+  return session.shows_info && session.tool == kTool;
+}
+
 // Why commands cannot run now; null: they can.
 
 /// The model cannot be edited in progressive mode.

@@ -38,13 +38,13 @@ constexpr Command kCommands[] = {
      "copy the mesher command that makes these edits", copy_command_line, need_edits},
 
     {"toggle_wireframe", "w", Group::look, "Wireframe", "show or hide the wireframe",
-     toggle_wireframe},
+     toggle_wireframe, nullptr, shows_wireframe},
     {"toggle_surface", "shift+w", Group::look, "Surface", "show or hide the surface",
-     toggle_surface},
+     toggle_surface, nullptr, shows_surface},
     {"toggle_gouraud", "g", Group::look, "Gouraud shading", "Gouraud or flat shading",
-     toggle_gouraud},
-    {"toggle_background", "b", Group::look, "Dark or light", "light or dark background",
-     toggle_background},
+     toggle_gouraud, nullptr, shows_gouraud},
+    {"toggle_background", "b", Group::look, "Dark background", "light or dark background",
+     toggle_background, nullptr, is_dark},
     {"next_normal_weight", "n", Group::look, "Weights of normals",
      "weights of Gouraud normals: angle, area, uniform", next_normal_weight},
     {"view_front", "1", Group::look, "Front view", "view from the front",
@@ -53,7 +53,7 @@ constexpr Command kCommands[] = {
      set_view<render::View::right>},
     {"view_top", "7", Group::look, "Top view", "view from above", set_view<render::View::top>},
     {"toggle_orthographic", "5", Group::look, "Orthographic", "orthographic or perspective",
-     toggle_orthographic},
+     toggle_orthographic, nullptr, is_orthographic},
     {"frame_model", "f", Group::look, "Whole model", "show the whole model", frame_model},
 
     {"simplify", "d", Group::simplify, "Remove 10 %", "remove 10 % of the faces",
@@ -66,14 +66,14 @@ constexpr Command kCommands[] = {
     {"coarsen", "shift+s", Group::subdivide, "Previous level", "previous level",
      request_previous_level, need_model},
     {"toggle_limit", "l", Group::subdivide, "Limit surface", "limit surface on or off",
-     toggle_limit},
+     toggle_limit, nullptr, shows_limit},
     {"next_scheme", "m", Group::subdivide, "Next scheme", "next scheme: Loop, butterfly, midpoint",
      next_scheme},
     {"toggle_crease_rules", "r", Group::subdivide, "Crease rules", "crease rules: Hoppe or DeRose",
      toggle_crease_rules},
 
     {"toggle_creases", "c", Group::creases, "Edit creases", "edit creases: clicks select edges",
-     toggle_creases},
+     toggle_creases, nullptr, edits_creases},
     {"sharpen", "+", Group::creases, "Sharper", "make selected edges sharper by 1", sharpen},
     {"smoothen", "-", Group::creases, "Smoother", "make selected edges smoother by 1", smoothen},
     {"sharpen_fully", "i", Group::creases, "Infinitely sharp",
@@ -86,7 +86,7 @@ constexpr Command kCommands[] = {
      "mark creases by the angle set in the panel", mark_creases_by_angle},
 
     {"toggle_progressive", "p", Group::progressive, "Progressive mode",
-     "progressive mode on or off", toggle_progressive},
+     "progressive mode on or off", toggle_progressive, nullptr, is_progressive},
     {"play", "space", Group::progressive, "Play or pause", "play or pause", play, need_progressive},
     {"detail_up", "pageup shift+]", Group::progressive, "More detail", "more detail, by a tenth",
      detail_up, need_progressive},
@@ -101,16 +101,20 @@ constexpr Command kCommands[] = {
     {"least_detail", "home", Group::progressive, "Coarsest level", "the coarsest level",
      least_detail, need_progressive},
     {"toggle_geomorphs", "shift+g", Group::progressive, "Geomorphs", "geomorphs on or off",
-     toggle_geomorphs, need_progressive},
+     toggle_geomorphs, need_progressive, has_progressive<&ProgressiveSettings::geomorphs>},
     {"toggle_automatic", "a", Group::progressive, "Automatic level",
-     "automatic level, by screen-space error", toggle_automatic, need_progressive},
+     "automatic level, by screen-space error", toggle_automatic, need_progressive,
+     has_progressive<&ProgressiveSettings::is_automatic>},
     {"toggle_split_order_colors", "shift+b", Group::progressive, "Split order colors",
-     "color faces by split order", toggle_split_colors, need_progressive},
+     "color faces by split order", toggle_split_colors, need_progressive,
+     has_progressive<&ProgressiveSettings::colors_by_split_order>},
     {"keep_level", "k", Group::progressive, "Use this level", "use this level as the model",
      request_keep_level, need_progressive},
 
-    {"toggle_info", "tab", Group::window, "Panels", "show or hide the panels", toggle_info},
-    {"toggle_help", "f1 h shift+/", Group::window, "Help", "show or hide this help", toggle_help},
+    {"toggle_info", "tab", Group::window, "Panels", "show or hide the panels", toggle_info, nullptr,
+     shows_panels},
+    {"toggle_help", "f1 h shift+/", Group::window, "Help", "show or hide this help", toggle_help,
+     nullptr, shows_help},
     {"escape", "escape", Group::window, "Cancel or close", "cancel, close, clear the selection",
      escape},
     {"next_tab", "ctrl+pagedown", Group::window, "Next model", "show the next open model",
@@ -120,17 +124,17 @@ constexpr Command kCommands[] = {
     {"find_command", "ctrl+k", Group::window, "Find a command...", "find a command by its name",
      toggle_palette},
     {"tool_model", "ctrl+1", Group::window, "Model", "show the panel: the model and its history",
-     show_tool<Tool::model>},
+     show_tool<Tool::model>, nullptr, shows_tool<Tool::model>},
     {"tool_look", "ctrl+2", Group::window, "Look", "show the panel: shading, lines, colors",
-     show_tool<Tool::look>},
+     show_tool<Tool::look>, nullptr, shows_tool<Tool::look>},
     {"tool_simplify", "ctrl+3", Group::window, "Simplify", "show the panel: simplification",
-     show_tool<Tool::simplify>},
+     show_tool<Tool::simplify>, nullptr, shows_tool<Tool::simplify>},
     {"tool_subdivide", "ctrl+4", Group::window, "Subdivide", "show the panel: subdivision",
-     show_tool<Tool::subdivide>},
+     show_tool<Tool::subdivide>, nullptr, shows_tool<Tool::subdivide>},
     {"tool_creases", "ctrl+5", Group::window, "Creases", "show the panel: creases",
-     show_tool<Tool::creases>},
+     show_tool<Tool::creases>, nullptr, shows_tool<Tool::creases>},
     {"tool_levels", "ctrl+6", Group::window, "Levels", "show the panel: progressive mesh",
-     show_tool<Tool::levels>},
+     show_tool<Tool::levels>, nullptr, shows_tool<Tool::levels>},
 };
 
 void call(void (*function)(Session&), Session& session) {
@@ -186,6 +190,10 @@ std::string keys_text(const Command& command) {
 
 const char* blocked(const Session& session, const Command& command) {
   return command.blocked != nullptr ? command.blocked(session.document) : nullptr;
+}
+
+bool is_on(const Session& session, const Command& command) {
+  return command.is_on != nullptr && command.is_on(session);
 }
 
 std::vector<const Command*> matching_commands(std::string_view filter) {

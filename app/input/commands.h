@@ -42,6 +42,9 @@ struct Command {
   /// Returns why the command cannot run now, as a notice; null: it can run. A null pointer: the
   /// command can always run.
   const char* (*blocked)(const Document& document) = nullptr;
+  /// Returns whether what the command toggles is on, so that menus show a check mark. Null: the
+  /// command is not a toggle.
+  bool (*is_on)(const Session& session) = nullptr;
 };
 
 /// All commands, in the order in which help lists them.
@@ -58,6 +61,9 @@ std::string keys_text(const Command& command);
 
 /// Returns why the command cannot run now; null: it can.
 const char* blocked(const Session& session, const Command& command);
+
+/// Returns whether the command is a toggle that is on.
+bool is_on(const Session& session, const Command& command);
 
 /// Returns the commands that match all words of `filter` by name, help, id or group, best first.
 std::vector<const Command*> matching_commands(std::string_view filter);

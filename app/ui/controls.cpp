@@ -27,6 +27,7 @@ std::string id_of(const char* label) {
 
 void wrapped_tooltip(const char* text) {
   if (*text == '\0' || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  note_text(text);
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(
       std::min(units(kTooltipPoints), ImGui::GetIO().DisplaySize.x - units(24.0F)));
@@ -63,13 +64,24 @@ std::string value_text(double value, const NumberRange& range) {
 
 }  // namespace
 
-void note_widgets_in(WidgetAreas& widgets) {
-  ImGui::GetIO().UserData = &widgets;
+void note_in(Noted& noted) {
+  ImGui::GetIO().UserData = &noted;
+}
+
+void note_text(std::string_view text) {
+  auto* noted = static_cast<Noted*>(ImGui::GetIO().UserData);
+  if (noted != nullptr) noted->code_points.add_text(text);
+}
+
+void note_code_points(const CodePoints& code_points) {
+  auto* noted = static_cast<Noted*>(ImGui::GetIO().UserData);
+  if (noted != nullptr) noted->code_points.add(code_points);
 }
 
 void note_widget(std::string_view name) {
-  auto* widgets = static_cast<WidgetAreas*>(ImGui::GetIO().UserData);
-  if (widgets == nullptr) return;
+  auto* noted = static_cast<Noted*>(ImGui::GetIO().UserData);
+  if (noted == nullptr) return;
+  noted->code_points.add_text(name);
   const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
   const ImVec2 least = ImGui::GetItemRectMin();
   const ImVec2 most = ImGui::GetItemRectMax();
@@ -77,7 +89,7 @@ void note_widget(std::string_view name) {
   const std::string_view window = ImGui::GetCurrentWindowRead()->RootWindow->Name;
   const std::string key =
       fmt::format("{}/{}", window.substr(0, window.find("##")), id_of_widget(name));
-  (*widgets)[key] = {least.x * scale.x, least.y * scale.y, most.x * scale.x, most.y * scale.y};
+  noted->widgets[key] = {least.x * scale.x, least.y * scale.y, most.x * scale.x, most.y * scale.y};
 }
 
 void note_area(PanelAreas& areas) {
@@ -138,6 +150,15 @@ void label(const char* text) {
   ImGui::SetNextItemWidth(-FLT_MIN);
 }
 
+void check_mark(const char* text) {
+  const ImVec2 least = ImGui::GetItemRectMin();
+  const float size = 0.75F * ImGui::GetFontSize();
+  ImGui::RenderCheckMark(ImGui::GetWindowDrawList(),
+                         {least.x + ImGui::CalcTextSize(text).x + units(12.0F),
+                          0.5F * (least.y + ImGui::GetItemRectMax().y - size)},
+                         ImGui::GetColorU32(ImGuiCol_CheckMark), size);
+}
+
 void tooltip(const char* text) {
   wrapped_tooltip(text);
 }
@@ -151,6 +172,7 @@ bool begin_rows(const char* name) {
 }
 
 void row(const char* name, const std::string& value) {
+  note_text(value);
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::PushTextWrapPos(0.0F);
@@ -172,6 +194,7 @@ bool wide_button(const char* name, bool is_possible, const char* help) {
 }
 
 void wrapped_text(const std::string& text, const glm::vec3& color) {
+  note_text(text);
   ImGui::PushStyleColor(ImGuiCol_Text, {color.x, color.y, color.z, 1.0F});
   ImGui::PushTextWrapPos(0.0F);
   ImGui::TextUnformatted(text.c_str());

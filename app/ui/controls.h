@@ -16,11 +16,15 @@ namespace mesher::app {
 
 // The frame that all panels share.
 
-/// Notes widgets here from now on.
-void note_widgets_in(WidgetAreas& widgets);
+/// Notes widgets and texts here from now on.
+void note_in(Noted& noted);
 /// Notes the area of the last widget, as "window/name", without what follows ##, and
-/// for a name with ###, only what follows it.
+/// for a name with ###, only what follows it. Notes the name as a text as well.
 void note_widget(std::string_view name);
+/// Notes a text that is drawn, so that the font gets its glyphs. The functions below note theirs:
+/// call this for names that ImGui is given directly.
+void note_text(std::string_view text);
+void note_code_points(const CodePoints& code_points);
 /// Adds the current ImGui window. Call between its Begin and End.
 void note_area(PanelAreas& areas);
 
@@ -39,6 +43,8 @@ inline constexpr const char* kToolPanel = "panel";
 void heading(const char* name);
 /// Writes a label into the first column; the next widget fills the second.
 void label(const char* text);
+/// Draws a check mark into the last widget, behind its text.
+void check_mark(const char* text);
 /// Adds a tooltip to the last widget, even if that is disabled.
 void tooltip(const char* text);
 /// Begins a table of two columns; `row` fills it. Call ImGui::EndTable if it returns true.

@@ -45,6 +45,7 @@ void draw_step(Document& document, std::size_t steps) {
                         is_kept ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled)) {
     request_history_step(document, steps);
   }
+  note_text(name);
   note_widget("step " + std::to_string(steps));
   tooltip(is_kept ? name.c_str() : "Too old: its memory was given to newer edits.");
   ImGui::PopID();
@@ -115,6 +116,7 @@ void draw_gpu(const PanelFacts& facts) {
 
 void draw_model_tool(Document& document, Ui& ui) {
   if (document.opening == 0) return faint_text("No model is open yet.");
+  note_text(document.model.name);
   ImGui::TextWrapped("%s", document.model.name.c_str());
   draw_history(document, ui.shown_step);
   draw_size(document.statistics);

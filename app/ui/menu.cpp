@@ -12,7 +12,8 @@ constexpr const char* kContext = "context";
 void draw_item(const Session& session, const Command& command, Ui& ui) {
   const char* reason = blocked(session, command);
   const std::string keys = keys_text(command);
-  if (ImGui::MenuItem(command.label, keys.c_str(), false, reason == nullptr)) ui.chosen = &command;
+  if (ImGui::MenuItem(command.label, keys.c_str(), is_on(session, command), reason == nullptr))
+    ui.chosen = &command;
   note_widget(command.id);
   tooltip(reason != nullptr ? reason : command.help);
 }

@@ -34,14 +34,19 @@ void upload_fonts([[maybe_unused]] gpu::Device& device) {
 
 Overlay::Overlay(const gpu::Instance& instance, gpu::Device& device, VkFormat format,
                  GLFWwindow* window, float scale)
-    : device_(device), context_(ImGui::CreateContext()), has_window_(window != nullptr) {
+    : instance_(instance),
+      device_(device),
+      context_(ImGui::CreateContext()),
+      fonts_(scale, device.properties().limits.maxImageDimension2D),
+      has_window_(window != nullptr) {
   ImGui::GetIO().IniFilename = nullptr;
   ImGui::GetIO().LogFilename = nullptr;
   if (has_window_) ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   set_sizes(scale);
   create_render_pass(format);
   create_descriptor_pool();
-  start_backends(instance, window);
+  if (has_window_) ImGui_ImplGlfw_InitForVulkan(window, true);
+  start_renderer();
 }
 
 Overlay::~Overlay() {
@@ -107,10 +112,9 @@ void Overlay::create_descriptor_pool() {
   descriptor_pool_ = {device_, pool};
 }
 
-void Overlay::start_backends(const gpu::Instance& instance, GLFWwindow* window) {
-  if (has_window_) ImGui_ImplGlfw_InitForVulkan(window, true);
+void Overlay::start_renderer() {
   ImGui_ImplVulkan_InitInfo info{};
-  info.Instance = instance.handle();
+  info.Instance = instance_.handle();
   info.PhysicalDevice = device_.physical();
   info.Device = device_.handle();
   info.QueueFamily = device_.queue_family();
@@ -125,7 +129,27 @@ void Overlay::start_backends(const gpu::Instance& instance, GLFWwindow* window) 
   upload_fonts(device_);
 }
 
+/// Replaces the texture of the font, which frames in flight may use.
+void Overlay::restart_renderer() {
+  device_.wait_idle();
+#if IMGUI_VERSION_NUM < 19000
+  // This version cannot replace the texture alone, and leaves its descriptor set in the pool.
+  ImGui_ImplVulkan_Shutdown();
+  gpu::check(vkResetDescriptorPool(device_.handle(), descriptor_pool_.get(), 0),
+             "vkResetDescriptorPool");
+  start_renderer();
+#else
+  upload_fonts(device_);
+#endif
+}
+
+void Overlay::set_scale(float scale) {
+  set_sizes(scale);
+  fonts_.set_scale(scale);
+}
+
 void Overlay::begin(const glm::dvec2& size) {
+  if (fonts_.update()) restart_renderer();
   ImGui_ImplVulkan_NewFrame();
   if (has_window_) {
     ImGui_ImplGlfw_NewFrame();

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/ui/fonts.h"
 #include "engine/gpu/handles.h"
 #include "engine/gpu/instance.h"
 
@@ -26,6 +27,16 @@ class Overlay {
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
 
+  /// Asks for the glyphs of the code points that the last frame showed. Returns whether there are
+  /// more of them in the next frame, so that one is needed.
+  bool require_glyphs(const CodePoints& shown) { return fonts_.require(shown); }
+
+  /// Changes the size of the panels from the next frame on. `scale`: ImGui's units per point. Call
+  /// between frames.
+  void set_scale(float scale);
+
+  /// Begins a frame. If glyphs or another scale were asked for, this waits for the device and
+  /// builds the font again.
   void begin(const glm::dvec2& size);
   void end();
   /// Records the panels into an image. The image is in COLOR_ATTACHMENT_OPTIMAL before and after.
@@ -51,10 +62,13 @@ class Overlay {
 
   void create_render_pass(VkFormat format);
   void create_descriptor_pool();
-  void start_backends(const gpu::Instance& instance, GLFWwindow* window);
+  void start_renderer();
+  void restart_renderer();
 
+  const gpu::Instance& instance_;
   gpu::Device& device_;
   ImGuiContext* context_;
+  Fonts fonts_;
   bool has_window_;
   UniqueRenderPass render_pass_;
   UniqueDescriptorPool descriptor_pool_;

@@ -19,9 +19,10 @@ PanelActions Panels::draw(Session& session, const PanelFacts& facts) {
   ui_.facts = facts;
   ui_.actions = {};
   ui_.areas.clear();
-  ui_.widgets.clear();
+  ui_.noted.widgets.clear();
+  ui_.noted.code_points.clear();
   ui_.chosen = nullptr;
-  note_widgets_in(ui_.widgets);
+  note_in(ui_.noted);
   set_colors(theme(session.view.settings.background));
   const glm::vec2 size{io.DisplaySize.x, io.DisplaySize.y};
   ui_.layout = layout_of(size, units(1.0F), session.shows_info, tab_count(session) > 1);

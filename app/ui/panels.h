@@ -10,6 +10,7 @@
 
 #include "app/document/session.h"
 #include "app/files/folder.h"
+#include "app/ui/code_points.h"
 #include "app/ui/layout.h"
 #include "engine/core/job.h"
 #include "engine/render/gpu_mesh.h"
@@ -39,6 +40,12 @@ using PanelAreas = std::vector<glm::vec4>;  ///< x0, y0, x1, y1 in pixels
 /// Where the widgets are, by name: "simplify/remove 10 %". For tests and the state log.
 using WidgetAreas = std::map<std::string, glm::vec4, std::less<>>;
 
+/// What panels note while they are drawn.
+struct Noted {
+  WidgetAreas widgets;
+  CodePoints code_points;  ///< of texts that may hold names: what the font needs
+};
+
 /// The number of edges that marking by angle would mark, and the state it was counted for.
 struct TagCount {
   std::uint64_t generation = 0;
@@ -51,6 +58,7 @@ struct TagCount {
 struct ShownFolder {
   Folder folder;
   std::filesystem::file_time_type read_at{};  ///< time of the last change of the folder
+  CodePoints code_points;                     ///< of the names
   std::vector<Place> places;                  ///< as they were when the dialog was opened
   std::uint32_t text_shown = 0;               ///< FileBrowser::texts_set of the last frame
 };
@@ -70,7 +78,7 @@ struct Ui {
   PanelFacts facts;
   PanelActions actions;
   PanelAreas areas;
-  WidgetAreas widgets;
+  Noted noted;
   const Command* chosen = nullptr;  ///< in a menu: run after all panels are drawn
 
   // Kept from frame to frame.
@@ -103,7 +111,9 @@ class Panels {
   void move_row(int rows) { ui_.row_moves += rows; }
   /// Returns whether a panel, as last drawn, covers this point.
   bool covers(const glm::dvec2& at) const;
-  const WidgetAreas& widgets() const { return ui_.widgets; }
+  const WidgetAreas& widgets() const { return ui_.noted.widgets; }
+  /// The code points of the names that were drawn last, other than Latin.
+  const CodePoints& code_points() const { return ui_.noted.code_points; }
 
  private:
   void follow_modes(Session& session);

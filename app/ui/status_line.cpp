@@ -32,6 +32,7 @@ std::string job_text(const Job& job) {
 
 /// Draws the job and returns whether it is to be canceled.
 bool draw_job(const Job& job, bool can_cancel) {
+  note_text(job.title());
   ImGui::TextUnformatted(job_text(job).c_str());
   if (!can_cancel) return false;
   ImGui::SameLine();
@@ -53,6 +54,7 @@ bool fits(const std::string& text, const Layout& layout) {
 
 void draw_status_line(Session& session, Ui& ui) {
   const Document& document = session.document;
+  note_text(document.notice);
   if (!begin_part("status", ui.layout.status, false)) return;
   ImGui::SetCursorPos({units(12.0F), 0.5F * (ui.layout.status.height() - ImGui::GetFontSize())});
   if (shows_job(ui)) {
@@ -91,6 +93,7 @@ void draw_message(Document& document, Ui& ui) {
   } else if (has_job) {
     ui.actions.cancels_job |= draw_job(*ui.facts.job, ui.facts.can_cancel);
   } else {
+    note_text(document.notice);
     ImGui::TextWrapped("%s", document.notice.c_str());
   }
   note_area(ui.areas);

@@ -2,16 +2,8 @@
 
 #include <imgui.h>
 
-#include <cmath>
-#include <filesystem>
-
 namespace mesher::app {
 namespace {
-
-constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr float kFontPoints = 15.0F;
-// Size of ImGui's own bitmap font.
-constexpr float kBitmapFontPixels = 13.0F;
 
 constexpr Theme kLight{.panel = {0.953F, 0.957F, 0.965F},
                        .field = {1.0F, 1.0F, 1.0F},
@@ -47,15 +39,8 @@ const Theme& theme(render::Background background) {
 }
 
 void set_sizes(float scale) {
-  ImGuiIO& io = ImGui::GetIO();
-  std::error_code ignored;
-  // If the font is missing, ImGui uses its own bitmap font.
-  if (std::filesystem::exists(kFont, ignored)) {
-    io.Fonts->AddFontFromFileTTF(kFont, std::round(kFontPoints * scale));
-  } else {
-    io.FontGlobalScale = kFontPoints * scale / kBitmapFontPixels;
-  }
   ImGuiStyle& style = ImGui::GetStyle();
+  style = {};  // ScaleAllSizes multiplies what is there
   style.WindowRounding = 6.0F;
   style.FrameRounding = 4.0F;
   style.GrabRounding = 4.0F;

@@ -25,7 +25,10 @@ struct Theme {
 /// The theme that goes with a background of the model.
 const Theme& theme(render::Background background);
 
-/// Loads the font and sets sizes. `scale`: ImGui's units per point. Call once for each context.
+/// Size of the font of the panels.
+inline constexpr float kFontPoints = 15.0F;
+
+/// Sets sizes other than that of the font. `scale`: ImGui's units per point.
 void set_sizes(float scale);
 /// Sets the colors of ImGui for the frames to come.
 void set_colors(const Theme& theme);

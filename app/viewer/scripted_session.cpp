@@ -112,6 +112,8 @@ Image ScriptedSession::picture_with_panels() {
                                          .upload = gpu_->mirror.last_upload(),
                                          .device = device.name()});
     panel_layer_->overlay.end();
+    // Once more, with the glyphs of the names.
+    if (panel_layer_->overlay.require_glyphs(panel_layer_->panels.code_points())) frame = -1;
   }
   const VkRect2D place = model_rectangle(session_.view, extent());
   const unsigned samples = device.supported_samples(session_.view.settings.samples);

@@ -46,7 +46,9 @@ class Viewer {
  public:
   Viewer(Session& session, const ViewerOptions& options, RestOfModel& rest)
       : session_(session),
-        window_(glm::ivec2(session.view.window), "mesher"),
+        ui_scale_(options.ui_scale),
+        window_(options.is_sized ? glm::ivec2(session.view.window) : glm::ivec2(0),
+                options.ui_scale, "mesher"),
         instance_({.extensions = Window::instance_extensions(), .validation = options.validation}),
         surface_(instance_, window_.create_surface(instance_.handle())),
         device_(instance_, {.select = options.device, .surface = surface_.handle()}),
@@ -63,11 +65,13 @@ class Viewer {
         state_folder_(options.state_folder),
         preferences_file_(options.config_folder) {
     window_.set_events(events());
-    const float scale = options.ui_scale > 0.0F ? options.ui_scale : window_.content_scale();
-    overlay_ =
-        std::make_unique<Overlay>(instance_, device_, presenter_.format(), window_.handle(), scale);
-    // The monitor's scale is known only now.
-    session.shows_info = session.shows_info && fits_docks(session.view.window, scale);
+    scale_ = wanted_scale();
+    overlay_ = std::make_unique<Overlay>(instance_, device_, presenter_.format(), window_.handle(),
+                                         scale_);
+    // The monitor's scale and the size of the window are known only now.
+    if (!options.is_sized)
+      resize(session.view, session.document.statistics.box, window_.framebuffer_size(), {});
+    session.shows_info = session.shows_info && fits_docks(session.view.window, scale_);
     session.preferences = preferences_file_.read();
     if (session.sample == 0 && session.document.opening > 0)
       remember_opened(session.preferences, session.document.file);
@@ -281,8 +285,20 @@ class Viewer {
     return outcome != Recovery::Outcome::reverted;
   }
 
+  float wanted_scale() const { return ui_scale_ > 0.0F ? ui_scale_ : window_.content_scale(); }
+
+  /// The scale changes when the window is moved to another monitor, or the desktop's settings
+  /// change.
+  void follow_scale() {
+    if (scale_ == wanted_scale()) return;
+    scale_ = wanted_scale();
+    overlay_->set_scale(scale_);
+    want_frames();
+  }
+
   void draw() {
     --frames_wanted_;
+    follow_scale();
     const double start = Window::time();
     if (!update_scene()) return;
     const glm::uvec2 size = window_.framebuffer_size();
@@ -310,6 +326,7 @@ class Viewer {
                                                          .frame_ms = frame_ms_,
                                                          .device = device_.name()});
     overlay_->end();
+    if (overlay_->require_glyphs(panels_.code_points())) want_frames();
     follow_dialogs();
     if (actions.cancels_job) work_.cancel();
     if (actions.wants_frames || !session_.document.edits.waiting.empty()) want_frames();
@@ -350,6 +367,7 @@ class Viewer {
   }
 
   Session& session_;
+  float ui_scale_;  ///< that was asked for; 0: that of the monitor
   Window window_;
   gpu::Instance instance_;
   gpu::Surface surface_;
@@ -358,6 +376,7 @@ class Viewer {
   ScenePainter painter_;
   SceneMirror mirror_;
   std::unique_ptr<Overlay> overlay_;
+  float scale_ = 1.0F;  ///< of the panels
   Panels panels_;
   Gestures gestures_;
   BackgroundWork work_;

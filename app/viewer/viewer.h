@@ -18,6 +18,7 @@ struct ViewerOptions {
   std::string device;       ///< as gpu::DeviceOptions::select
   bool validation = false;  ///< with the Khronos validation layer
   float ui_scale = 0.0F;    ///< size of the panels; 0: that of the monitor
+  bool is_sized = true;     ///< the window has the session's size; otherwise, the default one
   std::filesystem::path state_log;
   std::filesystem::path state_folder;   ///< of journals; empty: edits are not kept in a crash
   std::filesystem::path config_folder;  ///< of settings; empty: they are not kept

@@ -5,6 +5,8 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <glm/common.hpp>
 #include <map>
 #include <optional>
 
@@ -12,6 +14,14 @@
 
 namespace mesher::app {
 namespace {
+
+/// Returns the size of the screen without the bars of the desktop; 0 if it is not known.
+glm::ivec2 room_on_screen() {
+  glm::ivec2 room{0};
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  if (monitor != nullptr) glfwGetMonitorWorkarea(monitor, nullptr, nullptr, &room.x, &room.y);
+  return room;
+}
 
 std::string glfw_error() {
   const char* description = nullptr;
@@ -72,6 +82,15 @@ std::optional<KeyPress> key_press(int key, Modifiers modifiers) {
 
 }  // namespace
 
+glm::ivec2 default_window_size(float scale, const glm::ivec2& room) {
+  const glm::vec2 points{1280.0F, 800.0F};
+  glm::ivec2 size(glm::round(points * scale));
+  for (int axis = 0; axis < 2; ++axis) {
+    if (room[axis] > 0) size[axis] = std::min(size[axis], room[axis]);
+  }
+  return size;
+}
+
 struct Window::Callbacks {
   static Window& of(GLFWwindow* window) {
     return *static_cast<Window*>(glfwGetWindowUserPointer(window));
@@ -111,7 +130,7 @@ struct Window::Callbacks {
   }
 };
 
-Window::Window(const glm::ivec2& size, const std::string& title) {
+Window::Window(const glm::ivec2& size, float ui_scale, const std::string& title) {
   if (glfwInit() != GLFW_TRUE) throw NoDisplay("no display (" + glfw_error() + ")");
   if (glfwVulkanSupported() != GLFW_TRUE) {
     glfwTerminate();
@@ -120,13 +139,22 @@ Window::Window(const glm::ivec2& size, const std::string& title) {
         "mesa-vulkan-drivers)");
   }
   glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
-  window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
+  // The scale is known only once there is a window: show it in its final size.
+  const bool is_sized = size.x > 0;
+  const glm::ivec2 first = is_sized ? size : default_window_size(1.0F, {});
+  glfwWindowHint(GLFW_VISIBLE, is_sized ? GLFW_TRUE : GLFW_FALSE);
+  window_ = glfwCreateWindow(first.x, first.y, title.c_str(), nullptr, nullptr);
   if (window_ == nullptr) {
     const std::string reason = glfw_error();
     glfwTerminate();
     throw NoDisplay("cannot open a window (" + reason + ")");
   }
   glfwSetWindowUserPointer(window_, this);
+  if (is_sized) return;
+  const glm::ivec2 chosen =
+      default_window_size(ui_scale > 0.0F ? ui_scale : content_scale(), room_on_screen());
+  glfwSetWindowSize(window_, chosen.x, chosen.y);
+  glfwShowWindow(window_);
 }
 
 Window::~Window() {
@@ -143,6 +171,8 @@ void Window::set_events(Events events) {
   glfwSetDropCallback(window_, Callbacks::drop);
   glfwSetWindowRefreshCallback(window_, Callbacks::changed);
   glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { Callbacks::changed(w); });
+  glfwSetWindowContentScaleCallback(window_,
+                                    [](GLFWwindow* w, float, float) { Callbacks::changed(w); });
   glfwSetWindowIconifyCallback(window_, [](GLFWwindow* w, int) { Callbacks::changed(w); });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { Callbacks::changed(w); });
 }

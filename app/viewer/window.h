@@ -23,6 +23,11 @@ class NoDisplay : public DeviceError {
   using DeviceError::DeviceError;
 };
 
+/// Returns the size of a window that nobody chose: 1280 x 800 points, or less if the screen is
+/// smaller. `scale`: units of the window per point. `room`: what desktop bars leave of the screen,
+/// in those units; 0: not known.
+glm::ivec2 default_window_size(float scale, const glm::ivec2& room);
+
 /// A window and its events. There can be one at a time.
 class Window {
  public:
@@ -34,11 +39,12 @@ class Window {
     std::function<void(glm::dvec2 at)> move;
     std::function<void(double steps)> scroll;
     std::function<void(std::vector<std::filesystem::path>)> drop;
-    std::function<void()> changed;  ///< resized, uncovered, focused: draw again
+    std::function<void()> changed;  ///< resized, uncovered, focused, another scale: draw again
   };
 
-  /// Throws NoDisplay.
-  Window(const glm::ivec2& size, const std::string& title);
+  /// `size`: 0: the default. `ui_scale`: units of the window per point, for that default; 0: that
+  /// of the monitor. Throws NoDisplay.
+  Window(const glm::ivec2& size, float ui_scale, const std::string& title);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;

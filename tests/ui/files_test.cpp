@@ -73,6 +73,31 @@ TEST_F(FilesTest, DialogOpensAClickedFileAndACompletedName) {
   quit(*v);
 }
 
+TEST_F(FilesTest, NamesInAnyScriptAreListedAndOpened) {
+  const TempFolder folder;
+  // The font is built again for the title, the list and the tabs, while frames are in flight.
+  for (const char* name : {"\u5154\u5b50.obj", "\u0443\u0437\u0435\u043b.obj", "\u2312.obj",
+                           "bad\xff\x80.obj", "\xF0\x9F\x90\xB0.obj"})
+    fs::copy(kAssets / "knot.obj", folder / name);
+  const auto v = open({(folder / "\u2312.obj").string(), "--size", "1000x700"});
+  EXPECT_NE(v->title().find("\u2312.obj"), std::string::npos);
+  open_dialog(*v);
+  v->settle();
+  for (const char* name : {"\u5154\u5b50.obj", "\u0443\u0437\u0435\u043b.obj"})
+    (void)place_of(*v, std::string("Open a model/file ") + name);
+  click(*v, "Open a model/file \u0443\u0437\u0435\u043b.obj");
+  click(*v, "Open a model/open");
+  EXPECT_REACHES(*v, s["tabs"].size() == 2 &&
+                         s["file"].get<std::string>().ends_with("\u0443\u0437\u0435\u043b.obj"));
+  open_dialog(*v);
+  // Invalid bytes are replaced in the log of the state.
+  click(*v, "Open a model/file bad\ufffd\ufffd.obj");
+  v->key("Escape");
+  EXPECT_REACHES(*v, s["open_dialog"] == false);
+  v->settle();
+  quit(*v);
+}
+
 TEST_F(FilesTest, MistakesStayInTheDialog) {
   const TempFolder folder;
   const fs::path bad = folder.write("bad.obj", "v 0 0 0\nf 1 2 3\n");

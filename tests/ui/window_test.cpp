@@ -411,5 +411,24 @@ TEST_F(WindowTest, ScaleEnlargesPanels) {
   quit(*twice);
 }
 
+TEST_F(WindowTest, DefaultSizeFollowsMonitorAndFitsScreen) {
+  const auto size_at = [](const char* resources, std::vector<std::string> arguments) {
+    server_->set_resources(resources);
+    arguments.insert(arguments.begin(), "cube");
+    const auto v = open(arguments);
+    v->settle();
+    const json window = v->state()["window"];
+    EXPECT_TRUE(v->state()["info"].get<bool>());
+    quit(*v);
+    server_->set_resources("");
+    return glm::dvec2(window[0], window[1]);
+  };
+  EXPECT_EQ(size_at("", {}), glm::dvec2(1280, 800));
+  EXPECT_EQ(size_at("Xft.dpi:\t72\n", {}), glm::dvec2(960, 600));
+  EXPECT_EQ(size_at("Xft.dpi:\t120\n", {}), glm::dvec2(1280, 900)) << "the size of the screen";
+  EXPECT_EQ(size_at("Xft.dpi:\t120\n", {"--ui-scale", "0.75"}), glm::dvec2(960, 600));
+  EXPECT_EQ(size_at("Xft.dpi:\t96\n", {"--size", "1000x700"}), glm::dvec2(1000, 700));
+}
+
 }  // namespace
 }  // namespace mesher::test

@@ -1,5 +1,7 @@
 #include "tests/ui/x_server.h"
 
+#include <X11/Xatom.h>
+#include <X11/Xlib.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
@@ -32,6 +34,17 @@ std::string XServer::xdotool(std::vector<std::string> arguments) const {
   const Finished run = run_program(arguments, {environment_});
   if (run.exit_code != 0) throw std::runtime_error("xdotool: " + run.err);
   return run.out;
+}
+
+void XServer::set_resources(const std::string& resources) const {
+  Display* connection = XOpenDisplay(display().c_str());
+  if (connection == nullptr) throw std::runtime_error("the display cannot be opened");
+  XChangeProperty(connection, DefaultRootWindow(connection), XA_RESOURCE_MANAGER, XA_STRING, 8,
+                  PropModeReplace, reinterpret_cast<const unsigned char*>(resources.data()),
+                  static_cast<int>(resources.size()));
+  // Without any client, the server would forget them.
+  XSetCloseDownMode(connection, RetainPermanent);
+  XCloseDisplay(connection);
 }
 
 }  // namespace mesher::test

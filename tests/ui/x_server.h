@@ -18,6 +18,8 @@ class XServer {
   std::string display() const { return environment_.substr(environment_.find('=') + 1); }
   /// Runs xdotool on the display. Returns its output. Throws std::runtime_error if it fails.
   std::string xdotool(std::vector<std::string> arguments) const;
+  /// Sets the resources of the display. Programs that start later take their scale from Xft.dpi.
+  void set_resources(const std::string& resources) const;
 
  private:
   std::unique_ptr<BackgroundProgram> server_;

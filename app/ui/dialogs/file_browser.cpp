@@ -33,6 +33,9 @@ void update_list(ShownFolder& list, const fs::path& folder) {
   if (list.folder.path == folder && list.read_at == changed) return;
   list.folder = read_folder(folder);
   list.read_at = changed;
+  list.code_points.clear();
+  for (const FolderEntry& entry : list.folder.entries)
+    list.code_points.add_text(entry.name);
 }
 
 /// The folders above the shown one, as buttons. The first ones are left out if there is no room.
@@ -215,6 +218,9 @@ std::vector<const FolderEntry*> draw_browser(FileBrowser& browser, const Session
     ImGui::SameLine();
   }
   update_list(list, shown_folder(browser));
+  // All at once, so that the font is not built again whenever the list is scrolled.
+  note_code_points(list.code_points);
+  note_text(browser.typed);
   const std::vector<const FolderEntry*> shown = shown_entries(list.folder, browser.filter);
   if (ui.row_moves != 0) move_row(browser, ui.row_moves, shown.size());
   draw_list(browser, shown, height, ui);

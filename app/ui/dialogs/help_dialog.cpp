@@ -77,6 +77,7 @@ void draw_help(bool& is_open, Ui& ui) {
   if (begin_dialog("Help", &is_open, kHelpWidthPoints)) {
     ImGui::SetNextItemWidth(-FLT_MIN);
     ImGui::InputTextWithHint("##filter", "search keys and commands", &ui.help_filter);
+    note_text(ui.help_filter);
     note_widget("filter");
     ImGui::BeginChild("rows", {0.0F, height - 3.0F * ImGui::GetFrameHeightWithSpacing()});
     const std::vector<const Command*> found = matching_commands(ui.help_filter);

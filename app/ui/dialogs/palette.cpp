@@ -24,6 +24,7 @@ bool draw_command(const Session& session, const Command& command, bool is_chosen
   const std::string id = std::string(command.label) + "##" + command.id;
   const bool is_clicked = ImGui::Selectable(id.c_str(), is_chosen);
   ImGui::EndDisabled();
+  if (is_on(session, command)) check_mark(command.label);
   note_widget(command.id);
   tooltip(reason != nullptr ? reason : command.help);
   if (is_chosen) ImGui::SetScrollHereY();
@@ -44,6 +45,7 @@ void draw_palette(Session& session, Ui& ui) {
     }
     ImGui::SetNextItemWidth(-FLT_MIN);
     if (ImGui::InputText("##command", &ui.palette_filter)) ui.palette_row = 0;
+    note_text(ui.palette_filter);
     const std::vector<const Command*> found = matching_commands(ui.palette_filter);
     ui.palette_row = std::clamp(ui.palette_row + ui.row_moves, 0,
                                 std::max(static_cast<int>(found.size()) - 1, 0));

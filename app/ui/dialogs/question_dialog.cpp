@@ -51,6 +51,7 @@ std::vector<std::string> edit_names(const History& history) {
 }
 
 void draw_text(const std::string& text) {
+  note_text(text);
   ImGui::PushTextWrapPos(std::min(units(kTextPoints), ImGui::GetIO().DisplaySize.x - units(40.0F)));
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();

@@ -235,5 +235,47 @@ TEST(Session, ShowModelCountsAndFramesIt) {
   EXPECT_GT(s.view.camera.distance(), 1.0);
 }
 
+void run_to_the_end(Session& session, const Command& command) {
+  run(session, command);
+  run_waiting_edits(session.document);
+}
+
+TEST(Commands, MarkOfEachToggleFlips) {
+  int toggles = 0;
+  for (const Command& command : commands()) {
+    SCOPED_TRACE(command.id);
+    if (!std::string_view(command.id).starts_with("toggle_")) continue;
+    // Between two rules, neither of which is on or off.
+    if (std::string_view(command.id) == "toggle_crease_rules") continue;
+    ASSERT_NE(command.is_on, nullptr);
+    Session s = session_with_cube();
+    if (blocked(s, command) != nullptr) run_to_the_end(s, *command_named("toggle_progressive"));
+    ASSERT_EQ(blocked(s, command), nullptr);
+    const bool was_on = is_on(s, command);
+    run_to_the_end(s, command);
+    EXPECT_EQ(is_on(s, command), !was_on);
+    run_to_the_end(s, command);
+    EXPECT_EQ(is_on(s, command), was_on);
+    ++toggles;
+  }
+  EXPECT_GE(toggles, 13);
+}
+
+TEST(Commands, ShownToolIsMarked) {
+  Session s = session_with_cube();
+  for (const Command& tool : commands()) {
+    if (!std::string_view(tool.id).starts_with("tool_")) continue;
+    run(s, tool);
+    for (const Command& other : commands()) {
+      if (std::string_view(other.id).starts_with("tool_")) {
+        EXPECT_EQ(is_on(s, other), &other == &tool) << tool.id << ", " << other.id;
+      }
+    }
+  }
+  run(s, "toggle_info");
+  EXPECT_FALSE(is_on(s, *command_named("tool_levels"))) << "no panel is shown";
+  EXPECT_FALSE(is_on(s, *command_named("quit"))) << "not a toggle";
+}
+
 }  // namespace
 }  // namespace mesher::app

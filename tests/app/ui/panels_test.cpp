@@ -9,6 +9,7 @@
 
 #include "app/cli/view.h"
 #include "app/input/keys.h"
+#include "app/ui/font_finder.h"
 #include "app/viewer/scripted_session.h"
 #include "tests/support/golden.h"
 #include "tests/support/gpu_test.h"
@@ -106,6 +107,32 @@ TEST(Panels, EveryToolFitsEverySize) {
     }
     script.expect_no_messages();
   }
+}
+
+Image picture_named(const std::string& name) {
+  Session session = open_knot(kShots[5]);
+  session.document.model.name = name;
+  ScriptedSession script(session,
+                         {.device = "", .validation = true, .panels = true, .ui_scale = 1.0F});
+  Image picture = script.picture();
+  EXPECT_EQ(script.picture().rgba, picture.rgba) << "the glyphs are there at once";
+  script.expect_no_messages();
+  return picture;
+}
+
+TEST(Panels, NamesInOtherScriptsAreShown) {
+  // Names of the same width whose glyphs are missing would give the same picture.
+  EXPECT_NE(picture_named("\u0436.obj").rgba, picture_named("\u0448.obj").rgba) << "Cyrillic";
+  EXPECT_NE(picture_named("\u2312.obj").rgba, picture_named("\u2313.obj").rgba)
+      << "symbols of a font that fontconfig finds";
+  EXPECT_EQ(picture_named("\xff.obj").rgba, picture_named("\x80.obj").rgba) << "not UTF-8";
+}
+
+TEST(Panels, ChineseNamesAreShown) {
+  CodePoints hare;
+  hare.add_text("\u5154\u72d0");
+  if (find_faces(hare).empty()) GTEST_SKIP() << "no font of this system has Chinese glyphs";
+  EXPECT_NE(picture_named("\u5154.obj").rgba, picture_named("\u72d0.obj").rgba);
 }
 
 }  // namespace
