@@ -25,7 +25,10 @@ bool are_same_letters(char a, char b) {
 }
 
 bool contains(std::string_view text, std::string_view part) {
-  return part.empty() || !std::ranges::search(text, part, are_same_letters).empty();
+  // clang 14 cannot compile std::ranges::search of libstdc++ 12.
+  const auto found =
+      std::search(text.begin(), text.end(), part.begin(), part.end(), are_same_letters);
+  return part.empty() || found != text.end();
 }
 
 bool begins(std::string_view text, std::string_view start) {

@@ -296,7 +296,8 @@ void Collapser::evaluate_refused(Vertex v) {
 void Collapser::refuse(Halfedge h, Rejection cause) {
   Surface& surface = context_.surface;
   const Mesh& mesh = surface.mesh();
-  ++outcome_.rejected[static_cast<std::size_t>(cause)];
+  if (surface.note_refused(h)) ++outcome_.rejected[static_cast<std::size_t>(cause)];
+  outcome_.meets_bound |= cause == Rejection::error_bound;
   surface.set_cost(h, kNever);
   for (const Vertex v : {mesh.origin(h), mesh.target(h)})
     state(v).has_refused = true;

@@ -71,7 +71,9 @@ struct CollapseOutcome {
   std::uint32_t removed_faces = 0;
   double paid = 0.0;  ///< sum of Candidate::error
   Array<CollapseRecord> records;
+  /// Edges by the cause for which they were refused first.
   std::array<std::uint64_t, kRejections.size()> rejected{};
+  bool meets_bound = false;  ///< an edge was refused because of the error bound
 };
 
 /// Computes the first cost of every edge and the cheapest edge of every vertex. Pre: no edge has a

@@ -75,8 +75,9 @@ struct SimplifyReport {
   std::uint32_t vertices_reached = 0;
   StopReason reason = StopReason::target_reached;
   std::uint64_t collapses = 0;
-  /// Number of refusals by cause: how often an edge was tried and refused. If the target was
-  /// missed, also the remaining edges that features forbid, which are never tried.
+  /// Number of refused edges by cause. Each edge counts once, by its first refusal, although it may
+  /// be tried again or be collapsed later. If the target was missed, also the remaining edges that
+  /// features forbid, which are never tried.
   std::array<std::uint64_t, kRejections.size()> rejected{};
   /// Estimated root mean square distance between input and result, both directions, in model units.
   /// Measured at some points of the input; the other direction is estimated from the paid costs.

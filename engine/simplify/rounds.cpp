@@ -272,6 +272,7 @@ void Rounds::count_constrained() {
     const Halfedge h(i);
     if (surface_.is_removed(Mesh::face(h)) || !(h < mesh.twin(h))) continue;
     if (surface_.allowed_placement(h) != AllowedPlacement::nowhere) continue;
+    if (!surface_.note_refused(h)) continue;  // it was before its ends were features
     const bool is_at_boundary =
         mesh.is_boundary(mesh.origin(h)) && mesh.is_boundary(mesh.target(h));
     const Rejection cause = is_at_boundary ? Rejection::boundary : Rejection::crease;
@@ -312,6 +313,7 @@ void Rounds::note(const CollapseOutcome& outcome) {
   }
   for (std::size_t i = 0; i < kRejections.size(); ++i)
     rejected_[i] += outcome.rejected[i];
+  meets_bound_ |= outcome.meets_bound;
 }
 
 void Rounds::drop_removed() {
@@ -327,8 +329,7 @@ Array<Vertex> Rounds::vertices_left() const {
 StopReason Rounds::reason() const {
   if (error_at_stop_) return StopReason::far_from_input;
   if (faces_to_remove() == 0) return StopReason::target_reached;
-  const bool is_bounded = rejected_[static_cast<std::size_t>(Rejection::error_bound)] > 0;
-  return is_bounded ? StopReason::error_bound : StopReason::no_legal_collapse;
+  return meets_bound_ ? StopReason::error_bound : StopReason::no_legal_collapse;
 }
 
 /// Returns the paid costs as a distance. Accurate if the errors of successive collapses are

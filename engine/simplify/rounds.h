@@ -88,6 +88,7 @@ class Rounds {
   std::uint64_t collapses_ = 0;
   double paid_ = 0.0;
   std::array<std::uint64_t, kRejections.size()> rejected_{};
+  bool meets_bound_ = false;  ///< an edge was refused because of the error bound
   /// Records of collapses that may still be undone; if none, the observer is notified at once.
   std::optional<Array<CollapseRecord>> held_;
   /// Set if the next collapses exceeded `stop_before_error`: the error without them.

@@ -38,8 +38,19 @@ Surface::Surface(Mesh&& mesh, const SimplifyOptions& options) : mesh_(std::move(
   find_constraints(options);
 }
 
+bool Surface::note_refused(Halfedge h) {
+  const auto has_bit = [&](Halfedge half) {
+    return (refused_[Mesh::face(half).index()] >> Mesh::corner(half) & 1U) != 0;
+  };
+  const Halfedge t = mesh_.twin(h);
+  const bool is_new = !has_bit(h) && (!t.is_valid() || !has_bit(t));
+  refused_[Mesh::face(h).index()] |= static_cast<std::uint8_t>(1U << Mesh::corner(h));
+  return is_new;
+}
+
 void Surface::find_shapes() {
   faces_.resize(mesh_.face_count());
+  refused_.resize(mesh_.face_count());
   area_before_ = parallel_sum<double>(mesh_.face_count(), kSurfaceGrain, [&](IndexRange range) {
     double sum = 0.0;
     for (std::size_t f = range.begin; f < range.end; ++f) {
@@ -51,6 +62,7 @@ void Surface::find_shapes() {
       const auto [unit, area] = unit_and_area(corner(1) - corner(0), corner(2) - corner(0));
       const FaceShape shape{{unit.x, unit.y, unit.z}, area};
       faces_[f] = {.shape = shape, .first_normal = pack(shape.normal)};
+      refused_[f] = 0;
       sum += double{area};
     }
     return sum;

@@ -240,6 +240,8 @@ class Surface {
 
   // Changes by a collapse, besides those to the mesh itself.
   void set_shape(Face f, Float4 shape) { store4(&faces_[f.index()].shape.normal.x, shape); }
+  /// Notes that an edge was refused. Returns false if it, or one merged into it, was before. O(1).
+  bool note_refused(Halfedge h);
   void set_feature(Halfedge h, bool is) { feature_[h.index()] = is ? 1 : 0; }
   /// Moves a vertex and clears its quadric.
   void move_and_clear_quadric(Vertex v, const glm::vec3& p) {
@@ -291,6 +293,7 @@ class Surface {
   double area_before_ = 0.0;
   Array<FaceState> faces_;
   Array<VertexState> vertices_;
+  Array<std::uint8_t> refused_;  ///< of each face: a bit per half-edge whose edge was refused
   Array<std::uint8_t> feature_;
 };
 

@@ -100,6 +100,66 @@ TEST(Simplify, ReportsRequestedAndReachedFaces) {
   EXPECT_GT(all.report.seconds.total(), 0.0);
 }
 
+std::uint64_t refused_edges(const simplify::SimplifyReport& report) {
+  std::uint64_t sum = 0;
+  for (const std::uint64_t edges : report.rejected)
+    sum += edges;
+  return sum;
+}
+
+/// Counts the edges that cannot be collapsed in either direction without changing the topology.
+std::uint64_t blocked_edges(const Mesh& mesh) {
+  std::uint64_t count = 0;
+  for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
+    const Halfedge h(i);
+    if (h < mesh.twin(h) && !check_collapse(mesh, h).is_legal()) ++count;
+  }
+  return count;
+}
+
+TEST(Simplify, EachRefusedEdgeCountsOnce) {
+  const simplify::Simplified one =
+      simplify::simplify(built(tetrahedron()).mesh, {.target_faces = 0});
+  EXPECT_EQ(one.report[simplify::Rejection::link_condition], 6U);
+  EXPECT_EQ(refused_edges(one.report), 6U);
+  // As many as are simplified in parallel regions.
+  Soup soup;
+  const Soup single = tetrahedron();
+  for (int i = 0; i < 4'000; ++i) {
+    for (const std::uint32_t corner : single.corners)
+      soup.corners.push_back(corner + static_cast<std::uint32_t>(soup.positions.size()));
+    for (const glm::vec3& p : single.positions)
+      soup.positions.push_back(p + glm::vec3(3 * i, 0, 0));
+  }
+  const Mesh many = built(std::move(soup)).mesh;
+  ASSERT_EQ(blocked_edges(many), 24'000U);
+  const simplify::Simplified all = simplify::simplify(Mesh(many), {.target_faces = 0});
+  EXPECT_EQ(all.report.collapses, 0U);
+  EXPECT_EQ(all.report[simplify::Rejection::link_condition], 24'000U);
+}
+
+TEST(Simplify, EdgesRefusedByBoundCountOnce) {
+  const Mesh mesh = bumpy_torus(60, 40);
+  const simplify::Simplified result =
+      simplify::simplify(Mesh(mesh), {.target_faces = 0, .max_error = 1e-9});
+  EXPECT_EQ(result.report.reason, simplify::StopReason::error_bound);
+  EXPECT_EQ(result.report.collapses, 0U);
+  EXPECT_EQ(refused_edges(result.report), mesh.halfedge_count() / 2);
+}
+
+TEST(Simplify, RefusalsAreAtMostTheEdges) {
+  const Mesh mesh = bumpy_torus(120, 90);
+  const simplify::Simplified result = simplify::simplify(Mesh(mesh), {.target_faces = 0});
+  EXPECT_EQ(result.report.reason, simplify::StopReason::no_legal_collapse);
+  EXPECT_GE(refused_edges(result.report), result.mesh.halfedge_count() / 2) << "all that are left";
+  EXPECT_LE(refused_edges(result.report), mesh.halfedge_count() / 2);
+  // What cannot be simplified further has no other edges than refused ones.
+  const simplify::Simplified again = simplify::simplify(Mesh(result.mesh), {.target_faces = 0});
+  EXPECT_EQ(again.report.collapses, 0U);
+  EXPECT_EQ(refused_edges(again.report), result.mesh.halfedge_count() / 2);
+  EXPECT_GE(refused_edges(again.report), blocked_edges(result.mesh));
+}
+
 TEST(Simplify, LeavesEmptyMeshAndIsolatedVerticesUnchanged) {
   EXPECT_EQ(simplify::simplify(Mesh(), {.target_faces = 0}).report.reason,
             simplify::StopReason::already_there);
