@@ -9,6 +9,16 @@
 #include "engine/mesh/creases.h"
 
 namespace mesher::app {
+namespace {
+
+/// Times of reading a model, and of its statistics: medians over six formats and 0.1, 1.4 and 13
+/// million faces on two cores. (Statistics take 4 % after STL, 24 % after binary PLY.)
+constexpr double kLoadWeights[] = {0.87, 0.13};
+/// Times of loading, and of marking creases by angle and counting again.
+constexpr double kRestoreWeights[] = {1.0, 0.1};
+constexpr double kNoTagsWeights[] = {1.0, 0.0};
+
+}  // namespace
 
 LoadedModel open_model(const std::filesystem::path& file, const io::ReadOptions& options) {
   if (!io::is_pm_file(file)) return {io::read_model(file, options), {}, file, {}};
@@ -22,27 +32,32 @@ LoadedModel open_model(const std::filesystem::path& file, const io::ReadOptions&
 namespace {
 
 LoadedModel load(const std::filesystem::path& file, io::ReadOptions options, Progress& progress) {
+  Stages stages(&progress, kLoadWeights);
+  stages.next();
   options.progress = &progress;
   LoadedModel loaded = open_model(file, options);
   loaded.source = {.stamp = stamp_of(file),
                    .crease_index_base = options.crease_index_base,
                    .keep_isolated_vertices = options.keep_isolated_vertices,
                    .tag_creases_deg = std::nullopt};
-  begin_stage(&progress, "counting");
-  loaded.statistics = statistics(loaded.model.mesh);
+  stages.next("counting");
+  loaded.statistics = statistics(loaded.model.mesh, &progress);
   return loaded;
 }
 
 LoadedModel load_lost(LostEdits&& lost, Progress& progress) {
+  Stages stages(&progress, lost.source.tag_creases_deg ? kRestoreWeights : kNoTagsWeights);
+  stages.next();
   LoadedModel loaded = load(lost.file,
                             {.crease_index_base = lost.source.crease_index_base,
                              .keep_isolated_vertices = lost.source.keep_isolated_vertices},
                             progress);
   if (loaded.source.stamp != lost.source.stamp)
     throw InputError(lost.file.string(), 0, "has changed: its edits cannot be repeated");
+  stages.next();
   if (lost.source.tag_creases_deg) {
     tag_creases_by_angle(loaded.model.mesh, glm::radians(*lost.source.tag_creases_deg));
-    loaded.statistics = statistics(loaded.model.mesh);
+    loaded.statistics = statistics(loaded.model.mesh, &progress);
   }
   loaded.source = lost.source;
   loaded.lost = std::move(lost);
