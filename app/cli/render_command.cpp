@@ -16,6 +16,10 @@
 namespace mesher::app {
 namespace {
 
+/// Times of building the progressive mesh, unless it was read, and of its geomorphs.
+constexpr double kMakeDetailWeights[] = {0.65, 0.35};
+constexpr double kReadDetailWeights[] = {0.0, 1.0};
+
 /// A model in all its levels.
 struct Detail {
   progressive::ProgressiveMesh mesh;
@@ -24,7 +28,6 @@ struct Detail {
 };
 
 progressive::ProgressiveMesh progressive_of(const LoadedModel& loaded, Progress* progress) {
-  begin_stage(progress, "simplifying");
   simplify::SimplifyOptions options{.progress = progress};
   progressive::choose_base(options, loaded.model.mesh.face_count(),
                            loaded.statistics.box.diagonal());
@@ -47,11 +50,14 @@ Detail open_detail(Session& session, LoadedLevels&& opened, double lod, const Lo
                    const CommonOptions& common) {
   Detail detail;
   ProgressLine line(!common.quiet);
+  Stages stages(line.progress(), opened.levels ? kReadDetailWeights : kMakeDetailWeights);
+  stages.next();
   detail.mesh =
       opened.levels ? std::move(*opened.levels) : progressive_of(opened.loaded, line.progress());
   show(session, std::move(opened.loaded), look);
   detail.moment = detail_moment(lod, detail.mesh.base_vertex_count(), detail.mesh.split_count());
   detail.mesh.go_to(detail.moment.level);
+  stages.next("preparing geomorphs");
   detail.geomorph = progressive::Geomorph(detail.mesh, line.progress());
   session.view.settings.geomorph = detail.moment.growth;
   session.document.statistics = statistics(detail.mesh.mesh());

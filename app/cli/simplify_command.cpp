@@ -24,6 +24,13 @@
 namespace mesher::app {
 namespace {
 
+/// Times of simplifying, of carrying attributes over, and of the statistics: the last two take
+/// hardly any time for a target of 5 %.
+constexpr double kCommandWeights[] = {0.96, 0.02, 0.02};
+/// Times of measuring the distance, and of bounding it: 0.83 and 0.17 for 0.1 million faces, 0.24
+/// and 0.76 for 1.4 million.
+constexpr double kMeasureWeights[] = {0.5, 0.5};
+
 double parse_max_error(const std::string& text, double diagonal) {
   const bool is_percent = text.ends_with('%');
   const char* end = text.data() + text.size() - (is_percent ? 1 : 0);
@@ -95,10 +102,14 @@ std::optional<Measured> measured(const Mesh& before, const Mesh& after,
                                  const CommonOptions& common) {
   if (before.face_count() == 0 || after.face_count() == 0) return std::nullopt;
   ProgressLine line(!common.quiet);
-  return Measured{
-      .sampled = analysis::surface_distance(before, after, {.progress = line.progress()}),
-      .certified =
-          analysis::hausdorff_bounds(before, after, {.progress = line.progress()}).two_sided()};
+  Stages stages(line.progress(), kMeasureWeights);
+  Measured result;
+  stages.next();
+  result.sampled = analysis::surface_distance(before, after, {.progress = line.progress()});
+  stages.next();
+  result.certified =
+      analysis::hausdorff_bounds(before, after, {.progress = line.progress()}).two_sided();
+  return result;
 }
 
 /// Returns none without --measure.
@@ -144,7 +155,8 @@ SimplifyOutcome simplify_model(LoadedModel& loaded, simplify::SimplifyOptions op
   outcome.diagonal = loaded.statistics.box.diagonal();
   {
     ProgressLine line(!common.quiet);
-    begin_stage(line.progress(), "simplifying");
+    Stages stages(line.progress(), kCommandWeights);
+    stages.next("simplifying");
     options.progress = line.progress();
     Array<Vertex> origins;  // of the input; needed to carry attributes over
     if (!model.attributes.is_empty()) {
@@ -153,13 +165,15 @@ SimplifyOutcome simplify_model(LoadedModel& loaded, simplify::SimplifyOptions op
     simplify::Simplified simplified =
         prunes ? simplify::simplify_pruned(std::move(model.mesh), options)
                : simplify::simplify(std::move(model.mesh), options);
+    stages.next("finishing");
     simplify::CarriedAttributes carried =
         simplify::carry_attributes(model.attributes, origins, simplified);
     outcome.report = simplified.report;
     outcome.dropped = std::move(carried.dropped);
     model.attributes = std::move(carried.attributes);
     model.mesh = std::move(simplified.mesh);
-    loaded.statistics = statistics(model.mesh);
+    stages.next();
+    loaded.statistics = statistics(model.mesh, line.progress());
   }
   if (!common.quiet) say_outcome(outcome, prunes);
   return outcome;

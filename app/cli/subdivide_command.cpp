@@ -17,6 +17,10 @@
 namespace mesher::app {
 namespace {
 
+/// Times of subdividing the mesh and its attributes.
+constexpr double kBothWeights[] = {0.75, 0.25};
+constexpr double kMeshWeights[] = {1.0, 0.0};
+
 void check_memory(const Model& model, const subdivide::SubdivideOptions& options) {
   const std::string refusal = subdivision_refusal(
       subdivide::subdivision_size(model.mesh, options), options.levels,
@@ -30,9 +34,12 @@ double subdivide_model(Model& model, subdivide::SubdivideOptions options,
                        const CommonOptions& common) {
   ProgressLine line(!common.quiet);
   options.progress = line.progress();
+  Stages stages(line.progress(), model.attributes.is_empty() ? kMeshWeights : kBothWeights);
+  stages.next();
   const auto start = std::chrono::steady_clock::now();
   subdivide::Subdivided result = subdivide::subdivide(model.mesh, options);
   model.mesh = std::move(result.mesh);
+  stages.next();
   model.attributes =
       subdivide::subdivide_attributes(model.attributes, options.levels, options.progress);
   if (!result.limit_normal.empty()) model.attributes.normal = std::move(result.limit_normal);

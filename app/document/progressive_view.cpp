@@ -9,6 +9,8 @@
 namespace mesher::app {
 namespace {
 
+/// Times of preparing geomorphs, and of measuring levels.
+constexpr double kLevelWeights[] = {0.55, 0.45};
 // The distance to the automatic level decreases by a factor of e in this time.
 constexpr double kTravelSeconds = 0.15;
 // The level counts as reached within this distance, in positions of the slider.
@@ -21,9 +23,10 @@ DetailLevels detail_levels(progressive::Progressive&& progressive, Progress* pro
   levels.mesh = std::move(progressive.mesh);
   levels.vertex_source = std::move(progressive.vertex_source);
   levels.face_source = std::move(progressive.face_source);
-  begin_stage(progress, "geomorph");
+  Stages stages(progress, kLevelWeights);
+  stages.next("preparing geomorphs");
   levels.geomorph = progressive::Geomorph(levels.mesh, progress);
-  begin_stage(progress, "measuring levels");
+  stages.next("measuring levels");
   levels.errors = progressive::LevelErrors(levels.mesh, progress);
   return levels;
 }

@@ -10,6 +10,9 @@
 namespace mesher::app {
 namespace {
 
+/// Times of finding the difference to the model before, and of the statistics.
+constexpr double kRecordWeights[] = {0.4, 0.6};
+
 /// Returns whether the meshes differ in nothing but sharpness.
 bool has_same_surface(const Mesh& a, const Mesh& b) {
   return std::ranges::equal(a.origins(), b.origins()) && std::ranges::equal(a.twins(), b.twins()) &&
@@ -53,11 +56,16 @@ void ModelEdit::take_shown(Document& document) {
   statistics_ = document.statistics;
 }
 
-void ModelEdit::record(const Shape& shape) {
+void ModelEdit::record(const Shape& shape, Progress* progress) {
+  begin_stage(progress, "recording");
+  Stages stages(progress, kRecordWeights);
+  stages.next();
   edit_.mesh = difference(shown_->mesh, shape.mesh);
+  check_cancelled(progress);
   edit_.attributes = difference(shown_->attributes, shape.attributes);
   edit_.before = statistics_;
-  edit_.after = statistics(shape.mesh);
+  stages.next();
+  edit_.after = statistics(shape.mesh, progress);
 }
 
 void record_edit(Document& document, Edit&& edit) {

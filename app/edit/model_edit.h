@@ -31,7 +31,7 @@ class ModelEdit : public EditTask {
   /// opened. O(V + F).
   void take_shown(Document& document);
   /// Records the change from the shown model to `shape`. O(V + F).
-  void record(const Shape& shape);
+  void record(const Shape& shape, Progress* progress);
 
   std::shared_ptr<const Shape> shown_;
   Statistics statistics_;  ///< of the shown model

@@ -27,6 +27,11 @@ constexpr const char* kKeepLevel = "keep_level";
 constexpr const char* kSplits = "splits";
 constexpr const char* kBaseFaces = "base-faces";
 
+/// Times of building a progressive mesh, and of its geomorphs and level errors.
+constexpr double kBuildWeights[] = {0.45, 0.55};
+/// Times of making a level, and of recording the edit.
+constexpr double kKeepWeights[] = {0.9, 0.1};
+
 constexpr const char* kArriving = "the file is still loading; press Esc to stop loading";
 
 /// Returns a remark on the base ("; ..."), or an empty string.
@@ -91,9 +96,11 @@ class BuildProgressive final : public EditTask {
   }
 
   void perform(Progress* progress) override {
-    begin_stage(progress, "simplifying");
+    Stages stages(progress, kBuildWeights);
+    stages.next("simplifying");
     options_.progress = progress;
     progressive::Progressive made = progressive::make_progressive(start_->mesh, options_);
+    stages.next();
     const simplify::SimplifyReport report = made.report;
     std::string built_by = std::move(levels_.built_by);
     levels_ = detail_levels(std::move(made), progress);
@@ -141,9 +148,12 @@ std::string name_of_level(const Mesh& level) {
 class KeepLevel : public ModelEdit {
  public:
   void perform(Progress* progress) override {
+    Stages stages(progress, kKeepWeights);
+    stages.next();
     kept_ = level(progress);
     edit_.name = name_of_level(kept_.mesh);
-    record(kept_);
+    stages.next();
+    record(kept_, progress);
     far_percent_ = far_percent(shown_->mesh, kept_.mesh, statistics_.box.diagonal());
   }
 
@@ -223,7 +233,6 @@ class KeepBuiltLevel final : public KeepLevel {
   }
 
   Shape level(Progress* progress) override {
-    begin_stage(progress, "simplifying");
     options_.progress = progress;
     progressive::Progressive made = progressive::make_progressive(shown_->mesh, options_);
     made.mesh.go_to(std::min(splits_, made.mesh.split_count()));

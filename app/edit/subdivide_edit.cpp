@@ -52,11 +52,20 @@ std::string name_of(std::uint32_t level_before, std::uint32_t level) {
   return fmt::format("subdivide to level {}", level);
 }
 
+/// Times of subdividing the mesh and its attributes.
+constexpr double kAttributeWeights[] = {0.75, 0.25};
+constexpr double kBareWeights[] = {1.0, 0.0};
+/// Times of subdividing, and of recording the edit, mostly its statistics.
+constexpr double kEditWeights[] = {0.7, 0.3};
+
 Shape subdivided(const SubdivisionLevel& wanted, Progress* progress) {
   if (wanted.level == 0) return *wanted.base;
   subdivide::SubdivideOptions options = at_level(wanted.rules, wanted.level);
   options.progress = progress;
+  Stages stages(progress, wanted.base->attributes.is_empty() ? kBareWeights : kAttributeWeights);
+  stages.next();
   subdivide::Subdivided result = subdivide::subdivide(wanted.base->mesh, options);
+  stages.next();
   Shape shape{std::move(result.mesh),
               subdivide::subdivide_attributes(wanted.base->attributes, wanted.level, progress)};
   if (!result.limit_normal.empty()) shape.attributes.normal = std::move(result.limit_normal);
@@ -82,9 +91,12 @@ class SubdivideEdit final : public ModelEdit {
 
   void perform(Progress* progress) override {
     const auto start = std::chrono::steady_clock::now();
+    Stages stages(progress, kEditWeights);
+    stages.next();
     const Shape shape = subdivided(wanted_, progress);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    record(shape);
+    stages.next();
+    record(shape, progress);
     edit_.subdivision_after = wanted_;
     outcome_ = {wanted_.level, shape.mesh.face_count(), elapsed.count()};
   }

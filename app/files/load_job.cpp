@@ -10,6 +10,15 @@
 #include "engine/mesh/creases.h"
 
 namespace mesher::app {
+namespace {
+
+/// Times of reading a model, and of its statistics: medians over six formats and 0.1, 1.4 and 13
+/// million faces on two cores. (Statistics take 4 % after STL, 24 % after binary PLY.)
+/// Then that of the stand-in, which only large models get: 0.12 s for 11.8 million faces of a
+/// binary PLY, which takes 1.3 s to read and 0.3 s to count.
+constexpr double kLoadWeights[] = {0.87, 0.13, 0.06};
+
+}  // namespace
 
 LoadedModel open_model(const std::filesystem::path& file, const io::ReadOptions& options) {
   if (!io::is_pm_file(file)) return {io::read_model(file, options), {}, file, {}};
@@ -23,6 +32,8 @@ LoadedModel open_model(const std::filesystem::path& file, const io::ReadOptions&
 namespace {
 
 LoadedModel load(const std::filesystem::path& file, LoadOptions options, Progress& progress) {
+  Stages stages(&progress, kLoadWeights);
+  stages.next();
   options.read.progress = &progress;
   LoadedModel loaded = open_model(file, options.read);
   loaded.source = {.stamp = stamp_of(file),
@@ -31,8 +42,9 @@ LoadedModel load(const std::filesystem::path& file, LoadOptions options, Progres
                    .tag_creases_deg = options.tag_creases_deg};
   if (options.tag_creases_deg)
     tag_creases_by_angle(loaded.model.mesh, glm::radians(*options.tag_creases_deg));
-  begin_stage(&progress, "counting");
-  loaded.statistics = statistics(loaded.model.mesh);
+  stages.next("counting");
+  loaded.statistics = statistics(loaded.model.mesh, &progress);
+  stages.next("making the stand-in");
   if (loaded.statistics.faces > kStandInFrom)
     loaded.stand_in = make_stand_in(loaded.model.mesh, loaded.statistics);
   return loaded;

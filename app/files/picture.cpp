@@ -12,6 +12,9 @@
 namespace mesher::app {
 namespace {
 
+/// Times of drawing a picture, and of compressing it as WebP.
+constexpr double kWebpWeights[] = {0.75, 0.25};
+
 render::PictureOptions options_of(const PictureScene& scene, const PictureOptions& options,
                                   Progress* progress) {
   return {.window = scene.window,
@@ -75,10 +78,14 @@ Image draw_picture(const PictureScene& scene, const PictureOptions& options, Pro
 
 void write_picture(const PictureScene& scene, const PictureOptions& options,
                    const std::filesystem::path& file, Progress* progress) {
-  begin_stage(progress, "drawing");
-  if (!is_webp_name(file)) return write_png_picture(scene, options, file, progress);
+  if (!is_webp_name(file)) {
+    begin_stage(progress, "drawing");
+    return write_png_picture(scene, options, file, progress);
+  }
+  Stages stages(progress, kWebpWeights);
+  stages.next("drawing");
   const Image image = draw_picture(scene, options, progress);
-  begin_stage(progress, "compressing");
+  stages.next("compressing");
   io::write_webp(file, image, progress);
 }
 

@@ -13,6 +13,7 @@
 #include "app/ui/code_points.h"
 #include "app/ui/layout.h"
 #include "engine/core/job.h"
+#include "engine/core/time_left.h"
 #include "engine/render/gpu_mesh.h"
 
 namespace mesher::app {
@@ -97,6 +98,7 @@ struct Ui {
   std::uint64_t target_of = 0;  ///< Document::opening that `target_faces` belongs to
   std::uint32_t target_faces = 0;
   TagCount tag_count;
+  TimeLeft time_left;          ///< of the shown job
   std::size_t shown_step = 0;  ///< of the history, which was scrolled to it
 };
 

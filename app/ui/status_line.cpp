@@ -1,7 +1,7 @@
-#include <fmt/format.h>
 #include <imgui.h>
 
-#include <cmath>
+#include <algorithm>
+#include <string>
 
 #include "app/document/shown.h"
 #include "app/ui/controls.h"
@@ -25,15 +25,17 @@ bool shows_job(const Ui& ui) {
   return ui.facts.job != nullptr && ui.facts.job->age_s() > kMomentSeconds;
 }
 
-std::string job_text(const Job& job) {
-  return fmt::format("{}: {} {:.0f} %", job.title(), job.progress().stage(),
-                     std::floor(100.0F * job.progress().fraction()));
+/// Returns "Opening knot.obj: reading 42 %, about 3 s left".
+std::string job_text(const Job& job, TimeLeft& time_left) {
+  const double fraction = double{job.progress().fraction()};
+  time_left.update(job.age_s(), fraction);
+  return job.title() + ": " + progress_text(job.progress().stage(), fraction, time_left);
 }
 
 /// Draws the job and returns whether it is to be canceled.
-bool draw_job(const Job& job, bool can_cancel) {
+bool draw_job(const Job& job, TimeLeft& time_left, bool can_cancel) {
   note_text(job.title());
-  ImGui::TextUnformatted(job_text(job).c_str());
+  ImGui::TextUnformatted(job_text(job, time_left).c_str());
   if (!can_cancel) return false;
   ImGui::SameLine();
   const bool cancels = ImGui::SmallButton("cancel");
@@ -58,7 +60,7 @@ void draw_status_line(Session& session, Ui& ui) {
   if (!begin_part("status", ui.layout.status, false)) return;
   ImGui::SetCursorPos({units(12.0F), 0.5F * (ui.layout.status.height() - ImGui::GetFontSize())});
   if (shows_job(ui)) {
-    ui.actions.cancels_job |= draw_job(*ui.facts.job, ui.facts.can_cancel);
+    ui.actions.cancels_job |= draw_job(*ui.facts.job, ui.time_left, ui.facts.can_cancel);
   } else if (document.error.empty() && !document.notice.empty() &&
              fits(document.notice, ui.layout)) {
     ImGui::TextUnformatted(document.notice.c_str());
@@ -91,7 +93,7 @@ void draw_message(Document& document, Ui& ui) {
     if (ImGui::Button("OK (Esc)###ok")) document.error.clear();
     note_widget("ok");
   } else if (has_job) {
-    ui.actions.cancels_job |= draw_job(*ui.facts.job, ui.facts.can_cancel);
+    ui.actions.cancels_job |= draw_job(*ui.facts.job, ui.time_left, ui.facts.can_cancel);
   } else {
     note_text(document.notice);
     ImGui::TextWrapped("%s", document.notice.c_str());

@@ -73,9 +73,7 @@ Sums sample_faces(const Mesh& from, const TriangleTree& to, const DistanceOption
   const auto sample_at = [&](std::size_t f) {
     return static_cast<std::uint64_t>(before[f] * per_area);
   };
-  return parallel_sum<Sums>(from.face_count(), kChunk, [&](IndexRange faces) {
-    report(options.progress,
-           static_cast<float>(faces.begin) / static_cast<float>(from.face_count()));
+  return parallel_sum<Sums>(from.face_count(), kChunk, options.progress, [&](IndexRange faces) {
     Sums sums;
     Face hint(0);
     for (std::size_t f = faces.begin; f < faces.end; ++f) {
@@ -89,8 +87,8 @@ Sums sample_faces(const Mesh& from, const TriangleTree& to, const DistanceOption
   });
 }
 
-double farthest_vertex(const Mesh& from, const TriangleTree& to) {
-  return parallel_sum<Sums>(from.vertex_count(), kChunk,
+double farthest_vertex(const Mesh& from, const TriangleTree& to, Progress* progress) {
+  return parallel_sum<Sums>(from.vertex_count(), kChunk, progress,
                             [&](IndexRange vertices) {
                               Sums sums;
                               Face hint(0);
@@ -109,11 +107,16 @@ double farthest_vertex(const Mesh& from, const TriangleTree& to) {
 
 OneSidedDistance one_sided(const Mesh& from, const TriangleTree& to,
                            const DistanceOptions& options) {
+  // A sample and a vertex take about the same time.
+  Stages stages(options.progress,
+                {static_cast<double>(options.samples), static_cast<double>(from.vertex_count())});
+  stages.next();
   const Sums sums = sample_faces(from, to, options);
+  stages.next();
   const double n = static_cast<double>(std::max<std::uint64_t>(sums.samples, 1));
   return {.rms = std::sqrt(sums.squared / n),
           .mean = sums.distance / n,
-          .max = std::max(sums.max, farthest_vertex(from, to))};
+          .max = std::max(sums.max, farthest_vertex(from, to, options.progress))};
 }
 
 }  // namespace
@@ -128,9 +131,10 @@ SurfaceDistance surface_distance(const Mesh& a, const Mesh& b, const DistanceOpt
   MESHER_ASSERT(a.face_count() > 0 && b.face_count() > 0);
   SurfaceDistance distance;
   distance.diagonal = bounding_box(a).diagonal();
-  begin_stage(options.progress, "measuring from the first to the second");
+  Stages stages(options.progress, {1.0, 1.0});
+  stages.next("measuring from the first to the second");
   distance.forward = one_sided(a, TriangleTree(b), options);
-  begin_stage(options.progress, "measuring from the second to the first");
+  stages.next("measuring from the second to the first");
   distance.backward = one_sided(b, TriangleTree(a), options);
   return distance;
 }

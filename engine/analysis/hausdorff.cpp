@@ -15,6 +15,13 @@ constexpr double kNearEnough = 0.25;
 /// points between them.
 constexpr double kNearForDecision = 0.5;
 
+/// Times of skimming or probing, of measuring the vertices of each side, and of refining: with
+/// hints after simplifying 0.1 and 1.4 million faces, without hints comparing such meshes.
+constexpr double kHintedWeights[] = {0.85, 0.01, 0.03, 0.11};
+constexpr double kUnhintedWeights[] = {0.03, 0.18, 0.03, 0.76};
+/// Times of measuring the vertices of each side, and of skimming its faces; as above.
+constexpr double kSkimWeights[] = {0.2, 0.03, 0.45, 0.32};
+
 double longest_coordinate(const Mesh& mesh) {
   float most = 0.0F;
   for (const Vertex v : mesh.origins()) {
@@ -36,19 +43,20 @@ class BothSides {
 
   HausdorffBounds run() {
     begin_stage(options_.progress, "bounding the distance");
+    Stages stages(options_.progress, has_hints_ ? kHintedWeights : kUnhintedWeights);
+    stages.next();
     if (has_hints_) {
       skim_both();
     } else {
       for (OneSidedBound* side : {&forward_, &backward_})
         side->probe();
     }
-    for (OneSidedBound* side : {&forward_, &backward_})
+    for (OneSidedBound* side : {&forward_, &backward_}) {
+      stages.next();
       side->measure_vertices(limits(), options_.progress);
-    while (is_open()) {
-      for (OneSidedBound* side : {&forward_, &backward_}) {
-        if (side->has_open() && is_open()) side->refine(limits(), options_.progress);
-      }
     }
+    stages.next();
+    refine();
     return {.forward = {forward_.lower(), forward_.upper()},
             .backward = {backward_.lower(), backward_.upper()},
             .beyond = options_.finds_all ? beyond() : std::vector<Face>{}};
@@ -59,15 +67,30 @@ class BothSides {
   /// neither is the first.
   void skim_both() {
     Progress* progress = options_.progress;
+    Stages stages(progress, kSkimWeights);
+    stages.next();
     if (options_.is_decision) {
       forward_.find_near_vertices(kNearForDecision * options_.enough, progress);
+      stages.next();
       backward_.find_near_vertices(kNearForDecision * options_.enough, progress);
     } else {
       forward_.find_farthest_vertex(progress);
+      stages.next();
       backward_.find_near_vertices(lower(), progress);
     }
-    for (OneSidedBound* side : {&forward_, &backward_})
+    for (OneSidedBound* side : {&forward_, &backward_}) {
+      stages.next();
       side->skim_faces(limits(), progress);
+    }
+  }
+  void refine() {
+    OpenStages rounds(options_.progress);
+    while (is_open()) {
+      rounds.next();
+      for (OneSidedBound* side : {&forward_, &backward_}) {
+        if (side->has_open() && is_open()) side->refine(limits(), options_.progress);
+      }
+    }
   }
   double lower() const { return std::max(forward_.lower(), backward_.lower()); }
   std::vector<Face> beyond() const {

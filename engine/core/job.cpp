@@ -34,6 +34,7 @@ double Job::age_s() const {
 void Job::run(const std::function<void(Progress&)>& work, void (*wake)()) {
   try {
     work(progress_);
+    progress_.set(1.0F);
   } catch (const std::bad_alloc&) {
     failure_ = std::make_exception_ptr(Error(ExitCode::machine_lacks, title_ + ": out of memory"));
   } catch (...) {

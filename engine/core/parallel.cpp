@@ -5,7 +5,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include "engine/core/progress.h"
+#include <atomic>
 
 namespace mesher {
 
@@ -49,9 +49,13 @@ void parallel_chunks(std::size_t n, std::size_t chunk,
 
 void parallel_chunks(std::size_t n, std::size_t chunk, Progress* progress,
                      const std::function<void(std::size_t, IndexRange)>& body) {
+  if (progress == nullptr) return parallel_chunks(n, chunk, body);
+  std::atomic<std::size_t> done{0};
   parallel_chunks(n, chunk, [&](std::size_t i, IndexRange range) {
-    report(progress, static_cast<float>(range.begin) / static_cast<float>(n));
+    check_cancelled(progress);
     body(i, range);
+    const std::size_t before = done.fetch_add(range.size(), std::memory_order_relaxed);
+    progress->set(static_cast<float>(before + range.size()) / static_cast<float>(n));
   });
 }
 

@@ -4,11 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
-namespace mesher {
+#include "engine/core/progress.h"
 
-class Progress;
+namespace mesher {
 
 /// Returns the number of threads that parallel loops may use now, at least 1.
 unsigned thread_count();
@@ -54,10 +55,21 @@ void parallel_for_each(std::size_t n, std::size_t grain, const Body& body) {
 void parallel_chunks(std::size_t n, std::size_t chunk,
                      const std::function<void(std::size_t, IndexRange)>& body);
 
-/// The same, but reports progress before each chunk and throws Cancelled soon after a cancellation.
-/// `progress` may be null.
+/// The same, but reports the finished indices after each chunk, as the current stage of `progress`,
+/// and throws Cancelled soon after a cancellation. `progress` may be null.
 void parallel_chunks(std::size_t n, std::size_t chunk, Progress* progress,
                      const std::function<void(std::size_t, IndexRange)>& body);
+
+/// Runs `body(range)` on this thread for consecutive chunks of `chunk` indices in increasing order,
+/// reports progress before each chunk, and throws Cancelled soon after a cancellation. `progress`
+/// may be null. The loop over a chunk stays free of checks.
+template <class Body>
+void ordered_chunks(std::size_t n, std::size_t chunk, Progress* progress, const Body& body) {
+  for (std::size_t begin = 0; begin < n; begin += chunk) {
+    report(progress, static_cast<float>(begin) / static_cast<float>(n));
+    body(IndexRange{begin, std::min(n, begin + chunk)});
+  }
+}
 
 /// Returns the number of chunks that parallel_chunks makes.
 constexpr std::size_t chunk_count(std::size_t n, std::size_t chunk) {
@@ -65,15 +77,22 @@ constexpr std::size_t chunk_count(std::size_t n, std::size_t chunk) {
 }
 
 /// Returns the sum of `map(range)` over fixed chunks, added in chunk order, so that floating-point
-/// sums are deterministic too.
+/// sums are deterministic too. Reports as parallel_chunks does; `progress` may be null.
 template <class T, class Map>
-T parallel_sum(std::size_t n, std::size_t chunk, Map&& map) {
+T parallel_sum(std::size_t n, std::size_t chunk, Progress* progress, Map&& map) {
   std::vector<T> partial(chunk_count(n, chunk));
-  parallel_chunks(n, chunk, [&](std::size_t i, IndexRange range) { partial[i] = map(range); });
+  parallel_chunks(n, chunk, progress,
+                  [&](std::size_t i, IndexRange range) { partial[i] = map(range); });
   T total{};
   for (const T& part : partial)
     total += part;
   return total;
+}
+
+/// The same without progress.
+template <class T, class Map>
+T parallel_sum(std::size_t n, std::size_t chunk, Map&& map) {
+  return parallel_sum<T>(n, chunk, nullptr, std::forward<Map>(map));
 }
 
 }  // namespace mesher

@@ -1,30 +1,98 @@
 #include "engine/core/progress.h"
 
+#include <exception>
+#include <numeric>
+
+#include "engine/core/assert.h"
 #include "engine/core/error.h"
 
 namespace mesher {
-
-void Progress::begin(std::string_view stage) {
-  const std::lock_guard lock(mutex_);
-  stage_ = stage;
-  set(0.0F);
-}
 
 std::string Progress::stage() const {
   const std::lock_guard lock(mutex_);
   return stage_;
 }
 
+void Progress::name_stage(std::string_view stage) {
+  const std::lock_guard lock(mutex_);
+  stage_ = stage;
+}
+
+void Progress::set(float fraction) {
+  // A finished stage ends exactly where the next one begins.
+  const double at =
+      fraction < 1.0F ? part_.begin + double{fraction} * (part_.end - part_.begin) : part_.end;
+  const auto wanted = static_cast<float>(at);
+  float now = fraction_.load(std::memory_order_relaxed);
+  while (now < wanted && !fraction_.compare_exchange_weak(now, wanted, std::memory_order_relaxed)) {
+  }
+}
+
+Stages::Stages(Progress* progress, std::span<const double> weights)
+    : progress_(progress), exceptions_(std::uncaught_exceptions()) {
+  if (progress == nullptr) return;
+  whole_ = progress->part_;
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  double before = 0.0;
+  for (const double weight : weights) {
+    before += weight;
+    ends_.push_back(sum > 0.0 ? whole_.begin + before / sum * (whole_.end - whole_.begin)
+                              : whole_.end);
+  }
+  if (!ends_.empty()) ends_.back() = whole_.end;  // free of rounding
+}
+
+Stages::~Stages() {
+  if (progress_ == nullptr) return;
+  progress_->part_ = whole_;
+  if (std::uncaught_exceptions() == exceptions_) progress_->set(1.0F);
+}
+
+void Stages::next(std::string_view name) {
+  if (progress_ == nullptr) return;
+  MESHER_ASSERT(started_ < ends_.size());
+  check_cancelled(progress_);
+  progress_->part_ = {started_ == 0 ? whole_.begin : ends_[started_ - 1], ends_[started_]};
+  ++started_;
+  progress_->set(0.0F);
+  if (!name.empty()) progress_->name_stage(name);
+}
+
+OpenStages::OpenStages(Progress* progress, double share)
+    : progress_(progress), share_(share), exceptions_(std::uncaught_exceptions()) {
+  if (progress == nullptr) return;
+  whole_ = progress->part_;
+  end_ = whole_.begin;
+}
+
+OpenStages::~OpenStages() {
+  if (progress_ == nullptr) return;
+  progress_->part_ = whole_;
+  if (std::uncaught_exceptions() == exceptions_) progress_->set(1.0F);
+}
+
+void OpenStages::next() {
+  if (progress_ == nullptr) return;
+  check_cancelled(progress_);
+  progress_->part_ = {end_, end_ + share_ * (whole_.end - end_)};
+  end_ = progress_->part_.end;
+  progress_->set(0.0F);
+}
+
 void report(Progress* progress, float fraction) {
   if (progress == nullptr) return;
-  if (progress->is_cancelled()) throw Cancelled();
+  check_cancelled(progress);
   progress->set(fraction);
+}
+
+void check_cancelled(const Progress* progress) {
+  if (progress != nullptr && progress->is_cancelled()) throw Cancelled();
 }
 
 void begin_stage(Progress* progress, std::string_view stage) {
   if (progress == nullptr) return;
-  if (progress->is_cancelled()) throw Cancelled();
-  progress->begin(stage);
+  check_cancelled(progress);
+  progress->name_stage(stage);
 }
 
 }  // namespace mesher

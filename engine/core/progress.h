@@ -1,38 +1,118 @@
 #pragma once
 
 #include <atomic>
+#include <initializer_list>
 #include <mutex>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace mesher {
 
 /// The progress of a long operation, and whether it has been canceled. The worker writes the
 /// progress; another thread reads it and may cancel. Passed as a pointer; null: nobody is watching.
+///
+/// The fraction covers the whole operation and never decreases. An operation divides it among its
+/// stages (`Stages`); code that reports does not know which part of the whole it fills.
 class Progress {
  public:
-  /// Starts a stage. `stage` is text for the user ("reading bunny.obj").
-  void begin(std::string_view stage);
-  /// Sets the finished fraction of the stage, 0 to 1.
-  void set(float fraction) { fraction_.store(fraction, std::memory_order_relaxed); }
+  /// Returns the finished fraction of the operation, 0 to 1.
   float fraction() const { return fraction_.load(std::memory_order_relaxed); }
+  /// Returns what is being done, as text for the user ("reading"). Empty: nothing has begun.
   std::string stage() const;
+  /// Sets that text. The fraction does not change.
+  void name_stage(std::string_view stage);
+
+  /// Sets the finished fraction of the current stage, 0 to 1. A smaller one than before changes
+  /// nothing. Several threads may call it at once. Cost: a load, and a compare-and-swap if the
+  /// fraction grows; call it once per some thousand elements.
+  void set(float fraction);
 
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
   bool is_cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
 
  private:
+  friend class Stages;
+  friend class OpenStages;
+
+  /// A part of the whole operation.
+  struct Part {
+    double begin = 0.0;
+    double end = 1.0;
+  };
+
   std::atomic<float> fraction_{0.0F};
   std::atomic<bool> cancelled_{false};
+  /// What `set` fills. Changes only while no other thread reports.
+  Part part_;
   mutable std::mutex mutex_;
   std::string stage_;
 };
 
-/// Sets the fraction, or throws Cancelled if `progress` was canceled. Does nothing if it is null.
-/// Call it between units of work, not in inner loops.
+/// Divides the current stage of a Progress, or the whole operation, into stages in proportion to
+/// their times. Each function divides only what its caller gave it, so stages nest:
+///
+///     Stages stages(progress, {7.0, 3.0});
+///     stages.next("reading");
+///     Soup soup = read(file, progress);  // fills 0 % to 70 %
+///     stages.next("building the mesh");
+///     build(soup, progress);             // fills 70 % to 100 %
+///
+/// The destructor finishes the stages, except while an exception passes through. One thread creates
+/// and advances the stages; inside a stage, any number of threads may report.
+class Stages {
+ public:
+  /// `weights`: the expected time of each stage, in any unit. Null progress: does nothing.
+  Stages(Progress* progress, std::span<const double> weights);
+  Stages(Progress* progress, std::initializer_list<double> weights)
+      : Stages(progress, std::span<const double>(weights.begin(), weights.size())) {}
+  ~Stages();
+  Stages(const Stages&) = delete;
+  Stages& operator=(const Stages&) = delete;
+
+  /// Finishes the current stage and starts the next one. An empty name keeps the text of the
+  /// enclosing stage. Throws Cancelled. Pre: there are no more calls than weights.
+  void next(std::string_view name = {});
+
+ private:
+  Progress* progress_;
+  Progress::Part whole_;
+  std::vector<double> ends_;  ///< of each stage, as part of the whole operation
+  std::size_t started_ = 0;
+  int exceptions_;
+};
+
+/// Stages whose number is not known beforehand: each gets the same share of what the ones before it
+/// left of the current stage, so the fraction never reaches the end early. Otherwise as Stages.
+class OpenStages {
+ public:
+  /// `share`: of the remaining part that the next stage fills, above 0 and below 1: the larger, the
+  /// likelier it is the last. Null progress: does nothing.
+  explicit OpenStages(Progress* progress, double share = 0.5);
+  ~OpenStages();
+  OpenStages(const OpenStages&) = delete;
+  OpenStages& operator=(const OpenStages&) = delete;
+
+  /// Finishes the current stage and starts the next one. Throws Cancelled.
+  void next();
+
+ private:
+  Progress* progress_;
+  double share_;
+  Progress::Part whole_;
+  double end_ = 0.0;  ///< of the current stage
+  int exceptions_;
+};
+
+/// Sets the finished fraction of the current stage, or throws Cancelled if `progress` was canceled.
+/// Does nothing if it is null. Call it between units of work, not in inner loops.
 void report(Progress* progress, float fraction);
 
-/// Starts a stage, or throws Cancelled if `progress` was canceled. Does nothing if it is null.
+/// Throws Cancelled if `progress` was canceled. Does nothing if it is null.
+void check_cancelled(const Progress* progress);
+
+/// Names what begins, or throws Cancelled if `progress` was canceled. Does nothing if it is null.
 void begin_stage(Progress* progress, std::string_view stage);
 
 }  // namespace mesher

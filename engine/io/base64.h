@@ -5,11 +5,14 @@
 #include <string>
 #include <string_view>
 
+#include "engine/core/progress.h"
+
 namespace mesher::io {
 
 /// Returns the bytes that a base64 text encodes (RFC 4648, with or without padding). Returns
 /// nothing if the text has a character outside the alphabet or an impossible length. O(n).
-std::optional<std::string> decode_base64(std::string_view text);
+/// Throws Cancelled.
+std::optional<std::string> decode_base64(std::string_view text, Progress* progress = nullptr);
 
 /// Encodes bytes as base64 and passes them to `Sink::write` piece by piece.
 template <class Sink>

@@ -10,6 +10,7 @@
 #include "engine/core/array.h"
 #include "engine/core/assert.h"
 #include "engine/core/parallel.h"
+#include "engine/core/progress.h"
 
 namespace mesher::io {
 
@@ -66,12 +67,15 @@ class Appender {
 /// any count. Before each element the buffer has room for `most_bytes`; `format` may ask for more.
 /// The output does not depend on the number of threads. `Sink` must have `write(std::string_view)`:
 /// an AtomicFile, or an encoder that writes to one.
+/// Reports the written elements, and throws Cancelled; `progress` may be null.
 template <class Sink, class Format>
-void write_elements(Sink& sink, std::size_t count, std::size_t most_bytes, Format&& format) {
+void write_elements(Sink& sink, std::size_t count, std::size_t most_bytes, Progress* progress,
+                    Format&& format) {
   constexpr std::size_t kBlock = std::size_t{1} << 13;
   constexpr std::size_t kBlocksAtOnce = 16;
   std::vector<Appender> blocks(std::min(kBlocksAtOnce, chunk_count(count, kBlock)));
   for (std::size_t begin = 0; begin < count; begin += kBlock * kBlocksAtOnce) {
+    report(progress, static_cast<float>(begin) / static_cast<float>(count));
     const std::size_t elements = std::min(count - begin, kBlock * kBlocksAtOnce);
     parallel_chunks(elements, kBlock, [&](std::size_t block, IndexRange range) {
       Appender& out = blocks[block];

@@ -41,6 +41,9 @@ struct FormatInfo {
   const char* name;       ///< "Wavefront OBJ"
   const char* extension;  ///< ".obj", in lower case
   FormatContents holds{};
+  /// Time to read the polygons of a file, relative to building the mesh of them: median of files of
+  /// 0.1, 1.4 and 13 million faces on two cores.
+  double read_weight = 1.0;
   /// Reads the polygons of a file. Pre: the file is not empty. Null for progressive meshes, which
   /// engine/io/pm_file.h reads and writes.
   Soup (*read)(const MappedFile& file, const ReadOptions& options) = nullptr;

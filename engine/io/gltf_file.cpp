@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/parallel.h"
+#include "engine/core/progress.h"
 #include "engine/io/base64.h"
 
 namespace mesher::io {
@@ -22,6 +26,42 @@ std::uint32_t load_uint32(const char* p) {
   std::memcpy(&value, p, sizeof value);
   return value;
 }
+
+constexpr std::size_t kElementsBetweenReports = std::size_t{1} << 16;
+
+/// Iterates over the characters of a text, and reports how far it has come.
+class JsonText {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  JsonText(const char* p, const char* begin, const char* end, Progress* progress)
+      : p_(p), begin_(begin), end_(end), stop_(p), progress_(progress) {}
+
+  reference operator*() const { return *p_; }
+  JsonText& operator++() {
+    if (p_++ == stop_) note();
+    return *this;
+  }
+  friend bool operator==(const JsonText& a, const JsonText& b) { return a.p_ == b.p_; }
+
+ private:
+  void note() {
+    constexpr std::ptrdiff_t kBetweenReports = std::ptrdiff_t{1} << 18;
+    stop_ = p_ + std::min(kBetweenReports, end_ - p_);
+    report(progress_, static_cast<float>(static_cast<double>(p_ - begin_) /
+                                         static_cast<double>(end_ - begin_)));
+  }
+
+  const char* p_;
+  const char* begin_;
+  const char* end_;
+  const char* stop_;  ///< where the next report is due
+  Progress* progress_;
+};
 
 enum class Component : std::uint32_t {
   int8 = 5120,
@@ -118,7 +158,7 @@ struct GltfFile::Buffer {
   std::string_view bytes;
 };
 
-GltfFile::GltfFile(const MappedFile& file) : file_(file) {
+GltfFile::GltfFile(const MappedFile& file, Progress* progress) : file_(file), progress_(progress) {
   read_container();
   if (!json_->is_object()) fail("not a glTF document");
   const auto asset = json_->find("asset");
@@ -160,7 +200,8 @@ void GltfFile::read_container() {
 
 void GltfFile::parse_json(const char* begin, const char* end) {
   try {
-    json_ = std::make_unique<Json>(Json::parse(begin, end));
+    json_ = std::make_unique<Json>(
+        Json::parse(JsonText{begin, begin, end, progress_}, JsonText{end, begin, end, nullptr}));
   } catch (const Json::parse_error& error) {
     const std::size_t at =
         std::min(error.byte == 0 ? 0 : error.byte - 1, static_cast<std::size_t>(end - begin));
@@ -278,7 +319,7 @@ std::unique_ptr<GltfFile::Buffer> GltfFile::open_buffer(std::uint64_t index) {
   } else if (uri.substr(0, 5) == "data:") {
     const std::size_t comma = uri.find(";base64,");
     if (comma == std::string_view::npos) fail("a buffer's data is not base64");
-    std::optional<std::string> decoded = decode_base64(uri.substr(comma + 8));
+    std::optional<std::string> decoded = decode_base64(uri.substr(comma + 8), progress_);
     if (!decoded) fail("a buffer's data is not base64");
     buffer->decoded = std::move(*decoded);
     buffer->bytes = buffer->decoded;
@@ -309,14 +350,17 @@ Array<float> GltfFile::floats(std::uint64_t index, std::size_t components, std::
   }
   Array<float> values(count * components);
   const std::size_t shared = std::min(components, accessor.components);
-  for (std::size_t i = 0; i < count; ++i) {
-    const char* const from = accessor.bytes.data() + (first + i) * accessor.stride;
-    float* const to = values.data() + i * components;
-    for (std::size_t c = 0; c < shared; ++c) {
-      to[c] = load_float(from + c * size_of(accessor.type), accessor.type, accessor.is_normalized);
+  ordered_chunks(count, kElementsBetweenReports, progress_, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const char* const from = accessor.bytes.data() + (first + i) * accessor.stride;
+      float* const to = values.data() + i * components;
+      for (std::size_t c = 0; c < shared; ++c) {
+        to[c] =
+            load_float(from + c * size_of(accessor.type), accessor.type, accessor.is_normalized);
+      }
+      std::fill(to + shared, to + components, 1.0F);
     }
-    std::fill(to + shared, to + components, 1.0F);
-  }
+  });
   return values;
 }
 
@@ -324,7 +368,7 @@ Array<std::uint32_t> GltfFile::indices(std::uint64_t index) {
   const Accessor accessor = open_accessor(index);
   if (accessor.components != 1) fail("indices are not scalars");
   Array<std::uint32_t> values(accessor.count);
-  for (std::size_t i = 0; i < accessor.count; ++i) {
+  const auto load = [&](std::size_t i) {
     const char* const from = accessor.bytes.data() + i * accessor.stride;
     switch (accessor.type) {
       case Component::uint8:
@@ -342,7 +386,11 @@ Array<std::uint32_t> GltfFile::indices(std::uint64_t index) {
       case Component::float32:
         fail("indices are not unsigned integers");
     }
-  }
+  };
+  ordered_chunks(accessor.count, kElementsBetweenReports, progress_, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      load(i);
+  });
   return values;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/core/array.h"
+#include "engine/core/progress.h"
 #include "engine/io/mapped_file.h"
 
 namespace mesher::io {
@@ -25,7 +26,9 @@ class GltfFile {
   /// Reads the container (identified by its first bytes) and the JSON. Buffers are opened on first
   /// use. A buffer is the binary chunk, base64 data, or a regular file in or below the document's
   /// own folder.
-  explicit GltfFile(const MappedFile& file);
+  /// Reading the document is the current stage of `progress`, and so is each later query that reads
+  /// data. Each may throw Cancelled. `progress` may be null.
+  GltfFile(const MappedFile& file, Progress* progress);
   ~GltfFile();
   GltfFile(const GltfFile&) = delete;
   GltfFile& operator=(const GltfFile&) = delete;
@@ -70,6 +73,7 @@ class GltfFile {
   std::unique_ptr<Buffer> open_buffer(std::uint64_t index);
 
   const MappedFile& file_;
+  Progress* progress_;
   std::unique_ptr<Json> json_;
   std::string_view binary_chunk_;
   bool has_binary_chunk_ = false;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/core/progress.h"
 #include "engine/io/base64.h"
 #include "engine/io/block_writer.h"
 #include "engine/mesh/circulators.h"
@@ -149,36 +150,52 @@ class LevelWriter {
     return {{"attributes", std::move(attributes)}, {"indices", indices}};
   }
 
+  /// Number of corners, in proportion to the time.
+  double weight() const { return double(mesh_.halfedge_count()); }
+
   template <class Sink>
-  void write_data(Sink& sink) const {
+  void write_data(Sink& sink, Progress* progress) const {
+    // In proportion to the bytes.
+    const double vertex_weight = double(split_.vertex.size());
+    Stages stages(progress,
+                  {12.0 * vertex_weight, carried_.normal ? 12.0 * vertex_weight : 0.0,
+                   carried_.texcoord ? 8.0 * vertex_weight : 0.0,
+                   carried_.color ? 4.0 * vertex_weight : 0.0, 4.0 * double(split_.index.size())});
+    stages.next();
     const std::size_t vertices = split_.vertex.size();
-    write_elements(sink, vertices, 12, [&](Appender& out, std::size_t i) {
+    write_elements(sink, vertices, 12, progress, [&](Appender& out, std::size_t i) {
       out.raw(mesh_.positions()[split_.vertex[i]]);
     });
+    stages.next();
     if (carried_.normal) {
-      write_values(sink, attributes_.normal, glm::vec3(0.0F, 0.0F, 1.0F),
+      write_values(sink, progress, attributes_.normal, glm::vec3(0.0F, 0.0F, 1.0F),
                    [](const glm::vec3& n) { return n; });
     }
+    stages.next();
     if (carried_.texcoord) {
-      write_values(sink, attributes_.texcoord, glm::vec2(0.0F), [](const glm::vec2& t) {
+      write_values(sink, progress, attributes_.texcoord, glm::vec2(0.0F), [](const glm::vec2& t) {
         return std::isfinite(t.x + t.y) ? glm::vec2(t.x, 1.0F - t.y) : glm::vec2(0.0F);
       });
     }
+    stages.next();
     if (carried_.color) {
-      write_values(sink, attributes_.color, glm::u8vec4(255),
+      write_values(sink, progress, attributes_.color, glm::u8vec4(255),
                    [](const glm::u8vec4& c) { return c; });
     }
-    write_elements(sink, split_.index.size(), 4,
+    stages.next();
+    write_elements(sink, split_.index.size(), 4, progress,
                    [&](Appender& out, std::size_t c) { out.raw(split_.index[c]); });
   }
 
  private:
   template <class Sink, class T, class Convert>
-  void write_values(Sink& sink, const Array<T>& values, const T& unused, Convert&& convert) const {
-    write_elements(sink, split_.corner.size(), sizeof(T), [&](Appender& out, std::size_t i) {
-      const std::uint32_t corner = split_.corner[i];
-      out.raw(corner == kNone ? unused : convert(values[corner]));
-    });
+  void write_values(Sink& sink, Progress* progress, const Array<T>& values, const T& unused,
+                    Convert&& convert) const {
+    write_elements(sink, split_.corner.size(), sizeof(T), progress,
+                   [&](Appender& out, std::size_t i) {
+                     const std::uint32_t corner = split_.corner[i];
+                     out.raw(corner == kNone ? unused : convert(values[corner]));
+                   });
   }
 
   const Mesh& mesh_;
@@ -189,8 +206,12 @@ class LevelWriter {
 
 class GltfWriter {
  public:
-  GltfWriter(AtomicFile& file, std::span<const GltfLevel> levels, bool binary)
-      : file_(file), binary_(binary), levels_(levels.begin(), levels.end()) {
+  GltfWriter(AtomicFile& file, std::span<const GltfLevel> levels, bool binary, Progress* progress)
+      : file_(file), binary_(binary), progress_(progress) {
+    for (const GltfLevel& level : levels) {
+      check_cancelled(progress);
+      levels_.emplace_back(level);
+    }
     describe();
     if (levels.size() > 1) describe_chain(levels);
     if (binary_) document_["buffers"] = OrderedJson::array({{{"byteLength", bytes_}}});
@@ -274,12 +295,19 @@ class GltfWriter {
 
   template <class Sink>
   void write_data(Sink& sink) const {
+    std::vector<double> weights;
     for (const LevelWriter& level : levels_)
-      level.write_data(sink);
+      weights.push_back(level.weight());
+    Stages stages(progress_, weights);
+    for (const LevelWriter& level : levels_) {
+      stages.next();
+      level.write_data(sink, progress_);
+    }
   }
 
   AtomicFile& file_;
   bool binary_;
+  Progress* progress_;
   std::vector<LevelWriter> levels_;
   OrderedJson document_;
   std::uint64_t bytes_ = 0;
@@ -287,18 +315,20 @@ class GltfWriter {
 
 }  // namespace
 
-void write_gltf(AtomicFile& file, std::span<const GltfLevel> levels, bool binary) {
+void write_gltf(AtomicFile& file, std::span<const GltfLevel> levels, bool binary,
+                Progress* progress) {
   for (const GltfLevel& level : levels) {
     if (level.mesh->vertex_count() == 0) {
       throw OutputError(file.name(), "glTF cannot hold an empty mesh");
     }
   }
-  GltfWriter(file, levels, binary).run();
+  GltfWriter(file, levels, binary, progress).run();
 }
 
-void write_gltf(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool binary) {
+void write_gltf(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool binary,
+                Progress* progress) {
   const GltfLevel level{&mesh, &attributes};
-  write_gltf(file, {&level, 1}, binary);
+  write_gltf(file, {&level, 1}, binary, progress);
 }
 
 }  // namespace mesher::io

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "engine/core/progress.h"
 #include "engine/io/atomic_file.h"
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/mesh.h"
@@ -23,13 +24,15 @@ struct GltfLevel {
 /// coordinates are flipped to count from the top, as in glTF; missing ones are 0. A vertex is
 /// repeated where the attributes of its corners differ. Does not commit. O(F). Throws OutputError
 /// for an empty mesh, and for a .glb of more than 4 GB, the limit of the format.
-void write_gltf(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool binary);
+void write_gltf(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool binary,
+                Progress* progress = nullptr);
 
 /// Writes levels of detail, finest first, with one node per level.
 ///
 /// Only the first node is in the scene. It names the others with the extension MSFT_lod, and its
 /// extras.MSFT_screencoverage lists the coverages. A program that does not know the extension shows
 /// the finest level. Pre: `levels` is not empty.
-void write_gltf(AtomicFile& file, std::span<const GltfLevel> levels, bool binary);
+void write_gltf(AtomicFile& file, std::span<const GltfLevel> levels, bool binary,
+                Progress* progress = nullptr);
 
 }  // namespace mesher::io

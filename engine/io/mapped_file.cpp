@@ -79,6 +79,7 @@ void MappedFile::map(int descriptor, std::size_t size) {
 
 void MappedFile::read_blocks(int descriptor, Progress* progress) {
   for (;;) {
+    check_cancelled(progress);
     wait_for_data(descriptor, progress);
     if (copy_.size() < size_ + kReadBlock) {
       copy_.resize(std::max(2 * copy_.size(), size_ + kReadBlock) + kPadding);

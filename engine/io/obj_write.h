@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/core/progress.h"
 #include "engine/io/atomic_file.h"
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/mesh.h"
@@ -13,6 +14,7 @@ namespace mesher::io {
 /// comment in the file says so. Vertices with a sharpness of their own are written as `t corner`.
 /// Numbers are the shortest that read back as the same floats. Does not commit. O(F log F) with
 /// attributes, else O(F).
-void write_obj(AtomicFile& file, const Mesh& mesh, const Attributes& attributes);
+void write_obj(AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
+               Progress* progress = nullptr);
 
 }  // namespace mesher::io

@@ -5,12 +5,19 @@
 #include <limits>
 
 #include "engine/core/error.h"
+#include "engine/core/parallel.h"
+#include "engine/core/progress.h"
 #include "engine/io/soup_faces.h"
 #include "engine/io/text_cursor.h"
 #include "engine/io/vertex_attributes.h"
 
 namespace mesher::io {
 namespace {
+
+constexpr std::size_t kRowsBetweenReports = 4096;
+/// Times of reading the elements and of bringing attributes to the corners, without attributes 1 %.
+constexpr double kReadWeight = 0.97;
+constexpr double kFinishWeight = 0.03;
 
 /// Attributes per vertex, as the first word declares them.
 struct OffKind {
@@ -53,27 +60,53 @@ std::size_t read_count(TextCursor& text, std::size_t least_bytes) {
 
 class OffReader {
  public:
-  explicit OffReader(const MappedFile& file) : text_(file, text_start(file)) {}
+  OffReader(const MappedFile& file, Progress* progress)
+      : text_(file, text_start(file)),
+        progress_(progress),
+        bytes_(static_cast<double>(file.size())) {}
 
   Soup run() {
+    Stages stages(progress_, {kReadWeight, kFinishWeight});
+    stages.next();
+    read_elements();
+    stages.next();
+    return finish();
+  }
+
+ private:
+  void read_elements() {
     const OffKind kind = read_kind(text_);
     const std::size_t vertices = read_count(text_, 6);  // "0 0 0\n"
     const std::size_t faces = read_count(text_, 2);     // "0\n"
     text_.skip_line();                                  // the number of edges, given or not
     if (vertices == 0) text_.fail("no vertices");
-    for (std::size_t v = 0; v < vertices; ++v)
-      read_vertex(kind);
+    read_rows(vertices, [&] { read_vertex(kind); });
     soup_.face_start.push_back(0);
-    for (std::size_t f = 0; f < faces; ++f)
-      read_face();
+    read_rows(faces, [&] { read_face(); });
+  }
+
+  /// Calls `read` for each row, and reports the bytes that were read.
+  template <class Read>
+  void read_rows(std::size_t rows, const Read& read) {
+    ordered_chunks(rows, kRowsBetweenReports, nullptr, [&](IndexRange range) {
+      report(progress_, static_cast<float>(1.0 - static_cast<double>(text_.bytes_left()) / bytes_));
+      for (std::size_t i = range.begin; i < range.end; ++i)
+        read();
+    });
+  }
+
+  Soup finish() {
+    Stages stages(progress_, {1.0, 1.0, 1.0});
+    stages.next();
     forget_triangle_starts(soup_);
-    soup_.attributes.texcoord = spread_to_corners<glm::vec2>(soup_.corners, texcoords_);
-    soup_.attributes.normal = spread_to_corners<glm::vec3>(soup_.corners, normals_);
-    soup_.attributes.color = spread_to_corners<glm::u8vec4>(soup_.corners, colors_);
+    soup_.attributes.texcoord = spread_to_corners<glm::vec2>(soup_.corners, texcoords_, progress_);
+    stages.next();
+    soup_.attributes.normal = spread_to_corners<glm::vec3>(soup_.corners, normals_, progress_);
+    stages.next();
+    soup_.attributes.color = spread_to_corners<glm::u8vec4>(soup_.corners, colors_, progress_);
     return std::move(soup_);
   }
 
- private:
   glm::vec3 read_vector() {
     glm::vec3 v;
     for (int i = 0; i < 3; ++i)
@@ -138,6 +171,8 @@ class OffReader {
   }
 
   TextCursor text_;
+  Progress* progress_;
+  double bytes_;  ///< of the file
   Soup soup_;
   Array<glm::vec2> texcoords_;
   Array<glm::vec3> normals_;
@@ -146,8 +181,8 @@ class OffReader {
 
 }  // namespace
 
-Soup read_off(const MappedFile& file) {
-  return OffReader(file).run();
+Soup read_off(const MappedFile& file, Progress* progress) {
+  return OffReader(file, progress).run();
 }
 
 }  // namespace mesher::io

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/core/error.h"
+#include "engine/core/progress.h"
 #include "engine/io/ply_header.h"
 #include "engine/io/soup_faces.h"
 #include "engine/io/text_cursor.h"
@@ -15,6 +16,11 @@
 
 namespace mesher::io {
 namespace {
+
+constexpr std::uint64_t kRowsBetweenReports = 4096;
+/// Times of reading the elements and of bringing attributes to the corners, without attributes 1 %.
+constexpr double kReadWeight = 0.97;
+constexpr double kFinishWeight = 0.03;
 
 /// Reads values one by one from a text file.
 class TextValues {
@@ -24,6 +30,7 @@ class TextValues {
 
   /// Returns a bound on the number of values that may follow.
   std::size_t bytes_left() const { return text_.bytes_left() / 2 + 1; }
+  std::size_t file_bytes_left() const { return text_.bytes_left(); }
   float next_float(PlyType) { return text_.number(); }
   double next(PlyType) { return text_.wide_number(); }
   std::int64_t next_whole(PlyType) { return text_.integer(); }
@@ -47,6 +54,7 @@ class BinaryValues {
   static std::size_t least_bytes(PlyType type) { return size_of(type); }
 
   std::size_t bytes_left() const { return static_cast<std::size_t>(file_.end() - p_); }
+  std::size_t file_bytes_left() const { return bytes_left(); }
   float next_float(PlyType type) {
     return type == PlyType::float32 ? take<float>() : static_cast<float>(next(type));
   }
@@ -149,10 +157,19 @@ std::uint8_t color_byte(double value, PlyType type) {
 template <class Values>
 class PlyReader {
  public:
-  PlyReader(const MappedFile& file, const PlyHeader& header)
-      : header_(header), values_(file, header.data) {}
+  PlyReader(const MappedFile& file, const PlyHeader& header, Progress* progress)
+      : header_(header), values_(file, header.data), progress_(progress) {}
 
   Soup run() {
+    Stages stages(progress_, {kReadWeight, kFinishWeight});
+    stages.next();
+    read_elements();
+    stages.next();
+    return finish();
+  }
+
+ private:
+  void read_elements() {
     find_vertices();
     soup_.face_start.push_back(0);
     for (const PlyElement& element : header_.elements) {
@@ -162,20 +179,27 @@ class PlyReader {
       } else if (element.properties.empty()) {
         continue;  // any number of them takes no bytes
       } else if (element.name == "face") {
-        for (std::uint64_t i = 0; i < element.count; ++i)
-          read_face(element);
+        read_rows(element.count, [&](std::uint64_t) { read_face(element); });
       } else if (element.name == "tristrips") {
-        for (std::uint64_t i = 0; i < element.count; ++i)
-          read_strips(element);
+        read_rows(element.count, [&](std::uint64_t) { read_strips(element); });
       } else {
-        for (std::uint64_t i = 0; i < element.count; ++i)
-          skip_row(element);
+        read_rows(element.count, [&](std::uint64_t) { skip_row(element); });
       }
     }
-    return finish();
   }
 
- private:
+  /// Calls read(i) for each row, and reports the bytes that were read.
+  template <class Read>
+  void read_rows(std::uint64_t rows, const Read& read) {
+    for (std::uint64_t begin = 0; begin < rows; begin += kRowsBetweenReports) {
+      const auto left = static_cast<double>(values_.file_bytes_left());
+      report(progress_, static_cast<float>(1.0 - left / bytes_));
+      const std::uint64_t end = std::min(rows, begin + kRowsBetweenReports);
+      for (std::uint64_t i = begin; i < end; ++i)
+        read(i);
+    }
+  }
+
   void find_vertices() {
     for (const PlyElement& element : header_.elements) {
       if (element.name == "vertex") vertex_count_ = element.count;
@@ -231,11 +255,11 @@ class PlyReader {
     if (has[static_cast<int>(Role::normal)]) normals_.assign(count, glm::vec3(0.0F));
     if (has[static_cast<int>(Role::texcoord)]) texcoords_.assign(count, glm::vec2(0.0F));
     if (has[static_cast<int>(Role::color)]) colors_.assign(count, glm::u8vec4(255));
-    for (std::size_t v = 0; v < count; ++v) {
+    read_rows(count, [&](std::uint64_t v) {
       for (std::size_t i = 0; i < slots.size(); ++i)
         read_value(element.properties[i], slots[i], v);
       values_.end_row();
-    }
+    });
   }
 
   void read_value(const PlyProperty& property, Slot slot, std::size_t v) {
@@ -340,20 +364,27 @@ class PlyReader {
   }
 
   Soup finish() {
+    Stages stages(progress_, {1.0, 1.0, 1.0});
+    stages.next();
     forget_triangle_starts(soup_);
     if (soup_.attributes.texcoord.empty()) {
-      soup_.attributes.texcoord = spread_to_corners<glm::vec2>(soup_.corners, texcoords_);
+      soup_.attributes.texcoord =
+          spread_to_corners<glm::vec2>(soup_.corners, texcoords_, progress_);
     } else {
       soup_.attributes.texcoord.resize(soup_.corners.size(),
                                        glm::vec2(std::numeric_limits<float>::quiet_NaN()));
     }
-    soup_.attributes.normal = spread_to_corners<glm::vec3>(soup_.corners, normals_);
-    soup_.attributes.color = spread_to_corners<glm::u8vec4>(soup_.corners, colors_);
+    stages.next();
+    soup_.attributes.normal = spread_to_corners<glm::vec3>(soup_.corners, normals_, progress_);
+    stages.next();
+    soup_.attributes.color = spread_to_corners<glm::u8vec4>(soup_.corners, colors_, progress_);
     return std::move(soup_);
   }
 
   const PlyHeader& header_;
   Values values_;
+  Progress* progress_;
+  double bytes_ = static_cast<double>(std::max<std::size_t>(1, values_.file_bytes_left()));
   std::uint64_t vertex_count_ = 0;
   Soup soup_;
   Array<glm::vec3> normals_;
@@ -364,18 +395,20 @@ class PlyReader {
 
 }  // namespace
 
-Soup read_ply(const MappedFile& file) {
+Soup read_ply(const MappedFile& file, Progress* progress) {
   const PlyHeader header = read_ply_header(file);
   switch (header.encoding) {
     case PlyEncoding::text:
-      return PlyReader<TextValues>(file, header).run();
+      return PlyReader<TextValues>(file, header, progress).run();
     case PlyEncoding::little_endian:
-      return PlyReader<BinaryValues<std::endian::native != std::endian::little>>(file, header)
+      return PlyReader<BinaryValues<std::endian::native != std::endian::little>>(file, header,
+                                                                                 progress)
           .run();
     case PlyEncoding::big_endian:
       break;
   }
-  return PlyReader<BinaryValues<std::endian::native != std::endian::big>>(file, header).run();
+  return PlyReader<BinaryValues<std::endian::native != std::endian::big>>(file, header, progress)
+      .run();
 }
 
 }  // namespace mesher::io

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/core/progress.h"
 #include "engine/io/mapped_file.h"
 #include "engine/mesh/build/soup.h"
 
@@ -15,6 +16,6 @@ namespace mesher::io {
 /// This reader is our own for two reasons: it checks counts against the available bytes before it
 /// allocates, and it preserves every bit of a value. O(bytes). Throws InputError, with the line in
 /// text files.
-Soup read_ply(const MappedFile& file);
+Soup read_ply(const MappedFile& file, Progress* progress = nullptr);
 
 }  // namespace mesher::io

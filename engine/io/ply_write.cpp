@@ -10,6 +10,9 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary PLY is written as it lies here");
 
+/// Time of a face, relative to a vertex.
+constexpr double kFaceTime = 1.0;
+
 /// Appends values in the file's encoding: text separated by blanks, or bytes as in memory.
 class PlyValues {
  public:
@@ -67,7 +70,10 @@ std::string header(const Mesh& mesh, const VertexValues& values, bool has_seams,
 
 }  // namespace
 
-void write_ply(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool ascii) {
+void write_ply(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool ascii,
+               Progress* progress) {
+  Stages stages(progress, {double(mesh.vertex_count()), kFaceTime * mesh.face_count()});
+  stages.next();
   const auto at_vertices = [&](const auto& of_corners, const auto& unused) {
     return gather_to_vertices(mesh.origins(), mesh.vertex_count(), of_corners, unused);
   };
@@ -77,27 +83,30 @@ void write_ply(AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
   const bool has_seams = !attributes.texcoord.empty() && values.texcoord.empty();
   file.write(header(mesh, values, has_seams, ascii));
   constexpr std::size_t kMostVertexBytes = 8 * 16 + 4 * 11 + 1;
-  write_elements(file, mesh.vertex_count(), kMostVertexBytes, [&](Appender& out, std::size_t v) {
-    PlyValues row(out, ascii);
-    row.vector(mesh.positions()[v]);
-    if (!values.normal.empty()) row.vector(values.normal[v]);
-    if (!values.texcoord.empty()) row.vector(values.texcoord[v]);
-    if (!values.color.empty()) row.vector(values.color[v]);
-    row.end_row();
-  });
+  write_elements(file, mesh.vertex_count(), kMostVertexBytes, progress,
+                 [&](Appender& out, std::size_t v) {
+                   PlyValues row(out, ascii);
+                   row.vector(mesh.positions()[v]);
+                   if (!values.normal.empty()) row.vector(values.normal[v]);
+                   if (!values.texcoord.empty()) row.vector(values.texcoord[v]);
+                   if (!values.color.empty()) row.vector(values.color[v]);
+                   row.end_row();
+                 });
+  stages.next();
   constexpr std::size_t kMostFaceBytes = 5 * 11 + 6 * 16 + 1;
-  write_elements(file, mesh.face_count(), kMostFaceBytes, [&](Appender& out, std::size_t f) {
-    PlyValues row(out, ascii);
-    row.value(std::uint8_t{3});
-    for (std::size_t h = 3 * f; h < 3 * f + 3; ++h)
-      row.value(mesh.origins()[h].index());
-    if (has_seams) {
-      row.value(std::uint8_t{6});
-      for (std::size_t h = 3 * f; h < 3 * f + 3; ++h)
-        row.vector(attributes.texcoord[h]);
-    }
-    row.end_row();
-  });
+  write_elements(file, mesh.face_count(), kMostFaceBytes, progress,
+                 [&](Appender& out, std::size_t f) {
+                   PlyValues row(out, ascii);
+                   row.value(std::uint8_t{3});
+                   for (std::size_t h = 3 * f; h < 3 * f + 3; ++h)
+                     row.value(mesh.origins()[h].index());
+                   if (has_seams) {
+                     row.value(std::uint8_t{6});
+                     for (std::size_t h = 3 * f; h < 3 * f + 3; ++h)
+                       row.vector(attributes.texcoord[h]);
+                   }
+                   row.end_row();
+                 });
 }
 
 }  // namespace mesher::io

@@ -25,7 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kBlock = std::size_t{1} << 18;
+constexpr std::size_t kBlock = std::size_t{1} << 16;
+/// Times of decoding, and of refining to full detail, which decoding has mostly done.
+constexpr double kReadWeights[] = {0.99, 0.01};
 
 /// Number of bytes that identify a file.
 constexpr std::size_t kBeginning = 8;
@@ -178,7 +180,9 @@ bool is_pm_file(const fs::path& file) {
 }
 
 PmContents read_pm_file(const fs::path& file, Progress* progress) {
-  begin_stage(progress, "reading " + file.filename().string());
+  begin_stage(progress, "reading");
+  Stages stages(progress, kReadWeights);
+  stages.next();
   try {
     progressive::PmReader reader(file.string());
     PmSummary rest;
@@ -188,7 +192,8 @@ PmContents read_pm_file(const fs::path& file, Progress* progress) {
     rest.coordinate_bits = reader.coordinate_bits();
     rest.damage = reader.damage();
     PmContents contents{std::move(reader).take(), {}};
-    contents.mesh.go_to(contents.mesh.split_count());
+    stages.next();
+    go_to_level(contents.mesh, contents.mesh.split_count(), progress);
     PmSummary& summary = contents.summary;
     summary = summary_of(contents.mesh);
     summary.announced_splits = rest.announced_splits;

@@ -1,24 +1,27 @@
 #pragma once
 
+#include "engine/core/progress.h"
 #include "engine/io/atomic_file.h"
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/mesh.h"
 
 namespace mesher::io {
 
-// None of these functions commits the file. All are O(F) and write in blocks, so memory does not
-// grow with the mesh, except for attributes. Numbers in text are the shortest that read back as the
-// same floats.
+// None of these functions commits the file. They report progress and throw Cancelled. All are O(F)
+// and write in blocks, so memory does not grow with the mesh, except for attributes. Numbers in
+// text are the shortest that read back as the same floats.
 
 /// Writes PLY, little-endian binary or text. Normals, texture coordinates and colors are written
 /// per vertex if all corners of each vertex agree. Texture coordinates with seams are written as
 /// the faces' `texcoord` list.
-void write_ply(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool ascii);
+void write_ply(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool ascii,
+               Progress* progress = nullptr);
 
 /// Writes STL, binary or text, with face normals.
-void write_stl(AtomicFile& file, const Mesh& mesh, bool ascii);
+void write_stl(AtomicFile& file, const Mesh& mesh, bool ascii, Progress* progress = nullptr);
 
 /// Writes OFF, or COFF if all corners of each vertex have one color.
-void write_off(AtomicFile& file, const Mesh& mesh, const Attributes& attributes);
+void write_off(AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
+               Progress* progress = nullptr);
 
 }  // namespace mesher::io

@@ -29,7 +29,7 @@ Soup read_soup(const std::filesystem::path& file, const ReadOptions& options) {
   if (format->read == nullptr) {
     throw InputError(name, 0, std::string("holds a ") + format->name + ", not polygons");
   }
-  begin_stage(options.progress, "reading " + file.filename().string());
+  begin_stage(options.progress, "reading");
   try {
     return read_polygons(*format, file, options);
   } catch (const std::bad_alloc&) {

@@ -2,13 +2,24 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/io/format.h"
 #include "engine/io/read.h"
 
 namespace mesher::io {
+namespace {
+
+/// Time of building a mesh, in the unit of FormatInfo::read_weight.
+constexpr double kBuildWeight = 1.0;
+
+}  // namespace
 
 Model read_model(const std::filesystem::path& file, const ReadOptions& options) {
+  const FormatInfo* format = format_of(file);
+  Stages stages(options.progress, {format == nullptr ? 1.0 : format->read_weight, kBuildWeight});
+  stages.next();
   Soup soup = read_soup(file, options);
   try {
+    stages.next();
     BuildResult built = build_mesh(
         std::move(soup),
         {.keep_isolated_vertices = options.keep_isolated_vertices, .progress = options.progress});

@@ -16,6 +16,11 @@ namespace {
 
 constexpr std::size_t kHeaderBytes = 84;
 constexpr std::size_t kFacetBytes = 50;
+constexpr std::size_t kFacetsBetweenReports = 4096;
+/// Times of reading the facets and of welding their corners, measured with 1.4 and 13 million
+/// faces.
+constexpr double kTextWeights[] = {0.47, 0.53};
+constexpr double kBinaryWeights[] = {0.03, 0.97};
 
 std::uint32_t claimed_facets(const MappedFile& file) {
   std::uint32_t count = 0;
@@ -30,15 +35,20 @@ bool starts_as_text(const MappedFile& file) {
   return ::strncasecmp(p, "solid", 5) == 0;
 }
 
-Array<glm::vec3> read_binary(const MappedFile& file, std::size_t facets) {
+Array<glm::vec3> read_binary(const MappedFile& file, std::size_t facets, Progress* progress) {
   Array<glm::vec3> positions(3 * facets);
-  parallel_for(facets, std::size_t{1} << 13, [&](IndexRange range) {
+  parallel_chunks(facets, std::size_t{1} << 13, progress, [&](std::size_t, IndexRange range) {
     for (std::size_t f = range.begin; f < range.end; ++f) {
       const char* const corners = file.begin() + kHeaderBytes + f * kFacetBytes + sizeof(glm::vec3);
       std::memcpy(static_cast<void*>(&positions[3 * f]), corners, 3 * sizeof(glm::vec3));
     }
   });
   return positions;
+}
+
+float part_read(const MappedFile& file, const char* p) {
+  return static_cast<float>(static_cast<double>(p - file.begin()) /
+                            static_cast<double>(file.size()));
 }
 
 // Some programs write keywords in upper case.
@@ -58,13 +68,15 @@ glm::vec3 read_vector(TextCursor& text) {
   return v;
 }
 
-Array<glm::vec3> read_text(const MappedFile& file) {
+Array<glm::vec3> read_text(const MappedFile& file, Progress* progress) {
   Array<glm::vec3> positions;
   TextCursor text(file, text_start(file));
   while (!text.at_end()) {  // a file may hold several solids
     expect(text, "solid");
     text.skip_line();
     for (;;) {
+      if (positions.size() % (3 * kFacetsBetweenReports) == 0)
+        report(progress, part_read(file, text.position()));
       const std::string_view word = text.word();
       if (is_keyword(word, "endsolid")) break;
       if (!is_keyword(word, "facet")) text.fail("expected \"facet\" or \"endsolid\"");
@@ -84,8 +96,8 @@ Array<glm::vec3> read_text(const MappedFile& file) {
   return positions;
 }
 
-Soup connect(const Array<glm::vec3>& positions) {
-  Weld welded = weld_positions(positions);
+Soup connect(const Array<glm::vec3>& positions, Progress* progress) {
+  Weld welded = weld_positions(positions, progress);
   Soup soup;
   soup.positions.resize(welded.first.size());
   for (std::size_t v = 0; v < welded.first.size(); ++v) {
@@ -97,7 +109,7 @@ Soup connect(const Array<glm::vec3>& positions) {
 
 }  // namespace
 
-Soup read_stl(const MappedFile& file) {
+Soup read_stl(const MappedFile& file, Progress* progress) {
   const std::size_t facets = claimed_facets(file);
   const bool fits = file.size() >= kHeaderBytes &&
                     (file.size() - kHeaderBytes) / kFacetBytes >= facets && facets > 0;
@@ -112,9 +124,13 @@ Soup read_stl(const MappedFile& file) {
   if (!is_text && facets > kNone / 3) {
     throw InputError(file.name(), 0, "more elements than 32-bit indices can address");
   }
-  const Array<glm::vec3> positions = is_text ? read_text(file) : read_binary(file, facets);
+  Stages stages(progress, is_text ? kTextWeights : kBinaryWeights);
+  stages.next();
+  const Array<glm::vec3> positions =
+      is_text ? read_text(file, progress) : read_binary(file, facets, progress);
   if (positions.empty()) throw InputError(file.name(), 0, "no facets");
-  return connect(positions);
+  stages.next("connecting");
+  return connect(positions, progress);
 }
 
 }  // namespace mesher::io

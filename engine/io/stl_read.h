@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/core/progress.h"
 #include "engine/io/mapped_file.h"
 #include "engine/mesh/build/soup.h"
 
@@ -12,6 +13,6 @@ namespace mesher::io {
 /// one vertex, in the order of first appearance. Normals, which follow from the positions, and
 /// vendor-specific attribute bytes are ignored. This reader is our own because libraries return
 /// unconnected triangles. O(n log n) time. Throws InputError.
-Soup read_stl(const MappedFile& file);
+Soup read_stl(const MappedFile& file, Progress* progress = nullptr);
 
 }  // namespace mesher::io

@@ -31,10 +31,10 @@ void append_vector(Appender& out, const glm::vec3& v) {
   out << ' ' << v.x << ' ' << v.y << ' ' << v.z << '\n';
 }
 
-void write_text(AtomicFile& file, const Mesh& mesh) {
+void write_text(AtomicFile& file, const Mesh& mesh, Progress* progress) {
   file.write("solid mesher\n");
   constexpr std::size_t kMostBytes = 128 + 12 * 16;
-  write_elements(file, mesh.face_count(), kMostBytes, [&](Appender& out, std::size_t f) {
+  write_elements(file, mesh.face_count(), kMostBytes, progress, [&](Appender& out, std::size_t f) {
     const Facet facet = facet_of(mesh, f);
     out << "facet normal";
     append_vector(out, facet.normal);
@@ -48,24 +48,24 @@ void write_text(AtomicFile& file, const Mesh& mesh) {
   file.write("endsolid mesher\n");
 }
 
-void write_binary(AtomicFile& file, const Mesh& mesh) {
+void write_binary(AtomicFile& file, const Mesh& mesh, Progress* progress) {
   std::string header = "binary STL written by mesher";
   header.resize(80, ' ');
   const std::uint32_t facets = mesh.face_count();
   header.append(reinterpret_cast<const char*>(&facets), sizeof facets);
   file.write(header);
-  write_elements(file, facets, 50, [&](Appender& out, std::size_t f) {
+  write_elements(file, facets, 50, progress, [&](Appender& out, std::size_t f) {
     out.raw(facet_of(mesh, f)).raw(std::uint16_t{0});
   });
 }
 
 }  // namespace
 
-void write_stl(AtomicFile& file, const Mesh& mesh, bool ascii) {
+void write_stl(AtomicFile& file, const Mesh& mesh, bool ascii, Progress* progress) {
   if (ascii) {
-    write_text(file, mesh);
+    write_text(file, mesh, progress);
   } else {
-    write_binary(file, mesh);
+    write_binary(file, mesh, progress);
   }
 }
 

@@ -14,16 +14,19 @@ namespace mesher::io {
 
 // Many formats store attributes per vertex, while mesher stores one per corner.
 
-/// Copies per-vertex values to corners. O(corners), parallel. Pre: indices are in range.
+/// Copies per-vertex values to corners. O(corners), parallel. Throws Cancelled. Pre: indices are in
+/// range.
 template <class T>
-Array<T> spread_to_corners(std::span<const std::uint32_t> corners, const Array<T>& of_vertices) {
+Array<T> spread_to_corners(std::span<const std::uint32_t> corners, const Array<T>& of_vertices,
+                           Progress* progress = nullptr) {
   Array<T> values;
   if (of_vertices.empty()) return values;
   values.resize(corners.size());
-  parallel_for(corners.size(), std::size_t{1} << 15, [&](IndexRange range) {
-    for (std::size_t c = range.begin; c < range.end; ++c)
-      values[c] = of_vertices[corners[c]];
-  });
+  parallel_chunks(corners.size(), std::size_t{1} << 15, progress,
+                  [&](std::size_t, IndexRange range) {
+                    for (std::size_t c = range.begin; c < range.end; ++c)
+                      values[c] = of_vertices[corners[c]];
+                  });
   return values;
 }
 

@@ -19,6 +19,8 @@ const FormatInfo& writable_format(const std::filesystem::path& file) {
 void write_model(const std::filesystem::path& file, const Mesh& mesh, const Attributes& attributes,
                  const WriteOptions& options) {
   const FormatInfo& format = writable_format(file);
+  Stages stages(options.progress, {1.0});
+  stages.next("writing");
   AtomicFile out(file);
   format.write(out, mesh, attributes, options);
   out.commit();

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "engine/core/progress.h"
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/mesh.h"
 
@@ -11,6 +12,7 @@ struct FormatInfo;
 
 struct WriteOptions {
   bool ascii = false;  ///< PLY and STL as text rather than little-endian binary
+  Progress* progress = nullptr;
 };
 
 /// Writes a mesh in the format of the file's extension, with the attributes and creases that the
@@ -18,7 +20,8 @@ struct WriteOptions {
 ///
 /// losses_in_format lists what is not preserved. Writes a temporary file beside the target and
 /// renames it, so that the file appears whole or not at all. Positions preserve every bit in
-/// formats with single precision. Throws OutputError; UsageError as writable_format does. O(V + F).
+/// formats with single precision. Throws OutputError; UsageError as writable_format does;
+/// Cancelled, and then the target is unchanged. O(V + F).
 void write_model(const std::filesystem::path& file, const Mesh& mesh, const Attributes& attributes,
                  const WriteOptions& options = {});
 

@@ -140,12 +140,12 @@ glm::vec3 vertex_normal(const Mesh& mesh, Vertex v, NormalWeight weight) {
   return glm::vec3(unit_or_zero(sum));
 }
 
-Array<glm::vec3> vertex_normals(const Mesh& mesh, NormalWeight weight) {
+Array<glm::vec3> vertex_normals(const Mesh& mesh, NormalWeight weight, Progress* progress) {
   // If unit face normals are needed, compute each once instead of once per corner.
   const bool takes_units = weight != NormalWeight::area;
   const Array<glm::vec3> unit = takes_units ? face_normals(mesh) : Array<glm::vec3>{};
   Array<glm::vec3> normals(mesh.vertex_count());
-  parallel_for(mesh.vertex_count(), kNormalsGrain, [&](IndexRange range) {
+  parallel_chunks(mesh.vertex_count(), kNormalsGrain, progress, [&](std::size_t, IndexRange range) {
     for (std::size_t v = range.begin; v < range.end; ++v) {
       glm::dvec3 sum(0.0);
       for (const Halfedge h : halfedges_around(mesh, Vertex(static_cast<std::uint32_t>(v)))) {

@@ -4,6 +4,7 @@
 
 #include "engine/core/array.h"
 #include "engine/core/choice.h"
+#include "engine/core/progress.h"
 #include "engine/mesh/mesh.h"
 
 namespace mesher {
@@ -38,8 +39,10 @@ Array<glm::vec3> face_normals(const Mesh& mesh);
 glm::vec3 vertex_normal(const Mesh& mesh, Vertex v, NormalWeight weight = NormalWeight::angle);
 
 /// Returns one unit normal per vertex, equal to vertex_normal up to rounding. O(V + F), because the
-/// valences sum to 3F; parallel. Scratch memory: 12 bytes per face.
-Array<glm::vec3> vertex_normals(const Mesh& mesh, NormalWeight weight = NormalWeight::angle);
+/// valences sum to 3F; parallel. Scratch memory: 12 bytes per face. Throws
+/// Cancelled.
+Array<glm::vec3> vertex_normals(const Mesh& mesh, NormalWeight weight = NormalWeight::angle,
+                                Progress* progress = nullptr);
 
 struct CornerNormalOptions {
   NormalWeight weight = NormalWeight::angle;

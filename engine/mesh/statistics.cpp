@@ -8,6 +8,9 @@ namespace mesher {
 namespace {
 
 constexpr std::size_t kStatisticsChunk = 1 << 16;
+/// Times of measuring faces, finding boundary loops, and finding components: medians of 0.1, 1.4
+/// and 13 million faces.
+constexpr double kStatisticsWeights[] = {0.34, 0.03, 0.63};
 
 struct Measures {
   double area = 0.0;
@@ -80,25 +83,29 @@ Box bounding_box(const Mesh& mesh) {
   return box;
 }
 
-std::vector<std::vector<Halfedge>> boundary_loops(const Mesh& mesh) {
+std::vector<std::vector<Halfedge>> boundary_loops(const Mesh& mesh, Progress* progress) {
   std::vector<std::vector<Halfedge>> loops;
   std::vector<bool> is_done(mesh.halfedge_count(), false);
-  for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
-    const Halfedge start(i);
-    if (!mesh.is_boundary(start) || is_done[i]) continue;
+  const auto follow = [&](Halfedge start) {
     std::vector<Halfedge>& loop = loops.emplace_back();
     for (Halfedge h = start; !is_done[h.index()]; h = mesh.outgoing(mesh.target(h))) {
       is_done[h.index()] = true;
       loop.push_back(h);
     }
-  }
+  };
+  ordered_chunks(mesh.halfedge_count(), kStatisticsChunk, progress, [&](IndexRange range) {
+    for (auto i = static_cast<std::uint32_t>(range.begin); i < range.end; ++i) {
+      if (mesh.is_boundary(Halfedge(i)) && !is_done[i]) follow(Halfedge(i));
+    }
+  });
   return loops;
 }
 
-std::vector<std::uint32_t> face_components(const Mesh& mesh) {
+std::vector<std::uint32_t> face_components(const Mesh& mesh, Progress* progress) {
   std::vector<std::uint32_t> component(mesh.face_count(), kNone);
   std::vector<Face> pending;
   std::uint32_t count = 0;
+  std::uint32_t visited = 0;
   for (std::uint32_t seed = 0; seed < mesh.face_count(); ++seed) {
     if (component[seed] != kNone) continue;
     component[seed] = count;
@@ -106,6 +113,8 @@ std::vector<std::uint32_t> face_components(const Mesh& mesh) {
     while (!pending.empty()) {
       const Face f = pending.back();
       pending.pop_back();
+      if (visited++ % kStatisticsChunk == 0)
+        report(progress, static_cast<float>(visited) / static_cast<float>(mesh.face_count()));
       for (std::uint32_t c = 0; c < 3; ++c) {
         const Halfedge t = mesh.twin(Mesh::halfedge(f, c));
         if (!t.is_valid() || component[Mesh::face(t).index()] != kNone) continue;
@@ -118,13 +127,15 @@ std::vector<std::uint32_t> face_components(const Mesh& mesh) {
   return component;
 }
 
-Statistics statistics(const Mesh& mesh) {
+Statistics statistics(const Mesh& mesh, Progress* progress) {
+  Stages stages(progress, kStatisticsWeights);
+  stages.next();
   Statistics s;
   s.box = bounding_box(mesh);
   const glm::dvec3 center = s.box.is_empty() ? glm::dvec3(0.0) : s.box.center();
-  const auto m = parallel_sum<Measures>(mesh.face_count(), kStatisticsChunk, [&](IndexRange range) {
-    return measure(mesh, range, center);
-  });
+  const auto m =
+      parallel_sum<Measures>(mesh.face_count(), kStatisticsChunk, progress,
+                             [&](IndexRange range) { return measure(mesh, range, center); });
   s.vertices = mesh.vertex_count();
   s.faces = mesh.face_count();
   s.boundary_edges = m.boundary_edges;
@@ -135,8 +146,10 @@ Statistics statistics(const Mesh& mesh) {
   s.volume = m.volume;
   for (const Halfedge h : mesh.outgoings())
     s.isolated_vertices += h.is_valid() ? 0 : 1;
-  s.boundary_loops = static_cast<std::uint32_t>(boundary_loops(mesh).size());
-  s.components = count_components(face_components(mesh));
+  stages.next();
+  s.boundary_loops = static_cast<std::uint32_t>(boundary_loops(mesh, progress).size());
+  stages.next();
+  s.components = count_components(face_components(mesh, progress));
   s.euler_characteristic = std::int64_t{s.vertices} - s.isolated_vertices - s.edges + s.faces;
   return s;
 }

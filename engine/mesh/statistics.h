@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "engine/core/progress.h"
 #include "engine/mesh/mesh.h"
 
 namespace mesher {
@@ -24,12 +25,12 @@ struct Box {
 Box bounding_box(const Mesh& mesh);
 
 /// Returns each boundary loop as a sequence of half-edges without twin (with the surface on their
-/// left). O(F).
-std::vector<std::vector<Halfedge>> boundary_loops(const Mesh& mesh);
+/// left). O(F). Throws Cancelled.
+std::vector<std::vector<Halfedge>> boundary_loops(const Mesh& mesh, Progress* progress = nullptr);
 
 /// Returns the component of each face, numbered from 0 by lowest face. The number of components is
-/// one more than the highest number. O(F).
-std::vector<std::uint32_t> face_components(const Mesh& mesh);
+/// one more than the highest number. O(F). Throws Cancelled.
+std::vector<std::uint32_t> face_components(const Mesh& mesh, Progress* progress = nullptr);
 
 /// The figures that `info` and the panel show.
 struct Statistics {
@@ -77,7 +78,7 @@ inline constexpr std::array kCounts{
           [](const Statistics& s) { return std::int64_t(s.zero_area_faces); }, true},
 };
 
-/// Returns the statistics of a mesh. O(F).
-Statistics statistics(const Mesh& mesh);
+/// Returns the statistics of a mesh. O(F). Throws Cancelled.
+Statistics statistics(const Mesh& mesh, Progress* progress = nullptr);
 
 }  // namespace mesher

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/core/parallel.h"
 #include "engine/mesh/outgoing.h"
 #include "engine/progressive/opened_arrays.h"
 #include "engine/progressive/parent_fan.h"
@@ -132,6 +133,17 @@ std::size_t ProgressiveMesh::memory_bytes() const {
   const auto bytes = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
   return mesh_.memory_bytes() + bytes(splits_) + bytes(moved_) + bytes(sharpness_) +
          bytes(corner_sharpness_) + bytes(full_bow_tie_copies_);
+}
+
+void go_to_level(ProgressiveMesh& mesh, std::uint32_t level, Progress* progress) {
+  if (progress == nullptr) return mesh.go_to(level);
+  constexpr std::uint32_t kStep = 1U << 18;
+  const std::uint32_t from = mesh.level();
+  const std::uint32_t way = level > from ? level - from : from - level;
+  ordered_chunks(way, kStep, progress, [&](IndexRange done) {
+    const auto steps = static_cast<std::uint32_t>(done.end);
+    mesh.go_to(level > from ? from + steps : from - steps);
+  });
 }
 
 }  // namespace mesher::progressive

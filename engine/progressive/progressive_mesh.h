@@ -4,6 +4,7 @@
 #include <span>
 
 #include "engine/core/array.h"
+#include "engine/core/progress.h"
 #include "engine/mesh/mesh.h"
 #include "engine/progressive/vertex_split.h"
 
@@ -109,5 +110,8 @@ class ProgressiveMesh {
   Array<BowTieCopy> full_bow_tie_copies_;  ///< at full detail
   Array<Halfedge> spokes_;                 ///< scratch of append
 };
+
+/// Brings a mesh to a level in steps, and reports them. Throws Cancelled at a level in between.
+void go_to_level(ProgressiveMesh& mesh, std::uint32_t level, Progress* progress);
 
 }  // namespace mesher::progressive

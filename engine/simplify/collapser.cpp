@@ -76,10 +76,8 @@ class FirstCosts {
 void evaluate_all(const CollapseContext& context) {
   constexpr std::size_t kVertices = 2048;
   const std::size_t n = context.surface.mesh().vertex_count();
-  parallel_chunks(n, kVertices, [&](std::size_t, IndexRange range) {
-    report(context.progress, static_cast<float>(range.begin) / static_cast<float>(n));
-    FirstCosts(context).find(range);
-  });
+  parallel_chunks(n, kVertices, context.progress,
+                  [&](std::size_t, IndexRange range) { FirstCosts(context).find(range); });
 }
 
 Collapser::Collapser(CollapseContext& context, const Limits& limits)

@@ -65,7 +65,7 @@ void sort_by_digit(const Array<Item>& from, Array<Item>& to, std::uint32_t shift
 }  // namespace
 
 Array<Vertex> morton_order(std::span<const glm::vec3> positions, std::span<const Vertex> vertices,
-                           const MortonGrid& grid) {
+                           const MortonGrid& grid, const Progress* progress) {
   if (vertices.empty()) return {};
   const Extent box = extent(positions, vertices);
   const glm::vec3 size = box.max - box.min;
@@ -89,9 +89,11 @@ Array<Vertex> morton_order(std::span<const glm::vec3> positions, std::span<const
     }
   });
   for (std::uint32_t bits = 0; bits < 3 * grid.bits; bits += kDigitBits) {
+    check_cancelled(progress);
     sort_by_digit(items, sorted, bits);
     std::swap(items, sorted);
   }
+  check_cancelled(progress);
   Array<Vertex> order(vertices.size());
   for (std::size_t i = 0; i < items.size(); ++i)
     order[i] = items[i].vertex;

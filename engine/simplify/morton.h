@@ -5,6 +5,7 @@
 #include <span>
 
 #include "engine/core/array.h"
+#include "engine/core/progress.h"
 #include "engine/mesh/ids.h"
 
 namespace mesher::simplify {
@@ -18,8 +19,9 @@ struct MortonGrid {
 };
 
 /// Returns the vertices sorted along a Z-order curve through their bounding box (G. Morton, 1966),
-/// so that neighbors on the surface are mostly neighbors in the order. Stable. O(n).
+/// so that neighbors on the surface are mostly neighbors in the order. Stable. O(n). Throws
+/// Cancelled; does not report.
 Array<Vertex> morton_order(std::span<const glm::vec3> positions, std::span<const Vertex> vertices,
-                           const MortonGrid& grid);
+                           const MortonGrid& grid, const Progress* progress = nullptr);
 
 }  // namespace mesher::simplify

@@ -12,6 +12,7 @@
 #include "engine/analysis/distance.h"
 #include "engine/analysis/hausdorff.h"
 #include "engine/core/assert.h"
+#include "engine/core/progress.h"
 #include "engine/mesh/statistics.h"
 #include "engine/simplify/reorder.h"
 
@@ -26,6 +27,11 @@ constexpr double kNoWorse = 1.05;
 // A run that leaves out fewer parts must improve the error by this factor.
 constexpr double kClearlyBetter = 0.9;
 constexpr std::uint64_t kSamples = 4096;
+/// Times of all runs, and of certifying the result.
+constexpr double kCertifiedPruning[] = {1.0, 1.0};
+constexpr double kPruningOnly[] = {1.0, 0.0};
+/// Times of simplifying the rest, and of measuring what was left out.
+constexpr double kPrunedRunWeights[] = {1.0, 0.1};
 
 struct Part {
   Box box;
@@ -127,7 +133,7 @@ class Parts {
 class Pruning {
  public:
   Pruning(const Mesh& input, const SimplifyOptions& options)
-      : input_(input), parts_(input), options_(options) {
+      : input_(input), parts_(input), options_(options), runs_(options.progress) {
     options_.certifies = false;
     best_ = run(0.0);
     unpruned_ = best_.report.estimated_error;
@@ -174,6 +180,9 @@ class Pruning {
 
   /// Simplifies all parts except the small ones.
   Simplified run(double size) {
+    runs_.next();
+    Stages stages(options_.progress, kPrunedRunWeights);
+    stages.next();
     const KeptIds kept = parts_.select(input_, size, false);
     const bool is_whole = kept.faces.size() == input_.face_count();
     Simplified result = simplify(is_whole ? Mesh(input_) : compact(input_, kept), options_);
@@ -185,6 +194,7 @@ class Pruning {
     seconds_ += report.seconds;
     report.faces_before = input_.face_count();
     report.vertices_before = input_.vertex_count();
+    stages.next();
     if (!is_whole) count_pruned(result, size);
     return result;
   }
@@ -218,20 +228,28 @@ class Pruning {
   const Mesh& input_;
   Parts parts_;
   SimplifyOptions options_;
+  OpenStages runs_;
   Simplified best_;
   double unpruned_ = 0.0;
   SimplifyTimes seconds_;
 };
+
+Simplified pruned(const Mesh& input, const SimplifyOptions& options) {
+  Pruning pruning(input, options);
+  for (int i = 0; i < kMaxPrunings && pruning.improve() && pruning.misses_target(); ++i) {
+  }
+  return pruning.take();
+}
 
 }  // namespace
 
 Simplified simplify_pruned(Mesh&& mesh, const SimplifyOptions& options) {
   MESHER_ASSERT(options.observer == nullptr && !std::isfinite(options.max_error));
   const Mesh input = std::move(mesh);
-  Pruning pruning(input, options);
-  for (int i = 0; i < kMaxPrunings && pruning.improve() && pruning.misses_target(); ++i) {
-  }
-  Simplified result = pruning.take();
+  Stages stages(options.progress, options.certifies ? kCertifiedPruning : kPruningOnly);
+  stages.next();
+  Simplified result = pruned(input, options);
+  stages.next();
   if (options.certifies && result.mesh.face_count() > 0) {
     const auto start = std::chrono::steady_clock::now();
     const analysis::HausdorffOptions certified{.ratio = bound_ratio(input.face_count()),

@@ -97,6 +97,7 @@ Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, Transla
     (surface_.mesh().is_isolated(Vertex(v)) ? isolated_ : live_).emplace_back(v);
   if (faces_to_remove() == 0) return;
   context_.precision = is_far() ? CostPrecision::guess : CostPrecision::exact;
+  check_cancelled(options_.progress);
   evaluate_all(context_);
 }
 
@@ -150,8 +151,9 @@ void Rounds::run_regions(std::uint32_t round) {
   constexpr float kGoldenRatio = 0.618034F;  // its multiples are spread evenly over [0, 1)
   context_.precision = is_far() ? CostPrecision::guess : CostPrecision::exact;
   const float shift = kGoldenRatio * static_cast<float>(round + 1);
-  live_ = morton_order(surface_.mesh().positions(), live_,
-                       {.bits = kBitsOfGrid, .shift = shift - std::floor(shift)});
+  live_ =
+      morton_order(surface_.mesh().positions(), live_,
+                   {.bits = kBitsOfGrid, .shift = shift - std::floor(shift)}, options_.progress);
   const std::size_t count = (live_.size() + kRegionVertices - 1) / kRegionVertices;
   const auto region = [&](std::size_t i) -> IndexRange {
     return {live_.size() * i / count, live_.size() * (i + 1) / count};

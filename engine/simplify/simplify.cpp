@@ -19,6 +19,13 @@
 namespace mesher::simplify {
 namespace {
 
+/// Times of a run's stages: reordering, the first costs, collapsing, finishing. Medians of
+/// simplifying 0.1, 1.4 and 13 million faces to 5 % on two cores.
+constexpr double kRunWeights[] = {0.06, 0.1, 0.82, 0.02};
+/// Times of a run without the guard, of looking for intersections, and of a run with it, which few
+/// models need.
+constexpr double kGuardedWeights[] = {0.95, 0.05, 0.1};
+
 class Stopwatch {
  public:
   /// Returns the seconds since the last lap.
@@ -179,7 +186,7 @@ Simplified finish(const Rounds& rounds, const Reordered& order, const Units& uni
   const KeptIds kept{in_order(order.vertex_source, options.order, rounds.vertices_left()),
                      in_order(order.face_source, options.order, faces_left(rounds.surface()))};
   Simplified result;
-  result.mesh = compact(rounds.surface().mesh(), kept);
+  result.mesh = compact(rounds.surface().mesh(), kept, options.progress);
   for (std::uint32_t v = 0; v < result.mesh.vertex_count() && units.scale() != 1.0F; ++v) {
     const glm::vec3& scaled = result.mesh.position(Vertex(v));
     result.mesh.set_position(Vertex(v), units.original(kept.vertices[v], scaled));
@@ -201,23 +208,26 @@ Simplified run_once(Mesh&& mesh, const SimplifyOptions& options, std::span<const
                     Trace* trace) {
   Stopwatch watch;
   SimplifyTimes seconds;
-  begin_stage(options.progress, "preparing");
+  Stages stages(options.progress, kRunWeights);
+  stages.next("preparing");
   BowTieObserver bow_ties(mesh, options.observer);
   SimplifyOptions observed = options;
   observed.observer = bow_ties.observer();
   SimplifyReport report{.faces_before = mesh.face_count(),
                         .faces_asked = options.target_faces,
                         .vertices_before = mesh.vertex_count()};
-  Reordered order = reorder_by_position(mesh);
+  Reordered order = reorder_by_position(mesh, options.progress);
   mesh = Mesh{};
+  stages.next();
   if (trace != nullptr) trace->before = order.mesh;
   const Units units(order.mesh);
   Rounds rounds(std::move(order.mesh), units.scale(), observed, Translator(order, units),
                 Array<float>(shares.begin(), shares.end()));
   seconds.prepare = watch.lap();
-  begin_stage(options.progress, "simplifying");
+  stages.next("simplifying");
   rounds.run(report);
   seconds.collapse = watch.lap();
+  stages.next("finishing");
   Simplified result = finish(rounds, order, units, options);
   bow_ties.finish(result);
   if (trace != nullptr) finish(rounds, units, *trace);
@@ -239,13 +249,16 @@ Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options,
   // Mostly no faces intersect, and checking the result is cheaper than checking each collapse.
   SimplifyOptions unguarded = options;
   unguarded.no_intersections = false;
+  Stages stages(options.progress, kGuardedWeights);
+  stages.next();
   Simplified free = run_once(Mesh(mesh), unguarded, shares, trace);
   Stopwatch watch;
-  begin_stage(options.progress, "looking for intersections");
+  stages.next("looking for intersections");
   const bool must_repeat = has_new_intersections(mesh, free, options.progress);
   free.report.seconds.finish += watch.lap();
   if (!must_repeat) return free;
   if (trace != nullptr) *trace = {};
+  stages.next();
   Simplified guarded = run_once(std::move(mesh), options, shares, trace);
   guarded.report.seconds += free.report.seconds;
   return guarded;

@@ -6,6 +6,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "engine/core/parallel.h"
+#include "engine/core/progress.h"
 #include "engine/mesh/circulators.h"
 
 namespace mesher::simplify {
@@ -33,8 +34,11 @@ Surface::Surface(Mesh&& mesh, const SimplifyOptions& options) : mesh_(std::move(
   // The whole mesh will change, so recording ranges would be wasted work.
   mesh_.changes().note_all();
   find_shapes();
+  check_cancelled(options.progress);
   find_features(options);
+  check_cancelled(options.progress);
   find_states();
+  check_cancelled(options.progress);
   find_constraints(options);
 }
 

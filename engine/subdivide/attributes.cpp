@@ -59,13 +59,20 @@ Attributes subdivide_attributes(const Attributes& attributes, std::uint32_t leve
   if (levels == 0) return attributes;
   Attributes result;
   result.group_names = attributes.group_names;
-  result.texcoord = split_corners(attributes.texcoord, progress);
-  result.color = split_corners(attributes.color, progress);
-  result.group = split_groups(attributes.group, progress);
-  for (std::uint32_t i = 1; i < levels; ++i) {
-    result.texcoord = split_corners(result.texcoord, progress);
-    result.color = split_corners(result.color, progress);
-    result.group = split_groups(result.group, progress);
+  std::vector<double> weights{1.0};
+  while (weights.size() < levels)
+    weights.push_back(4.0 * weights.back());
+  Stages stages(progress, weights);
+  for (std::uint32_t i = 0; i < levels; ++i) {
+    stages.next();
+    const Attributes& coarse = i == 0 ? attributes : result;
+    Stages kinds(progress, {1.0, 1.0, 1.0});
+    kinds.next();
+    result.texcoord = split_corners(coarse.texcoord, progress);
+    kinds.next();
+    result.color = split_corners(coarse.color, progress);
+    kinds.next();
+    result.group = split_groups(coarse.group, progress);
   }
   return result;
 }

@@ -204,6 +204,7 @@ Level butterfly_step(const LevelView& coarse, const Rings& rings, const Features
     const glm::dvec3 curve = butterfly.curve_point(edge);
     position = blend >= 1.0 ? curve : blend * curve + (1.0 - blend) * glm::dvec3(position);
   });
+  check_cancelled(options.progress);
   copy_positions(coarse, finer);
   if (!is_last) write_outgoing(coarse, finer);
   return finer;
@@ -213,6 +214,7 @@ Level midpoint_step(const LevelView& coarse, const SubdivideOptions& options, bo
   Level finer = refine(coarse, is_last, options.progress, [&](const EdgeSite& edge) {
     return 0.5F * (coarse.from(edge.h) + coarse.from(edge.next));
   });
+  check_cancelled(options.progress);
   copy_positions(coarse, finer);
   if (!is_last) write_outgoing(coarse, finer);
   return finer;

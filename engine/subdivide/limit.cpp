@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::size_t kLimitGrain = 4096;
 constexpr std::size_t kSharpChunk = 512;
+/// Times of projecting all vertices as if they were smooth, and of correcting the sharp ones.
+constexpr double kSmoothAndSharpWeights[] = {0.95, 0.05};
 
 /// cos and sin of 2 pi i / n, precomputed for common valences n, one row per valence.
 class TangentMasks {
@@ -107,14 +109,15 @@ void place_sharp_limit(const LevelView& level, const Features& features,
 
 LimitSurface limit_surface(const LevelView& level, const Features& features,
                            const SubdivideOptions& options) {
-  begin_stage(options.progress, "projecting to the limit");
+  Stages stages(options.progress, kSmoothAndSharpWeights);
+  stages.next("projecting to the limit");
   LimitSurface limit;
   limit.position.resize(level.position.size());
   limit.normal.resize(level.origin.size());
   const SmoothLimit smooth(level, limit);
   parallel_chunks(level.position.size(), kLimitGrain, options.progress,
                   [&](std::size_t, IndexRange vertices) { smooth.run(vertices); });
-  begin_stage(options.progress, "following creases to the limit");
+  stages.next("following creases to the limit");
   parallel_chunks(features.vertices().size(), kSharpChunk, options.progress,
                   [&](std::size_t, IndexRange vertices) {
                     place_sharp_limit(level, features, options, vertices, limit);

@@ -11,6 +11,9 @@
 namespace mesher::subdivide {
 namespace {
 
+/// Times of refining, and of moving the old vertices, measured with 0.1 to 5 million faces.
+constexpr double kGatherWeights[] = {0.77, 0.23};
+
 constexpr std::size_t kVertexChunk = 8192;
 // From this valence on, a sum of floats may have a relative error above 1e-6.
 constexpr std::uint32_t kSmoothHubValence = 65;
@@ -104,12 +107,10 @@ Level swept(const LevelView& coarse, const Rings& rings, bool is_last, Progress*
   Array<Point> ring(coarse.vertex_count(), Point());
   const std::size_t faces = coarse.face_count();
   std::uint32_t next = coarse.vertex_count();
-  for (std::size_t begin = 0; begin < faces; begin += kFaceChunk) {
-    report(progress, static_cast<float>(begin) / static_cast<float>(faces));
-    const IndexRange chunk{begin, std::min(faces, begin + kFaceChunk)};
+  ordered_chunks(faces, kFaceChunk, progress, [&](IndexRange chunk) {
     sweep(coarse, chunk, finer, ring, next);
     if (!is_last) write_twins(coarse, chunk, finer);
-  }
+  });
   const VertexMasks masks(rings);
   for (std::uint32_t v = 0; v < coarse.vertex_count(); ++v)
     masks.apply(v, coarse.point(Vertex(v)), ring[v]).store(finer.position[v]);
@@ -125,6 +126,8 @@ Point gathered_edge(const LevelView& level, const EdgeSite& edge) {
 }
 
 Level gathered(const LevelView& coarse, const Rings& rings, bool is_last, Progress* progress) {
+  Stages stages(progress, kGatherWeights);
+  stages.next();
   Level finer = refine(coarse, is_last, progress,
                        [&](const EdgeSite& edge) { return gathered_edge(coarse, edge); });
   const VertexMasks masks(rings);
@@ -136,6 +139,7 @@ Level gathered(const LevelView& coarse, const Rings& rings, bool is_last, Progre
     }
     masks.apply(v, coarse.point(Vertex(v)), ring).store(finer.position[v]);
   };
+  stages.next();
   parallel_chunks(coarse.vertex_count(), kVertexChunk, progress,
                   [&](std::size_t, IndexRange vertices) {
                     for (std::size_t v = vertices.begin; v < vertices.end; ++v)
@@ -164,6 +168,7 @@ void place_hubs(const LevelView& coarse, const Rings& rings, Level& finer) {
 Level smooth_step(const LevelView& coarse, const Rings& rings, bool is_last, Progress* progress) {
   Level finer = rings.lists_spokes() ? gathered(coarse, rings, is_last, progress)
                                      : swept(coarse, rings, is_last, progress);
+  check_cancelled(progress);
   place_hubs(coarse, rings, finer);
   if (!is_last) write_outgoing(coarse, finer);
   return finer;

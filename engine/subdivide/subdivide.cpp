@@ -20,6 +20,13 @@
 namespace mesher::subdivide {
 namespace {
 
+/// The time of a level is in proportion to its faces: each face is split into four.
+constexpr double kFacesPerFace = 4.0;
+/// Times of the levels, the limit, and the rest, measured with two levels of 0.1 and 1.4 million
+/// faces on two cores. (The limit's normals are three per face.)
+constexpr double kStepWeights[] = {0.95, 0.0, 0.05};
+constexpr double kLimitWeights[] = {0.18, 0.77, 0.05};
+
 template <class T>
 Array<T> copy_of(std::span<const T> values) {
   return Array<T>(values.begin(), values.end());
@@ -62,11 +69,15 @@ class Subdivision {
 
   /// Runs all levels. Without `keeps_connectivity`, the last level has positions and origins only.
   void run(bool keeps_connectivity) {
+    std::vector<double> weights(options_.levels, 1.0);
+    for (std::size_t i = 1; i < weights.size(); ++i)
+      weights[i] = kFacesPerFace * weights[i - 1];
+    Stages stages(options_.progress, weights);
     for (std::uint32_t i = 1; i <= options_.levels; ++i) {
-      begin_stage(options_.progress,
-                  fmt::format("subdividing, level {} of {}", i, options_.levels));
+      stages.next(fmt::format("subdividing, level {} of {}", i, options_.levels));
       const bool is_bare = i == options_.levels && !keeps_connectivity;
       Level finer = step(is_bare);
+      check_cancelled(options_.progress);
       if (!is_bare) features_ = next_features(features_, finer, options_);
       rings_.descend(coarse_.vertex_count());
       level_ = std::move(finer);
@@ -209,19 +220,27 @@ SubdivisionSize subdivision_size(const Mesh& mesh, const SubdivideOptions& optio
 
 Subdivided subdivide(const Mesh& mesh, const SubdivideOptions& options) {
   MESHER_ASSERT(subdivision_size(mesh, options).has_ids);
+  Stages stages(options.progress, wants_limit(options) ? kLimitWeights : kStepWeights);
+  stages.next();
   Subdivision subdivision(mesh, options);
   subdivision.run(true);
+  stages.next();
   Subdivided result;
   if (wants_limit(options)) result.limit_normal = subdivision.move_to_limit();
+  stages.next();
   subdivision.restore_size();
+  check_cancelled(options.progress);
   result.mesh = subdivision.finish();
   return result;
 }
 
 IndexedTriangles subdivide_to_triangles(const Mesh& mesh, const SubdivideOptions& options) {
   MESHER_ASSERT(subdivision_size(mesh, options).has_ids);
+  Stages stages(options.progress, wants_limit(options) ? kLimitWeights : kStepWeights);
+  stages.next();
   Subdivision subdivision(mesh, options);
   subdivision.run(wants_limit(options));
+  stages.next();
   if (wants_limit(options)) subdivision.move_to_limit();
   subdivision.restore_size();
   return {std::move(subdivision.level().position), std::move(subdivision.level().origin)};

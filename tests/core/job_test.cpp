@@ -26,7 +26,7 @@ TEST(Job, ReturnsResultAndCallsWakeOnce) {
   JobOf<std::string> job(
       "Thinking",
       [](Progress& progress) {
-        progress.begin("hard");
+        progress.name_stage("hard");
         return std::string("done");
       },
       count_wake);
@@ -35,6 +35,7 @@ TEST(Job, ReturnsResultAndCallsWakeOnce) {
   EXPECT_EQ(wakes, 1);
   EXPECT_EQ(job.title(), "Thinking");
   EXPECT_EQ(job.progress().stage(), "hard");
+  EXPECT_EQ(job.progress().fraction(), 1.0F) << "a finished job is finished entirely";
   EXPECT_GE(job.age_s(), 0.0);
   EXPECT_EQ(job.take(), "done");
 }

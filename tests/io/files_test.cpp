@@ -10,7 +10,11 @@
 #include "engine/core/error.h"
 #include "engine/io/atomic_file.h"
 #include "engine/io/mapped_file.h"
+#include "engine/io/read.h"
+#include "engine/io/write.h"
+#include "tests/support/meshes.h"
 #include "tests/support/temp_folder.h"
+#include "tests/support/watched.h"
 
 namespace mesher {
 namespace {
@@ -157,6 +161,27 @@ TEST(AtomicFile, WritesDevicesDirectly) {
   file.write("x");
   file.commit();
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST(ReadModel, HasOneProgressForEveryFormat) {
+  const TempFolder folder;
+  Soup soup = test::torus(600, 500);
+  soup.attributes.normal.assign(soup.corners.size(), glm::vec3(0.0F, 0.0F, 1.0F));
+  soup.attributes.color.assign(soup.corners.size(), glm::u8vec4(7));
+  soup.attributes.texcoord.assign(soup.corners.size(), glm::vec2(0.5F));
+  const BuildResult model = test::built(std::move(soup));
+  for (const char* name : {"t.obj", "t.ply", "t.stl", "t.off", "t.gltf", "t.glb"}) {
+    SCOPED_TRACE(name);
+    io::write_model(folder / name, model.mesh, model.attributes);
+    const auto read = [&](Progress* progress) {
+      (void)io::read_model(folder / name, {.progress = progress});
+    };
+    test::expect_one_progress(test::watched(read), {"reading", "connecting", "building the mesh"});
+    const auto write = [&](Progress* progress) {
+      io::write_model(folder / name, model.mesh, model.attributes, {.progress = progress});
+    };
+    test::expect_one_progress(test::watched(write), {"writing"});
+  }
 }
 
 }  // namespace

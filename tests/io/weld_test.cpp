@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <random>
 #include <vector>
+
+#include "engine/core/error.h"
 
 namespace mesher {
 namespace {
@@ -40,6 +43,20 @@ TEST(Weld, AgreesWithAMap) {
       }
     }
   }
+}
+
+TEST(Weld, EqualItemsThatFillOneBucketAreJoined) {
+  const std::vector<std::uint32_t> items(300'000, 7U);
+  const io::Weld welded = io::weld(items.data(), 3, items.size() / 3);
+  EXPECT_EQ(welded.first.size(), 1U);
+  EXPECT_EQ(std::ranges::count(welded.index, 0U), 100'000);
+}
+
+TEST(Weld, StopsWhenCanceled) {
+  const std::vector<std::uint32_t> items(300, 7U);
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW((void)io::weld(items.data(), 3, 100, &progress), Cancelled);
 }
 
 }  // namespace

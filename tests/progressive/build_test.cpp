@@ -13,6 +13,7 @@
 #include "engine/simplify/simplify.h"
 #include "tests/progressive/checks.h"
 #include "tests/support/meshes.h"
+#include "tests/support/watched.h"
 
 namespace mesher::test {
 namespace {
@@ -179,6 +180,36 @@ TEST(BuildProgressive, StopsWhenCanceled) {
   Progress progress;
   progress.cancel();
   EXPECT_THROW(progressive::build_progressive(mesh, recorder.records(), &progress), Cancelled);
+}
+
+TEST(BuildProgressive, HasOneProgress) {
+  const Mesh mesh = built(torus(300, 200)).mesh;
+  const auto make = [&](Progress* progress) {
+    (void)progressive::make_progressive(mesh, {.target_faces = 100, .progress = progress});
+  };
+  expect_one_progress(watched(make),
+                      {"simplifying", "preparing", "simplifying", "finishing", "recording"});
+}
+
+TEST(BuildProgressive, CanBeCanceledAtAnyMoment) {
+  const Mesh mesh = built(torus(800, 500)).mesh;
+  const auto make = [&](Progress* progress) {
+    (void)progressive::make_progressive(mesh, {.target_faces = 100, .progress = progress});
+  };
+  cancel_at_random_moments("making a progressive mesh", make);
+}
+
+TEST(GoToLevel, ReachesTheLevelInSteps) {
+  progressive::ProgressiveMesh mesh =
+      progressive::make_progressive(built(torus(60, 40)).mesh, {.target_faces = 100}).mesh;
+  progressive::ProgressiveMesh other = mesh;
+  for (const std::uint32_t level : {mesh.split_count(), 7U, mesh.split_count() / 2, 0U}) {
+    Progress progress;
+    go_to_level(mesh, level, &progress);
+    other.go_to(level);
+    EXPECT_EQ(mesh.level(), level);
+    EXPECT_TRUE(is_identical(mesh.mesh(), other.mesh()));
+  }
 }
 
 }  // namespace

@@ -4,8 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
 #include <optional>
 #include <set>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
 
 #include "engine/analysis/distance.h"
 #include "engine/core/error.h"
@@ -14,6 +21,7 @@
 #include "tests/simplify/replay.h"
 #include "tests/support/meshes.h"
 #include "tests/support/sanitized.h"
+#include "tests/support/watched.h"
 
 namespace mesher::test {
 namespace {
@@ -254,7 +262,63 @@ TEST(Simplify, ReportsProgressAndStopsWhenCanceled) {
   Progress whole;
   static_cast<void>(
       simplify::simplify(bumpy_torus(60, 40), {.target_faces = 100, .progress = &whole}));
-  EXPECT_GT(whole.fraction(), 0.9F);
+  EXPECT_EQ(whole.fraction(), 1.0F);
+}
+
+TEST(Simplify, HasOneProgressForEveryWayToStop) {
+  const Mesh mesh = bumpy_torus(300, 200);
+  const std::vector<std::string> run{"preparing", "simplifying", "finishing"};
+  const auto with = [&](std::vector<std::string> more, simplify::SimplifyOptions options) {
+    const auto simplify = [&](Progress* progress) {
+      options.progress = progress;
+      static_cast<void>(simplify::simplify(Mesh(mesh), options));
+    };
+    std::vector<std::string> order = run;
+    order.insert(order.end(), more.begin(), more.end());
+    expect_one_progress(watched(simplify), order);
+  };
+  with({}, {.target_faces = 1'000});
+  with({}, {.target_faces = 100'000});
+  with({"looking for intersections"}, {.target_faces = 1'000, .no_intersections = true});
+  with({"bounding the distance"}, {.target_faces = 1'000, .certifies = true});
+  // Another run follows if one was beyond the bound.
+  std::vector<std::string> runs{"bounding the distance"};
+  for (int i = 0; i < 12; ++i)
+    runs.insert(runs.end(), {"preparing", "simplifying", "finishing", "bounding the distance"});
+  with(runs, {.max_error = 0.01});
+}
+
+TEST(Simplify, CanBeCanceledAtAnyMoment) {
+  const Mesh mesh = bumpy_torus(900, 600);
+  cancel_at_random_moments("simplifying", [&](Progress* progress) {
+    static_cast<void>(
+        simplify::simplify(Mesh(mesh), {.target_faces = 1'000, .progress = progress}));
+  });
+}
+
+TEST(Simplify, ProgressFollowsTheTime) {
+  const Mesh mesh = bumpy_torus(900, 600);
+  Progress progress;
+  std::vector<std::pair<double, float>> seen;
+  std::atomic<bool> is_done{false};
+  const auto start = std::chrono::steady_clock::now();
+  std::thread watcher([&] {
+    while (!is_done) {
+      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+      seen.emplace_back(elapsed.count(), progress.fraction());
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  });
+  static_cast<void>(
+      simplify::simplify(Mesh(mesh), {.target_faces = 50'000, .progress = &progress}));
+  is_done = true;
+  watcher.join();
+  double most = 0.0;
+  for (const auto& [seconds, fraction] : seen)
+    most = std::max(most, std::abs(seconds / seen.back().first - double{fraction}));
+  // Loose, because other programs may run: a stage that does not report would exceed it.
+  EXPECT_LT(most, 0.4);
+  RecordProperty("largest_deviation", std::to_string(most));
 }
 
 TEST(Simplify, EstimatedErrorIsNearTheMeasuredDistance) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 #include <glm/mat3x3.hpp>
+#include <string>
+#include <vector>
 
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
@@ -12,6 +14,7 @@
 #include "tests/subdivide/compare.h"
 #include "tests/subdivide/models.h"
 #include "tests/support/meshes.h"
+#include "tests/support/watched.h"
 
 namespace mesher::test {
 namespace {
@@ -280,6 +283,37 @@ TEST(Properties, ThrowsWhenCanceled) {
     EXPECT_THROW(static_cast<void>(subdivide::subdivide(mesh, options)), Cancelled);
     EXPECT_THROW(static_cast<void>(subdivide::subdivide_to_triangles(mesh, options)), Cancelled);
   }
+}
+
+TEST(Properties, HasOneProgress) {
+  const Mesh mesh = built(torus(260, 160)).mesh;
+  for (const subdivide::Scheme scheme :
+       {subdivide::Scheme::loop, subdivide::Scheme::butterfly, subdivide::Scheme::midpoint}) {
+    for (const unsigned threads : {1U, 2U}) {
+      const ThreadLimit limit(threads);
+      const auto subdivide = [&](bool with_limit) {
+        return [&, with_limit](Progress* progress) {
+          static_cast<void>(subdivide::subdivide(
+              mesh, {.levels = 2, .scheme = scheme, .limit = with_limit, .progress = progress}));
+        };
+      };
+      const std::vector<std::string> levels{"subdividing, level 1 of 2",
+                                            "subdividing, level 2 of 2"};
+      expect_one_progress(watched(subdivide(false)), levels);
+      if (!subdivide::traits(scheme).has_limit) continue;
+      std::vector<std::string> with_limit = levels;
+      with_limit.insert(with_limit.end(),
+                        {"projecting to the limit", "following creases to the limit"});
+      expect_one_progress(watched(subdivide(true)), with_limit);
+    }
+  }
+}
+
+TEST(Properties, CanBeCanceledAtAnyMoment) {
+  const Mesh mesh = built(torus(300, 200)).mesh;
+  cancel_at_random_moments("subdividing", [&](Progress* progress) {
+    static_cast<void>(subdivide::subdivide(mesh, {.levels = 3, .progress = progress}));
+  });
 }
 
 }  // namespace

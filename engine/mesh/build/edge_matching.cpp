@@ -13,6 +13,9 @@ namespace mesher {
 namespace {
 
 constexpr std::size_t kVertexChunk = 1 << 14;
+constexpr std::size_t kFacesBetweenReports = 1 << 16;
+/// Times of chaining and matching, measured with 0.1, 1.4 and 13 million faces.
+constexpr double kMatchWeights[] = {0.08, 0.92};
 
 struct Entry {
   std::uint32_t upper;
@@ -36,20 +39,24 @@ std::uint32_t upper(const Array<Vertex>& origin, std::uint32_t h, std::uint32_t 
 /// Chains the half-edges of each lower vertex by increasing index. `first` holds the head per
 /// vertex, `link` the next half-edge per half-edge.
 Array<Halfedge> chain(const Array<Vertex>& origin, std::uint32_t vertex_count,
-                      Array<Halfedge>& link) {
+                      Array<Halfedge>& link, Progress* progress) {
   Array<Halfedge> first(vertex_count, Halfedge{});
-  for (auto f = static_cast<std::uint32_t>(origin.size() / 3); f-- > 0;) {
-    const Vertex a = origin[3 * f];
-    const Vertex b = origin[3 * f + 1];
-    const Vertex c = origin[3 * f + 2];
-    const auto push = [&](Vertex lower, std::uint32_t h) {
-      link[h] = first[lower.index()];
-      first[lower.index()] = Halfedge(h);
-    };
-    push(std::min(c, a), 3 * f + 2);
-    push(std::min(b, c), 3 * f + 1);
-    push(std::min(a, b), 3 * f);
-  }
+  const std::size_t faces = origin.size() / 3;
+  ordered_chunks(faces, kFacesBetweenReports, progress, [&](IndexRange done) {
+    const auto last = static_cast<std::uint32_t>(faces - done.end);
+    for (auto f = static_cast<std::uint32_t>(faces - done.begin); f-- > last;) {
+      const Vertex a = origin[3 * f];
+      const Vertex b = origin[3 * f + 1];
+      const Vertex c = origin[3 * f + 2];
+      const auto push = [&](Vertex lower, std::uint32_t h) {
+        link[h] = first[lower.index()];
+        first[lower.index()] = Halfedge(h);
+      };
+      push(std::min(c, a), 3 * f + 2);
+      push(std::min(b, c), 3 * f + 1);
+      push(std::min(a, b), 3 * f);
+    }
+  });
   return first;
 }
 
@@ -220,12 +227,16 @@ void join(const std::vector<Findings>& all, EdgeMatching& matching) {
 
 }  // namespace
 
-EdgeMatching match_edges(const Array<Vertex>& origin, std::uint32_t vertex_count) {
+EdgeMatching match_edges(const Array<Vertex>& origin, std::uint32_t vertex_count,
+                         Progress* progress) {
+  Stages stages(progress, kMatchWeights);
+  stages.next();
   EdgeMatching matching;
   matching.twin.resize(origin.size());
-  const Array<Halfedge> first = chain(origin, vertex_count, matching.twin);
+  const Array<Halfedge> first = chain(origin, vertex_count, matching.twin, progress);
+  stages.next();
   std::vector<Findings> findings(chunk_count(vertex_count, kVertexChunk));
-  parallel_chunks(vertex_count, kVertexChunk, [&](std::size_t i, IndexRange range) {
+  parallel_chunks(vertex_count, kVertexChunk, progress, [&](std::size_t i, IndexRange range) {
     Matcher matcher(origin, matching.twin, findings[i]);
     for (std::size_t v = range.begin; v < range.end; ++v)
       matcher.match_chain(static_cast<std::uint32_t>(v), first[v]);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/core/array.h"
+#include "engine/core/progress.h"
 #include "engine/mesh/ids.h"
 
 namespace mesher {
@@ -38,6 +39,8 @@ struct EdgeMatching {
 /// O(F + V) if valences are bounded, O(k log k) for a chain of k; scratch memory of 4 bytes per
 /// vertex. Chains are matched in parallel; the result does not depend on the number of threads.
 /// Pre: `origin` holds 3F vertices below `vertex_count`; no face uses a vertex twice.
-EdgeMatching match_edges(const Array<Vertex>& origin, std::uint32_t vertex_count);
+/// Throws Cancelled.
+EdgeMatching match_edges(const Array<Vertex>& origin, std::uint32_t vertex_count,
+                         Progress* progress = nullptr);
 
 }  // namespace mesher

@@ -21,6 +21,14 @@ struct CrowdEntry {
 
 namespace {
 
+constexpr std::size_t kFanChunk = std::size_t{1} << 14;
+constexpr std::size_t kHalfedgesBetweenReports = std::size_t{1} << 16;
+/// Times of finding outgoing half-edges, counting fans (measured with 0.1, 1.4 and 13 million
+/// faces), and separating them, which few models need.
+constexpr double kCutWeights[] = {0.32, 0.68, 0.2};
+/// Times of splitting vertices and finding outgoing half-edges again.
+constexpr double kSeparateWeights[] = {1.0, 1.0};
+
 /// Finds the root with path halving.
 Vertex root_of(std::vector<Vertex>& parent, Vertex v) {
   while (parent[v.index()] != v) {
@@ -32,25 +40,37 @@ Vertex root_of(std::vector<Vertex>& parent, Vertex v) {
 
 }  // namespace
 
-void ManifoldCutter::run(EdgeMatching&& matching) {
+void ManifoldCutter::run(EdgeMatching&& matching, Progress* progress) {
+  Stages stages(progress, kCutWeights);
+  stages.next();
   matching_ = std::move(matching);
   mesh_.twin = std::move(matching_.twin);
   original_vertices_ = mesh_.position.size();
   cut_disagreeing(matching_.disagreeing_edges);
   report_[Repair::non_manifold_edges_cut] += matching_.crowd_count();
   pair_crowds();
-  fill_outgoing(mesh_);
-  if (has_single_fans() && matching_.crowd_count() == 0) return;
-  split_vertices();
+  fill_outgoing(mesh_, progress);
+  stages.next();
+  if (has_single_fans(progress) && matching_.crowd_count() == 0) return;
+  stages.next();
+  separate_fans(progress);
+}
+
+void ManifoldCutter::separate_fans(Progress* progress) {
+  Stages stages(progress, kSeparateWeights);
+  stages.next();
+  split_vertices(progress);
   if (cut_parallel_crowds()) {
     undo_splits();
-    split_vertices();
+    split_vertices(progress);
     for (const std::size_t i : cut_crowds_)
       stitch(matching_.crowd(i));
   }
   report_[Repair::non_manifold_vertices_cut] += count_split_vertices();
+  check_cancelled(progress);
   list_bow_tie_copies();
-  fill_outgoing(mesh_);
+  stages.next();
+  fill_outgoing(mesh_, progress);
 }
 
 void ManifoldCutter::cut_disagreeing(std::uint64_t expected) {
@@ -107,10 +127,10 @@ void ManifoldCutter::pair_crowd(std::span<const std::uint32_t> crowd) {
   }
 }
 
-bool ManifoldCutter::has_single_fans() const {
+bool ManifoldCutter::has_single_fans(Progress* progress) const {
   const TwinView twins{mesh_.twin};
   const auto met = parallel_sum<std::uint64_t>(
-      mesh_.outgoing.size(), std::size_t{1} << 14, [&](IndexRange range) {
+      mesh_.outgoing.size(), kFanChunk, progress, [&](IndexRange range) {
         std::uint64_t count = 0;
         for (std::size_t v = range.begin; v < range.end; ++v) {
           if (!mesh_.outgoing[v].is_valid()) continue;
@@ -125,12 +145,11 @@ bool ManifoldCutter::has_single_fans() const {
   return met == mesh_.origin.size();
 }
 
-void ManifoldCutter::split_vertices() {
+void ManifoldCutter::split_vertices(Progress* progress) {
   std::vector<bool> is_done(mesh_.origin.size(), false);
   std::vector<bool> is_taken(original_vertices_, false);
   const TwinView twins{mesh_.twin};
-  for (std::uint32_t i = 0; i < mesh_.origin.size(); ++i) {
-    if (is_done[i]) continue;
+  const auto split = [&](std::uint32_t i) {
     const Vertex v = mesh_.origin[i];
     Vertex name = v;
     if (is_taken[v.index()]) {
@@ -146,7 +165,12 @@ void ManifoldCutter::split_vertices() {
       is_done[(*at).index()] = true;
       mesh_.origin[(*at).index()] = name;
     } while (at.advance());
-  }
+  };
+  ordered_chunks(mesh_.origin.size(), kHalfedgesBetweenReports, progress, [&](IndexRange range) {
+    for (auto i = static_cast<std::uint32_t>(range.begin); i < range.end; ++i) {
+      if (!is_done[i]) split(i);
+    }
+  });
 }
 
 std::vector<CrowdEntry> ManifoldCutter::sorted_by_ends(std::span<const std::uint32_t> crowd) const {

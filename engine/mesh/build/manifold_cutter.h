@@ -25,15 +25,16 @@ class ManifoldCutter {
       : mesh_(mesh), vertex_source_(vertex_source), report_(report) {}
 
   /// Fills mesh.twin, mesh.outgoing and mesh.bow_tie_copies. O(F + V), plus O(k log k) per edge of
-  /// k faces.
-  void run(EdgeMatching&& matching);
+  /// k faces. Throws Cancelled.
+  void run(EdgeMatching&& matching, Progress* progress);
 
  private:
   void cut_disagreeing(std::uint64_t expected);
+  void separate_fans(Progress* progress);
   void pair_crowds();
   void pair_crowd(std::span<const std::uint32_t> crowd);
-  bool has_single_fans() const;
-  void split_vertices();
+  bool has_single_fans(Progress* progress) const;
+  void split_vertices(Progress* progress);
   bool has_parallel_edges(std::span<const std::uint32_t> crowd) const;
   bool cut_parallel_crowds();
   void undo_splits();

@@ -5,6 +5,8 @@
 namespace mesher {
 namespace {
 
+constexpr std::size_t kVisitsBetweenReports = std::size_t{1} << 16;
+
 enum class Winding : std::uint8_t { unknown, keep, flip };
 
 Winding opposite(Winding winding) {
@@ -13,12 +15,13 @@ Winding opposite(Winding winding) {
 
 }  // namespace
 
-std::vector<std::uint32_t> faces_to_flip(const Array<Vertex>& origin,
-                                         const EdgeMatching& matching) {
+std::vector<std::uint32_t> faces_to_flip(const Array<Vertex>& origin, const EdgeMatching& matching,
+                                         Progress* progress) {
   const auto face_count = static_cast<std::uint32_t>(origin.size() / 3);
   std::vector<Winding> winding(face_count, Winding::unknown);
   std::vector<std::uint32_t> component;  // its faces, in visiting order
   std::vector<std::uint32_t> flips;
+  std::size_t visited = 0;
   for (std::uint32_t seed = 0; seed < face_count; ++seed) {
     if (winding[seed] != Winding::unknown) continue;
     component.assign(1, seed);
@@ -26,6 +29,8 @@ std::vector<std::uint32_t> faces_to_flip(const Array<Vertex>& origin,
     std::size_t flipped = 0;
     for (std::size_t i = 0; i < component.size(); ++i) {
       const std::uint32_t f = component[i];
+      if (visited++ % kVisitsBetweenReports == 0)
+        report(progress, static_cast<float>(visited) / static_cast<float>(face_count));
       for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
         const Halfedge t = matching.twin[h];
         if (!t.is_valid()) continue;

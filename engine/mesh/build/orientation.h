@@ -9,8 +9,9 @@ namespace mesher {
 
 /// Returns the faces to flip so that neighbors agree in orientation. Each component (over edges of
 /// exactly two faces) is walked once; of its two orientations, the one that flips fewer faces is
-/// chosen. A one-sided surface still disagrees along some edges afterward. O(F). Internal to
-/// building.
-std::vector<std::uint32_t> faces_to_flip(const Array<Vertex>& origin, const EdgeMatching& matching);
+/// chosen. A one-sided surface still disagrees along some edges afterward. O(F). Throws
+/// Cancelled. Internal to building.
+std::vector<std::uint32_t> faces_to_flip(const Array<Vertex>& origin, const EdgeMatching& matching,
+                                         Progress* progress);
 
 }  // namespace mesher

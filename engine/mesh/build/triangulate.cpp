@@ -1,6 +1,5 @@
 #include "engine/mesh/build/triangulate.h"
 
-#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -103,15 +102,10 @@ void triangulate(Soup& soup, BuildReport& report, Progress* progress) {
   const std::vector<std::size_t> starts = triangle_starts(soup, report);
   Array<std::uint32_t> source(3 * starts[faces]);  // corner of the soup, for each new corner
   Array<std::uint32_t> source_face(starts[faces]);
-  std::atomic<std::size_t> done{0};
-  parallel_for(faces, kTriangulateGrain, [&](IndexRange range) {
+  parallel_chunks(faces, kTriangulateGrain, progress, [&](std::size_t, IndexRange range) {
     std::vector<Triangle> triangles;
     std::vector<glm::vec3> outline;
     for (std::size_t f = range.begin; f < range.end; ++f) {
-      if (f % kTriangulateGrain == 0) {
-        mesher::report(progress,
-                       static_cast<float>(done += kTriangulateGrain) / static_cast<float>(faces));
-      }
       if (starts[f] == starts[f + 1]) continue;
       const std::uint32_t begin = soup.face_start[f];
       triangles.clear();

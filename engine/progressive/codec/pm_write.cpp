@@ -14,6 +14,9 @@
 namespace mesher::progressive {
 namespace {
 
+/// Times of coarsening to the base, and of coding the splits.
+constexpr double kCodeWeights[] = {0.02, 0.98};
+
 constexpr std::uint32_t kFirstBlockSplits = 64;
 constexpr std::uint32_t kLargestBlockSplits = kPmMostBlockSplits;
 
@@ -68,8 +71,11 @@ class PmWriter {
       : mesh_(mesh), options_(options), sink_(sink) {}
 
   PmSizes run() {
+    Stages stages(options_.progress, kCodeWeights);
+    stages.next();
     const LevelKept kept(mesh_);
-    mesh_.go_to(0);
+    go_to_level(mesh_, 0, options_.progress);
+    stages.next();
     make_header();
     PmBase base{MeshArrays::take(Mesh(mesh_.mesh())), {}};
     if (header_.is_quantized()) {

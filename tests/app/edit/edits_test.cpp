@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/document/session.h"
 #include "app/edit/simplify_edit.h"
@@ -12,6 +15,7 @@
 #include "engine/simplify/simplify.h"
 #include "tests/app/edit/editing.h"
 #include "tests/support/meshes.h"
+#include "tests/support/watched.h"
 
 namespace mesher::app {
 namespace {
@@ -301,6 +305,47 @@ TEST(Edits, CanceledEditThrows) {
   Progress progress;
   progress.cancel();
   EXPECT_THROW(task->perform(&progress), Cancelled);
+}
+
+TEST(Edits, HaveOneProgress) {
+  Session s = session_with(test::torus(260, 200));
+  const auto expect_progress = [&](const std::vector<std::string>& stages) {
+    const auto task = start_next_edit(s.document);
+    test::expect_one_progress(test::watched([&](Progress* progress) { task->perform(progress); }),
+                              stages);
+    task->finish(s.document);
+  };
+  request_remove_tenth(s.document);
+  expect_progress({"simplifying", "preparing", "simplifying", "finishing", "recording"});
+  request_simplify_to(s.document, 20'000);
+  expect_progress({"simplifying", "preparing", "simplifying", "finishing", "recording"});
+  run(s, "subdivide");
+  expect_progress({"subdividing, level 1 of 1", "recording"});
+  run(s, "toggle_progressive");
+  expect_progress({"simplifying", "preparing", "simplifying", "finishing", "recording",
+                   "preparing geomorphs", "measuring levels"});
+}
+
+TEST(Edits, CanceledEditLeavesTheDocument) {
+  Session s = session_with(test::torus(500, 400));
+  const Mesh before = s.document.model.mesh;
+  const std::vector<std::pair<const char*, void (*)(Session&)>> edits{
+      {"simplifying", [](Session& session) { request_simplify_to(session.document, 500); }},
+      {"subdividing", [](Session& session) { run(session, "subdivide"); }},
+      {"building a progressive mesh",
+       [](Session& session) { run(session, "toggle_progressive"); }}};
+  for (const auto& [name, request] : edits) {
+    const auto perform = [&, request = request](Progress* progress) {
+      request(s);
+      const auto task = start_next_edit(s.document);
+      task->perform(progress);
+    };
+    test::cancel_at_random_moments(name, perform, [&] {
+      EXPECT_TRUE(test::is_identical(s.document.model.mesh, before));
+      EXPECT_EQ(s.document.edits.history.done_steps(), 0U);
+      EXPECT_FALSE(s.document.progressive.has_mesh());
+    });
+  }
 }
 
 }  // namespace

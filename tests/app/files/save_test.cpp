@@ -13,6 +13,7 @@
 #include "engine/mesh/delta.h"
 #include "tests/support/meshes.h"
 #include "tests/support/temp_folder.h"
+#include "tests/support/watched.h"
 
 namespace mesher::app {
 namespace {
@@ -210,6 +211,37 @@ TEST_F(SaveTest, OpeningDialogClosesOther) {
   EXPECT_FALSE(s_.open_dialog.is_shown);
   run(s_, "open_file");
   EXPECT_FALSE(s_.saving.shows_dialog);
+}
+
+TEST_F(SaveTest, HasOneProgressForEveryFormat) {
+  show(test::torus(600, 400), "torus.ply");
+  for (const char* name : {"t.obj", "t.ply", "t.stl", "t.off", "t.gltf", "t.glb"}) {
+    SCOPED_TRACE(name);
+    s_.saving.waiting = folder_ / name;
+    const auto task = begin_save(s_.saving, s_.document);
+    test::expect_one_progress(
+        test::watched([&](Progress* progress) { (void)perform(*task, progress); }), {"writing"});
+  }
+  s_.saving.waiting = folder_ / "t.pm";
+  const auto task = begin_save(s_.saving, s_.document);
+  test::expect_one_progress(
+      test::watched([&](Progress* progress) { (void)perform(*task, progress); }),
+      {"simplifying", "preparing", "simplifying", "finishing", "recording", "writing", "coding"});
+}
+
+TEST_F(SaveTest, CanceledSaveLeavesTheOldFile) {
+  show(test::torus(700, 500), "torus.ply");
+  for (const char* name : {"t.obj", "t.ply", "t.stl", "t.off", "t.glb", "t.pm"}) {
+    const auto file = folder_.write(name, "the old one");
+    s_.saving.waiting = file;
+    const auto task = begin_save(s_.saving, s_.document);
+    const auto save = [&](Progress* progress) {
+      (void)perform(*task, progress);
+      folder_.write(name, "the old one");
+    };
+    test::cancel_at_random_moments(std::string("saving ") + name, save,
+                                   [&] { EXPECT_EQ(test::read_bytes(file), "the old one"); });
+  }
 }
 
 }  // namespace
