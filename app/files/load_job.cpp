@@ -44,7 +44,7 @@ LoadedModel load(const std::filesystem::path& file, LoadOptions options, Progres
     tag_creases_by_angle(loaded.model.mesh, glm::radians(*options.tag_creases_deg));
   stages.next("counting");
   loaded.statistics = statistics(loaded.model.mesh, &progress);
-  stages.next("making the stand-in");
+  stages.next();
   if (loaded.statistics.faces > kStandInFrom)
     loaded.stand_in = make_stand_in(loaded.model.mesh, loaded.statistics);
   return loaded;
