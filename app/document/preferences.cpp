@@ -17,6 +17,10 @@ std::filesystem::path whole_path(const std::filesystem::path& file) {
 
 void remember_opened(Preferences& preferences, const std::filesystem::path& file) {
   const std::filesystem::path whole = whole_path(file);
+  // A pipe cannot be opened again.
+  std::error_code ignored;
+  if (std::filesystem::exists(whole, ignored) && !std::filesystem::is_regular_file(whole, ignored))
+    return;
   std::vector<std::filesystem::path>& recent = preferences.recent;
   std::erase(recent, whole);
   recent.insert(recent.begin(), whole);

@@ -97,7 +97,7 @@ std::vector<FontFace> find_faces(const CodePoints& wanted) {
     FontFace face = face_of(fonts->fonts[i]);
     if (face.file.empty() || !is_readable(face.file)) continue;
     missing.remove(gained);
-    face.covers = std::move(covered);
+    face.covers = covered;
     faces.push_back(std::move(face));
   }
   return faces;

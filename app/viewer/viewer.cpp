@@ -145,7 +145,7 @@ class Viewer {
                   want_frames();
                 },
             .drop =
-                [this](std::vector<std::filesystem::path> files) {
+                [this](const std::vector<std::filesystem::path>& files) {
                   work_.open(files);
                   want_frames();
                 },

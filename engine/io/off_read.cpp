@@ -14,10 +14,10 @@
 namespace mesher::io {
 namespace {
 
-constexpr std::size_t kRowsBetweenReports = 4096;
+constexpr std::size_t kOffRowsPerReport = 4096;
 /// Times of reading the elements and of bringing attributes to the corners, without attributes 1 %.
-constexpr double kReadWeight = 0.97;
-constexpr double kFinishWeight = 0.03;
+constexpr double kOffReadWeight = 0.97;
+constexpr double kOffFinishWeight = 0.03;
 
 /// Attributes per vertex, as the first word declares them.
 struct OffKind {
@@ -66,7 +66,7 @@ class OffReader {
         bytes_(static_cast<double>(file.size())) {}
 
   Soup run() {
-    Stages stages(progress_, {kReadWeight, kFinishWeight});
+    Stages stages(progress_, {kOffReadWeight, kOffFinishWeight});
     stages.next();
     read_elements();
     stages.next();
@@ -88,7 +88,7 @@ class OffReader {
   /// Calls `read` for each row, and reports the bytes that were read.
   template <class Read>
   void read_rows(std::size_t rows, const Read& read) {
-    ordered_chunks(rows, kRowsBetweenReports, nullptr, [&](IndexRange range) {
+    ordered_chunks(rows, kOffRowsPerReport, nullptr, [&](IndexRange range) {
       report(progress_, static_cast<float>(1.0 - static_cast<double>(text_.bytes_left()) / bytes_));
       for (std::size_t i = range.begin; i < range.end; ++i)
         read();

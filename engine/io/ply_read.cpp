@@ -17,10 +17,10 @@
 namespace mesher::io {
 namespace {
 
-constexpr std::uint64_t kRowsBetweenReports = 4096;
+constexpr std::uint64_t kPlyRowsPerReport = 4096;
 /// Times of reading the elements and of bringing attributes to the corners, without attributes 1 %.
-constexpr double kReadWeight = 0.97;
-constexpr double kFinishWeight = 0.03;
+constexpr double kPlyReadWeight = 0.97;
+constexpr double kPlyFinishWeight = 0.03;
 
 /// Reads values one by one from a text file.
 class TextValues {
@@ -161,7 +161,7 @@ class PlyReader {
       : header_(header), values_(file, header.data), progress_(progress) {}
 
   Soup run() {
-    Stages stages(progress_, {kReadWeight, kFinishWeight});
+    Stages stages(progress_, {kPlyReadWeight, kPlyFinishWeight});
     stages.next();
     read_elements();
     stages.next();
@@ -191,10 +191,10 @@ class PlyReader {
   /// Calls read(i) for each row, and reports the bytes that were read.
   template <class Read>
   void read_rows(std::uint64_t rows, const Read& read) {
-    for (std::uint64_t begin = 0; begin < rows; begin += kRowsBetweenReports) {
+    for (std::uint64_t begin = 0; begin < rows; begin += kPlyRowsPerReport) {
       const auto left = static_cast<double>(values_.file_bytes_left());
       report(progress_, static_cast<float>(1.0 - left / bytes_));
-      const std::uint64_t end = std::min(rows, begin + kRowsBetweenReports);
+      const std::uint64_t end = std::min(rows, begin + kPlyRowsPerReport);
       for (std::uint64_t i = begin; i < end; ++i)
         read(i);
     }

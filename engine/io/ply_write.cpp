@@ -11,7 +11,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "binary PLY is written as it lies here");
 
 /// Time of a face, relative to a vertex.
-constexpr double kFaceTime = 1.0;
+constexpr double kPlyFaceTime = 1.0;
 
 /// Appends values in the file's encoding: text separated by blanks, or bytes as in memory.
 class PlyValues {
@@ -72,7 +72,7 @@ std::string header(const Mesh& mesh, const VertexValues& values, bool has_seams,
 
 void write_ply(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool ascii,
                Progress* progress) {
-  Stages stages(progress, {double(mesh.vertex_count()), kFaceTime * mesh.face_count()});
+  Stages stages(progress, {double(mesh.vertex_count()), kPlyFaceTime * mesh.face_count()});
   stages.next();
   const auto at_vertices = [&](const auto& of_corners, const auto& unused) {
     return gather_to_vertices(mesh.origins(), mesh.vertex_count(), of_corners, unused);

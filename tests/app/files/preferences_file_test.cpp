@@ -111,6 +111,8 @@ TEST_F(PreferencesFileTest, RecentFilesAreBoundedAndOnceEach) {
   remember_opened(preferences, "/f5.obj");
   EXPECT_EQ(preferences.recent.front(), "/f5.obj");
   EXPECT_EQ(std::ranges::count(preferences.recent, "/f5.obj"), 1);
+  remember_opened(preferences, "/dev/null");
+  EXPECT_EQ(preferences.recent.front(), "/f5.obj") << "a pipe or device cannot be opened again";
 }
 
 TEST_F(PreferencesFileTest, FolderThatCannotBeWrittenIsSaidOnce) {
