@@ -13,6 +13,7 @@
 #include "engine/simplify/simplify.h"
 #include "tests/progressive/checks.h"
 #include "tests/support/meshes.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/watched.h"
 
 namespace mesher::test {
@@ -192,7 +193,7 @@ TEST(BuildProgressive, HasOneProgress) {
 }
 
 TEST(BuildProgressive, CanBeCanceledAtAnyMoment) {
-  const Mesh mesh = built(torus(800, 500)).mesh;
+  const Mesh mesh = built(torus(kSanitized ? 200 : 800, 500)).mesh;
   const auto make = [&](Progress* progress) {
     (void)progressive::make_progressive(mesh, {.target_faces = 100, .progress = progress});
   };

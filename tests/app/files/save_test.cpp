@@ -12,6 +12,7 @@
 #include "engine/io/read.h"
 #include "engine/mesh/delta.h"
 #include "tests/support/meshes.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/watched.h"
 
@@ -230,7 +231,7 @@ TEST_F(SaveTest, HasOneProgressForEveryFormat) {
 }
 
 TEST_F(SaveTest, CanceledSaveLeavesTheOldFile) {
-  show(test::torus(700, 500), "torus.ply");
+  show(test::torus(test::kSanitized ? 140 : 700, 500), "torus.ply");
   for (const char* name : {"t.obj", "t.ply", "t.stl", "t.off", "t.glb", "t.pm"}) {
     const auto file = folder_.write(name, "the old one");
     s_.saving.waiting = file;
