@@ -161,7 +161,7 @@ void draw_start(Session& session, Ui& ui);
 void draw_picture_dialog(Session& session, Ui& ui);
 /// The list of places, the list of files and the text of a dialog of files. Returns the entries
 /// that are shown. `rest_points`: height that the dialog needs below.
-std::vector<const FolderEntry*> draw_browser(FileBrowser& browser, const Session& session,
+std::vector<const FolderEntry*> draw_browser(FileBrowser& browser, Session& session,
                                              ShownFolder& list, float rest_points, Ui& ui);
 /// The open question, over everything else. Returns whether one was drawn.
 bool draw_question(Session& session, Ui& ui);

@@ -28,8 +28,6 @@ class ScenePainter {
             const Document& document, const render::Camera& camera, double now_s);
   /// The image to show. Pre: `draw` was called.
   const render::SceneTarget& image() const { return shows_quick_ ? *quick_ : *whole_; }
-  /// Returns whether the image shows the stand-in.
-  bool is_coarse() const { return shows_quick_; }
   /// Returns whether the image shows all of the last `draw`.
   bool is_finished() const { return !shows_quick_ && done_ == work_; }
   render::Renderer& renderer() { return renderer_; }

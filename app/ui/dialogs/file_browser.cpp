@@ -204,7 +204,7 @@ void draw_switches(FolderFilter& filter) {
 
 }  // namespace
 
-std::vector<const FolderEntry*> draw_browser(FileBrowser& browser, const Session& session,
+std::vector<const FolderEntry*> draw_browser(FileBrowser& browser, Session& session,
                                              ShownFolder& list, float rest_points, Ui& ui) {
   if (ImGui::IsWindowAppearing()) list.places = places();
   const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -230,6 +230,7 @@ std::vector<const FolderEntry*> draw_browser(FileBrowser& browser, const Session
                " entries of this folder are listed.");
   draw_text_field(browser, shown, list.text_shown);
   draw_switches(browser.filter);
+  session.preferences.shows_hidden_files = browser.filter.shows_hidden;
   if (!browser.problem.empty()) problem_text(browser.problem);
   return shown;
 }

@@ -19,7 +19,6 @@ void draw_open_dialog(Session& session, Ui& ui) {
   OpenDialog& dialog = session.open_dialog;
   if (begin_dialog("Open a model", &dialog.is_shown, kOpenWidthPoints)) {
     const auto shown = draw_browser(dialog.browser, session, ui.open_list, kRestPoints, ui);
-    session.preferences.shows_hidden_files = dialog.browser.filter.shows_hidden;
     const bool is_reading = !dialog.opening.empty();
     const bool submits = wide_button(is_reading ? "Opening...###open" : "Open###open", !is_reading,
                                      "Enter opens, Tab completes, the arrow keys choose") ||

@@ -40,7 +40,6 @@ void draw_picture_dialog(Session& session, Ui& ui) {
   PictureDialog& dialog = session.picture;
   if (begin_dialog("Save a picture", &dialog.is_shown, kPictureWidthPoints)) {
     const auto shown = draw_browser(dialog.browser, session, ui.picture_list, kOptionsPoints, ui);
-    session.preferences.shows_hidden_files = dialog.browser.filter.shows_hidden;
     draw_options(dialog, session.view);
     const bool overwrites = !dialog.asked.empty() && !dialog.browser.problem.empty();
     if (wide_button(overwrites ? "Overwrite###save" : "Save###save", true, "Enter") || ui.submits)

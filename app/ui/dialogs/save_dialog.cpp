@@ -75,7 +75,6 @@ void draw_save_dialog(Session& session, Ui& ui) {
   const Document& document = session.document;
   if (begin_dialog("Save the model", &saving.shows_dialog, kSaveWidthPoints)) {
     const auto shown = draw_browser(saving.browser, session, ui.save_list, kFormatPoints, ui);
-    session.preferences.shows_hidden_files = saving.browser.filter.shows_hidden;
     const std::filesystem::path file = typed_file(saving.browser);
     const io::FormatInfo* format = io::format_of(file);
     const std::string extension = format != nullptr ? format->extension : "";
