@@ -345,6 +345,9 @@ TEST_F(FilesTest, PictureDialogWritesPictureAndTurntable) {
   v->settle();
   click(*v, "Save a picture/turntable");
   type(*v, "turn.webp");
+  click(*v, "Save a picture/scale");
+  server_->xdotool({"key", "ctrl+a"});
+  type(*v, "8");  // takes minutes: it is canceled long before it is done
   v->key("Return");
   v->key("Escape");  // cancels
   EXPECT_REACHES(*v, s["notice"].get<std::string>().find("canceled") != std::string::npos);
