@@ -158,7 +158,18 @@ void Overlay::begin(const glm::dvec2& size) {
     io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
     io.DeltaTime = 1.0F / 60.0F;
   }
+  press_if_asked();
   ImGui::NewFrame();
+}
+
+void Overlay::press_if_asked() {
+#if IMGUI_VERSION_NUM < 18700
+  // Enter only begins to edit text in this version: buttons, check boxes and entries of lists take
+  // Space alone. If it does both, a field for text still takes the first.
+  if (presses_focused_ && context_->ActiveId == 0)
+    ImGui::GetIO().NavInputs[ImGuiNavInput_Activate] = 1.0F;
+#endif
+  presses_focused_ = false;
 }
 
 void Overlay::end() {

@@ -229,7 +229,10 @@ class Viewer {
       if (key.name == "tab") complete_typed_path();
       return;
     }
-    if (overlay_->takes_key(key.name)) return;
+    if (overlay_->takes_key(key.name)) {
+      if (key.name == "enter") overlay_->press_focused();
+      return;
+    }
     if (const Command* command = command_for(key)) app::run(session_, *command);
     follow_dialogs();
   }

@@ -34,6 +34,18 @@ TEST_F(EditTest, DAndShiftDSimplifyAndCanBeUndone) {
   quit(*v);
 }
 
+TEST_F(EditTest, EnterPressesTheFocusedWidget) {
+  const auto v = open({"knot", "--size", "1280x800"});
+  v->key("ctrl+3");
+  click(*v, "panel/max error");
+  for (const char* key : {"Return", "Down", "Return"}) {
+    v->key(key);
+    v->settle();
+  }
+  EXPECT_REACHES(*v, s["undo_depth"] == 1);
+  quit(*v);
+}
+
 TEST_F(EditTest, QuickKeyPressesAreQueued) {
   const auto v = open({"knot", "--size", "400x300"});
   server_->xdotool({"key", "--delay", "1", "d", "d", "d"});
