@@ -134,6 +134,7 @@ class CommandLine {
       run_view(input_, look_, view_, common_);
     });
     add_input(command);
+    command->add_option("MORE", view_.more, "more models, each in a tab of its own");
     add_look(command);
     command->add_option("--keys", view_.keys, "keys to press at the start: \"w g 1 shift+w\"");
     command->add_option("--screenshot", view_.screenshot,

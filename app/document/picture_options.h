@@ -57,7 +57,7 @@ inline constexpr std::array kTurntableOptions{
                              .least = 2.0,
                              .most = 720.0},
     Option<TurntableOptions>{.key = "seconds",
-                             .label = "duration",
+                             .label = "seconds",
                              .help = "duration of the turn in an animated WebP",
                              .member = &TurntableOptions::seconds,
                              .unit = "s",

@@ -215,6 +215,10 @@ class Viewer {
     if (has_question(session_)) return answer_question(session_, key);
     // A dialog takes the keyboard at once; its text field takes it only after it was drawn.
     const bool is_typing = has_dialog() || overlay_->wants_text();
+    if (session_.shows_help && (key.name == "f1" || (key.name == "/" && key.shift))) {
+      session_.shows_help = false;
+      return follow_dialogs();
+    }
     if (key.name == "escape") {
       if (overlay_->close_popups()) return;
       // A dialog is closed first, unless it waits for the job.
@@ -239,7 +243,7 @@ class Viewer {
 
   bool has_dialog() const {
     return session_.open_dialog.is_shown || session_.saving.shows_dialog ||
-           session_.picture.is_shown || session_.shows_palette;
+           session_.picture.is_shown || session_.shows_palette || session_.shows_help;
   }
 
   void complete_typed_path() {

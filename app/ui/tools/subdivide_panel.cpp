@@ -39,25 +39,33 @@ void draw_buttons(Document& document) {
   }
 }
 
+void draw_result(const Edits& edits) {
+  const auto last = edits.subdivision_outcome();
+  if (last == nullptr || shown_level(edits) == 0)
+    return faint_text("The shown model is not the result of a subdivision.");
+  label("result");
+  const std::string text =
+      fmt::format("{} in {}", count_text(last->faces, "face"), seconds_text(last->seconds));
+  ImGui::TextUnformatted(text.c_str());
+}
+
 }  // namespace
 
-void draw_subdivide_tool(Document& document) {
-  heading("Target");
-  draw_level(document);
-  heading("Rules");
-  if (edit_options(subdivide::kSubdivideRules, document.subdivide))
-    apply_subdivide_settings(document);
-  heading("Apply");
-  draw_buttons(document);
-  heading("Result");
-  const auto& last = document.edits.last_subdivision;
-  if (last && last->level == shown_level(document.edits) && last->level > 0) {
-    label("last");
-    const std::string text =
-        fmt::format("{} in {}", count_text(last->faces, "face"), seconds_text(last->seconds));
-    ImGui::TextUnformatted(text.c_str());
-  } else {
-    faint_text("The shown model is not subdivided.");
+void draw_subdivide_tool(Document& document, Block block) {
+  switch (block) {
+    case Block::settings:
+      heading("Target");
+      draw_level(document);
+      heading("Rules");
+      if (edit_options(subdivide::kSubdivideRules, document.subdivide))
+        apply_subdivide_settings(document);
+      return;
+    case Block::apply:
+      heading("Apply");
+      return draw_buttons(document);
+    case Block::result:
+      heading("Result");
+      return draw_result(document.edits);
   }
 }
 
