@@ -159,8 +159,13 @@ class CommandLine {
             "PNG or WebP to write; with --turntable, an animated WebP, or one PNG per frame: "
             "turn_###.png")
         ->required();
-    add_detail(command, "simplify to this number of faces first",
-               "level of detail, from 0 (the base that `progressive` chooses) to 1 (full detail)");
+    CLI::Option* lod = add_detail(
+        command, "simplify to this number of faces first",
+        "level of detail, from 0 (the base that `progressive` chooses) to 1 (full detail)");
+    command
+        ->add_flag("--split-colors", look_.split_colors,
+                   "with --lod: color faces by split order, from violet (first) to yellow")
+        ->needs(lod);
     add_look(command);
     add_options(*command, kPictureOptions, picture_.options);
     CLI::Option* turntable =
@@ -185,9 +190,9 @@ class CommandLine {
     command->add_flag("--ascii", ascii_, "write PLY and STL as text");
   }
 
-  void add_detail(CLI::App* command, const char* faces, const char* lod) {
+  CLI::Option* add_detail(CLI::App* command, const char* faces, const char* lod) {
     CLI::Option* option = add_faces(command, detail_.faces, faces);
-    command->add_option("--lod", detail_.lod, lod)
+    return command->add_option("--lod", detail_.lod, lod)
         ->check(number_between(0.0, 1.0))
         ->excludes(option);
   }

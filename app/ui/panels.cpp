@@ -38,8 +38,11 @@ PanelActions Panels::draw(Session& session, const PanelFacts& facts) {
   const glm::vec2 size{io.DisplaySize.x, io.DisplaySize.y};
   ui_.layout = layout_of(size, units(1.0F), session.shows_info, tab_count(session) > 1);
   session.panel_covers_model = session.shows_info && ui_.layout.width == Layout::Width::small;
+  const float strip = legend_strip(session, ui_.layout);
+  ui_.layout.model.y0 += strip;
   resize(session.view, session.document.statistics.box, facts.window,
          insets_of(ui_.layout, size, {io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y}));
+  draw_legend(session, strip, ui_);
   draw_menu_bar(session, ui_);
   draw_tabs(session, ui_);
   draw_rail(session, ui_);

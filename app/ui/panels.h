@@ -143,6 +143,10 @@ void draw_facts(Document& document, Ui& ui);
 void draw_tool_panel(Session& session, Ui& ui);
 void draw_detail_bar(Document& document, Ui& ui);
 void draw_status_line(Session& session, Ui& ui);
+/// Height of a strip above the model for the legend: in small windows it would cover the model.
+float legend_strip(const Session& session, const Layout& layout);
+/// Explains what is colored by a value: over the model, or in the strip above it.
+void draw_legend(const Session& session, float strip, Ui& ui);
 /// What does not fit into the status line.
 void draw_message(Document& document, Ui& ui);
 
@@ -154,7 +158,7 @@ enum class Block {
 };
 // The contents of a tool's panel.
 void draw_model_tool(Document& document, Ui& ui);
-void draw_look_tool(render::Settings& settings);
+void draw_look_tool(View& view);
 void draw_simplify_tool(Document& document, Block block, Ui& ui);
 void draw_subdivide_tool(Document& document, Block block);
 void draw_crease_tool(Document& document, Block block, Ui& ui);

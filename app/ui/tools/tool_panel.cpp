@@ -49,7 +49,7 @@ void draw_blocks(Session& session, Tool tool, Ui& ui) {
 
 void draw_contents(Session& session, Tool tool, Ui& ui) {
   if (tool == Tool::model) return draw_model_tool(session.document, ui);
-  if (tool == Tool::look) return draw_look_tool(session.view.settings);
+  if (tool == Tool::look) return draw_look_tool(session.view);
   draw_blocks(session, tool, ui);
 }
 
