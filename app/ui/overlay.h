@@ -52,6 +52,9 @@ class Overlay {
   bool takes_key(std::string_view name) const;
   /// Presses the widget that has the keyboard focus, in the next frame. Pre: takes_key("enter").
   void press_focused() { presses_focused_ = true; }
+  /// Call when a key ran a command. ImGui sees the key as well: an arrow would focus a widget, and
+  /// show its tooltip.
+  void ignore_key(std::string_view name);
   /// Puts a text into the clipboard.
   void copy(const std::string& text) const;
   /// Closes popups such as color pickers. Returns whether one was open.
@@ -74,6 +77,7 @@ class Overlay {
   Fonts fonts_;
   bool has_window_;
   bool presses_focused_ = false;
+  int ignored_frames_ = 0;  ///< frames whose keys move no focus
   UniqueRenderPass render_pass_;
   UniqueDescriptorPool descriptor_pool_;
   std::map<VkImageView, UniqueFramebuffer> framebuffers_;

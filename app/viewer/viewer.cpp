@@ -237,7 +237,10 @@ class Viewer {
       if (key.name == "enter") overlay_->press_focused();
       return;
     }
-    if (const Command* command = command_for(key)) app::run(session_, *command);
+    if (const Command* command = command_for(key)) {
+      overlay_->ignore_key(key.name);
+      app::run(session_, *command);
+    }
     follow_dialogs();
   }
 

@@ -35,11 +35,20 @@ std::string lost_text(const LostEdits& lost) {
   return text;
 }
 
+void draw_text(const std::string& text) {
+  note_text(text);
+  ImGui::PushTextWrapPos(std::min(units(kTextPoints), ImGui::GetIO().DisplaySize.x - units(40.0F)));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
 void draw_names(const std::vector<std::string>& names, std::size_t count) {
   const std::size_t first = count - std::min(count, kShownEdits);
   if (first > 0) ImGui::BulletText("...");
-  for (std::size_t i = first; i < count; ++i)
-    ImGui::BulletText("%s", names[i].c_str());
+  for (std::size_t i = first; i < count; ++i) {
+    ImGui::Bullet();
+    draw_text(names[i]);
+  }
 }
 
 /// Names of the edits that were made since the model was saved, or all that are done.
@@ -48,13 +57,6 @@ std::vector<std::string> edit_names(const History& history) {
   for (std::size_t i = 0; i < history.done_steps(); ++i)
     names.push_back(history.steps()[i].name);
   return names;
-}
-
-void draw_text(const std::string& text) {
-  note_text(text);
-  ImGui::PushTextWrapPos(std::min(units(kTextPoints), ImGui::GetIO().DisplaySize.x - units(40.0F)));
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
 }
 
 /// Puts a button beside the one before it, or below it where the window ends. `is_first`: there is

@@ -11,21 +11,18 @@
 namespace mesher::app {
 namespace {
 
-/// Size of the next level.
-std::string next_level_text(const Statistics& s) {
-  constexpr std::uint64_t kBytesPerFace = 44;  // as docs/architecture.md counts them
-  const std::uint64_t faces = 4 * static_cast<std::uint64_t>(s.faces);
-  return fmt::format("{} faces, {}", count_text(faces), bytes_text(kBytesPerFace * faces));
-}
-
 void draw_level(const Document& document) {
   label("level");
   ImGui::Text("%u", shown_level(document.edits));
   tooltip(
       "The model before subdivision is kept, so you can change the level and the rules at any time "
       "without loss.");
+  constexpr std::uint64_t kBytesPerFace = 44;  // as docs/architecture.md counts them
+  const std::uint64_t faces = 4 * static_cast<std::uint64_t>(document.statistics.faces);
   label("next level");
-  ImGui::TextWrapped("%s", next_level_text(document.statistics).c_str());
+  ImGui::TextUnformatted(count_text(faces, "face").c_str());
+  label("its memory");
+  ImGui::TextUnformatted(bytes_text(kBytesPerFace * faces).c_str());
 }
 
 void draw_buttons(Document& document) {
