@@ -98,7 +98,7 @@ std::string sharpness_text(float sharpness) {
   return sharpness == kInfinitelySharp ? "infinite" : number_text(sharpness);
 }
 
-/// "sharpness 1.5", or "sharpness 0.5 to 2". Pre: there are edges.
+/// "1.5", or "0.5 to 2". Pre: there are edges.
 std::string sharpness_range(const std::vector<EdgeSharpness>& wanted) {
   float least = kInfinitelySharp;
   float most = 0.0F;
@@ -107,16 +107,16 @@ std::string sharpness_range(const std::vector<EdgeSharpness>& wanted) {
     most = std::max(most, each.sharpness);
   }
   const std::string to = least < most ? " to " + sharpness_text(most) : "";
-  return "sharpness " + sharpness_text(least) + to;
+  return sharpness_text(least) + to;
 }
 
-/// Name of the edit in the history: "make 12 edges smoother (sharpness 1.5)".
+/// Name of the edit in the history: "make 12 edges smoother -> 1.5". It fits the dock.
 std::string name_of(const CreaseRequest& request, const std::vector<EdgeSharpness>& wanted) {
   const std::string edges = count_text(wanted.size(), "edge");
   switch (request.kind) {
     case CreaseRequest::Kind::change:
       if (wanted.empty()) return "";
-      return fmt::format("make {} {} ({})", edges, request.value > 0.0F ? "sharper" : "smoother",
+      return fmt::format("make {} {} -> {}", edges, request.value > 0.0F ? "sharper" : "smoother",
                          sharpness_range(wanted));
     case CreaseRequest::Kind::clear_all:
       return "clear all creases (" + edges + ")";

@@ -362,6 +362,7 @@ TEST_F(FilesTest, PictureDialogWritesPictureAndTurntable) {
   server_->xdotool({"key", "ctrl+a"});
   type(*v, "8");  // takes minutes: it is canceled long before it is done
   v->key("Return");
+  EXPECT_REACHES(*v, s["picture_dialog"] == false);
   v->key("Escape");  // cancels
   EXPECT_REACHES(*v, s["notice"].get<std::string>().find("canceled") != std::string::npos);
   EXPECT_FALSE(fs::exists(v->folder() / "turn.webp"));

@@ -138,7 +138,7 @@ TEST_F(CreaseEdits, KeysChangeSharpnessInUndoableSteps) {
   press("+");
   EXPECT_EQ(sharpness(6, 7), 1.0F);
   EXPECT_EQ(sharpness(4, 7), 1.0F);
-  EXPECT_EQ(history().undo_name(), "make 2 edges sharper (sharpness 1)");
+  EXPECT_EQ(history().undo_name(), "make 2 edges sharper -> 1");
   press("+");
   press("i");
   EXPECT_EQ(sharpness(6, 7), kInfinitelySharp);
@@ -271,7 +271,7 @@ TEST_F(CreaseEdits, BoundaryEdgeCanBeSelectedButNotSharpened) {
   press("+");
   EXPECT_EQ(sharpness(1, 2), 0.0F);
   EXPECT_EQ(sharpness(6, 7), 1.0F);
-  EXPECT_EQ(history().undo_name(), "make 1 edge sharper (sharpness 1)");
+  EXPECT_EQ(history().undo_name(), "make 1 edge sharper -> 1");
 }
 
 TEST_F(CreaseEdits, SimplifyAndUndoClearSelection) {
