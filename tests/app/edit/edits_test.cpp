@@ -54,7 +54,7 @@ TEST(Edits, DRemovesTenPercentAndKeepsCamera) {
   ASSERT_TRUE(s.document.edits.last);
   EXPECT_EQ(s.document.edits.last->report.faces_asked, 216U);
   EXPECT_EQ(s.document.edits.history.undo_name(),
-            "simplify to " + std::to_string(s.document.statistics.faces) + " faces");
+            "remove 10 % of faces -> " + count_text(s.document.statistics.faces));
   EXPECT_EQ(s.document.notice, "");
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <chrono>
@@ -350,6 +351,30 @@ TEST(Panels, ButtonsOfEveryToolAreInSightInSmallWindows) {
     EXPECT_LE(script.widgets()->at(button).w, 242.0F) << button << " is above the detail bar";
   }
   script.expect_no_messages();
+}
+
+bool has_tooltip() {
+  const ImGuiWindow* window = ImGui::FindWindowByName("##Tooltip_00");
+  return window != nullptr && window->Active;
+}
+
+TEST(Panels, TooltipsDoNotCoverDialogs) {
+  Session session = open_knot(kShots[3]);
+  ScriptedSession script(session,
+                         {.device = "", .validation = true, .panels = true, .ui_scale = 1.0F});
+  (void)script.picture();
+  const glm::vec4 button = script.widgets()->at("rail/simplify");
+  ImGui::GetIO().MousePos = {0.5F * (button.x + button.z), 0.5F * (button.y + button.w)};
+  (void)script.picture();
+  EXPECT_TRUE(has_tooltip());
+  for (bool Session::*dialog : {&Session::shows_help, &Session::shows_palette}) {
+    session.*dialog = true;
+    (void)script.picture();
+    EXPECT_FALSE(has_tooltip()) << "the mouse is beside the dialog";
+    session.*dialog = false;
+  }
+  (void)script.picture();
+  EXPECT_TRUE(has_tooltip());
 }
 
 Image picture_named(const std::string& name) {
