@@ -1,5 +1,7 @@
 // Positions of vertices during a geomorph: engine/mesh/geomorph.h, the same formula in the same
 // order. Include after view.glsl and normal.glsl.
+#include "shared/split_order.h"
+
 layout(buffer_reference, std430, buffer_reference_align = 8) readonly buffer Geomorph {
   GeomorphConstants at;
 };
@@ -99,20 +101,10 @@ void morph(GeomorphConstants time, uvec2 vertices, inout vec3 a, inout vec3 b) {
 // Negative: the surface has one color.
 //
 // The color advances by the same step whenever the number of vertices has doubled, in steps that
-// look even to the eye. It is a polynomial approximation of viridis (S. van der Walt, N. Smith,
-// 2015), whose lightness rises evenly.
+// look even to the eye.
 vec3 split_order_color(GeomorphConstants time, uint vertex, vec3 base) {
   if (time.split_order_scale < 0.0) return vec3(-1.0);
   if (vertex < time.first_split_vertex) return base;
   const float doublings = log2(float(vertex + 1) / float(time.first_split_vertex + 1));
-  const float t = clamp(mix(0.12, 1.0, doublings * time.split_order_scale), 0.0, 1.0);
-  const vec3 c0 = vec3(0.2777273272, 0.0054073445, 0.3340998053);
-  const vec3 c1 = vec3(0.1050930431, 1.4046135299, 1.3845901627);
-  const vec3 c2 = vec3(-0.3308618287, 0.2148475595, 0.0950951630);
-  const vec3 c3 = vec3(-4.6342304989, -5.7991009733, -19.3324409563);
-  const vec3 c4 = vec3(6.2282699363, 14.1799333668, 56.6905526007);
-  const vec3 c5 = vec3(4.7763849977, -13.7451453777, -65.3530326334);
-  const vec3 c6 = vec3(-5.4354558559, 4.6458526122, 26.3124352496);
-  const vec3 root = c0 + t * (c1 + t * (c2 + t * (c3 + t * (c4 + t * (c5 + t * c6)))));
-  return root * root;
+  return split_order_ramp(clamp(doublings * time.split_order_scale, 0.0, 1.0));
 }

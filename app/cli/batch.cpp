@@ -13,6 +13,7 @@
 #include "engine/io/atomic_file.h"
 #include "engine/io/format.h"
 #include "engine/io/losses.h"
+#include "engine/io/pm_file.h"
 #include "engine/io/read.h"
 #include "engine/io/write.h"
 #include "engine/mesh/creases.h"
@@ -115,6 +116,13 @@ void say_losses(const std::string& output, const std::vector<std::string>& losse
 }
 
 void check_format(const std::string& output) {
+  // A progressive mesh is built, and not just written: one command has the options for that.
+  if (io::has_pm_ending(output)) {
+    throw UsageError(fmt::format(
+        "{}: a progressive mesh is written by `mesher progressive MODEL {}`; to write one of a "
+        "changed model, write a .ply first and give that as MODEL",
+        output, output));
+  }
   io::writable_format(output);
 }
 

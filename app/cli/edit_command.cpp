@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "app/cli/arguments.h"
 #include "app/cli/batch.h"
 #include "app/cli/view.h"
 #include "app/document/json.h"
@@ -22,13 +23,25 @@ bool is_allowed(const Command& command) {
   return std::holds_alternative<void (*)(Document&)>(command.function);
 }
 
+std::vector<std::string> names_of_steps() {
+  std::vector<std::string> names;
+  for (const EditKind& kind : edit_kinds())
+    names.emplace_back(kind.name);
+  for (const Command& command : commands()) {
+    if (is_allowed(command)) names.emplace_back(command.id);
+  }
+  return names;
+}
+
 void check_step(const std::string& text) {
   const EditWords words(text);
   const bool is_edit = std::ranges::count(edit_kinds(), words.name(), &EditKind::name) > 0;
   const Command* command = command_named(words.name());
   if (is_edit || (command != nullptr && is_allowed(*command))) return;
-  throw UsageError(command == nullptr ? "--do: there is no command '" + words.name() + "'"
-                                      : "--do: '" + words.name() + "' works in the window only");
+  if (command != nullptr) throw UsageError("--do: '" + words.name() + "' works in the window only");
+  const std::string nearest = nearest_name(words.name(), names_of_steps());
+  throw UsageError("--do: there is no command '" + words.name() + "'" +
+                   (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
 }
 
 void run_step(Session& session, const std::string& text) {

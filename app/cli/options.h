@@ -39,7 +39,8 @@ struct LookOptions {
   std::string camera;
   std::string view;
   bool orthographic = false;
-  bool dark = false;  ///< short for --background dark
+  bool dark = false;          ///< short for --background dark
+  bool split_colors = false;  ///< color by split order; only with a level of detail
   std::string device;
   bool validation = false;
 };

@@ -60,6 +60,8 @@ Detail open_detail(Session& session, LoadedLevels&& opened, double lod, const Lo
   stages.next("preparing geomorphs");
   detail.geomorph = progressive::Geomorph(detail.mesh, line.progress());
   session.view.settings.geomorph = detail.moment.growth;
+  session.view.settings.colors_by_split_order = look.split_colors;
+  session.view.settings.first_split_vertex = detail.mesh.base_vertex_count();
   session.document.statistics = statistics(detail.mesh.mesh());
   return detail;
 }
@@ -114,14 +116,20 @@ void write_detail(Detail& detail, const Session& session, const std::string& out
               .vertex_normals = geomorph.normals(),
               .morph = {.heads = geomorph.heads(), .splits = geomorph.splits()}});
   render::Renderer renderer(device);
+  const VkExtent2D window{static_cast<std::uint32_t>(session.view.window.x),
+                          static_cast<std::uint32_t>(session.view.window.y)};
+  const LegendFacts facts{
+      .crease_edges = session.document.statistics.crease_edges,
+      .base_vertices = detail.mesh.base_vertex_count(),
+      .all_vertices = detail.mesh.base_vertex_count() + detail.mesh.split_count()};
   write({.device = device,
          .renderer = renderer,
          .mesh = mesh,
          .camera = session.view.camera,
          .settings = session.view.settings,
          .box = session.document.statistics.box,
-         .window = {static_cast<std::uint32_t>(session.view.window.x),
-                    static_cast<std::uint32_t>(session.view.window.y)}},
+         .legend = legend_of_picture(session.view.settings, facts, window, picture.options),
+         .window = window},
         output, picture, common);
   if (instance.messages().count() > 0) {
     throw DeviceError("validation: " + instance.messages().list().front());
@@ -150,7 +158,10 @@ void draw(LoadedModel&& loaded, const std::string& output, const LookOptions& lo
   const std::optional<io::PmSummary> pm = loaded.pm;
   show(session, std::move(loaded), look);
   ScriptedSession script(session, {.device = look.device, .validation = look.validation});
-  write(script.scene(), output, picture, common);
+  PictureScene scene = script.scene();
+  scene.legend = legend_of_picture(scene.settings, legend_facts(session.document), scene.window,
+                                   picture.options);
+  write(scene, output, picture, common);
   script.expect_no_messages();
   if (common.json) print_report(session, output, picture, pm, {});
 }

@@ -134,6 +134,7 @@ class CommandLine {
       run_view(input_, look_, view_, common_);
     });
     add_input(command);
+    command->add_option("MORE", view_.more, "more models, each in a tab of its own");
     add_look(command);
     command->add_option("--keys", view_.keys, "keys to press at the start: \"w g 1 shift+w\"");
     command->add_option("--screenshot", view_.screenshot,
@@ -158,8 +159,13 @@ class CommandLine {
             "PNG or WebP to write; with --turntable, an animated WebP, or one PNG per frame: "
             "turn_###.png")
         ->required();
-    add_detail(command, "simplify to this number of faces first",
-               "level of detail, from 0 (the base that `progressive` chooses) to 1 (full detail)");
+    CLI::Option* lod = add_detail(
+        command, "simplify to this number of faces first",
+        "level of detail, from 0 (the base that `progressive` chooses) to 1 (full detail)");
+    command
+        ->add_flag("--split-colors", look_.split_colors,
+                   "with --lod: color faces by split order, from violet (first) to yellow")
+        ->needs(lod);
     add_look(command);
     add_options(*command, kPictureOptions, picture_.options);
     CLI::Option* turntable =
@@ -184,9 +190,9 @@ class CommandLine {
     command->add_flag("--ascii", ascii_, "write PLY and STL as text");
   }
 
-  void add_detail(CLI::App* command, const char* faces, const char* lod) {
+  CLI::Option* add_detail(CLI::App* command, const char* faces, const char* lod) {
     CLI::Option* option = add_faces(command, detail_.faces, faces);
-    command->add_option("--lod", detail_.lod, lod)
+    return command->add_option("--lod", detail_.lod, lod)
         ->check(number_between(0.0, 1.0))
         ->excludes(option);
   }

@@ -1,6 +1,8 @@
 #include "app/cli/view.h"
 
+#include <filesystem>
 #include <iostream>
+#include <vector>
 
 #include "app/cli/batch.h"
 #include "app/document/json.h"
@@ -135,6 +137,19 @@ RestOfModel begin_to_open(Session& session, const InputOptions& input,
   return rest;
 }
 
+/// The other models of the command line. Throws InputError for one that is not there, because a
+/// misspelled name is better told before the window opens.
+std::vector<std::filesystem::path> more_models(const ViewOptions& view) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& name : view.more) {
+    files.push_back(find_model(name));
+    std::error_code ignored;
+    if (!std::filesystem::exists(files.back(), ignored))
+      throw InputError(files.back().string(), 0, "does not exist");
+  }
+  return files;
+}
+
 /// Loads what is still to be loaded.
 void finish(Session& session, RestOfModel& rest) {
   if (rest.arrival) finish(session, *rest.arrival);
@@ -160,7 +175,10 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
     throw UsageError("--screenshot: '" + view.screenshot + "' does not end in .png");
   }
   refuse_mistyped_command(input.model, view.nearest_command);
+  if (!view.screenshot.empty() && !view.more.empty())
+    throw UsageError("--screenshot: shows one model, and not also '" + view.more.front() + "'");
   Session session;
+  session.wants_open = more_models(view);
   session.view.window = window;
   // Keys act on the whole model, and the sample is small.
   const bool is_whole = !view.screenshot.empty() || !keys.empty() || view.is_sample;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/cli/options.h"
 #include "app/document/session.h"
@@ -15,7 +16,8 @@ struct ViewOptions {
   float ui_scale = 0.0F;   ///< size of the panels; 0: that of the monitor
   std::string state_log;   ///< see StateLog
   bool is_sample = false;  ///< no model was named: the start screen is shown over one
-  std::string nearest_command;  ///< that a model which does not exist may be a misspelling of
+  std::vector<std::string> more;  ///< models that are opened as tabs beside the first
+  std::string nearest_command;    ///< that a model which does not exist may be a misspelling of
 };
 
 /// Opens a model, or a progressive mesh in full detail and in progressive mode. Throws as `load`.

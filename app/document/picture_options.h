@@ -16,6 +16,8 @@ struct PictureOptions {
   /// Draw the lines of the view: edges, creases, boundaries and marked edges. Without a surface,
   /// lines are drawn in any case, because the picture would be empty.
   bool has_lines = true;
+  /// Explain what is colored by a value, if anything is.
+  bool has_legend = false;
 
   friend bool operator==(const PictureOptions&, const PictureOptions&) = default;
 };
@@ -39,6 +41,11 @@ inline constexpr std::array kPictureOptions{
                            .label = "transparent",
                            .help = "draw no background: alpha is 0 where nothing is drawn",
                            .member = &PictureOptions::is_transparent},
+    Option<PictureOptions>{
+        .key = "legend",
+        .label = "legend",
+        .help = "explain what colors and lines stand for: sharpness of creases, split order",
+        .member = &PictureOptions::has_legend},
 };
 
 /// A full turn of the camera around the model.
@@ -57,7 +64,7 @@ inline constexpr std::array kTurntableOptions{
                              .least = 2.0,
                              .most = 720.0},
     Option<TurntableOptions>{.key = "seconds",
-                             .label = "duration",
+                             .label = "seconds",
                              .help = "duration of the turn in an animated WebP",
                              .member = &TurntableOptions::seconds,
                              .unit = "s",

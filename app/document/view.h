@@ -21,8 +21,9 @@ struct View {
   render::Settings settings;  ///< as chosen; `shown_settings` adds what the document asks for
   render::Camera camera;
   glm::dvec2 window{800.0, 600.0};  ///< width and height in pixels
-  bool is_finished = true;  ///< the window shows the model, and not a stand-in or an older picture
-  Insets insets;            ///< of panels; the model is drawn into the rest of the window
+  bool is_finished = true;   ///< the window shows the model, and not a stand-in or an older picture
+  bool shows_legend = true;  ///< in the window, of what is colored by a value
+  Insets insets;             ///< of panels; the model is drawn into the rest of the window
 
   /// The upper left corner of the rectangle that shows the model, in pixels.
   glm::dvec2 corner() const { return {insets.left, insets.top}; }

@@ -94,14 +94,32 @@ float wanted_sharpness(const CreaseRequest& request, float before) {
   return kInfinitelySharp;
 }
 
-/// Name of the edit in the history.
-std::string name_of(const CreaseRequest& request, std::size_t count) {
-  const std::string edges = count_text(count, "edge");
+std::string sharpness_text(float sharpness) {
+  return sharpness == kInfinitelySharp ? "infinite" : number_text(sharpness);
+}
+
+/// "1.5", or "0.5 to 2". Pre: there are edges.
+std::string sharpness_range(const std::vector<EdgeSharpness>& wanted) {
+  float least = kInfinitelySharp;
+  float most = 0.0F;
+  for (const EdgeSharpness& each : wanted) {
+    least = std::min(least, each.sharpness);
+    most = std::max(most, each.sharpness);
+  }
+  const std::string to = least < most ? " to " + sharpness_text(most) : "";
+  return sharpness_text(least) + to;
+}
+
+/// Name of the edit in the history: "make 12 edges smoother -> 1.5". It fits the dock.
+std::string name_of(const CreaseRequest& request, const std::vector<EdgeSharpness>& wanted) {
+  const std::string edges = count_text(wanted.size(), "edge");
   switch (request.kind) {
     case CreaseRequest::Kind::change:
-      return "make " + edges + (request.value > 0.0F ? " sharper" : " smoother");
+      if (wanted.empty()) return "";
+      return fmt::format("make {} {} -> {}", edges, request.value > 0.0F ? "sharper" : "smoother",
+                         sharpness_range(wanted));
     case CreaseRequest::Kind::clear_all:
-      return "clear all creases";
+      return "clear all creases (" + edges + ")";
     case CreaseRequest::Kind::tag_by_angle:
       return fmt::format("mark {} by an angle of {} degrees", edges, number_text(request.value));
     case CreaseRequest::Kind::set:
@@ -210,7 +228,7 @@ void edit_creases(Document& document, const CreaseRequest& request) {
     wanted.push_back({e, wanted_sharpness(request, mesh.sharpness(Mesh::halfedge(e)))});
   }
   const Attributes& attributes = document.model.attributes;
-  Edit edit{.name = name_of(request, wanted.size()),
+  Edit edit{.name = name_of(request, wanted),
             .text = text_of(request, edges),
             .mesh = sharpness_difference(mesh, wanted),
             .attributes = difference(attributes, attributes),

@@ -19,6 +19,7 @@ EditWords::EditWords(std::string_view text) : text_(text) {
 }
 
 std::optional<std::string> EditWords::take(const std::string& key) {
+  known_.push_back(key);
   const auto node = values_.extract(key);
   if (node.empty()) return std::nullopt;
   return node.mapped();
@@ -28,7 +29,10 @@ std::uint32_t EditWords::take_number(const std::string& key,
                                      std::optional<std::uint32_t> otherwise) {
   const std::optional<std::string> text = take(key);
   if (!text && otherwise) return *otherwise;
-  if (!text) throw UsageError(name_ + ": " + key + " is missing");
+  if (!text) {
+    if (missing_.empty()) missing_ = key;
+    return 0;
+  }
   std::uint32_t value = 0;
   const char* end = text->data() + text->size();
   const auto [stop, error] = std::from_chars(text->data(), end, value);
@@ -37,7 +41,12 @@ std::uint32_t EditWords::take_number(const std::string& key,
 }
 
 float EditWords::take_float(const std::string& key, float least, float most) {
-  const std::string text = take(key).value_or("");
+  const std::optional<std::string> taken = take(key);
+  if (!taken) {
+    if (missing_.empty()) missing_ = key;
+    return least;
+  }
+  const std::string& text = *taken;
   const char* end = text.data() + text.size();
   float value = 0.0F;
   const auto [stop, error] = std::from_chars(text.data(), end, value);
@@ -47,8 +56,14 @@ float EditWords::take_float(const std::string& key, float least, float most) {
 }
 
 void EditWords::expect_no_more() const {
-  if (!values_.empty())
-    throw UsageError(name_ + ": unknown option '" + values_.begin()->first + "'");
+  if (!values_.empty()) {
+    std::string known;
+    for (const std::string& key : known_)
+      known += (known.empty() ? "" : ", ") + key;
+    throw UsageError(name_ + ": unknown option '" + values_.begin()->first + "'; " +
+                     (known.empty() ? "it takes none" : "it takes " + known));
+  }
+  if (!missing_.empty()) throw UsageError(name_ + ": " + missing_ + " is missing");
 }
 
 void EditWords::refuse(const std::string& key, const std::string& value) const {

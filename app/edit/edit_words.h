@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/core/error.h"
 #include "engine/core/option_text.h"
@@ -27,7 +28,8 @@ class EditWords {
 
   /// Takes a value out, if it is there.
   std::optional<std::string> take(const std::string& key);
-  /// As above, a number. `otherwise`: if it is not there; none: it has to be there.
+  /// As above, a number. `otherwise`: if it is not there; none: it has to be there, and
+  /// `expect_no_more` says so if it is not, because it may have been misspelled.
   std::uint32_t take_number(const std::string& key,
                             std::optional<std::uint32_t> otherwise = std::nullopt);
   /// As above, a number from `least` to `most`. It has to be there.
@@ -40,7 +42,7 @@ class EditWords {
       if (value && !set_option(option, options, *value)) refuse(option.key, *value);
     }
   }
-  /// Refuses what was not taken.
+  /// Refuses what was not taken, and lists what could have been; refuses if a number is missing.
   void expect_no_more() const;
 
   /// Throws: "simplify_to: 'x' is not a value of faces".
@@ -50,6 +52,8 @@ class EditWords {
   std::string text_;
   std::string name_;
   std::map<std::string, std::string> values_;
+  std::vector<std::string> known_;  ///< keys that were asked for
+  std::string missing_;             ///< the first that has to be there, and is not
 };
 
 }  // namespace mesher::app

@@ -17,7 +17,8 @@ void request(Edits& edits, std::unique_ptr<EditTask> task);
 void request_remove_tenth(Document& document);
 /// Collapses one edge.
 void request_collapse_edge(Document& document);
-/// Simplifies the model as it was opened, so that detail can also be restored.
+/// Simplifies the model as it was opened, so that detail can also be restored. `faces`: 0: as far
+/// as the largest error allows, which then is set.
 void request_simplify_to(Document& document, std::uint32_t faces);
 /// Subdivides once more.
 void request_subdivide(Document& document);

@@ -29,6 +29,14 @@ void note_history_step(Document& document, std::string&& notice, const Edit& edi
   follow_shown_level(document.edits, document.subdivide);
 }
 
+/// An edit that changes nothing reports on the model that is there.
+void note_outcome(Edits& edits, EditOutcome&& outcome) {
+  if (!outcome.simplification && !outcome.subdivision) return;
+  EditOutcome& kept = edits.outcomes[edits.history.state()];
+  if (outcome.simplification) kept.simplification = std::move(outcome.simplification);
+  if (outcome.subdivision) kept.subdivision = outcome.subdivision;
+}
+
 }  // namespace
 
 bool ModelEdit::start(Document& document) {
@@ -44,7 +52,7 @@ void ModelEdit::finish(Document& document) {
   const bool was_progressive = document.progressive.is_on();
   report(document);
   if (edit_.changes_anything()) record_edit(document, std::move(edit_));
-  if (!document.edits.last_state) document.edits.last_state = document.edits.history.state();
+  note_outcome(document.edits, outcome());
   if (was_progressive) leave_progressive(document);
   follow_shown_level(document.edits, document.subdivide);
 }
@@ -72,7 +80,11 @@ void record_edit(Document& document, Edit&& edit) {
   edit.subdivision_before = document.edits.subdivision;
   const bool keeps_topology = edit.mesh.keeps_topology();
   History& history = document.edits.history;
+  const std::uint64_t before = history.state();
   history.perform(std::move(edit), document.model, document.statistics);
+  // The undone edits are gone.
+  auto& outcomes = document.edits.outcomes;
+  outcomes.erase(outcomes.upper_bound(before), outcomes.end());
   document.edits.subdivision = history.undo_edit().subdivision_after;
   document.edits.was_undone = false;
   note_model_changed(document, keeps_topology);
@@ -117,6 +129,8 @@ bool take_back_last_edit(Document& document) {
   }
   if (history.undo_depth() == 0) return false;
   const Edit taken_back = history.take_back(document.model, document.statistics);
+  document.edits.outcomes.erase(document.edits.outcomes.upper_bound(history.state()),
+                                document.edits.outcomes.end());
   document.edits.subdivision = taken_back.subdivision_before;
   note_model_changed(document, taken_back.mesh.keeps_topology());
   follow_shown_level(document.edits, document.subdivide);

@@ -26,6 +26,8 @@ class ModelEdit : public EditTask {
   virtual bool prepare(Document& document) = 0;
   /// Stores the outcome of the edit in the document, before the model changes.
   virtual void report(Document& document) = 0;
+  /// Returns what the result's panel shows of the edit. Called after `report`.
+  virtual EditOutcome outcome() const { return {}; }
 
   /// Copies the shown model. The first edit of a model also keeps that copy as the model as it was
   /// opened. O(V + F).

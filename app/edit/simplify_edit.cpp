@@ -55,9 +55,7 @@ class SimplifyEdit final : public ModelEdit {
     stages.next("finishing");
     simplify::CarriedAttributes carried =
         simplify::carry_attributes(start_->attributes, start_->mesh.origins(), simplified);
-    edit_.name = target_ == Target::one_edge
-                     ? "collapse an edge"
-                     : "simplify to " + count_text(simplified.report.faces_reached, "face");
+    edit_.name = name(simplified.report.faces_reached);
     outcome_ = {simplified.report, diagonal_, std::move(carried.dropped)};
     if (opened_ != start_ && simplified.mesh.face_count() <= kManyFaces) {
       outcome_.error_from_opened = distance_from_input(opened_->mesh, simplified.mesh);
@@ -79,20 +77,31 @@ class SimplifyEdit final : public ModelEdit {
     diagonal_ = document.edits.opened_diagonal;
     options_ = options_of(settings_, diagonal_);
     options_.target_faces = target_faces(start_->mesh.face_count());
-    title_ = target_ == Target::one_edge
-                 ? "Collapsing an edge"
-                 : "Simplifying to " + count_text(options_.target_faces, "face");
+    const std::string to = options_.target_faces > 0 ? count_text(options_.target_faces, "face")
+                                                     : bound_text(settings_);
+    title_ = target_ == Target::one_edge ? "Collapsing an edge" : "Simplifying to " + to;
     return true;
   }
 
   void report(Document& document) override {
     document.notice = notice_for(outcome_);
-    document.edits.last = std::move(outcome_);
-    document.edits.last_state.reset();
+    document.edits.last = outcome_;
+  }
+
+  EditOutcome outcome() const override { return {.simplification = outcome_, .subdivision = {}}; }
+
+  /// Name of the edit in the history: "remove 10 % of faces -> 3,000".
+  std::string name(std::uint32_t faces_reached) const {
+    const std::string reached = count_text(faces_reached);
+    if (target_ == Target::tenth_less) return "remove 10 % of faces -> " + reached;
+    if (target_ == Target::one_edge) return "collapse an edge -> " + reached;
+    if (faces_ == 0)
+      return fmt::format("simplify to error {:.6g} % -> {}", settings_.max_error_percent, reached);
+    return "simplify to " + count_text(faces_reached, "face");
   }
 
   std::string text() const {
-    std::string words = kToFaces + fmt::format(" faces={}", faces_);
+    std::string words = kToFaces + (faces_ > 0 ? fmt::format(" faces={}", faces_) : "");
     if (target_ == Target::tenth_less) words = kTenthLess;
     if (target_ == Target::one_edge) words = kOneEdge;
     append_rules(words, settings_);
@@ -108,7 +117,7 @@ class SimplifyEdit final : public ModelEdit {
       case Target::faces:
         break;
     }
-    return std::max(faces_, 1U);
+    return faces_;
   }
 
   SimplifySettings settings_;
@@ -139,7 +148,13 @@ std::unique_ptr<EditTask> simplify_edit(EditWords& words, SimplifySettings setti
   take_rules(words, settings);
   if (words.name() == kTenthLess) return remove_tenth_edit(settings);
   if (words.name() == kOneEdge) return collapse_edge_edit(settings);
+  if (settings.max_error_percent > 0.0F)
+    return simplify_to_edit(settings, words.take_number("faces", 0));
   return simplify_to_edit(settings, words.take_number("faces"));
+}
+
+std::string bound_text(const SimplifySettings& settings) {
+  return fmt::format("max error {:.6g} %", settings.max_error_percent);
 }
 
 void append_rules(std::string& words, const SimplifySettings& settings) {

@@ -45,11 +45,12 @@ std::string rules_text(const subdivide::SubdivideOptions& rules) {
                      rules.limit ? ", limit surface" : "");
 }
 
-/// Name of the edit in the history.
-std::string name_of(std::uint32_t level_before, std::uint32_t level) {
-  if (level < level_before) return fmt::format("back to level {}", level);
-  if (level == level_before) return fmt::format("change the rules at level {}", level);
-  return fmt::format("subdivide to level {}", level);
+/// Name of the edit in the history: "subdivide to level 2 -> 48,000".
+std::string name_of(std::uint32_t level_before, std::uint32_t level, const std::string& rules,
+                    std::uint32_t faces) {
+  if (level == level_before) return fmt::format("change the rules at level {}: {}", level, rules);
+  return fmt::format("{} to level {} -> {}", level < level_before ? "back" : "subdivide", level,
+                     count_text(faces));
 }
 
 /// Times of subdividing the mesh and its attributes.
@@ -99,6 +100,7 @@ class SubdivideEdit final : public ModelEdit {
     record(shape, progress);
     edit_.subdivision_after = wanted_;
     outcome_ = {wanted_.level, shape.mesh.face_count(), elapsed.count()};
+    edit_.name = name_of(level_before_, wanted_.level, rules_text(rules_), outcome_.faces);
   }
 
  private:
@@ -121,7 +123,7 @@ class SubdivideEdit final : public ModelEdit {
     take_shown(document);
     wanted_ = {before.base ? before.base : shown_, level, rules_};
     title_ = fmt::format("Subdividing to level {}", level);
-    edit_.name = name_of(before.level, level);
+    level_before_ = before.level;
     edit_.text = word_of(step_);
     append_options(edit_.text, subdivide::kSubdivideRules, rules_);
     return true;
@@ -133,7 +135,10 @@ class SubdivideEdit final : public ModelEdit {
     if (!edit_.changes_anything()) document.edits.subdivision = std::move(edit_.subdivision_after);
   }
 
+  EditOutcome outcome() const override { return {.simplification = {}, .subdivision = outcome_}; }
+
   subdivide::SubdivideOptions rules_;
+  std::uint32_t level_before_ = 0;
   LevelStep step_;
   SubdivisionLevel wanted_;
   SubdivideOutcome outcome_;

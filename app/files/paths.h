@@ -5,6 +5,9 @@
 
 namespace mesher::app {
 
+/// The font of panels and legends.
+inline constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+
 /// Returns whether there is a file or folder of this name.
 bool is_there(const std::filesystem::path& path);
 

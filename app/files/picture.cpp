@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "app/files/legend_image.h"
 #include "app/files/paths.h"
 #include "engine/io/png_writer.h"
 #include "engine/io/webp.h"
@@ -25,8 +27,12 @@ render::PictureOptions options_of(const PictureScene& scene, const PictureOption
           .progress = progress};
 }
 
-render::Settings settings_of(const PictureScene& scene, const PictureOptions& options) {
-  render::Settings settings = scene.settings;
+/// Between a legend and the borders of the picture.
+std::uint32_t margin(const PictureOptions& options) {
+  return 8 * options.scale;
+}
+
+render::Settings settings_of(render::Settings settings, const PictureOptions& options) {
   if (options.has_lines || settings.shading == render::Shading::none) return settings;
   settings.wireframe = false;
   settings.line_edges = false;
@@ -39,9 +45,16 @@ void write_png_picture(const PictureScene& scene, const PictureOptions& options,
   const render::PictureOptions drawn = options_of(scene, options, progress);
   const VkExtent2D size = render::picture_size(drawn);
   io::PngWriter writer(out, size.width, size.height);
+  std::uint32_t row = 0;
   render::draw_picture(scene.device, scene.renderer, scene.mesh, scene.camera,
-                       settings_of(scene, options), drawn,
-                       [&](const Image& rows) { writer.append(rows); });
+                       settings_of(scene.settings, options), drawn, [&](const Image& rows) {
+                         const std::uint32_t first = std::exchange(row, row + rows.height);
+                         const bool has_legend = first < scene.legend.height + margin(options);
+                         if (!has_legend) return writer.append(rows);
+                         Image whole = rows;
+                         blend_over(whole, first, scene.legend, glm::uvec2(margin(options)));
+                         writer.append(whole);
+                       });
   writer.finish();
   out.commit();
 }
@@ -71,9 +84,22 @@ std::string picture_objection(const std::filesystem::path& file, VkExtent2D wind
   return "";
 }
 
+Image legend_of_picture(const render::Settings& settings, const LegendFacts& facts,
+                        VkExtent2D window, const PictureOptions& options) {
+  if (!options.has_legend) return {};
+  const auto room = [&](std::uint32_t side) {
+    return options.scale * side - std::min(options.scale * side, 2 * margin(options));
+  };
+  return legend_image(legend_of(settings_of(settings, options), facts),
+                      static_cast<float>(options.scale), room(window.width), room(window.height));
+}
+
 Image draw_picture(const PictureScene& scene, const PictureOptions& options, Progress* progress) {
-  return render::draw_picture(scene.device, scene.renderer, scene.mesh, scene.camera,
-                              settings_of(scene, options), options_of(scene, options, progress));
+  Image image = render::draw_picture(scene.device, scene.renderer, scene.mesh, scene.camera,
+                                     settings_of(scene.settings, options),
+                                     options_of(scene, options, progress));
+  blend_over(image, 0, scene.legend, glm::uvec2(margin(options)));
+  return image;
 }
 
 void write_picture(const PictureScene& scene, const PictureOptions& options,

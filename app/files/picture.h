@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <string>
 
+#include "app/document/legend.h"
 #include "app/document/picture_options.h"
+#include "engine/core/image.h"
 #include "engine/core/progress.h"
 #include "engine/render/renderer.h"
 
@@ -17,6 +19,7 @@ struct PictureScene {
   render::Camera camera;
   render::Settings settings;
   Box box;            ///< of the model
+  Image legend;       ///< drawn over the picture, as legend_of_picture returns it
   VkExtent2D window;  ///< the size that is shown, in pixels; PictureOptions::scale multiplies it
 };
 
@@ -24,6 +27,11 @@ struct PictureScene {
 /// if it can. Does not look at the file system (io::AtomicFile::check does).
 std::string picture_objection(const std::filesystem::path& file, VkExtent2D window,
                               const PictureOptions& options);
+
+/// Returns the legend of a picture, in its pixels: empty if the options do not ask for one, or if
+/// it does not fit. `settings` and `window` as in PictureScene. Call as legend_image.
+Image legend_of_picture(const render::Settings& settings, const LegendFacts& facts,
+                        VkExtent2D window, const PictureOptions& options);
 
 /// Draws a picture and returns it. Pre: its size is without objection.
 Image draw_picture(const PictureScene& scene, const PictureOptions& options, Progress* progress);

@@ -32,6 +32,8 @@ std::string objection(const PictureRequest& request, const View& view) {
 PictureTask begin_picture(const Document& document, const View& view, PictureRequest request) {
   const render::Sources sources = shown_sources(document);
   const VkExtent2D size = shown_size(view);
+  Image legend = legend_of_picture(shown_settings(view.settings, document), legend_facts(document),
+                                   size, request.options);
   return {.request = std::move(request),
           .mesh = shown_mesh(document),
           .corner_normals = copied(sources.corner_normals),
@@ -42,6 +44,7 @@ PictureTask begin_picture(const Document& document, const View& view, PictureReq
           .settings = shown_settings(view.settings, document),
           .camera = view.camera,
           .box = document.statistics.box,
+          .legend = std::move(legend),
           .width = size.width,
           .height = size.height,
           .device = {}};
@@ -64,6 +67,7 @@ void perform(PictureTask& task, Progress* progress) {
                              .camera = task.camera,
                              .settings = task.settings,
                              .box = task.box,
+                             .legend = task.legend,
                              .window = {task.width, task.height}};
     const PictureRequest& request = task.request;
     if (request.turn) {

@@ -8,6 +8,7 @@
 #include "app/document/document.h"
 #include "app/document/picture_options.h"
 #include "app/document/view.h"
+#include "engine/core/image.h"
 #include "engine/core/progress.h"
 #include "engine/render/gpu_mesh.h"
 
@@ -36,7 +37,8 @@ struct PictureTask {
   render::MarkedEdges marked;
   render::Settings settings;
   render::Camera camera;
-  Box box;  ///< of the model
+  Box box;       ///< of the model
+  Image legend;  ///< as in PictureScene
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::string device;       ///< as gpu::DeviceOptions::select

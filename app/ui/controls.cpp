@@ -20,13 +20,38 @@ namespace {
 constexpr float kTooltipPoints = 420.0F;
 constexpr float kFieldPoints = 124.0F;
 constexpr float kValuePoints = 88.0F;
+// A narrower panel, as in a window of 300 pixels, has less room for both.
+constexpr float kNarrowPoints = 250.0F;
+constexpr float kNarrowFieldPoints = 108.0F;
+constexpr float kNarrowValuePoints = 46.0F;
 
 std::string id_of(const char* label) {
   return std::string("##") + label;
 }
 
+Noted* noted_now() {
+  return static_cast<Noted*>(ImGui::GetIO().UserData);
+}
+
+bool is_narrow() {
+  const std::string_view window = ImGui::GetCurrentWindowRead()->RootWindow->Name;
+  return window == kToolPanel && ImGui::GetWindowContentRegionMax().x < units(kNarrowPoints);
+}
+
+/// Where the second column of a panel begins.
+float field_start() {
+  return units(is_narrow() ? kNarrowFieldPoints : kFieldPoints);
+}
+
+/// The room for a text beside a slider or a field.
+float value_room(const std::string& text) {
+  if (!is_narrow()) return units(kValuePoints);
+  return std::max(units(kNarrowValuePoints), ImGui::CalcTextSize(text.c_str()).x + units(10.0F));
+}
+
 void wrapped_tooltip(const char* text) {
   if (*text == '\0' || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (const Noted* noted = noted_now(); noted != nullptr && !noted->shows_tooltips) return;
   note_text(text);
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(
@@ -62,6 +87,24 @@ std::string value_text(double value, const NumberRange& range) {
   return range.most <= 1.0 ? percent_text(100.0 * value) : number_text(value);
 }
 
+/// Reads a number as it was typed; an empty text is the special value. Returns whether the value
+/// changed: not while a number is incomplete.
+bool take_number(std::string_view typed, float& value, const NumberRange& range) {
+  const float before = value;
+  while (typed.ends_with(' ') || typed.ends_with('%'))
+    typed.remove_suffix(1);
+  if (typed.empty() && !std::isnan(range.special)) {
+    value = static_cast<float>(range.special);
+    return value != before;
+  }
+  float number = 0.0F;
+  const char* end = typed.data() + typed.size();
+  const auto [stop, error] = std::from_chars(typed.data(), end, number);
+  if (error != std::errc() || stop != end || !std::isfinite(number)) return false;
+  value = std::max(number, static_cast<float>(range.least));
+  return value != before;
+}
+
 }  // namespace
 
 void note_in(Noted& noted) {
@@ -69,27 +112,37 @@ void note_in(Noted& noted) {
 }
 
 void note_text(std::string_view text) {
-  auto* noted = static_cast<Noted*>(ImGui::GetIO().UserData);
+  Noted* noted = noted_now();
   if (noted != nullptr) noted->code_points.add_text(text);
 }
 
 void note_code_points(const CodePoints& code_points) {
-  auto* noted = static_cast<Noted*>(ImGui::GetIO().UserData);
+  Noted* noted = noted_now();
   if (noted != nullptr) noted->code_points.add(code_points);
 }
 
 void note_widget(std::string_view name) {
-  auto* noted = static_cast<Noted*>(ImGui::GetIO().UserData);
+  Noted* noted = noted_now();
   if (noted == nullptr) return;
   noted->code_points.add_text(name);
   const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-  const ImVec2 least = ImGui::GetItemRectMin();
-  const ImVec2 most = ImGui::GetItemRectMax();
+  ImVec2 least = ImGui::GetItemRectMin();
+  ImVec2 most = ImGui::GetItemRectMax();
+  // What is scrolled out of sight cannot be clicked.
+  const ImRect& seen = ImGui::GetCurrentWindowRead()->ClipRect;
+  least = {std::max(least.x, seen.Min.x), std::max(least.y, seen.Min.y)};
+  most = {std::min(most.x, seen.Max.x), std::min(most.y, seen.Max.y)};
+  if (most.x <= least.x || most.y <= least.y) return;
   // A child window is named "parent/child_id".
   const std::string_view window = ImGui::GetCurrentWindowRead()->RootWindow->Name;
   const std::string key =
       fmt::format("{}/{}", window.substr(0, window.find("##")), id_of_widget(name));
-  noted->widgets[key] = {least.x * scale.x, least.y * scale.y, most.x * scale.x, most.y * scale.y};
+  // Equal names, such as those of tabs, get a number each.
+  std::string unique = key;
+  for (int number = 2; noted->widgets.contains(unique); ++number)
+    unique = fmt::format("{} ({})", key, number);
+  noted->widgets[unique] = {least.x * scale.x, least.y * scale.y, most.x * scale.x,
+                            most.y * scale.y};
 }
 
 void note_area(PanelAreas& areas) {
@@ -146,7 +199,7 @@ void heading(const char* name) {
 void label(const char* text) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", text);
-  ImGui::SameLine(units(kFieldPoints));
+  ImGui::SameLine(field_start());
   ImGui::SetNextItemWidth(-FLT_MIN);
 }
 
@@ -159,6 +212,24 @@ void check_mark(const char* text) {
                          ImGui::GetColorU32(ImGuiCol_CheckMark), size);
 }
 
+bool ellipsis_text(const std::string& text, float end, bool is_possible) {
+  note_text(text);
+  const ImVec2 least = ImGui::GetItemRectMin();
+  const ImVec2 most = ImGui::GetItemRectMax();
+  const ImVec2 from{least.x + ImGui::GetStyle().ItemSpacing.x * 0.5F,
+                    0.5F * (least.y + most.y - ImGui::GetFontSize())};
+  if (!is_possible)
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), from, {end, most.y}, end, end, text.c_str(),
+                            text.c_str() + text.size(), nullptr);
+  if (!is_possible) ImGui::PopStyleColor();
+  return from.x + ImGui::CalcTextSize(text.c_str()).x <= end;
+}
+
+float content_end() {
+  return ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+}
+
 void tooltip(const char* text) {
   wrapped_tooltip(text);
 }
@@ -166,7 +237,7 @@ void tooltip(const char* text) {
 bool begin_rows(const char* name) {
   if (!ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit)) return false;
   ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed,
-                          units(kFieldPoints) - 2 * ImGui::GetStyle().ItemSpacing.x);
+                          field_start() - 2 * ImGui::GetStyle().ItemSpacing.x);
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
   return true;
 }
@@ -215,15 +286,21 @@ void problem_text(const std::string& text) {
   wrapped_text(text, shown_theme().problem);
 }
 
-bool edit_count(const char* what, std::uint32_t& value, const char* help) {
+bool edit_count(const char* what, std::uint32_t& value, const char* help, const char* none) {
   label(what);
-  std::string text = count_text(value);
-  const bool is_changed = ImGui::InputText(id_of(what).c_str(), &text);
+  const bool can_be_none = none != nullptr;
+  std::string text = can_be_none && value == 0 ? "" : count_text(value);
+  const bool is_changed =
+      ImGui::InputTextWithHint(id_of(what).c_str(), can_be_none ? none : "", &text);
   note_widget(what);
   wrapped_tooltip(help);
   if (!is_changed) return false;
   std::erase_if(text, [](char c) { return c == ',' || c == ' '; });
   std::uint32_t typed = 0;
+  if (can_be_none && text.empty()) {
+    value = 0;
+    return true;
+  }
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), typed);
   if (error != std::errc() || end != text.data() + text.size()) return false;
   value = typed;
@@ -238,21 +315,25 @@ void end_disabled() {
   ImGui::EndDisabled();
 }
 
-bool edit_switch(const char* what, bool& value, const char* help) {
+bool edit_switch(const char* what, bool& value, const std::string& help) {
   label(what);
   const bool is_changed = ImGui::Checkbox(id_of(what).c_str(), &value);
   note_widget(what);
-  wrapped_tooltip(help);
+  wrapped_tooltip(help.c_str());
   return is_changed;
 }
 
 std::size_t choose(const char* what, std::size_t count, const ChoiceText& (*text)(std::size_t),
-                   std::size_t current, const char* help) {
+                   std::size_t current, const char* help, const std::string& option) {
   label(what);
+  const auto help_of = [&](std::size_t i) {
+    const std::string name = option.empty() ? "" : "\n" + option + " " + text(i).key;
+    return text(i).help + name;
+  };
   const bool is_open = ImGui::BeginCombo(id_of(what).c_str(), text(current).label);
   if (!is_open) {
     note_widget(what);
-    wrapped_tooltip((std::string(help) + ". " + text(current).help).c_str());
+    wrapped_tooltip((std::string(help) + ". " + help_of(current)).c_str());
     return current;
   }
   std::size_t chosen = current;
@@ -260,7 +341,7 @@ std::size_t choose(const char* what, std::size_t count, const ChoiceText& (*text
     if (ImGui::Selectable(text(i).label, i == current)) chosen = i;
     note_widget(text(i).label);
     if (i == current) ImGui::SetItemDefaultFocus();
-    wrapped_tooltip(text(i).help);
+    wrapped_tooltip(help_of(i).c_str());
   }
   ImGui::EndCombo();
   note_widget(what);
@@ -270,7 +351,7 @@ std::size_t choose(const char* what, std::size_t count, const ChoiceText& (*text
 bool edit_slider(const char* what, float& value, const SliderRange& range, const std::string& text,
                  const char* help) {
   label(what);
-  ImGui::SetNextItemWidth(-units(kValuePoints));
+  ImGui::SetNextItemWidth(-value_room(text));
   const ImGuiSliderFlags flags =
       ImGuiSliderFlags_AlwaysClamp | (range.is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
   const bool is_changed =
@@ -287,21 +368,26 @@ bool edit_slider(const char* what, float& value, const SliderRange& range, const
 
 bool edit_number(const char* what, float& value, const NumberRange& range) {
   constexpr double kWide = 50.0;
-  const auto least = static_cast<float>(range.least);
-  const std::string text = value_text(value, range);
   if (!std::isinf(range.most)) {
     const bool is_wide = range.least > 0.0 && range.most >= kWide * range.least;
-    return edit_slider(what, value, {least, static_cast<float>(range.most), is_wide}, text,
-                       range.help);
+    return edit_slider(what, value,
+                       {static_cast<float>(range.least), static_cast<float>(range.most), is_wide},
+                       value_text(value, range), range.help.c_str());
   }
-  constexpr float kSpeed = 0.002F;
+  const bool is_special = static_cast<double>(value) == range.special;
+  std::string typed = is_special ? "" : fmt::format("{:.6g}", value);
   label(what);
-  const std::string format = value == range.special ? text : "%.3g";
-  const bool is_changed = ImGui::DragFloat(id_of(what).c_str(), &value, kSpeed, least, 1e6F,
-                                           format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+  const bool has_unit = *range.unit != '\0';
+  if (has_unit) ImGui::SetNextItemWidth(-value_room(range.unit));
+  const bool is_changed =
+      ImGui::InputTextWithHint(id_of(what).c_str(), range.special_label, &typed);
   note_widget(what);
-  wrapped_tooltip(range.help);
-  return is_changed;
+  wrapped_tooltip(range.help.c_str());
+  if (has_unit) {
+    ImGui::SameLine();
+    ImGui::TextUnformatted(range.unit);
+  }
+  return is_changed && take_number(typed, value, range);
 }
 
 bool edit_number(const char* what, std::uint32_t& value, const NumberRange& range) {
@@ -319,7 +405,7 @@ bool edit_number(const char* what, std::uint64_t& value, const NumberRange& rang
   note_widget(what);
   value = std::max(value, static_cast<std::uint64_t>(range.least));
   if (!std::isinf(range.most)) value = std::min(value, static_cast<std::uint64_t>(range.most));
-  wrapped_tooltip(range.help);
+  wrapped_tooltip(range.help.c_str());
   return is_changed;
 }
 

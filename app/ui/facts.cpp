@@ -41,11 +41,12 @@ void draw_step(Document& document, std::size_t steps) {
   const std::string& name = steps == 0 ? kOpened : history.steps()[steps - 1].name;
   const bool is_kept = steps >= history.done_steps() - history.undo_depth();
   ImGui::PushID(static_cast<int>(steps));
-  if (ImGui::Selectable(name.c_str(), steps == history.done_steps(),
+  const float end = content_end();
+  if (ImGui::Selectable("##step", steps == history.done_steps(),
                         is_kept ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled)) {
     request_history_step(document, steps);
   }
-  note_text(name);
+  ellipsis_text(name, end, is_kept);
   note_widget("step " + std::to_string(steps));
   tooltip(is_kept ? name.c_str() : "Too old: its memory was given to newer edits.");
   ImGui::PopID();

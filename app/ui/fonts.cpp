@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/files/paths.h"
 #include "app/ui/style.h"
 
 namespace mesher::app {
 namespace {
 
-constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 // Size of ImGui's own bitmap font.
 constexpr float kBitmapFontPixels = 13.0F;
 // ImGui takes the height from ascender to descender as the size, which is 1.164 em in DejaVu Sans.
@@ -35,8 +35,8 @@ void add_base_font(float scale, const ImWchar* ranges) {
   ImGuiIO& io = ImGui::GetIO();
   std::error_code ignored;
   // If the font is missing, ImGui uses its own bitmap font.
-  if (std::filesystem::exists(kFont, ignored)) {
-    io.Fonts->AddFontFromFileTTF(kFont, std::round(kFontPoints * scale), nullptr, ranges);
+  if (std::filesystem::exists(kFontFile, ignored)) {
+    io.Fonts->AddFontFromFileTTF(kFontFile, std::round(kFontPoints * scale), nullptr, ranges);
   } else {
     io.Fonts->AddFontDefault();
     io.FontGlobalScale = kFontPoints * scale / kBitmapFontPixels;

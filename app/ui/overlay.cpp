@@ -16,6 +16,10 @@
 namespace mesher::app {
 namespace {
 
+/// Keys that move the keyboard focus, or press the focused widget.
+constexpr std::array<std::string_view, 9> kFocusKeys{"tab",  "enter", "space", "up", "down",
+                                                     "left", "right", "home",  "end"};
+
 void check_imgui(VkResult result) {
   gpu::check(result, "ImGui");
 }
@@ -158,10 +162,28 @@ void Overlay::begin(const glm::dvec2& size) {
     io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
     io.DeltaTime = 1.0F / 60.0F;
   }
+  press_if_asked();
   ImGui::NewFrame();
 }
 
+void Overlay::press_if_asked() {
+#if IMGUI_VERSION_NUM < 18700
+  // Enter only begins to edit text in this version: buttons, check boxes and entries of lists take
+  // Space alone. If it does both, a field for text still takes the first.
+  if (presses_focused_ && context_->ActiveId == 0)
+    ImGui::GetIO().NavInputs[ImGuiNavInput_Activate] = 1.0F;
+#endif
+  presses_focused_ = false;
+}
+
 void Overlay::end() {
+#if IMGUI_VERSION_NUM < 19000
+  if (ignored_frames_ > 0) {
+    --ignored_frames_;
+    context_->NavDisableHighlight = true;
+    context_->NavDisableMouseHover = false;
+  }
+#endif
   ImGui::Render();
 }
 
@@ -203,14 +225,17 @@ void Overlay::release_keyboard() {
 }
 
 bool Overlay::takes_key(std::string_view name) const {
-  constexpr std::array<std::string_view, 9> kFocusKeys{"tab",  "enter", "space", "up", "down",
-                                                       "left", "right", "home",  "end"};
   if (std::ranges::count(kFocusKeys, name) == 0) return false;
   // Once the tool's panel was clicked, Tab goes to its next field.
   const ImGuiWindow* focused = context_->NavWindow;
   const bool is_in_panel =
       focused != nullptr && std::string_view(focused->RootWindow->Name) == kToolPanel;
   return ImGui::GetIO().NavVisible || (name == "tab" && is_in_panel);
+}
+
+void Overlay::ignore_key(std::string_view name) {
+  constexpr int kFrames = 3;  // a key is down for about that long
+  if (std::ranges::count(kFocusKeys, name) > 0) ignored_frames_ = kFrames;
 }
 
 void Overlay::copy(const std::string& text) const {

@@ -50,6 +50,11 @@ class Overlay {
   /// Returns whether a key moves the keyboard focus in panels, or presses the focused widget, so
   /// that it is not the key of a command. `name` as in KeyPress.
   bool takes_key(std::string_view name) const;
+  /// Presses the widget that has the keyboard focus, in the next frame. Pre: takes_key("enter").
+  void press_focused() { presses_focused_ = true; }
+  /// Call when a key ran a command. ImGui sees the key as well: an arrow would focus a widget, and
+  /// show its tooltip.
+  void ignore_key(std::string_view name);
   /// Puts a text into the clipboard.
   void copy(const std::string& text) const;
   /// Closes popups such as color pickers. Returns whether one was open.
@@ -64,12 +69,15 @@ class Overlay {
   void create_descriptor_pool();
   void start_renderer();
   void restart_renderer();
+  void press_if_asked();
 
   const gpu::Instance& instance_;
   gpu::Device& device_;
   ImGuiContext* context_;
   Fonts fonts_;
   bool has_window_;
+  bool presses_focused_ = false;
+  int ignored_frames_ = 0;  ///< frames whose keys move no focus
   UniqueRenderPass render_pass_;
   UniqueDescriptorPool descriptor_pool_;
   std::map<VkImageView, UniqueFramebuffer> framebuffers_;

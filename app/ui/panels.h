@@ -45,6 +45,8 @@ using WidgetAreas = std::map<std::string, glm::vec4, std::less<>>;
 struct Noted {
   WidgetAreas widgets;
   CodePoints code_points;  ///< of texts that may hold names: what the font needs
+  /// Tooltips are shown: not those of what lies behind a dialog, which they would cover.
+  bool shows_tooltips = true;
 };
 
 /// The number of edges that marking by angle would mark, and the state it was counted for.
@@ -97,6 +99,7 @@ struct Ui {
   int slider_faces = 0;  ///< of the detail bar, while it is dragged and until the edit is done
   std::uint64_t target_of = 0;  ///< Document::opening that `target_faces` belongs to
   std::uint32_t target_faces = 0;
+  float apply_height = 0.0F;  ///< of the tool's buttons, in the last frame
   TagCount tag_count;
   TimeLeft time_left;          ///< of the shown job
   std::size_t shown_step = 0;  ///< of the history, which was scrolled to it
@@ -140,16 +143,26 @@ void draw_facts(Document& document, Ui& ui);
 void draw_tool_panel(Session& session, Ui& ui);
 void draw_detail_bar(Document& document, Ui& ui);
 void draw_status_line(Session& session, Ui& ui);
+/// Height of a strip above the model for the legend: in small windows it would cover the model.
+float legend_strip(const Session& session, const Layout& layout);
+/// Explains what is colored by a value: over the model, or in the strip above it.
+void draw_legend(const Session& session, float strip, Ui& ui);
 /// What does not fit into the status line.
 void draw_message(Document& document, Ui& ui);
 
-// The contents of a tool's panel: targets, rules, buttons, result.
+/// The blocks of a tool's panel. Where it is low, the buttons stay in sight below the others.
+enum class Block {
+  settings,  ///< target and rules
+  apply,     ///< buttons
+  result,
+};
+// The contents of a tool's panel.
 void draw_model_tool(Document& document, Ui& ui);
-void draw_look_tool(render::Settings& settings);
-void draw_simplify_tool(Document& document, Ui& ui);
-void draw_subdivide_tool(Document& document);
-void draw_crease_tool(Document& document, Ui& ui);
-void draw_levels_tool(Document& document, const View& view, Ui& ui);
+void draw_look_tool(View& view);
+void draw_simplify_tool(Document& document, Block block, Ui& ui);
+void draw_subdivide_tool(Document& document, Block block);
+void draw_crease_tool(Document& document, Block block, Ui& ui);
+void draw_levels_tool(Document& document, const View& view, Block block, Ui& ui);
 
 // The dialogs.
 void draw_help(bool& is_open, Ui& ui);

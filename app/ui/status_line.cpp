@@ -81,8 +81,11 @@ void draw_message(Document& document, Ui& ui) {
   if (document.error.empty() && !has_job && !has_notice) return;
   const Rect& model = ui.layout.model;
   const float width = std::min(units(460.0F), model.width() - units(16.0F));
-  ImGui::SetNextWindowPos({0.5F * (model.x0 + model.x1), model.y1 - units(8.0F)}, ImGuiCond_Always,
-                          {0.5F, 1.0F});
+  // A panel over the model has its buttons at the bottom.
+  const bool is_at_top = !has_status && !ui.layout.panel.is_empty();
+  const float y = is_at_top ? model.y0 + units(4.0F) : model.y1 - units(8.0F);
+  ImGui::SetNextWindowPos({0.5F * (model.x0 + model.x1), y}, ImGuiCond_Always,
+                          {0.5F, is_at_top ? 0.0F : 1.0F});
   ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, ImGui::GetIO().DisplaySize.y});
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_AlwaysAutoResize |
                                       ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |

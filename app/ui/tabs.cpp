@@ -40,7 +40,7 @@ void draw_tabs(Session& session, Ui& ui) {
         if (!must_select && ui.tab_shown == session.document.opening) chosen = i;
         ImGui::EndTabItem();
       }
-      note_widget("tab " + document.model.name + "##" + std::to_string(i));
+      note_widget("tab " + document.model.name);
       tooltip(document.file.c_str());
       if (!is_open) closed = i;
     }

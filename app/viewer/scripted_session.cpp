@@ -76,6 +76,7 @@ PictureScene ScriptedSession::scene() {
           .camera = session_.view.camera,
           .settings = gpu_->mirror.settings(),
           .box = session_.document.statistics.box,
+          .legend = {},
           .window = extent()};
 }
 

@@ -215,6 +215,10 @@ class Viewer {
     if (has_question(session_)) return answer_question(session_, key);
     // A dialog takes the keyboard at once; its text field takes it only after it was drawn.
     const bool is_typing = has_dialog() || overlay_->wants_text();
+    if (session_.shows_help && (key.name == "f1" || (key.name == "/" && key.shift))) {
+      session_.shows_help = false;
+      return follow_dialogs();
+    }
     if (key.name == "escape") {
       if (overlay_->close_popups()) return;
       // A dialog is closed first, unless it waits for the job.
@@ -229,14 +233,20 @@ class Viewer {
       if (key.name == "tab") complete_typed_path();
       return;
     }
-    if (overlay_->takes_key(key.name)) return;
-    if (const Command* command = command_for(key)) app::run(session_, *command);
+    if (overlay_->takes_key(key.name)) {
+      if (key.name == "enter") overlay_->press_focused();
+      return;
+    }
+    if (const Command* command = command_for(key)) {
+      overlay_->ignore_key(key.name);
+      app::run(session_, *command);
+    }
     follow_dialogs();
   }
 
   bool has_dialog() const {
     return session_.open_dialog.is_shown || session_.saving.shows_dialog ||
-           session_.picture.is_shown || session_.shows_palette;
+           session_.picture.is_shown || session_.shows_palette || session_.shows_help;
   }
 
   void complete_typed_path() {

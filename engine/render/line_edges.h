@@ -16,6 +16,9 @@ struct Line {
 };
 static_assert(sizeof(Line) == 8);
 
+/// Width of a crease of weight 1, in pixels of a window of medium height.
+inline constexpr float kCreaseWidth = 3.0F;
+
 /// Returns the weight of a crease of that sharpness: 1 if infinite, falling continuously to 0 if
 /// smooth. A sharpness of 10 still differs from infinite.
 float line_weight(float sharpness);

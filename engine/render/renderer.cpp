@@ -20,7 +20,6 @@ constexpr float kEdgeWidth = 1.1F;
 /// edges on the outline would have only one face, and half the width. Beyond this, edges are so
 /// dense that it does not matter, and quads cost three times as much.
 constexpr std::uint32_t kQuadFaces = 50'000;
-constexpr float kCreaseWidth = 3.0F;
 constexpr float kBoundaryWidth = 4.6F;
 /// Widths of the bands under marked edges: wide enough to be seen on both sides of a boundary.
 constexpr float kSelectedWidth = 8.0F;

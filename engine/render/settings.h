@@ -94,7 +94,7 @@ inline constexpr std::array kRenderOptions{
         .special = {180.0, "tagged only"},
         .applies = [](const Settings& s) { return s.shading == Shading::gouraud; }},
     Option<Settings>{.key = "normal-weight",
-                     .label = "normals",
+                     .label = "normal weight",
                      .help = "weights of the faces around a vertex in its Gouraud normal",
                      .member = enum_member<&Settings::normal_weight>(),
                      .applies = [](const Settings& s) { return s.shading == Shading::gouraud; }},

@@ -74,9 +74,9 @@ enum class BoundaryRounding : std::uint8_t {
 };
 inline constexpr Choices<BoundaryRounding, 2> kBoundaryRoundings{{
     {BoundaryRounding::edge_only,
-     {"edge-only", "round", "The boundary is a smooth curve, also at vertices with one face."}},
+     {"edge-only", "edge only", "The boundary is a smooth curve, also at vertices with one face."}},
     {BoundaryRounding::edge_and_corner,
-     {"edge-and-corner", "keep corners", "A boundary vertex with one face keeps its position."}},
+     {"edge-and-corner", "edge and corner", "A boundary vertex with one face keeps its position."}},
 }};
 static_assert(is_complete(kBoundaryRoundings));
 constexpr const auto& choices(BoundaryRounding) {
@@ -125,7 +125,7 @@ inline constexpr std::array kSubdivideRules{
                              .member = enum_member<&SubdivideOptions::scheme>()},
     Option<SubdivideOptions>{
         .key = "creases",
-        .label = "crease rules",
+        .label = "creases",
         .help = "rules for sharp edges",
         .member = enum_member<&SubdivideOptions::creases>(),
         .applies = [](const SubdivideOptions& o) { return traits(o.scheme).has_crease_rules; }},

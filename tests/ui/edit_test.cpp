@@ -34,6 +34,34 @@ TEST_F(EditTest, DAndShiftDSimplifyAndCanBeUndone) {
   quit(*v);
 }
 
+TEST_F(EditTest, EnterPressesTheFocusedWidget) {
+  const auto v = open({"knot", "--size", "1280x800"});
+  v->key("ctrl+3");
+  click(*v, "panel/max error");
+  for (const char* key : {"Return", "Down", "Return"}) {
+    v->key(key);
+    v->settle();
+  }
+  EXPECT_REACHES(*v, s["undo_depth"] == 1);
+  quit(*v);
+}
+
+TEST_F(EditTest, MaxErrorIsTypedAndNeedsNoNumberOfFaces) {
+  const auto v = open({"knot", "--size", "1280x800"});
+  v->key("ctrl+3");
+  click(*v, "panel/faces");
+  // Held, because ImGui 1.86 misses keys that are released before the next frame.
+  server_->xdotool({"key", "--delay", "400", "ctrl+a", "BackSpace", "Return"});
+  click(*v, "panel/max error");
+  for (const char* key : {"0", "period", "5", "Return"})
+    v->key(key);
+  EXPECT_REACHES(*v, s["simplify"]["max_error_percent"] == 0.5);
+  click(*v, "panel/simplify");
+  EXPECT_REACHES(*v, s["undo_depth"] == 1 && s["last_simplification"]["asked_faces"].is_null());
+  EXPECT_LT(v->state()["faces"], 2880);
+  quit(*v);
+}
+
 TEST_F(EditTest, QuickKeyPressesAreQueued) {
   const auto v = open({"knot", "--size", "400x300"});
   server_->xdotool({"key", "--delay", "1", "d", "d", "d"});

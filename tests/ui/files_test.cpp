@@ -144,6 +144,19 @@ TEST_F(FilesTest, DroppedFilesOpenAsTabs) {
   quit(*v);
 }
 
+TEST_F(FilesTest, SeveralModelsOfTheCommandLineOpenAsTabs) {
+  const TempFolder folder;
+  fs::copy(kAssets / "knot.obj", folder / "cube.obj");
+  const auto v =
+      open({(kAssets / "cube.obj").string(), (folder / "cube.obj").string(), "--size", "1000x700"});
+  EXPECT_REACHES(*v, s["tabs"] == json::array({"cube.obj", "cube.obj"}));
+  click(*v, "tabs/tab cube.obj");
+  EXPECT_REACHES(*v, s["tab"] == 0 && s["faces"] == 12);
+  click(*v, "tabs/tab cube.obj (2)");
+  EXPECT_REACHES(*v, s["tab"] == 1 && s["faces"] == 2880);
+  quit(*v);
+}
+
 TEST_F(FilesTest, AHundredDroppedFilesLoseNothing) {
   const TempFolder folder;
   std::vector<std::string> files;
@@ -349,6 +362,7 @@ TEST_F(FilesTest, PictureDialogWritesPictureAndTurntable) {
   server_->xdotool({"key", "ctrl+a"});
   type(*v, "8");  // takes minutes: it is canceled long before it is done
   v->key("Return");
+  EXPECT_REACHES(*v, s["picture_dialog"] == false);
   v->key("Escape");  // cancels
   EXPECT_REACHES(*v, s["notice"].get<std::string>().find("canceled") != std::string::npos);
   EXPECT_FALSE(fs::exists(v->folder() / "turn.webp"));

@@ -89,7 +89,7 @@ TEST_F(ProgressiveTest, SliderAppliesWhileDragged) {
   EXPECT_EQ(v->state()["undo_depth"], 0);
   click(*v, "panel/geomorphs");
   EXPECT_REACHES(*v, s["progressive"]["geomorphs"] == false);
-  click(*v, "panel/split order");
+  click(*v, "panel/split colors");
   EXPECT_REACHES(*v, s["progressive"]["split_colors"] == true);
   click(*v, "panel/use this level");
   EXPECT_REACHES(*v, s["progressive"]["on"] == false && s["undo_depth"] == 1);

@@ -72,6 +72,23 @@ TEST_F(WindowTest, ViewKeysRotateCamera) {
   quit(*v);
 }
 
+TEST_F(WindowTest, KeysInHelpSearchIt) {
+  const auto v = open({"cube", "--size", "800x600"});
+  const auto has = [](const json& s, const char* widget) { return s["widgets"].contains(widget); };
+  v->key("F1");
+  EXPECT_REACHES(*v, s["help"] == true && has(s, "Help/open_file"));
+  v->settle();
+  for (const char* key : {"w", "i", "r", "e"})
+    v->key(key);
+  EXPECT_REACHES(*v, has(s, "Help/toggle_wireframe") && !has(s, "Help/open_file"));
+  EXPECT_EQ(v->state()["wireframe"], false);
+  v->key("question");
+  EXPECT_REACHES(*v, s["help"] == false);
+  v->key("w");
+  EXPECT_REACHES(*v, s["wireframe"] == true) << "keys are commands again";
+  quit(*v);
+}
+
 TEST_F(WindowTest, HelpPanelAndEscape) {
   const auto v = open({"cube", "--size", "1000x600"});
   v->settle();
@@ -80,7 +97,7 @@ TEST_F(WindowTest, HelpPanelAndEscape) {
   EXPECT_REACHES(*v, s["help"] == true);
   v->settle();
   EXPECT_NE(v->screenshot(), before);
-  v->key("h");
+  v->key("F1");
   EXPECT_REACHES(*v, s["help"] == false);
   v->key("question");
   EXPECT_REACHES(*v, s["help"] == true);

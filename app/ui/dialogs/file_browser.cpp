@@ -118,15 +118,17 @@ bool draw_entry(FileBrowser& browser, const FolderEntry& entry, int row, bool ha
   const std::string name = entry.is_folder ? entry.name + "/" : entry.name;
   const bool is_chosen = browser.row == row;
   bool is_twice = false;
+  const float end = content_end();
   ImGui::PushID(row);
   if (ImGui::Selectable(
-          name.c_str(), is_chosen,
+          "##entry", is_chosen,
           ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick)) {
     if (!entry.is_folder) choose(browser, entry);
     browser.row = row;
     is_twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   }
   note_widget("file " + name);
+  if (!ellipsis_text(name, end)) tooltip(name.c_str());
   ImGui::PopID();
   ImGui::TableNextColumn();
   if (!entry.is_folder) ImGui::TextDisabled("%s", bytes_text(entry.bytes).c_str());
@@ -211,7 +213,9 @@ std::vector<const FolderEntry*> draw_browser(FileBrowser& browser, Session& sess
   const float height = std::clamp(size.y - units(kFramePoints + rest_points),
                                   units(kListLeastPoints), units(kListMostPoints));
   draw_path(browser, shown_folder(browser));
-  if (ImGui::GetContentRegionAvail().x > units(kPlacesNeedPoints)) {
+  // Where only a name fits beside the rest of the dialog, the name is what counts.
+  const bool has_list = size.y >= units(kFramePoints + rest_points);
+  if (has_list && ImGui::GetContentRegionAvail().x > units(kPlacesNeedPoints)) {
     ImGui::BeginChild("places", {units(kPlacesPoints), height});
     draw_places(browser, session, list.places, ui);
     ImGui::EndChild();
@@ -223,13 +227,13 @@ std::vector<const FolderEntry*> draw_browser(FileBrowser& browser, Session& sess
   note_text(browser.typed);
   const std::vector<const FolderEntry*> shown = shown_entries(list.folder, browser.filter);
   if (ui.row_moves != 0) move_row(browser, ui.row_moves, shown.size());
-  draw_list(browser, shown, height, ui);
+  if (has_list) draw_list(browser, shown, height, ui);
   if (!list.folder.problem.empty()) problem_text(list.folder.problem);
   if (!list.folder.is_whole)
     faint_text("Only the first " + count_text(std::int64_t(Folder::kMostEntries)) +
                " entries of this folder are listed.");
   draw_text_field(browser, shown, list.text_shown);
-  draw_switches(browser.filter);
+  if (has_list) draw_switches(browser.filter);
   session.preferences.shows_hidden_files = browser.filter.shows_hidden;
   if (!browser.problem.empty()) problem_text(browser.problem);
   return shown;

@@ -55,7 +55,9 @@ void draw_group(const Choice<CommandGroup>& group, const std::vector<const Comma
   heading(group.text.label);
   if (!begin_keys(group.text.key)) return;
   for (const Command* command : found) {
-    if (is_here(command)) draw_row(keys_text(*command), command->help);
+    if (!is_here(command)) continue;
+    draw_row(keys_text(*command), command->help);
+    note_widget(command->id);
   }
   ImGui::EndTable();
 }
@@ -75,11 +77,19 @@ void draw_help(bool& is_open, Ui& ui) {
   const float height = ImGui::GetIO().DisplaySize.y - units(16.0F);
   ImGui::SetNextWindowSize({0.0F, height});
   if (begin_dialog("Help", &is_open, kHelpWidthPoints)) {
+    if (ImGui::IsWindowAppearing()) {
+      ui.help_filter.clear();
+      ImGui::SetKeyboardFocusHere();
+    }
     ImGui::SetNextItemWidth(-FLT_MIN);
-    ImGui::InputTextWithHint("##filter", "search keys and commands", &ui.help_filter);
+    ImGui::InputTextWithHint("##filter", "type to search keys and commands", &ui.help_filter);
     note_text(ui.help_filter);
     note_widget("filter");
     ImGui::BeginChild("rows", {0.0F, height - 3.0F * ImGui::GetFrameHeightWithSpacing()});
+    if (ui.row_moves != 0) {
+      const auto rows = static_cast<float>(ui.row_moves);
+      ImGui::SetScrollY(ImGui::GetScrollY() + rows * ImGui::GetTextLineHeightWithSpacing());
+    }
     const std::vector<const Command*> found = matching_commands(ui.help_filter);
     for (const Choice<CommandGroup>& group : kCommandGroups)
       draw_group(group, found);

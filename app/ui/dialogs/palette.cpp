@@ -44,7 +44,8 @@ void draw_palette(Session& session, Ui& ui) {
       ImGui::SetKeyboardFocusHere();
     }
     ImGui::SetNextItemWidth(-FLT_MIN);
-    if (ImGui::InputText("##command", &ui.palette_filter)) ui.palette_row = 0;
+    if (ImGui::InputTextWithHint("##command", "type to find a command", &ui.palette_filter))
+      ui.palette_row = 0;
     note_text(ui.palette_filter);
     const std::vector<const Command*> found = matching_commands(ui.palette_filter);
     ui.palette_row = std::clamp(ui.palette_row + ui.row_moves, 0,

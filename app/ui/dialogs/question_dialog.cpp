@@ -35,11 +35,20 @@ std::string lost_text(const LostEdits& lost) {
   return text;
 }
 
+void draw_text(const std::string& text) {
+  note_text(text);
+  ImGui::PushTextWrapPos(std::min(units(kTextPoints), ImGui::GetIO().DisplaySize.x - units(40.0F)));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
 void draw_names(const std::vector<std::string>& names, std::size_t count) {
   const std::size_t first = count - std::min(count, kShownEdits);
   if (first > 0) ImGui::BulletText("...");
-  for (std::size_t i = first; i < count; ++i)
-    ImGui::BulletText("%s", names[i].c_str());
+  for (std::size_t i = first; i < count; ++i) {
+    ImGui::Bullet();
+    draw_text(names[i]);
+  }
 }
 
 /// Names of the edits that were made since the model was saved, or all that are done.
@@ -50,11 +59,15 @@ std::vector<std::string> edit_names(const History& history) {
   return names;
 }
 
-void draw_text(const std::string& text) {
-  note_text(text);
-  ImGui::PushTextWrapPos(std::min(units(kTextPoints), ImGui::GetIO().DisplaySize.x - units(40.0F)));
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+/// Puts a button beside the one before it, or below it where the window ends. `is_first`: there is
+/// none.
+bool answer_button(const char* name, bool is_first = false) {
+  const float width = ImGui::CalcTextSize(name).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+  const float end = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
+  if (!is_first && end < ImGui::GetIO().DisplaySize.x - units(24.0F)) ImGui::SameLine();
+  const bool is_pressed = ImGui::Button(name);
+  note_widget(name);
+  return is_pressed;
 }
 
 void draw_unsaved(Session& session) {
@@ -62,11 +75,9 @@ void draw_unsaved(Session& session) {
   const std::vector<std::string> names = edit_names(session.document.edits.history);
   draw_names(names, names.size());
   ImGui::Spacing();
-  if (ImGui::Button("Save... (S)")) return answer_leave(session, LeaveAnswer::save);
-  ImGui::SameLine();
-  if (ImGui::Button("Discard (Del)")) return answer_leave(session, LeaveAnswer::discard);
-  ImGui::SameLine();
-  if (ImGui::Button("Cancel (Esc)")) answer_leave(session, LeaveAnswer::cancel);
+  if (answer_button("Save... (S)", true)) return answer_leave(session, LeaveAnswer::save);
+  if (answer_button("Discard (Del)")) return answer_leave(session, LeaveAnswer::discard);
+  if (answer_button("Cancel (Esc)")) answer_leave(session, LeaveAnswer::cancel);
 }
 
 void draw_lost(Session& session) {
@@ -75,12 +86,10 @@ void draw_lost(Session& session) {
   draw_names(lost.names, lost.done);
   ImGui::Spacing();
   ImGui::BeginDisabled(!lost.problem.empty());
-  const bool restores = ImGui::Button("Restore (R)");
+  const bool restores = answer_button("Restore (R)", true);
   ImGui::EndDisabled();
-  ImGui::SameLine();
-  const bool discards = ImGui::Button("Discard (Del)");
-  ImGui::SameLine();
-  const bool waits = ImGui::Button("Ask later (Esc)");
+  const bool discards = answer_button("Discard (Del)");
+  const bool waits = answer_button("Ask later (Esc)");
   if (restores) answer_lost(session, LostAnswer::restore);
   if (discards) answer_lost(session, LostAnswer::discard);
   if (waits) answer_lost(session, LostAnswer::later);

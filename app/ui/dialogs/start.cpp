@@ -1,5 +1,8 @@
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/files/folder.h"
 #include "app/files/open.h"
 #include "app/files/paths.h"
@@ -26,6 +29,17 @@ std::filesystem::path draw_files(const std::vector<std::filesystem::path>& files
   return clicked;
 }
 
+/// Height of a list in the rest of the window: whole rows.
+float list_height(std::size_t count) {
+  const float row = ImGui::GetTextLineHeightWithSpacing();
+  // The dialog can be as high as the window.
+  const float room = ImGui::GetIO().DisplaySize.y - ImGui::GetCursorPosY() -
+                     ImGui::GetStyle().WindowPadding.y - ImGui::GetStyle().ItemSpacing.y;
+  constexpr float kMostRows = 12.0F;
+  return row *
+         std::max(std::min({std::floor(room / row), static_cast<float>(count), kMostRows}), 2.0F);
+}
+
 std::vector<std::filesystem::path> samples() {
   const Folder folder = read_folder(samples_folder());
   std::vector<std::filesystem::path> files;
@@ -49,9 +63,7 @@ void draw_start(Session& session, Ui& ui) {
       clicked = draw_files(session.preferences.recent, "recent");
     }
     heading("Samples");
-    const float room = ImGui::GetIO().DisplaySize.y - ImGui::GetCursorScreenPos().y;
-    ImGui::BeginChild("samples", {0.0F, std::max(std::min(room, 9 * ImGui::GetFrameHeight()),
-                                                 2 * ImGui::GetFrameHeight())});
+    ImGui::BeginChild("samples", {0.0F, list_height(ui.samples.size())});
     if (const std::filesystem::path sample = draw_files(ui.samples, "sample"); !sample.empty())
       clicked = sample;
     ImGui::EndChild();

@@ -105,6 +105,15 @@ void draw_tagging(Document& document, TagCount& last) {
   }
 }
 
+void draw_rules(Document& document, const SelectedSharpness& sharpness) {
+  heading("Rules");
+  ImGui::BeginDisabled(sharpness.edges == 0);
+  draw_slider(document, sharpness);
+  draw_infinite(document, sharpness);
+  ImGui::EndDisabled();
+  draw_angle(document);
+}
+
 void draw_switch(Document& document) {
   bool is_on = document.creases.is_on;
   label("select edges");
@@ -115,22 +124,27 @@ void draw_switch(Document& document) {
 
 }  // namespace
 
-void draw_crease_tool(Document& document, Ui& ui) {
-  heading("Target");
-  draw_switch(document);
-  draw_counts(document.creases, document.statistics);
+void draw_crease_tool(Document& document, Block block, Ui& ui) {
   const SelectedSharpness sharpness = selected_sharpness(document.model.mesh, document.creases);
-  ImGui::BeginDisabled(ui.facts.job != nullptr);  // the job may change the edges
-  heading("Rules");
-  ImGui::BeginDisabled(sharpness.edges == 0);
-  draw_slider(document, sharpness);
-  draw_infinite(document, sharpness);
-  ImGui::EndDisabled();
-  draw_angle(document);
-  heading("Apply");
-  draw_clear_buttons(document, sharpness);
-  draw_tagging(document, ui.tag_count);
-  ImGui::EndDisabled();
+  switch (block) {
+    case Block::settings:
+      heading("Target");
+      draw_switch(document);
+      draw_counts(document.creases, document.statistics);
+      ImGui::BeginDisabled(ui.facts.job != nullptr);  // the job may change the edges
+      draw_rules(document, sharpness);
+      ImGui::EndDisabled();
+      return;
+    case Block::apply:
+      ImGui::BeginDisabled(ui.facts.job != nullptr);
+      heading("Apply");
+      draw_clear_buttons(document, sharpness);
+      draw_tagging(document, ui.tag_count);
+      ImGui::EndDisabled();
+      return;
+    case Block::result:
+      return;  // the model shows it, and the history says it
+  }
 }
 
 }  // namespace mesher::app

@@ -80,9 +80,8 @@ void draw_report(const ProgressiveView& progressive, const Statistics& statistic
   ImGui::TextWrapped("%s", words.c_str());
 }
 
-/// The size of the base, and a button to rebuild it if there is a model to build it from.
-void draw_base(Document& document, ProgressiveSettings& settings, bool is_busy) {
-  ProgressiveView& view = document.progressive;
+/// The size of the base, which can be chosen if there is a model to build it from.
+void draw_base(const ProgressiveView& view, ProgressiveSettings& settings) {
   label("base");
   if (view.levels().vertex_source.empty()) {
     return ImGui::TextUnformatted(count_text(view.mesh().base_face_count(), "face").c_str());
@@ -103,19 +102,18 @@ void draw_base(Document& document, ProgressiveSettings& settings, bool is_busy) 
     settings.base_faces = std::clamp(faces, 1U, kMost);
   }
   ImGui::EndDisabled();
-  if (wide_button("rebuild", !is_busy, "Build the progressive mesh again, by these rules.")) {
-    view.change(settings);
-    request_rebuilt_progressive(document);
-  }
 }
 
-void draw_start(Document& document, const Ui& ui) {
-  heading("Target");
-  faint_text(
-      "A progressive mesh holds all levels of detail from a coarse base to the full model. The "
-      "slider below the model moves through them.");
-  heading("Rules");
-  faint_text("The base follows the rules of the Simplify panel.");
+void draw_start(Document& document, Block block, const Ui& ui) {
+  if (block == Block::settings) {
+    heading("Target");
+    faint_text(
+        "A progressive mesh holds all levels of detail from a coarse base to the full model. The "
+        "slider below the model moves through them.");
+    heading("Rules");
+    faint_text("The base follows the rules of the Simplify panel.");
+  }
+  if (block != Block::apply) return;
   heading("Apply");
   if (wide_button("build levels", ui.facts.job == nullptr && document.statistics.faces > 0,
                   "P: build the progressive mesh and show it.")) {
@@ -134,31 +132,48 @@ void draw_apply(Document& document, ProgressiveSettings& settings, bool is_busy)
   if (half_button("leave", !view.is_arriving(), "P: show the model itself.")) {
     toggle_progressive(document);
   }
-  draw_base(document, settings, is_busy);
+  if (view.levels().vertex_source.empty()) return;
+  if (wide_button("rebuild", !is_busy, "Build the progressive mesh again, by these rules.")) {
+    view.change(settings);
+    request_rebuilt_progressive(document);
+  }
+}
+
+void draw_result(const ProgressiveView& view, const Statistics& statistics,
+                 const render::UploadStats& upload) {
+  if (!view.levels().vertex_source.empty()) draw_report(view, statistics);
+  label("uploaded");
+  const std::string text =
+      fmt::format("{} of {}", bytes_text(upload.uploaded_bytes), bytes_text(upload.total_bytes));
+  ImGui::TextUnformatted(text.c_str());
+  tooltip("Bytes that the last step uploaded to the GPU, of all bytes of the mesh there.");
 }
 
 }  // namespace
 
-void draw_levels_tool(Document& document, const View& view, Ui& ui) {
+void draw_levels_tool(Document& document, const View& view, Block block, Ui& ui) {
   ProgressiveView& progressive = document.progressive;
-  if (!progressive.is_on()) return draw_start(document, ui);
-  const bool is_busy = ui.facts.job != nullptr;
+  if (!progressive.is_on()) return draw_start(document, block, ui);
   ProgressiveSettings settings = progressive.settings();
-  heading("Target");
-  draw_arrival(progressive);
-  draw_numbers(progressive);
-  draw_automatic(progressive, shown_pixels_per_unit(document, view), settings);
-  heading("Rules");
-  draw_geomorphs(progressive, settings);
-  heading("Apply");
-  draw_apply(document, settings, is_busy);
-  heading("Result");
-  if (!progressive.levels().vertex_source.empty()) draw_report(progressive, document.statistics);
-  label("uploaded");
-  const std::string text = fmt::format("{} of {}", bytes_text(ui.facts.upload.uploaded_bytes),
-                                       bytes_text(ui.facts.upload.total_bytes));
-  ImGui::TextUnformatted(text.c_str());
-  tooltip("Bytes that the last step uploaded to the GPU, of all bytes of the mesh there.");
+  switch (block) {
+    case Block::settings:
+      heading("Target");
+      draw_arrival(progressive);
+      draw_numbers(progressive);
+      draw_automatic(progressive, shown_pixels_per_unit(document, view), settings);
+      heading("Rules");
+      draw_geomorphs(progressive, settings);
+      draw_base(progressive, settings);
+      break;
+    case Block::apply:
+      heading("Apply");
+      draw_apply(document, settings, ui.facts.job != nullptr);
+      break;
+    case Block::result:
+      heading("Result");
+      draw_result(progressive, document.statistics, ui.facts.upload);
+      break;
+  }
   progressive.change(settings);
 }
 

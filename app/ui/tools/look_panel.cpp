@@ -66,10 +66,13 @@ void draw_colors(render::Settings& settings) {
 
 }  // namespace
 
-void draw_look_tool(render::Settings& settings) {
-  draw_surface(settings);
-  draw_lines(settings);
-  draw_colors(settings);
+void draw_look_tool(View& view) {
+  draw_surface(view.settings);
+  draw_lines(view.settings);
+  draw_colors(view.settings);
+  edit_switch("legend", view.shows_legend,
+              "explain over the model what its colors and lines stand for: the sharpness of "
+              "creases, the split order");
 }
 
 }  // namespace mesher::app

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/edit/edits.h"
+#include "app/edit/simplify_edit.h"
 #include "app/ui/controls.h"
 #include "app/ui/panels.h"
 #include "engine/core/text.h"
@@ -19,27 +20,40 @@ void draw_rules(SimplifySettings& settings) {
 
 /// The number of faces to simplify to: at first half of those of the opened model.
 void draw_target(const Document& document, Ui& ui) {
-  if (ui.target_of != document.opening || ui.target_faces == 0) {
+  if (ui.target_of != document.opening) {
     ui.target_of = document.opening;
     ui.target_faces = std::max(document.edits.opened_faces / 2, 1U);
   }
-  edit_count("faces", ui.target_faces, "Number of faces to simplify the opened model to.");
-  ui.target_faces = std::max(ui.target_faces, 1U);
+  edit_count("faces", ui.target_faces,
+             "Number of faces to simplify the opened model to. Leave it empty to stop at the max "
+             "error alone.\n--faces",
+             "no target");
   const auto opened = static_cast<float>(std::max(document.edits.opened_faces, 1U));
+  const bool has_target = ui.target_faces > 0;
   float percent = std::min(100.0F * static_cast<float>(ui.target_faces) / opened, 100.0F);
-  if (edit_slider("share", percent, {0.1F, 100.0F, true}, percent_text(percent),
-                  "The same as a share of the opened model's faces.")) {
+  if (edit_slider("ratio", percent, {0.1F, 100.0F, true}, has_target ? percent_text(percent) : "-",
+                  "The same as a share of the opened model's faces.\n--ratio")) {
     ui.target_faces =
         std::max(static_cast<std::uint32_t>(std::lround(0.01F * percent * opened)), 1U);
   }
 }
 
+/// Returns "simplify to 500 faces", or "simplify to max error 0.5 %".
+std::string button_text(const Document& document, std::uint32_t faces) {
+  if (faces > 0) return "simplify to " + count_text(faces, "face");
+  return document.simplify.max_error_percent > 0.0F ? "simplify to " + bound_text(document.simplify)
+                                                    : "simplify";
+}
+
 void draw_buttons(Document& document, const Ui& ui) {
   const bool has_faces = document.statistics.faces > 0;
-  const std::string text = "simplify to " + count_text(ui.target_faces, "face") + "###simplify";
-  if (wide_button(text.c_str(), has_faces,
-                  "Starts from the opened model, so that detail can also be restored.\n"
-                  "Detail that a subdivision added is lost.")) {
+  const bool has_target = ui.target_faces > 0 || document.simplify.max_error_percent > 0.0F;
+  const std::string text = button_text(document, ui.target_faces) + "###simplify";
+  if (wide_button(text.c_str(), has_faces && has_target,
+                  has_target
+                      ? "Starts from the opened model, so that detail can also be restored.\n"
+                        "Detail that a subdivision added is lost."
+                      : "Give a number of faces, or a max error.")) {
     request_simplify_to(document, ui.target_faces);
   }
   if (half_button("remove 10 %", has_faces, "D")) request_remove_tenth(document);
@@ -92,18 +106,21 @@ void draw_report(const SimplifyOutcome& outcome) {
 
 }  // namespace
 
-void draw_simplify_tool(Document& document, Ui& ui) {
-  heading("Target");
-  draw_target(document, ui);
-  heading("Rules");
-  draw_rules(document.simplify);
-  heading("Apply");
-  draw_buttons(document, ui);
-  heading("Result");
-  if (document.edits.last && document.edits.last_state == document.edits.history.state()) {
-    draw_report(*document.edits.last);
-  } else {
-    faint_text("The shown model is not the result of a simplification.");
+void draw_simplify_tool(Document& document, Block block, Ui& ui) {
+  switch (block) {
+    case Block::settings:
+      heading("Target");
+      draw_target(document, ui);
+      heading("Rules");
+      return draw_rules(document.simplify);
+    case Block::apply:
+      heading("Apply");
+      return draw_buttons(document, ui);
+    case Block::result:
+      heading("Result");
+      if (const SimplifyOutcome* outcome = document.edits.simplification_outcome())
+        return draw_report(*outcome);
+      return faint_text("The shown model is not the result of a simplification.");
   }
 }
 

@@ -11,21 +11,18 @@
 namespace mesher::app {
 namespace {
 
-/// Size of the next level.
-std::string next_level_text(const Statistics& s) {
-  constexpr std::uint64_t kBytesPerFace = 44;  // as docs/architecture.md counts them
-  const std::uint64_t faces = 4 * static_cast<std::uint64_t>(s.faces);
-  return fmt::format("{} faces, {}", count_text(faces), bytes_text(kBytesPerFace * faces));
-}
-
 void draw_level(const Document& document) {
   label("level");
   ImGui::Text("%u", shown_level(document.edits));
   tooltip(
       "The model before subdivision is kept, so you can change the level and the rules at any time "
       "without loss.");
+  constexpr std::uint64_t kBytesPerFace = 44;  // as docs/architecture.md counts them
+  const std::uint64_t faces = 4 * static_cast<std::uint64_t>(document.statistics.faces);
   label("next level");
-  ImGui::TextWrapped("%s", next_level_text(document.statistics).c_str());
+  ImGui::TextUnformatted(count_text(faces, "face").c_str());
+  label("its memory");
+  ImGui::TextUnformatted(bytes_text(kBytesPerFace * faces).c_str());
 }
 
 void draw_buttons(Document& document) {
@@ -39,25 +36,33 @@ void draw_buttons(Document& document) {
   }
 }
 
+void draw_result(const Edits& edits) {
+  const auto last = edits.subdivision_outcome();
+  if (last == nullptr || shown_level(edits) == 0)
+    return faint_text("The shown model is not the result of a subdivision.");
+  label("result");
+  const std::string text =
+      fmt::format("{} in {}", count_text(last->faces, "face"), seconds_text(last->seconds));
+  ImGui::TextUnformatted(text.c_str());
+}
+
 }  // namespace
 
-void draw_subdivide_tool(Document& document) {
-  heading("Target");
-  draw_level(document);
-  heading("Rules");
-  if (edit_options(subdivide::kSubdivideRules, document.subdivide))
-    apply_subdivide_settings(document);
-  heading("Apply");
-  draw_buttons(document);
-  heading("Result");
-  const auto& last = document.edits.last_subdivision;
-  if (last && last->level == shown_level(document.edits) && last->level > 0) {
-    label("last");
-    const std::string text =
-        fmt::format("{} in {}", count_text(last->faces, "face"), seconds_text(last->seconds));
-    ImGui::TextUnformatted(text.c_str());
-  } else {
-    faint_text("The shown model is not subdivided.");
+void draw_subdivide_tool(Document& document, Block block) {
+  switch (block) {
+    case Block::settings:
+      heading("Target");
+      draw_level(document);
+      heading("Rules");
+      if (edit_options(subdivide::kSubdivideRules, document.subdivide))
+        apply_subdivide_settings(document);
+      return;
+    case Block::apply:
+      heading("Apply");
+      return draw_buttons(document);
+    case Block::result:
+      heading("Result");
+      return draw_result(document.edits);
   }
 }
 

@@ -38,6 +38,29 @@ TEST_F(CommandLine, RenderWritesPictureOfRequestedSize) {
   EXPECT_NE(std::memcmp(image.pixel(60, 40), image.pixel(0, 0), 4), 0);  // something is there
 }
 
+TEST_F(CommandLine, NamesTheCommandThatWritesProgressiveMeshes) {
+  const std::vector<std::string> commands[] = {
+      {"convert", "cube.obj", "-o", "c.pm"},
+      {"simplify", "cube.obj", "-o", "c.pm", "--faces", "6"},
+      {"subdivide", "cube.obj", "-o", "c.pm"},
+      {"edit", "cube.obj", "-o", "c.pm", "--do", "subdivide"},
+  };
+  for (const auto& command : commands) {
+    const Finished run = mesher(command);
+    EXPECT_EQ(run.exit_code, 1) << command[0];
+    EXPECT_TRUE(holds(run.err, "`mesher progressive MODEL c.pm`")) << run.err;
+  }
+}
+
+TEST_F(CommandLine, ScreenshotShowsOneModel) {
+  const Finished run = mesher({"cube.obj", "knot.obj", "--screenshot", "c.png"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(holds(run.err, "shows one model, and not also 'knot.obj'")) << run.err;
+  const Finished missing = mesher({"cube.obj", "knott.obj"});
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_TRUE(holds(missing.err, "knott.obj: does not exist")) << missing.err;
+}
+
 TEST_F(CommandLine, TagCreasesOptionMarksCreases) {
   const Finished run =
       mesher({"convert", "cube.obj", "creased.obj", "--tag-creases", "45", "--json"});

@@ -53,6 +53,7 @@ TEST_F(EditCommand, SaysWhatWasRefused) {
 TEST_F(EditCommand, RefusesBeforeItReads) {
   const std::pair<const char*, const char*> bad[] = {
       {"polish", "there is no command 'polish'"},
+      {"subdivde", "there is no command 'subdivde'; did you mean subdivide?"},
       {"quit", "'quit' works in the window only"},
       {"toggle_wireframe", "'toggle_wireframe' works in the window only"},
       {";", "there is nothing to do"},

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "app/document/picture_options.h"
 #include "app/document/progressive_view.h"
@@ -125,6 +128,26 @@ std::string reference_page() {
 }
 
 // MESHER_UPDATE_REFERENCE=1 writes the page instead.
+/// The words of an option on the command line, in a panel and in the documentation agree.
+template <class S, std::size_t N>
+void expect_labels(const std::array<Option<S>, N>& table) {
+  for (const Option<S>& option : table) {
+    std::string words = option.key;
+    std::replace(words.begin(), words.end(), '-', ' ');
+    EXPECT_EQ(std::string_view(option.label).substr(0, words.size()), words);
+  }
+}
+
+TEST(OptionTables, LabelsAreTheKeys) {
+  expect_labels(simplify::kSimplifyRules);
+  expect_labels(kSimplifyLimits);
+  expect_labels(subdivide::kSubdivideRules);
+  expect_labels(render::kRenderOptions);
+  expect_labels(kPictureOptions);
+  expect_labels(kTurntableOptions);
+  expect_labels(kProgressiveOptions);
+}
+
 TEST(ReferencePage, MatchesTheTablesInTheSources) {
   const std::string file = MESHER_SOURCE_DIR "/docs/reference.md";
   const std::string expected = reference_page();

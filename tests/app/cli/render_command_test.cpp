@@ -61,6 +61,17 @@ double difference(const Image& a, const Image& b) {
   return sum / double(a.rgba.size());
 }
 
+TEST_F(RenderCommand, LegendExplainsSharpnessAndSplitOrder) {
+  const Image plain = picture({"knot", "--lod", "0.5"});
+  const Image colored = picture({"knot", "--lod", "0.5", "--split-colors"});
+  EXPECT_GT(difference(plain, colored), 1.0);
+  const Image legend = picture({"knot", "--lod", "0.5", "--split-colors", "--legend"});
+  EXPECT_GT(difference(legend, colored), 1.0);
+  EXPECT_EQ(picture({"knot", "--legend"}).rgba, picture({"knot"}).rgba) << "nothing to explain";
+  const Finished alone = mesher({"render", "knot", "-o", "r.png", "--split-colors"});
+  EXPECT_EQ(alone.exit_code, 1) << "only levels have an order of splits";
+}
+
 TEST_F(RenderCommand, FullDetailEqualsModel) {
   const Image full = picture({"bunny"});
   EXPECT_LT(difference(picture({"bunny", "--lod", "1"}), full), 0.05);

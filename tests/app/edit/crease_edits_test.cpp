@@ -138,7 +138,7 @@ TEST_F(CreaseEdits, KeysChangeSharpnessInUndoableSteps) {
   press("+");
   EXPECT_EQ(sharpness(6, 7), 1.0F);
   EXPECT_EQ(sharpness(4, 7), 1.0F);
-  EXPECT_EQ(history().undo_name(), "make 2 edges sharper");
+  EXPECT_EQ(history().undo_name(), "make 2 edges sharper -> 1");
   press("+");
   press("i");
   EXPECT_EQ(sharpness(6, 7), kInfinitelySharp);
@@ -237,7 +237,7 @@ TEST_F(CreaseEdits, TagByAngleAndClearAll) {
   EXPECT_EQ(selected().size(), 12U);
   ask({.kind = Kind::clear_all});
   EXPECT_EQ(s_.document.statistics.crease_edges, 0U);
-  EXPECT_EQ(history().undo_name(), "clear all creases");
+  EXPECT_EQ(history().undo_name(), "clear all creases (12 edges)");
   expect_consistent();
   ask({.kind = Kind::clear_all});
   EXPECT_EQ(s_.document.notice, "there are no creases");
@@ -271,7 +271,7 @@ TEST_F(CreaseEdits, BoundaryEdgeCanBeSelectedButNotSharpened) {
   press("+");
   EXPECT_EQ(sharpness(1, 2), 0.0F);
   EXPECT_EQ(sharpness(6, 7), 1.0F);
-  EXPECT_EQ(history().undo_name(), "make 1 edge sharper");
+  EXPECT_EQ(history().undo_name(), "make 1 edge sharper -> 1");
 }
 
 TEST_F(CreaseEdits, SimplifyAndUndoClearSelection) {

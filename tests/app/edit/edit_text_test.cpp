@@ -94,11 +94,18 @@ TEST(EditText, RefusesBadText) {
       {"simplify_to faces=5 faces=6", "simplify_to: faces is given twice"},
       {"simplify_to 5", "simplify_to: '5' is not of the form key=value"},
       {"simplify cost=cheap", "simplify: 'cheap' is not a value of cost"},
-      {"simplify scheme=loop", "simplify: unknown option 'scheme'"},
+      {"simplify scheme=loop",
+       "simplify: unknown option 'scheme'; it takes cost, placement, boundary, crease-angle, seed, "
+       "no-intersections, max-error"},
+      {"simplify_to face=4",
+       "simplify_to: unknown option 'face'; it takes cost, placement, boundary, crease-angle, "
+       "seed, "
+       "no-intersections, max-error, faces"},
+      {"clear_all_creases by=1", "clear_all_creases: unknown option 'by'; it takes none"},
       {"subdivide limit=maybe", "subdivide: 'maybe' is not a value of limit"},
       {"set_sharpness to=-1", "set_sharpness: '-1' is not a value of to"},
       {"set_sharpness to=nan", "set_sharpness: 'nan' is not a value of to"},
-      {"mark_creases", "mark_creases: '' is not a value of angle"},
+      {"mark_creases", "mark_creases: angle is missing"},
       {"keep_level base-faces=3", "keep_level: splits is missing"},
   };
   for (const auto& [text, reason] : bad) {

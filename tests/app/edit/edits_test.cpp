@@ -11,6 +11,7 @@
 #include "app/edit/simplify_edit.h"
 #include "app/input/commands.h"
 #include "engine/core/error.h"
+#include "engine/core/text.h"
 #include "engine/io/read.h"
 #include "engine/simplify/simplify.h"
 #include "tests/app/edit/editing.h"
@@ -53,7 +54,7 @@ TEST(Edits, DRemovesTenPercentAndKeepsCamera) {
   ASSERT_TRUE(s.document.edits.last);
   EXPECT_EQ(s.document.edits.last->report.faces_asked, 216U);
   EXPECT_EQ(s.document.edits.history.undo_name(),
-            "simplify to " + std::to_string(s.document.statistics.faces) + " faces");
+            "remove 10 % of faces -> " + count_text(s.document.statistics.faces));
   EXPECT_EQ(s.document.notice, "");
 }
 
@@ -267,7 +268,7 @@ TEST(Edits, ErrorsAreInPercentOfTheOpenedModelsDiagonal) {
 TEST(Edits, ReportBelongsToItsModelOnly) {
   Session s = session_with(test::torus(12, 10));
   const Edits& edits = s.document.edits;
-  const auto is_shown = [&] { return edits.last && edits.last_state == edits.history.state(); };
+  const auto is_shown = [&] { return edits.simplification_outcome() != nullptr; };
   EXPECT_FALSE(is_shown());
   press(s, "d");
   EXPECT_TRUE(is_shown());
@@ -277,6 +278,59 @@ TEST(Edits, ReportBelongsToItsModelOnly) {
   EXPECT_TRUE(is_shown());
   press(s, "s");
   EXPECT_FALSE(is_shown());
+}
+
+TEST(Edits, ReportsOfEarlierStatesAreShownAgain) {
+  Session s = session_with(test::torus(12, 10));
+  const Edits& edits = s.document.edits;
+  const auto faces = [&] {
+    const SimplifyOutcome* outcome = edits.simplification_outcome();
+    return outcome != nullptr ? outcome->report.faces_reached : 0;
+  };
+  press(s, "d d s");
+  EXPECT_EQ(faces(), 0U);
+  ASSERT_NE(edits.subdivision_outcome(), nullptr);
+  EXPECT_EQ(edits.subdivision_outcome()->level, 1U);
+  press(s, "ctrl+z");
+  EXPECT_EQ(faces(), 194U);
+  EXPECT_EQ(edits.subdivision_outcome(), nullptr);
+  press(s, "ctrl+z");
+  EXPECT_EQ(faces(), 216U);
+  press(s, "ctrl+y");
+  EXPECT_EQ(faces(), 194U);
+  press(s, "ctrl+z ctrl+z");
+  EXPECT_EQ(faces(), 0U);
+  press(s, "shift+d");
+  EXPECT_EQ(faces(), 238U);
+  EXPECT_EQ(edits.outcomes.size(), 1U) << "the undone edits are gone";
+}
+
+TEST(Edits, NamesOfStepsHoldValues) {
+  Session s = session_with(test::torus(12, 10));
+  press(s, "d shift+d");
+  s.document.simplify.max_error_percent = 0.5F;
+  simplify_to(s, 0);
+  press(s, "s shift+s");
+  std::vector<std::string> names;
+  for (const HistoryStep& step : s.document.edits.history.steps())
+    names.push_back(step.name);
+  const std::uint32_t faces = s.document.edits.last->report.faces_reached;
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"remove 10 % of faces -> 216", "collapse an edge -> 214",
+                                      "simplify to error 0.5 % -> " + count_text(faces),
+                                      "subdivide to level 1 -> " + count_text(4 * faces),
+                                      "back to level 0 -> " + count_text(faces)}));
+}
+
+TEST(Edits, ErrorAloneLimitsSimplification) {
+  Session s = session_with_cactus();
+  s.document.simplify.max_error_percent = 1.0F;
+  simplify_to(s, 0);
+  const simplify::SimplifyReport& report = s.document.edits.last->report;
+  EXPECT_EQ(report.faces_asked, 0U);
+  EXPECT_EQ(report.reason, simplify::StopReason::error_bound);
+  EXPECT_LT(report.faces_reached, report.faces_before);
+  EXPECT_EQ(s.document.edits.history.steps()[0].text.find("faces="), std::string::npos);
 }
 
 TEST(Edits, HistoryStepsAreReachedFromEverywhere) {

@@ -78,6 +78,32 @@ TEST_F(PictureFileTest, LinesCanBeLeftOut) {
   EXPECT_EQ(draw_picture(script_.scene(), {.has_lines = false}, nullptr).rgba, alone.rgba);
 }
 
+TEST_F(PictureFileTest, LegendLiesOverTheSamePicture) {
+  session_.view.window = {400, 300};
+  session_.view.settings.wireframe = true;
+  session_.document.statistics.crease_edges = 12;
+  for (const PictureOptions& options : {PictureOptions{.has_legend = true},
+                                        {.scale = 2, .is_transparent = true, .has_legend = true}}) {
+    PictureScene scene = script_.scene();
+    const Image plain = draw_picture(scene, options, nullptr);
+    scene.legend =
+        legend_of_picture(scene.settings, legend_facts(session_.document), scene.window, options);
+    ASSERT_EQ(scene.legend.width, 216 * options.scale);
+    const Image image = draw_picture(scene, options, nullptr);
+    EXPECT_NE(image.rgba, plain.rgba);
+    EXPECT_EQ(image.pixel(image.width - 1, 0)[0], plain.pixel(image.width - 1, 0)[0]);
+    write_picture(scene, options, folder_ / "a.png", nullptr);
+    EXPECT_EQ(io::read_png(folder_ / "a.png").rgba, image.rgba) << "in bands of rows";
+  }
+  const auto legend = [&](const PictureOptions& options) {
+    const PictureScene scene = script_.scene();
+    return legend_of_picture(scene.settings, legend_facts(session_.document), scene.window,
+                             options);
+  };
+  EXPECT_EQ(legend({}).width, 0U) << "nobody asked";
+  EXPECT_EQ(legend({.has_lines = false, .has_legend = true}).width, 0U) << "there are no lines";
+}
+
 TEST_F(PictureFileTest, FailureKeepsTheOldFile) {
   folder_.write("a.png", "old");
   folder_.write("a.webp", "old");
