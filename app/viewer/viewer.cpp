@@ -163,21 +163,43 @@ class Viewer {
       work_.restore(std::move(lost));
   }
 
-  /// Only the shown document changes.
+  /// Only the shown document changes, but writing the journal of another one may have failed.
   void keep_journals() {
-    Journal& journal =
-        journals_.try_emplace(session_.document.opening, state_folder_).first->second;
-    say(journal.note(session_.document));
+    journals_.try_emplace(session_.document.opening, state_folder_);
     for (auto entry = journals_.begin(); entry != journals_.end();) {
-      const bool is_open = document_opened_as(session_, entry->first) != nullptr;
-      if (!is_open) entry->second.remove();
-      entry = is_open ? std::next(entry) : journals_.erase(entry);
+      Document* const document = document_opened_as(session_, entry->first);
+      Journal& journal = entry->second;
+      if (document == nullptr) {
+        journal.remove();
+        entry = journals_.erase(entry);
+        continue;
+      }
+      const std::string remark = journal.note(*document);
+      // The next notice must not hide that edits are at risk.
+      if (journal.is_failing()) {
+        complain(remark);
+      } else {
+        say(remark);
+      }
+      ++entry;
     }
+  }
+
+  bool has_failing_journal() const {
+    return std::any_of(journals_.begin(), journals_.end(),
+                       [](const auto& entry) { return entry.second.is_failing(); });
   }
 
   void keep_preferences() {
     preferences_file_.write(session_.preferences);
     say(preferences_file_.take_remark());
+  }
+
+  void complain(const std::string& remark) {
+    if (remark.empty()) return;
+    std::string& error = session_.document.error;
+    error += (error.empty() ? "" : "\n") + remark;
+    want_frames();
   }
 
   void say(const std::string& remark) {
@@ -272,7 +294,8 @@ class Viewer {
       want_frames();  // the caret
       return Window::wait_events(kCaretBlinkSeconds);
     }
-    Window::wait_events(work_.is_arriving() ? kJobPollSeconds : -1.0);
+    if (work_.is_arriving()) return Window::wait_events(kJobPollSeconds);
+    Window::wait_events(has_failing_journal() ? Journal::kRetrySeconds : -1.0);
   }
 
   /// Updates the GPU's copy of the model before a frame begins. Returns false if the GPU could not
