@@ -7,6 +7,7 @@
 #include "app/files/picture_requests.h"
 #include "app/files/restore.h"
 #include "app/files/save.h"
+#include "app/viewer/graphics.h"
 #include "engine/core/error.h"
 #include "engine/io/pm_file.h"
 
@@ -121,6 +122,8 @@ bool BackgroundWork::finish_load() {
     note_opened(session_, job->file());
   } catch (const Cancelled&) {
     note_canceled(session_, job->file());
+  } catch (const GraphicsFailed&) {
+    throw;  // the model is not the reason
   } catch (const std::exception& error) {
     failures_.emplace_back(error.what());
   }

@@ -6,14 +6,18 @@
 #include <fstream>
 
 #include "engine/io/read.h"
+#include "tests/support/fault_layer.h"
 #include "tests/support/small_disk.h"
 #include "tests/support/temp_folder.h"
 #include "tests/ui/window_fixture.h"
+#include "tests/ui/xdnd_source.h"
 
 namespace mesher::test {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kSamples = MESHER_SOURCE_DIR "/assets/";
 
 bool starts_with(const json& text, const std::string& words) {
   return text.get<std::string>().starts_with(words);
@@ -101,6 +105,192 @@ TEST_F(FaultsTest, JournalOnAFullDiskIsSaidOnceAndWrittenOnceThereIsRoom) {
   EXPECT_REACHES(*v, s["question"] == "lost");
   v->key("r");
   EXPECT_REACHES(*v, s["undo_depth"] == 2);
+  quit(*v);
+}
+
+/// Tests whose programs run with a Vulkan layer that fails on a cue.
+class GpuFaultsTest : public FaultsTest {
+ protected:
+  std::unique_ptr<ViewerProcess> open_with_faults(std::vector<std::string> arguments,
+                                                  const fs::path& state_home = {}) const {
+    return std::make_unique<ViewerProcess>(*server_, std::move(arguments), state_home,
+                                           "unix:path=/nonexistent", faults_.environment());
+  }
+  /// The upper part of the window, without the line of notices.
+  static std::vector<std::uint8_t> upper_part(const ViewerProcess& viewer) {
+    viewer.settle();
+    std::vector<std::uint8_t> bytes = viewer.screenshot();
+    bytes.resize(bytes.size() / 4 * 3);
+    return bytes;
+  }
+  void expect_over() const { EXPECT_TRUE(faults_.is_over()) << "the call did not fail"; }
+
+  FaultLayer faults_;
+};
+
+TEST_F(GpuFaultsTest, WindowIsDrawnAgainAfterEveryLoss) {
+  struct Loss {
+    const char* call;
+    VkResult result;
+  };
+  for (const Loss& loss : {Loss{"vkQueueSubmit2", VK_ERROR_DEVICE_LOST},
+                           {"vkWaitSemaphores", VK_ERROR_DEVICE_LOST},
+                           {"vkAcquireNextImageKHR", VK_ERROR_DEVICE_LOST},
+                           {"vkQueuePresentKHR", VK_ERROR_DEVICE_LOST},
+                           {"vkAcquireNextImageKHR", VK_ERROR_SURFACE_LOST_KHR},
+                           {"vkQueuePresentKHR", VK_ERROR_SURFACE_LOST_KHR}}) {
+    SCOPED_TRACE(std::string(loss.call) + " " + std::to_string(loss.result));
+    const auto v = open_with_faults({"knot", "--size", "900x700", "--wireframe"});
+    v->key("d");
+    EXPECT_REACHES(*v, s["undo_depth"] == 1);
+    const auto before = upper_part(*v);
+    faults_.cue({{loss.call, loss.result}});
+    v->key("w");
+    EXPECT_REACHES(*v, starts_with(s["notice"], "restarted the graphics: ") &&
+                           holds_words(s["notice"], loss.call));
+    expect_over();
+    v->key("w");
+    EXPECT_REACHES(*v, s["wireframe"] == true && s["undo_depth"] == 1 && s["unsaved"] == true);
+    EXPECT_EQ(upper_part(*v), before);
+    v->key("d");
+    EXPECT_REACHES(*v, s["undo_depth"] == 2);
+    quit(*v);
+  }
+}
+
+TEST_F(GpuFaultsTest, ChangedSurfaceIsFollowedWithoutAWord) {
+  struct Change {
+    const char* call;
+    VkResult result;
+  };
+  for (const Change& change : {Change{"vkAcquireNextImageKHR", VK_ERROR_OUT_OF_DATE_KHR},
+                               {"vkAcquireNextImageKHR", VK_SUBOPTIMAL_KHR},
+                               {"vkQueuePresentKHR", VK_ERROR_OUT_OF_DATE_KHR},
+                               {"vkQueuePresentKHR", VK_SUBOPTIMAL_KHR}}) {
+    SCOPED_TRACE(std::string(change.call) + " " + std::to_string(change.result));
+    const auto v = open_with_faults({"knot", "--size", "800x600"});
+    v->key("w");
+    EXPECT_REACHES(*v, s["wireframe"] == true);
+    const auto lines = upper_part(*v);
+    v->key("w");
+    EXPECT_REACHES(*v, s["wireframe"] == false);
+    v->settle();
+    faults_.cue({{change.call, change.result, 3}});  // also in the last of the frames
+    v->key("w");
+    EXPECT_REACHES(*v, s["wireframe"] == true);
+    EXPECT_EQ(upper_part(*v), lines);
+    expect_over();
+    EXPECT_EQ(v->state()["error"], "");
+    quit(*v);
+  }
+}
+
+TEST_F(GpuFaultsTest, StateOfPanelsOutlivesTheDevice) {
+  const auto v = open_with_faults({"cube", "--size", "900x700"});
+  v->key("ctrl+o");
+  EXPECT_REACHES(*v, s["open_dialog"] == true);
+  v->settle();
+  server_->xdotool({"type", "--delay", "60", std::string(kSamples)});
+  v->settle();
+  faults_.cue({{"vkQueueSubmit2", VK_ERROR_DEVICE_LOST}});
+  server_->xdotool({"type", "--delay", "60", "kno"});
+  EXPECT_REACHES(*v, starts_with(s["notice"], "restarted the graphics: "));
+  v->settle();
+  server_->xdotool({"type", "--delay", "60", "t.obj"});
+  v->settle();
+  v->key("Return");
+  EXPECT_REACHES(*v, s["faces"] == 2880 && s["open_dialog"] == false);
+  quit(*v);
+}
+
+TEST_F(GpuFaultsTest, LossWhileAModelOpensDoesNotRefuseTheModel) {
+  const auto v = open_with_faults({"cube", "--size", "800x600"});
+  v->settle();
+  faults_.cue({{"vkQueueSubmit2", VK_ERROR_DEVICE_LOST}});
+  ASSERT_TRUE(
+      drop_file(server_->display(), std::stoul(v->window()), std::string(kSamples) + "knot.obj"));
+  EXPECT_REACHES(*v, s["faces"] == 2880);
+  EXPECT_EQ(v->state()["error"], "");
+  expect_over();
+  quit(*v);
+}
+
+TEST_F(GpuFaultsTest, SecondLossAtOnceEndsTheProgramAndKeepsTheEdits) {
+  // While the device is set up, and in the first frame after it.
+  for (const char* second : {"vkQueueSubmit2", "vkQueuePresentKHR"}) {
+    const TempFolder home;
+    {
+      const auto v = open_with_faults({"knot", "--size", "800x600"}, home.path());
+      v->key("d");
+      EXPECT_REACHES(*v, s["undo_depth"] == 1);
+      v->settle();
+      faults_.cue({{"vkQueueSubmit2", VK_ERROR_DEVICE_LOST}, {second, VK_ERROR_DEVICE_LOST}});
+      v->key("w");
+      EXPECT_EQ(v->wait_for_end(), 3);
+      EXPECT_TRUE(v->errors().starts_with("mesher: the GPU stopped working (vkQueue"));
+      EXPECT_TRUE(v->errors().ends_with(
+          ": VK_ERROR_DEVICE_LOST) again, right after a restart; mesher offers the unsaved edits "
+          "when it starts again\n"))
+          << v->errors();
+    }
+    const auto v = open({"cube", "--size", "800x600"}, home.path());
+    EXPECT_REACHES(*v, s["question"] == "lost");
+    v->key("r");
+    EXPECT_REACHES(*v, s["undo_depth"] == 1);
+    quit(*v);
+  }
+}
+
+TEST_F(GpuFaultsTest, DeviceThatCannotBeMadeAgainEndsTheProgram) {
+  const auto v = open_with_faults({"knot", "--size", "800x600"});
+  v->settle();
+  faults_.cue({{"vkWaitSemaphores", VK_ERROR_DEVICE_LOST},
+               {"vkCreateDevice", VK_ERROR_INITIALIZATION_FAILED}});
+  v->key("w");
+  EXPECT_EQ(v->wait_for_end(), 3);
+  EXPECT_EQ(v->errors(),
+            "mesher: the GPU stopped working (vkWaitSemaphores: VK_ERROR_DEVICE_LOST), and the "
+            "graphics cannot be restarted: vkCreateDevice: VK_ERROR_INITIALIZATION_FAILED\n");
+}
+
+TEST_F(GpuFaultsTest, FullGpuRefusesAModelAndAnEdit) {
+  const auto v = open_with_faults({"cube", "--size", "800x600"});
+  v->key("s");
+  EXPECT_REACHES(*v, s["undo_depth"] == 1 && s["faces"] == 48);
+  const auto before = upper_part(*v);
+  // The knot's indices take 34 kB, those of the subdivided cube some hundreds of bytes.
+  faults_.cue({{"vkAllocateMemory", VK_ERROR_OUT_OF_DEVICE_MEMORY, 1, 30'000}});
+  ASSERT_TRUE(
+      drop_file(server_->display(), std::stoul(v->window()), std::string(kSamples) + "knot.obj"));
+  EXPECT_REACHES(*v, starts_with(s["error"], "out of GPU memory"));
+  expect_over();
+  EXPECT_EQ(v->state()["tabs"], json::array({"cube.obj"}));
+  EXPECT_EQ(v->state()["faces"], 48);
+  EXPECT_EQ(v->state()["unsaved"], true);
+  dismiss_error(*v);
+  EXPECT_EQ(upper_part(*v), before);
+  faults_.cue({{"vkAllocateMemory", VK_ERROR_OUT_OF_DEVICE_MEMORY, 1, 2000}});
+  v->key("s");
+  EXPECT_REACHES(*v, starts_with(s["error"], "out of GPU memory") && s["faces"] == 48);
+  expect_over();
+  EXPECT_EQ(v->state()["undo_depth"], 1);
+  dismiss_error(*v);
+  EXPECT_EQ(upper_part(*v), before);
+  v->key("s");
+  EXPECT_REACHES(*v, s["undo_depth"] == 2 && s["faces"] == 192);
+  quit(*v);
+}
+
+TEST_F(GpuFaultsTest, FullGpuDrawsWithFewerSamples) {
+  const auto v = open_with_faults({"cube", "--size", "400x300"});
+  v->settle();
+  // Of the larger images of four samples that a larger window needs.
+  faults_.cue({{"vkAllocateMemory", VK_ERROR_OUT_OF_DEVICE_MEMORY, 1, 4'000'000}});
+  server_->xdotool({"windowsize", v->window(), "1000", "800"});
+  EXPECT_REACHES(*v, s["window"] == json::array({1000, 800}) && s["picture_finished"] == true);
+  v->settle();
+  expect_over();
+  EXPECT_EQ(v->state()["error"], "");
   quit(*v);
 }
 

@@ -1,7 +1,10 @@
 // Tests commands with a full disk, a lost GPU and an environment in which much is missing.
+#include <vulkan/vulkan_core.h>
+
 #include <algorithm>
 
 #include "tests/app/program_test.h"
+#include "tests/support/fault_layer.h"
 #include "tests/support/small_disk.h"
 
 namespace mesher::test {
@@ -40,6 +43,30 @@ TEST_F(FaultyMachine, EveryCommandSaysThatTheDiskIsFull) {
     expect_refusal(mesher(quiet), 4, "cannot write: No space left on device");
     EXPECT_EQ(disk.count_files(), 0U);
   }
+}
+
+TEST_F(FaultyMachine, LostGpuIsOneLine) {
+  const FaultLayer faults;
+  for (const char* call : {"vkQueueSubmit2", "vkWaitSemaphores"}) {
+    faults.cue({{call, VK_ERROR_DEVICE_LOST}});
+    expect_refusal(
+        mesher({"render", "knot", "-o", "p.png", "--validation", "--quiet"}, faults.environment()),
+        3, std::string("the GPU stopped working (") + call + ": VK_ERROR_DEVICE_LOST)");
+    EXPECT_TRUE(faults.is_over());
+    EXPECT_EQ(folder_.count_files(), 0U);
+  }
+  const Finished after = mesher({"render", "knot", "-o", "p.png"}, faults.environment());
+  EXPECT_EQ(after.exit_code, 0) << after.err;
+}
+
+TEST_F(FaultyMachine, FullGpuIsOneLine) {
+  const FaultLayer faults;
+  faults.cue({{"vkAllocateMemory", VK_ERROR_OUT_OF_DEVICE_MEMORY, 1, 30'000}});
+  expect_refusal(
+      mesher({"render", "knot", "-o", "p.png", "--validation", "--quiet"}, faults.environment()), 3,
+      "out of GPU memory (vkAllocateMemory: VK_ERROR_OUT_OF_DEVICE_MEMORY)");
+  EXPECT_TRUE(faults.is_over());
+  EXPECT_EQ(folder_.count_files(), 0U);
 }
 
 }  // namespace
