@@ -141,8 +141,10 @@ bool BackgroundWork::advance_save() {
     }
     if (!save_) start_save();
   } catch (const Cancelled&) {
+    has_write_failure_ = true;
     session_.document.notice = "canceled; nothing was written";
   } catch (const std::exception& error) {
+    has_write_failure_ = true;
     session_.document.error = error.what();
   }
   return is_changed;
@@ -166,8 +168,10 @@ bool BackgroundWork::advance_picture() {
     }
     if (!picture_) start_picture();
   } catch (const Cancelled&) {
+    has_write_failure_ = true;
     session_.document.notice = "canceled; no picture was written";
   } catch (const std::exception& error) {
+    has_write_failure_ = true;
     session_.document.error = error.what();
   }
   return is_changed;
@@ -186,6 +190,10 @@ void BackgroundWork::start_picture() {
         return task->request.file;
       },
       wake_);
+}
+
+bool BackgroundWork::is_writing() const {
+  return save_ || picture_ || session_.saving.waiting || session_.picture.waiting;
 }
 
 void BackgroundWork::finish_saves() {

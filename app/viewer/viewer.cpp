@@ -78,7 +78,7 @@ class Viewer {
       // After the keys, which would answer the question otherwise.
       for (LostEdits& lost : lost_edits(state_folder_))
         session_.lost.push_back(std::move(lost));
-      while (!session_.wants_quit)
+      while (!may_end())
         step();
     } catch (const GraphicsFailed& failure) {
       const bool is_kept = keep_everything();
@@ -88,7 +88,6 @@ class Viewer {
       keep_everything();
       throw;
     }
-    work_.finish_saves();
     for (auto& [opening, journal] : journals_)
       journal.remove();
     graphics_.finish();
@@ -109,6 +108,22 @@ class Viewer {
     if (session_.wants_screenshot) save_screenshot();
     if (session_.copied) overlay().copy(*std::exchange(session_.copied, std::nullopt));
     log_.note(session_, &pointer_, &panels_.widgets());
+  }
+
+  /// A file that is being written is finished first, while the window shows its progress. If that
+  /// fails or is canceled, the window stays.
+  bool may_end() {
+    if (session_.wants_quit && work_.is_writing()) {
+      session_.wants_quit = false;
+      if (!std::exchange(quits_once_written_, true)) work_.take_write_failure();
+      session_.document.notice = "mesher ends when the file is written; Esc cancels writing it";
+      want_frames();
+    } else if (quits_once_written_ && !work_.is_writing()) {
+      quits_once_written_ = false;
+      // This asks if there were edits meanwhile.
+      if (!work_.take_write_failure()) leave(Leaving::quit);
+    }
+    return session_.wants_quit;
   }
 
   /// Called when an error ends the program. Returns whether edits are kept for the next start.
@@ -441,6 +456,7 @@ class Viewer {
   std::filesystem::path state_folder_;
   std::map<std::uint64_t, Journal> journals_;  ///< by Document::opening
   PreferencesFile preferences_file_;
+  bool quits_once_written_ = false;
   render::Settings drawable_settings_;  ///< of the session when the mirror was last updated
   Pointer pointer_;
   std::string title_;

@@ -108,6 +108,72 @@ TEST_F(FaultsTest, JournalOnAFullDiskIsSaidOnceAndWrittenOnceThereIsRoom) {
   quit(*v);
 }
 
+/// Tests that quit while a file is written.
+class QuitTest : public FaultsTest {
+ protected:
+  /// Begins to write a turntable of the shown model.
+  static void start_turntable(const ViewerProcess& viewer, const std::string& scale) {
+    viewer.key("shift+F12");
+    EXPECT_REACHES(viewer, s["picture_dialog"] == true);
+    viewer.settle();
+    click(viewer, "Save a picture/turntable");
+    server_->xdotool({"type", "--delay", "60", "turn.webp"});
+    click(viewer, "Save a picture/scale");
+    server_->xdotool({"key", "ctrl+a"});
+    server_->xdotool({"type", "--delay", "60", scale});
+    viewer.settle();
+    viewer.key("Return");
+    EXPECT_REACHES(viewer, s["picture_dialog"] == false);
+  }
+};
+
+TEST_F(QuitTest, PictureIsFinishedFirst) {
+  const auto v = open({"cube", "--size", "400x300"});
+  start_turntable(*v, "1");
+  v->press_close_button();
+  EXPECT_EQ(v->wait_for_end(), 0) << v->state().dump(2);
+  EXPECT_TRUE(fs::exists(v->folder() / "turn.webp"));
+}
+
+TEST_F(QuitTest, CanceledPictureKeepsTheWindow) {
+  const auto v = open({"cube", "--size", "800x700"});
+  start_turntable(*v, "8");  // takes minutes
+  v->key("q");
+  EXPECT_REACHES(*v, starts_with(s["notice"], "mesher ends when the file is written"));
+  v->key("Escape");
+  EXPECT_REACHES(*v, holds_words(s["notice"], "canceled"));
+  EXPECT_FALSE(fs::exists(v->folder() / "turn.webp"));
+  v->key("s");
+  EXPECT_REACHES(*v, s["undo_depth"] == 1);
+  quit(*v);
+}
+
+TEST_F(QuitTest, EditsThatComeMeanwhileAreAskedAbout) {
+  const auto v = open({"cube", "--size", "400x300"});
+  start_turntable(*v, "2");
+  v->key("q");
+  v->key("s");
+  EXPECT_REACHES(*v, s["undo_depth"] == 1);
+  EXPECT_REACHES(*v, s["question"] == "unsaved");
+  EXPECT_TRUE(fs::exists(v->folder() / "turn.webp"));
+  v->key("Delete");
+  EXPECT_EQ(v->wait_for_end(), 0);
+}
+
+TEST_F(QuitTest, FailedSaveKeepsTheWindow) {
+  const SmallDisk disk;
+  disk.fill();
+  const auto v = open({"knot", "--size", "800x600", "--keys", "s s s"});
+  save_as(*v, v->folder() / "kept.obj");
+  EXPECT_REACHES(*v, s["unsaved"] == false);
+  save_as(*v, disk / "kept.pm");  // is built first, which takes seconds
+  v->key("q");
+  EXPECT_REACHES(*v, holds_words(s["error"], "No space left on device"));
+  dismiss_error(*v);
+  EXPECT_EQ(v->state()["faces"], 2880 * 64);
+  quit(*v);
+}
+
 /// Tests whose programs run with a Vulkan layer that fails on a cue.
 class GpuFaultsTest : public FaultsTest {
  protected:
