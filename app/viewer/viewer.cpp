@@ -24,6 +24,7 @@
 #include "app/viewer/recovery.h"
 #include "app/viewer/state_log.h"
 #include "app/viewer/window.h"
+#include "engine/core/job.h"
 #include "engine/core/text.h"
 #include "engine/gpu/result.h"
 #include "engine/io/png.h"
@@ -75,9 +76,7 @@ class Viewer {
     try {
       update_scene();
       press(keys);
-      // After the keys, which would answer the question otherwise.
-      for (LostEdits& lost : lost_edits(state_folder_))
-        session_.lost.push_back(std::move(lost));
+      read_lost_edits();
       while (!may_end())
         step();
     } catch (const GraphicsFailed& failure) {
@@ -100,6 +99,7 @@ class Viewer {
     if (work_.advance()) want_frames();
     if (desktop_files_.advance()) want_frames();
     serve_requests();
+    take_lost_edits();
     keep_journals();
     keep_preferences();
     animate();
@@ -136,6 +136,26 @@ class Viewer {
     }
     return std::any_of(journals_.begin(), journals_.end(),
                        [](const auto& entry) { return entry.second.has_edits(); });
+  }
+
+  /// Lost edits are compared with the files of their models, which may be large.
+  void read_lost_edits() {
+    lost_ = std::make_unique<JobOf<std::vector<LostEdits>>>(
+        "Looking for lost edits",
+        [folder = state_folder_](Progress& progress) { return lost_edits(folder, &progress); },
+        Window::wake);
+  }
+
+  void take_lost_edits() {
+    if (!lost_ || !lost_->is_done()) return;
+    const std::unique_ptr<JobOf<std::vector<LostEdits>>> job = std::move(lost_);
+    try {
+      for (LostEdits& lost : job->take())
+        session_.lost.push_back(std::move(lost));
+    } catch (const std::exception& error) {
+      session_.document.error = error.what();
+    }
+    want_frames();
   }
 
   // As in a script, each key acts on the result of the keys before it.
@@ -456,6 +476,7 @@ class Viewer {
   std::filesystem::path state_folder_;
   std::map<std::uint64_t, Journal> journals_;  ///< by Document::opening
   PreferencesFile preferences_file_;
+  std::unique_ptr<JobOf<std::vector<LostEdits>>> lost_;  ///< null: they are read
   bool quits_once_written_ = false;
   render::Settings drawable_settings_;  ///< of the session when the mirror was last updated
   Pointer pointer_;
