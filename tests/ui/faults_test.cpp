@@ -108,6 +108,90 @@ TEST_F(FaultsTest, JournalOnAFullDiskIsSaidOnceAndWrittenOnceThereIsRoom) {
   quit(*v);
 }
 
+TEST_F(FaultsTest, DisplayThatEndsLosesNoEdits) {
+  const TempFolder home;
+  {
+    XServer server;
+    ViewerProcess v(server, {"knot", "--size", "800x600"}, home.path());
+    v.key("d");
+    EXPECT_REACHES(v, s["undo_depth"] == 1);
+    v.settle();
+    server.end();
+    EXPECT_EQ(v.wait_for_end(), 3);
+    EXPECT_EQ(v.errors(),
+              "mesher: the display was closed; mesher offers the unsaved edits when it starts "
+              "again\n");
+  }
+  const auto v = open({"cube", "--size", "800x600"}, home.path());
+  EXPECT_REACHES(*v, s["question"] == "lost");
+  v->key("r");
+  EXPECT_REACHES(*v, s["undo_depth"] == 1);
+  quit(*v);
+}
+
+TEST_F(FaultsTest, WindowOpensWithoutMonitorHomeAndFonts) {
+  const XServer server({"-extension", "RANDR"});
+  ViewerProcess v(server, {"knot"}, {}, "unix:path=/nonexistent",
+                  {"HOME", "XDG_STATE_HOME", "XDG_CONFIG_HOME", "XDG_PICTURES_DIR",
+                   "FONTCONFIG_FILE=/nonexistent", "FONTCONFIG_PATH=/nonexistent"});
+  v.key("d");
+  EXPECT_REACHES(v, s["undo_depth"] == 1);
+  EXPECT_REACHES(v, holds_words(s["notice"], "there is no home folder"));
+  quit(v);
+}
+
+TEST_F(FaultsTest, HomeThatCannotBeWrittenIsSaid) {
+  const auto v = open({"knot", "--size", "800x600"}, "/proc/no_home");
+  EXPECT_REACHES(*v, holds_words(s["notice"], "settings are not remembered"));
+  v->key("d");
+  EXPECT_REACHES(*v, holds_words(s["error"],
+                                 "edits cannot be restored after a crash: "
+                                 "/proc/no_home/mesher: cannot make the folder: "));
+  dismiss_error(*v);
+  quit(*v);
+}
+
+TEST_F(FaultsTest, DeletedFolderAndReplacedFileLoseNothing) {
+  const TempFolder folder;
+  fs::create_directory(folder / "models");
+  fs::copy(std::string(kSamples) + "knot.obj", folder / "models/knot.obj");
+  const TempFolder home;
+  {
+    const auto v = open({(folder / "models/knot.obj").string(), "--size", "1000x700"}, home.path());
+    v->key("d");
+    EXPECT_REACHES(*v, s["undo_depth"] == 1);
+    fs::remove_all(folder / "models");
+    v->key("s");
+    EXPECT_REACHES(*v, s["undo_depth"] == 2);
+    v->key("ctrl+s");
+    EXPECT_REACHES(*v, s["save_dialog"] == true);
+    v->settle();
+    v->key("Return");  // into the nearest folder that is left
+    EXPECT_REACHES(*v, s["unsaved"] == false);
+    EXPECT_EQ(io::read_model(folder / "knot-edited.obj").mesh.face_count(), 2592U * 4);
+    fs::create_directory(folder / "models");
+    fs::copy(std::string(kSamples) + "cube.obj", folder / "models/knot.obj");
+    v->key("d");
+    EXPECT_REACHES(*v, s["undo_depth"] == 3);
+    v->settle();
+    v->kill();
+  }
+  const auto v = open({"--size", "1000x700"}, home.path());
+  EXPECT_REACHES(*v, s["question"] == "lost");
+  v->key("r");  // of another file, they would be other edits
+  v->settle();
+  EXPECT_EQ(v->state()["question"], "lost");
+  v->key("Delete");
+  EXPECT_REACHES(*v, s["question"].is_null() && s["start"] == true);
+  fs::remove_all(folder / "models");
+  click(*v, "Welcome to mesher/recent knot.obj");
+  EXPECT_REACHES(*v, holds_words(s["error"], "knot.obj"));
+  dismiss_error(*v);
+  click(*v, "Welcome to mesher/sample cube.obj");
+  EXPECT_REACHES(*v, s["faces"] == 12);
+  quit(*v);
+}
+
 /// Tests that quit while a file is written.
 class QuitTest : public FaultsTest {
  protected:
