@@ -1,6 +1,7 @@
 // Writes every kind of file to a disk that is really full.
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <functional>
 #include <string>
 
