@@ -7,7 +7,9 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
+#include <system_error>
 #include <utility>
 
 #include "app/document/json.h"
@@ -25,6 +27,8 @@ namespace fs = std::filesystem;
 constexpr int kVersion = 1;
 constexpr const char* kExtension = ".journal";
 constexpr const char* kLockExtension = ".lock";
+// Between looks whether the work is canceled.
+constexpr std::size_t kCrcBlock = std::size_t{1} << 24;
 
 fs::path lock_of(const fs::path& journal) {
   return fs::path(journal).replace_extension(kLockExtension);
@@ -83,8 +87,8 @@ void read_journal(LostEdits& lost) {
 }
 
 /// Why the edits cannot be repeated; empty if they can.
-std::string problem_of(const LostEdits& lost) {
-  const auto stamp = stamp_of(lost.file);
+std::string problem_of(const LostEdits& lost, Progress* progress) {
+  const auto stamp = stamp_of(lost.file, progress);
   if (!stamp) return lost.file.string() + " cannot be read any more";
   if (stamp != lost.source.stamp) return lost.file.string() + " has changed since";
   return "";
@@ -106,7 +110,7 @@ FileLock::~FileLock() {
   ::close(descriptor_);
 }
 
-std::vector<LostEdits> lost_edits(const fs::path& folder) {
+std::vector<LostEdits> lost_edits(const fs::path& folder, Progress* progress) {
   std::vector<LostEdits> result;
   std::error_code none;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
@@ -119,7 +123,9 @@ std::vector<LostEdits> lost_edits(const fs::path& folder) {
     lost.ended = time_text(fs::last_write_time(entry.path(), ignored));
     try {
       read_journal(lost);
-      lost.problem = problem_of(lost);
+      lost.problem = problem_of(lost, progress);
+    } catch (const Cancelled&) {
+      throw;
     } catch (const std::exception& error) {
       lost.texts.clear();
       lost.problem = entry.path().string() + " is damaged: " + error.what();
@@ -131,52 +137,81 @@ std::vector<LostEdits> lost_edits(const fs::path& folder) {
 }
 
 std::string Journal::note(Document& document) {
-  if (folder_.empty() || failed_opening_ == document.opening) return "";
+  if (refused_opening_ == document.opening) return "";
   // Lost edits are not repeated yet.
   if (!document.edits.waiting.empty() || document.edits.is_changing) return "";
   const History& history = document.edits.history;
   const Noted now{document.opening, history.state(), history.steps().size()};
-  const bool is_saved = history.state() == document.edits.saved_state;
-  if (is_saved ? !noted_ && !document.edits.restored : noted_ == now) return "";
+  if (is_up_to_date(document, now)) return "";
+  std::string remark;
+  if (history.state() == document.edits.saved_state) {
+    remove();
+  } else if (folder_.empty() || !document.source.stamp) {
+    refused_opening_ = document.opening;
+    return std::string("these edits cannot be restored after a crash, because ") +
+           (folder_.empty() ? "there is no home folder (set HOME or XDG_STATE_HOME)"
+                            : "the model cannot be read again");
+  } else {
+    remark = write_noted(document, now);
+    if (is_failing()) return remark;
+  }
+  std::optional<LostEdits>& restored = document.edits.restored;
+  if (restored && history.steps().size() >= restored->texts.size()) {
+    discard(std::move(*restored));
+    restored.reset();
+  }
+  return remark;
+}
+
+bool Journal::is_up_to_date(const Document& document, const Noted& now) const {
+  if (now.state == document.edits.saved_state)
+    return !noted_ && !failure_ && !document.edits.restored;
+  // On a full disk, the window must not write in every frame.
+  const std::chrono::duration<double> pause(kRetrySeconds);
+  if (failure_ && failure_->tried == now)
+    return std::chrono::steady_clock::now() - failure_->when < pause;
+  return noted_ == now;
+}
+
+/// The journal of earlier edits stays if the new one cannot be written.
+std::string Journal::write_noted(const Document& document, const Noted& now) {
+  const bool was_failing = is_failing();
   try {
-    if (is_saved) {
-      remove();
-    } else if (!document.source.stamp) {
-      failed_opening_ = document.opening;
-      return "these edits cannot be restored after a crash, because the model cannot be read again";
-    } else {
-      write(document);
-      noted_ = now;
-    }
-    std::optional<LostEdits>& restored = document.edits.restored;
-    if (restored && history.steps().size() >= restored->texts.size()) {
-      discard(std::move(*restored));
-      restored.reset();
-    }
-    return "";
+    write(document);
+    noted_ = now;
+    failure_.reset();
+    return was_failing ? "edits can be restored after a crash again" : "";
   } catch (const std::exception& error) {
-    failed_opening_ = document.opening;
-    return std::string("edits cannot be restored after a crash: ") + error.what();
+    if (!noted_) remove();
+    failure_ = Failure{now, std::chrono::steady_clock::now()};
+    return was_failing ? ""
+                       : std::string("edits cannot be restored after a crash: ") + error.what();
+  }
+}
+
+void Journal::open() {
+  make_folder(folder_);
+  const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+  file_ = folder_ / fmt::format("{}-{}{}", ::getpid(), now, kExtension);
+  lock_ = FileLock::try_lock(lock_of(file_));
+  if (!lock_) {
+    throw OutputError(lock_of(file_).string(),
+                      "cannot write: " + std::generic_category().message(errno));
   }
 }
 
 void Journal::write(const Document& document) {
-  if (file_.empty()) {
-    fs::create_directories(folder_);
-    const auto now = std::chrono::system_clock::now().time_since_epoch().count();
-    file_ = folder_ / fmt::format("{}-{}{}", ::getpid(), now, kExtension);
-    lock_ = FileLock::try_lock(lock_of(file_));
-    if (!lock_) throw OutputError(lock_of(file_).string(), "cannot be written");
-  }
+  if (file_.empty()) open();
   const std::string text = journal_text(document);
   if (text.size() > kMostBytes) throw OutputError(file_.string(), "too large");
   io::AtomicFile file(file_);
   file.write(text);
-  file.commit();
+  file.commit(io::Flush::now);
 }
 
 void Journal::remove() {
   noted_.reset();
+  failure_.reset();
   if (file_.empty()) return;
   std::error_code ignored;
   fs::remove(file_, ignored);
@@ -192,12 +227,17 @@ void discard(LostEdits&& lost) {
   lost.lock.reset();
 }
 
-std::optional<ModelSource::Stamp> stamp_of(const fs::path& file) {
+std::optional<ModelSource::Stamp> stamp_of(const fs::path& file, Progress* progress) {
   std::error_code none;
   if (!fs::is_regular_file(file, none)) return std::nullopt;
   try {
     const io::MappedFile bytes(file);
-    const auto crc = crc32_z(0, reinterpret_cast<const Bytef*>(bytes.begin()), bytes.size());
+    uLong crc = 0;
+    for (std::size_t begin = 0; begin < bytes.size(); begin += kCrcBlock) {
+      check_cancelled(progress);
+      const auto* block = reinterpret_cast<const Bytef*>(bytes.begin() + begin);
+      crc = crc32_z(crc, block, std::min(kCrcBlock, bytes.size() - begin));
+    }
     return ModelSource::Stamp{bytes.size(), static_cast<std::uint32_t>(crc)};
   } catch (const Error&) {
     return std::nullopt;

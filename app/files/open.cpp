@@ -57,7 +57,7 @@ void note_opened(Session& session, const fs::path& file) {
 void note_canceled(Session& session, const fs::path& file) {
   session.open_dialog.opening.clear();
   session.document.notice = "canceled: " + file.string();
-  session.shows_start = session.document.opening == 0;
+  session.shows_start |= session.document.opening == 0;
 }
 
 void note_not_opened(Session& session, const std::vector<std::string>& reasons) {
@@ -73,7 +73,8 @@ void note_not_opened(Session& session, const std::vector<std::string>& reasons) 
     refuse_text(dialog.browser, text);
   } else {
     session.document.error = text;
-    session.shows_start = session.document.opening == 0;
+    // If it is shown already, another file can be chosen there.
+    session.shows_start |= session.document.opening == 0;
   }
 }
 

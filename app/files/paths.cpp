@@ -7,6 +7,8 @@
 #include <chrono>
 #include <cstdlib>
 
+#include "engine/core/error.h"
+
 namespace mesher::app {
 namespace {
 
@@ -30,8 +32,9 @@ fs::path own_folder(const char* variable, const char* below_home) {
   const fs::path folder = environment_path(variable);
   // The specification says that a relative path is to be ignored.
   if (folder.is_absolute()) return folder / "mesher";
+  // Below a relative path, each working folder would have journals of its own.
   const fs::path home = environment_path("HOME");
-  return home.empty() ? fs::path() : home / below_home / "mesher";
+  return home.is_absolute() ? home / below_home / "mesher" : fs::path();
 }
 
 std::string lowered_extension(const fs::path& file) {
@@ -51,6 +54,19 @@ bool is_there(const fs::path& path) {
 bool is_folder(const fs::path& path) {
   std::error_code ignored;
   return !path.empty() && fs::is_directory(path, ignored);
+}
+
+fs::path nearest_folder(const fs::path& folder) {
+  fs::path nearest = folder;
+  while (nearest.has_relative_path() && !is_folder(nearest))
+    nearest = nearest.parent_path();
+  return is_folder(nearest) ? nearest : fs::path(".");
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed) throw OutputError(folder.string(), "cannot make the folder: " + failed.message());
 }
 
 fs::path find_model(const std::string& name) {

@@ -14,6 +14,12 @@ bool is_there(const std::filesystem::path& path);
 /// Returns whether there is a folder of this name.
 bool is_folder(const std::filesystem::path& path);
 
+/// Returns the folder, or the nearest one above it that is there, or the current folder.
+std::filesystem::path nearest_folder(const std::filesystem::path& folder);
+
+/// Makes a folder and those above it, unless they are there. Throws OutputError.
+void make_folder(const std::filesystem::path& folder);
+
 /// Returns the file that a name refers to: the path as given, or a file in the assets folder, whose
 /// ".obj" may be omitted. If neither exists, returns the path as given, so that the reader reports
 /// the error.
@@ -32,11 +38,11 @@ std::filesystem::path free_picture_name(const std::filesystem::path& folder,
 std::filesystem::path next_screenshot(const std::string& model_name);
 
 /// Returns the folder of the journals: "mesher" in XDG_STATE_HOME or in ~/.local/state; empty if
-/// there is no home.
+/// there is no home, or if HOME is not absolute.
 std::filesystem::path state_folder();
 
 /// Returns the folder of the settings: "mesher" in XDG_CONFIG_HOME or in ~/.config; empty if there
-/// is no home.
+/// is no home, or if HOME is not absolute.
 std::filesystem::path config_folder();
 /// The home folder; empty if there is none.
 std::filesystem::path home_folder();

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/document/json.h"
+#include "app/files/paths.h"
 #include "app/files/percent.h"
 #include "engine/core/error.h"
 #include "engine/io/atomic_file.h"
@@ -96,9 +97,10 @@ void PreferencesFile::write(const Preferences& preferences) {
   if (!can_write_) return;
   try {
     store(preferences);
+    is_failing_ = false;
   } catch (const std::exception& error) {
-    can_write_ = false;
-    remark_ = std::string(error.what()) + "; settings are not remembered";
+    if (!std::exchange(is_failing_, true))
+      remark_ = std::string(error.what()) + "; settings are not remembered";
   }
 }
 
@@ -111,10 +113,10 @@ void PreferencesFile::store(Preferences preferences) {
   } catch (const std::exception&) {
     // The file is replaced as a whole, so that damage that came meanwhile does no harm.
   }
-  fs::create_directories(folder_);
+  make_folder(folder_);
   io::AtomicFile file(file_);
   file.write(to_text(preferences_json(preferences), 2));
-  file.commit();
+  file.commit(io::Flush::now);
 }
 
 std::string PreferencesFile::take_remark() {

@@ -8,7 +8,8 @@
 namespace mesher::app {
 
 /// The file that keeps preferences: settings.json, in a folder of its own. Neither a damaged file
-/// nor a folder that cannot be written is an error: preferences are then not kept.
+/// nor a folder that cannot be written is an error: preferences are then not kept. After a full
+/// disk, the next change is kept again.
 class PreferencesFile {
  public:
   static constexpr int kVersion = 1;
@@ -35,6 +36,7 @@ class PreferencesFile {
   std::filesystem::path file_;
   Preferences known_;  ///< as last read or written
   bool can_write_ = true;
+  bool is_failing_ = false;  ///< the last write failed
   std::string remark_;
 };
 

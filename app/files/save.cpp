@@ -76,7 +76,7 @@ void write_progressive(const SaveTask& task, Progress* progress) {
   stages.next();
   io::AtomicFile file(task.file);
   io::write_pm_file(file, *levels, {.progress = progress});
-  file.commit();
+  file.commit(io::Flush::now);
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ void open_save_dialog(Saving& saving, const Document& document, const Preference
   const fs::path suggested = suggested_file(document);
   // The samples belong to the program.
   const bool is_sample = suggested.parent_path() == samples_folder();
-  const fs::path own = is_sample ? fs::path(".") : suggested.parent_path();
+  const fs::path own = is_sample ? fs::path(".") : nearest_folder(suggested.parent_path());
   const fs::path folder = is_folder(preferences.save_folder) ? preferences.save_folder : own;
   const FolderFilter filter = saving.browser.filter;
   saving = {
@@ -188,7 +188,8 @@ Saved perform(const SaveTask& task, Progress* progress) {
   if (io::has_pm_ending(task.file)) {
     write_progressive(task, progress);
   } else {
-    io::write_model(task.file, mesh, attributes, {.progress = progress});
+    // Once it is saved, the journal of its edits is removed.
+    io::write_model(task.file, mesh, attributes, {.progress = progress, .flush = io::Flush::now});
   }
   return {.file = task.file,
           .faces = mesh.face_count(),

@@ -313,7 +313,7 @@ void escape(Session& session) {
     session.picture.is_shown = false;
   } else if (session.shows_palette) {
     session.shows_palette = false;
-  } else if (session.shows_start) {
+  } else if (session.shows_start && session.document.error.empty()) {
     session.shows_start = false;
   } else if (session.shows_help) {
     session.shows_help = false;

@@ -39,7 +39,7 @@ void upload_fonts([[maybe_unused]] gpu::Device& device) {
 Overlay::Overlay(const gpu::Instance& instance, gpu::Device& device, VkFormat format,
                  GLFWwindow* window, float scale)
     : instance_(instance),
-      device_(device),
+      device_(&device),
       context_(ImGui::CreateContext()),
       fonts_(scale, device.properties().limits.maxImageDimension2D),
       has_window_(window != nullptr) {
@@ -47,21 +47,33 @@ Overlay::Overlay(const gpu::Instance& instance, gpu::Device& device, VkFormat fo
   ImGui::GetIO().LogFilename = nullptr;
   if (has_window_) ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   set_sizes(scale);
-  create_render_pass(format);
-  create_descriptor_pool();
   if (has_window_) ImGui_ImplGlfw_InitForVulkan(window, true);
-  start_renderer();
+  attach(device, format);
 }
 
 Overlay::~Overlay() {
-  try {
-    device_.wait_idle();
-  } catch (const DeviceError&) {
-    // A lost device does no more work.
-  }
-  ImGui_ImplVulkan_Shutdown();
+  detach();
   if (has_window_) ImGui_ImplGlfw_Shutdown();
   ImGui::DestroyContext(context_);
+}
+
+void Overlay::detach() {
+  if (device_ == nullptr) return;
+  // Not Device::wait_idle, which throws. A lost device does no more work.
+  vkDeviceWaitIdle(device_->handle());
+  // There is none if it could not be started.
+  if (ImGui::GetIO().BackendRendererUserData != nullptr) ImGui_ImplVulkan_Shutdown();
+  framebuffers_.clear();
+  descriptor_pool_ = {};
+  render_pass_ = {};
+  device_ = nullptr;
+}
+
+void Overlay::attach(gpu::Device& device, VkFormat format) {
+  device_ = &device;
+  create_render_pass(format);
+  create_descriptor_pool();
+  start_renderer();
 }
 
 void Overlay::create_render_pass(VkFormat format) {
@@ -98,8 +110,8 @@ void Overlay::create_render_pass(VkFormat format) {
   info.dependencyCount = 1;
   info.pDependencies = &after_scene;
   VkRenderPass pass = VK_NULL_HANDLE;
-  gpu::check(vkCreateRenderPass(device_.handle(), &info, nullptr, &pass), "vkCreateRenderPass");
-  render_pass_ = {device_, pass};
+  gpu::check(vkCreateRenderPass(device_->handle(), &info, nullptr, &pass), "vkCreateRenderPass");
+  render_pass_ = {*device_, pass};
 }
 
 void Overlay::create_descriptor_pool() {
@@ -111,18 +123,18 @@ void Overlay::create_descriptor_pool() {
   info.poolSizeCount = 1;
   info.pPoolSizes = &size;
   VkDescriptorPool pool = VK_NULL_HANDLE;
-  gpu::check(vkCreateDescriptorPool(device_.handle(), &info, nullptr, &pool),
+  gpu::check(vkCreateDescriptorPool(device_->handle(), &info, nullptr, &pool),
              "vkCreateDescriptorPool");
-  descriptor_pool_ = {device_, pool};
+  descriptor_pool_ = {*device_, pool};
 }
 
 void Overlay::start_renderer() {
   ImGui_ImplVulkan_InitInfo info{};
   info.Instance = instance_.handle();
-  info.PhysicalDevice = device_.physical();
-  info.Device = device_.handle();
-  info.QueueFamily = device_.queue_family();
-  info.Queue = device_.queue();
+  info.PhysicalDevice = device_->physical();
+  info.Device = device_->handle();
+  info.QueueFamily = device_->queue_family();
+  info.Queue = device_->queue();
   info.DescriptorPool = descriptor_pool_.get();
   // Number of vertex buffers of ImGui: more than there can be frames in flight.
   info.MinImageCount = 3;
@@ -130,20 +142,20 @@ void Overlay::start_renderer() {
   info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
   info.CheckVkResultFn = check_imgui;
   ImGui_ImplVulkan_Init(&info, render_pass_.get());
-  upload_fonts(device_);
+  upload_fonts(*device_);
 }
 
 /// Replaces the texture of the font, which frames in flight may use.
 void Overlay::restart_renderer() {
-  device_.wait_idle();
+  device_->wait_idle();
 #if IMGUI_VERSION_NUM < 19000
   // This version cannot replace the texture alone, and leaves its descriptor set in the pool.
   ImGui_ImplVulkan_Shutdown();
-  gpu::check(vkResetDescriptorPool(device_.handle(), descriptor_pool_.get(), 0),
+  gpu::check(vkResetDescriptorPool(device_->handle(), descriptor_pool_.get(), 0),
              "vkResetDescriptorPool");
   start_renderer();
 #else
-  upload_fonts(device_);
+  upload_fonts(*device_);
 #endif
 }
 
@@ -199,9 +211,9 @@ void Overlay::draw(VkCommandBuffer commands, VkImageView view, VkExtent2D extent
     info.height = extent.height;
     info.layers = 1;
     VkFramebuffer handle = VK_NULL_HANDLE;
-    gpu::check(vkCreateFramebuffer(device_.handle(), &info, nullptr, &handle),
+    gpu::check(vkCreateFramebuffer(device_->handle(), &info, nullptr, &handle),
                "vkCreateFramebuffer");
-    framebuffer = {device_, handle};
+    framebuffer = {*device_, handle};
   }
   VkRenderPassBeginInfo begin{};
   begin.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO;

@@ -24,6 +24,11 @@ class Overlay {
   Overlay(const gpu::Instance& instance, gpu::Device& device, VkFormat format, GLFWwindow* window,
           float scale);
   ~Overlay();
+  /// Gives back everything that is on the device, but keeps the state of the panels. Call before
+  /// the device is destroyed; draw again after `attach`. Works with a lost device.
+  void detach();
+  /// Continues on another device. Pre: detached.
+  void attach(gpu::Device& device, VkFormat format);
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
 
@@ -72,7 +77,7 @@ class Overlay {
   void press_if_asked();
 
   const gpu::Instance& instance_;
-  gpu::Device& device_;
+  gpu::Device* device_;  ///< null: detached
   ImGuiContext* context_;
   Fonts fonts_;
   bool has_window_;

@@ -7,6 +7,7 @@
 #include "app/files/picture_requests.h"
 #include "app/files/restore.h"
 #include "app/files/save.h"
+#include "app/viewer/graphics.h"
 #include "engine/core/error.h"
 #include "engine/io/pm_file.h"
 
@@ -121,6 +122,8 @@ bool BackgroundWork::finish_load() {
     note_opened(session_, job->file());
   } catch (const Cancelled&) {
     note_canceled(session_, job->file());
+  } catch (const GraphicsFailed&) {
+    throw;  // the model is not the reason
   } catch (const std::exception& error) {
     failures_.emplace_back(error.what());
   }
@@ -138,8 +141,10 @@ bool BackgroundWork::advance_save() {
     }
     if (!save_) start_save();
   } catch (const Cancelled&) {
+    has_write_failure_ = true;
     session_.document.notice = "canceled; nothing was written";
   } catch (const std::exception& error) {
+    has_write_failure_ = true;
     session_.document.error = error.what();
   }
   return is_changed;
@@ -163,8 +168,10 @@ bool BackgroundWork::advance_picture() {
     }
     if (!picture_) start_picture();
   } catch (const Cancelled&) {
+    has_write_failure_ = true;
     session_.document.notice = "canceled; no picture was written";
   } catch (const std::exception& error) {
+    has_write_failure_ = true;
     session_.document.error = error.what();
   }
   return is_changed;
@@ -183,6 +190,10 @@ void BackgroundWork::start_picture() {
         return task->request.file;
       },
       wake_);
+}
+
+bool BackgroundWork::is_writing() const {
+  return save_ || picture_ || session_.saving.waiting || session_.picture.waiting;
 }
 
 void BackgroundWork::finish_saves() {

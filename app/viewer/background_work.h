@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/document/session.h"
@@ -52,9 +53,14 @@ class BackgroundWork {
   void finish_edits() { edits_.finish(); }
   /// Returns when a progressive mesh that is loading is complete. Throws InputError.
   void finish_arrival() { arrivals_.finish(); }
-  /// Returns when all requested files are written. Throws OutputError, because no window is left to
+  /// Returns when all requested files are saved. Throws OutputError, because no window is left to
   /// show the error.
   void finish_saves();
+  /// Returns whether a model or a picture is being written, or is requested.
+  bool is_writing() const;
+  /// Returns whether a file was not written since the last call, because that failed or was
+  /// canceled.
+  bool take_write_failure() { return std::exchange(has_write_failure_, false); }
 
   /// The job whose progress is shown; null: none.
   const Job* visible_job() const;
@@ -93,6 +99,7 @@ class BackgroundWork {
   std::unique_ptr<LoadJob> load_;
   std::unique_ptr<JobOf<Saved>> save_;
   std::unique_ptr<JobOf<std::filesystem::path>> picture_;
+  bool has_write_failure_ = false;
 };
 
 }  // namespace mesher::app

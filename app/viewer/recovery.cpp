@@ -6,24 +6,33 @@
 #include "app/edit/model_edit.h"
 #include "app/edit/progressive_edits.h"
 #include "app/files/restore.h"
-#include "engine/core/error.h"
+#include "engine/gpu/result.h"
 
 namespace mesher::app {
 
 Recovery::Outcome Recovery::update() {
   try {
-    const bool is_changed = mirror_.update(session_.document, session_.view.settings);
+    const bool is_changed = graphics_.mirror().update(session_.document, session_.view.settings);
     good_settings_ = session_.view.settings;
     good_revision_ = session_.document.edits.revision;
     good_opening_ = session_.document.opening;
     close_hidden_tab(session_, session_.sample);
     return is_changed ? Outcome::changed : Outcome::unchanged;
+  } catch (const gpu::LostError& lost) {
+    // It says nothing about the change. A second loss throws GraphicsFailed.
+    restart(lost);
+    return update();
   } catch (const Error& error) {
     if (!revert_settings() && !revert_tab() && !revert_edit() && !revert_mode()) throw;
     session_.document.error = error.what();
-    mirror_.invalidate();
+    graphics_.mirror().invalidate();
     return Outcome::reverted;
   }
+}
+
+void Recovery::restart(const DeviceError& failure) {
+  graphics_.restart(failure.what());
+  session_.document.notice = std::string("restarted the graphics: ") + failure.what();
 }
 
 void Recovery::show(LoadedModel&& loaded) {

@@ -8,27 +8,31 @@
 #include "app/document/session.h"
 #include "app/files/load_job.h"
 #include "app/viewer/background_work.h"
-#include "app/viewer/scene_mirror.h"
+#include "app/viewer/graphics.h"
+#include "engine/core/error.h"
 
 namespace mesher::app {
 
-/// Keeps the window usable when the GPU runs out of memory: the last change is reverted, and the
-/// session's error says so.
+/// Keeps the window usable when the GPU fails. If it runs out of memory, the last change is
+/// reverted, and the session's error says so. If the device or the surface is lost, the graphics
+/// are restarted, and the session's notice says so.
 class Recovery {
  public:
   /// `frame_first`: frames the model of the command line; may be empty.
-  Recovery(Session& session, SceneMirror& mirror, BackgroundWork& work,
+  Recovery(Session& session, Graphics& graphics, BackgroundWork& work,
            std::function<void(Session&)> frame_first)
-      : session_(session), mirror_(mirror), work_(work), frame_first_(std::move(frame_first)) {}
+      : session_(session), graphics_(graphics), work_(work), frame_first_(std::move(frame_first)) {}
 
   enum class Outcome { unchanged, changed, reverted };
   /// Updates the mirror, and reverts the last change if that fails. Throws DeviceError if there is
-  /// nothing left to revert.
+  /// nothing left to revert; GraphicsFailed.
   Outcome update();
 
   /// Shows a loaded model in a tab of its own, or keeps the shown one if the GPU cannot hold the
   /// new one.
   void show(LoadedModel&& loaded);
+  /// Call when a step that drew failed; then draw again. Throws GraphicsFailed.
+  void restart(const DeviceError& failure);
 
  private:
   bool revert_settings();
@@ -37,7 +41,7 @@ class Recovery {
   bool revert_tab();
 
   Session& session_;
-  SceneMirror& mirror_;
+  Graphics& graphics_;
   BackgroundWork& work_;
   std::function<void(Session&)> frame_first_;
   std::optional<render::Settings> good_settings_;  ///< of the last update that succeeded

@@ -5,6 +5,7 @@
 
 #include "app/document/stand_in.h"
 #include "engine/core/error.h"
+#include "engine/gpu/result.h"
 
 namespace mesher::app {
 namespace {
@@ -58,7 +59,7 @@ bool ScenePainter::is_heavy(SceneMirror& mirror, const Document& document) const
 /// antialiased.
 unsigned ScenePainter::samples_for(unsigned wanted, bool is_changed) {
   is_hurried_ = is_changed && was_changed_ && (is_hurried_ || last_frame_s_ > kLongFrameSeconds);
-  return device_.supported_samples(is_hurried_ ? 1 : wanted);
+  return supported(is_hurried_ ? 1 : wanted);
 }
 
 void ScenePainter::ensure(std::optional<render::SceneTarget>& target, VkExtent2D extent,
@@ -67,7 +68,17 @@ void ScenePainter::ensure(std::optional<render::SceneTarget>& target, VkExtent2D
       target->extent().height == extent.height && target->samples() == samples)
     return;
   if (&target == &whole_) drawn_.reset();
-  target.emplace(device_, extent, samples, format_);
+  try {
+    target.emplace(device_, extent, samples, format_);
+  } catch (const gpu::OutOfMemoryError&) {
+    if (samples == 1) throw;
+    is_short_of_memory_ = true;
+    target.emplace(device_, extent, 1U, format_);
+  }
+}
+
+unsigned ScenePainter::supported(unsigned samples) const {
+  return device_.supported_samples(is_short_of_memory_ ? 1 : samples);
 }
 
 bool ScenePainter::draw(VkCommandBuffer commands, VkExtent2D extent, SceneMirror& mirror,
@@ -76,8 +87,8 @@ bool ScenePainter::draw(VkCommandBuffer commands, VkExtent2D extent, SceneMirror
   const Drawn now{mirror.settings(), camera};
   const bool is_changed = drawn_ != now;
   const bool heavy = is_heavy(mirror, document);
-  const unsigned samples = heavy ? unsigned{device_.supported_samples(now.settings.samples)}
-                                 : samples_for(now.settings.samples, is_changed);
+  const unsigned samples =
+      heavy ? supported(now.settings.samples) : samples_for(now.settings.samples, is_changed);
   ensure(whole_, extent, samples);
   const bool starts = drawn_ != now;
   drawn_ = now;
@@ -85,7 +96,7 @@ bool ScenePainter::draw(VkCommandBuffer commands, VkExtent2D extent, SceneMirror
     done_ = 0;
     work_ = render::Renderer::work(mirror.mesh(), now.settings);
   }
-  if (heavy) ensure(quick_, extent, device_.supported_samples(1));
+  if (heavy) ensure(quick_, extent, supported(1));
   const bool needs_more =
       heavy ? draw_heavy(commands, mirror, document, is_changed) : draw_light(commands, mirror);
   was_changed_ = is_changed;
@@ -127,6 +138,8 @@ bool ScenePainter::draw_stand_in(VkCommandBuffer commands, const Document& docum
   try {
     update_stand_in(document);
     stand_in_mirror_->apply(stand_in_, settings);
+  } catch (const gpu::LostError&) {
+    throw;
   } catch (const Error&) {
     stand_in_mirror_.reset();
     stand_in_of_ = 0;

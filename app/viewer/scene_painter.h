@@ -43,6 +43,7 @@ class ScenePainter {
   void measure(double now_s);
   bool is_heavy(SceneMirror& mirror, const Document& document) const;
   unsigned samples_for(unsigned wanted, bool is_changed);
+  unsigned supported(unsigned samples) const;
   void ensure(std::optional<render::SceneTarget>& target, VkExtent2D extent, unsigned samples);
   bool draw_light(VkCommandBuffer commands, SceneMirror& mirror);
   bool draw_heavy(VkCommandBuffer commands, SceneMirror& mirror, const Document& document,
@@ -72,7 +73,8 @@ class ScenePainter {
   double last_frame_s_ = 0.0;
   std::uint64_t last_work_ = 0;  ///< of the last frame; 0: its time says nothing
   bool was_changed_ = false;
-  bool is_hurried_ = false;  ///< one sample per pixel
+  bool is_hurried_ = false;          ///< one sample per pixel
+  bool is_short_of_memory_ = false;  ///< for more than one sample per pixel
 };
 
 }  // namespace mesher::app

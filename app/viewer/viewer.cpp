@@ -17,17 +17,16 @@
 #include "app/files/preferences_file.h"
 #include "app/input/commands.h"
 #include "app/input/gestures.h"
-#include "app/ui/overlay.h"
 #include "app/ui/panels.h"
 #include "app/viewer/background_work.h"
 #include "app/viewer/desktop_files.h"
+#include "app/viewer/graphics.h"
 #include "app/viewer/recovery.h"
-#include "app/viewer/scene_mirror.h"
-#include "app/viewer/scene_painter.h"
 #include "app/viewer/state_log.h"
 #include "app/viewer/window.h"
+#include "engine/core/job.h"
 #include "engine/core/text.h"
-#include "engine/gpu/presenter.h"
+#include "engine/gpu/result.h"
 #include "engine/io/png.h"
 #include "engine/render/offscreen.h"
 
@@ -49,25 +48,19 @@ class Viewer {
         ui_scale_(options.ui_scale),
         window_(options.is_sized ? glm::ivec2(session.view.window) : glm::ivec2(0),
                 options.ui_scale, "mesher"),
-        instance_({.extensions = Window::instance_extensions(), .validation = options.validation}),
-        surface_(instance_, window_.create_surface(instance_.handle())),
-        device_(instance_, {.select = options.device, .surface = surface_.handle()}),
-        presenter_(device_, surface_.handle()),
-        painter_(device_, presenter_.format()),
-        mirror_(device_),
+        graphics_(window_, options.device, options.validation),
         gestures_(session.document, session.view),
         work_(
             session, options.read, {options.device, options.validation},
             [this](LoadedModel&& loaded) { recovery_.show(std::move(loaded)); }, Window::wake),
-        recovery_(session, mirror_, work_, options.frame_first),
+        recovery_(session, graphics_, work_, options.frame_first),
         desktop_files_(session, Window::wake),
         log_(options.state_log),
         state_folder_(options.state_folder),
         preferences_file_(options.config_folder) {
     window_.set_events(events());
     scale_ = wanted_scale();
-    overlay_ = std::make_unique<Overlay>(instance_, device_, presenter_.format(), window_.handle(),
-                                         scale_);
+    graphics_.open_overlay(scale_);
     // The monitor's scale and the size of the window are known only now.
     if (!options.is_sized)
       resize(session.view, session.document.statistics.box, window_.framebuffer_size(), {});
@@ -80,36 +73,91 @@ class Viewer {
   }
 
   void run(const std::vector<KeyPress>& keys) {
-    update_scene();
-    press(keys);
-    // After the keys, which would answer the question otherwise.
-    for (LostEdits& lost : lost_edits(state_folder_))
-      session_.lost.push_back(std::move(lost));
-    while (!session_.wants_quit) {
-      wait();
-      if (window_.take_close_request()) leave(Leaving::quit);
-      if (work_.advance()) want_frames();
-      if (desktop_files_.advance()) want_frames();
-      serve_requests();
-      keep_journals();
-      keep_preferences();
-      animate();
-      update_hover();
-      if (frames_wanted_ > 0) draw();
-      if (session_.wants_screenshot) save_screenshot();
-      if (session_.copied) overlay_->copy(*std::exchange(session_.copied, std::nullopt));
-      log_.note(session_, &pointer_, &panels_.widgets());
+    try {
+      update_scene();
+      press(keys);
+      read_lost_edits();
+      while (!may_end())
+        step();
+    } catch (const GraphicsFailed& failure) {
+      const bool is_kept = keep_everything();
+      throw DeviceError(std::string(failure.what()) +
+                        (is_kept ? "; mesher offers the unsaved edits when it starts again" : ""));
+    } catch (...) {
+      keep_everything();
+      throw;
     }
-    work_.finish_saves();
     for (auto& [opening, journal] : journals_)
       journal.remove();
-    device_.wait_idle();
-    if (instance_.messages().count() > 0) {
-      throw DeviceError("validation: " + instance_.messages().list().front());
-    }
+    graphics_.finish();
   }
 
  private:
+  void step() {
+    wait();
+    if (window_.take_close_request()) leave(Leaving::quit);
+    if (work_.advance()) want_frames();
+    if (desktop_files_.advance()) want_frames();
+    serve_requests();
+    take_lost_edits();
+    keep_journals();
+    keep_preferences();
+    animate();
+    update_hover();
+    if (frames_wanted_ > 0) draw();
+    if (session_.wants_screenshot) save_screenshot();
+    if (session_.copied) overlay().copy(*std::exchange(session_.copied, std::nullopt));
+    log_.note(session_, &pointer_, &panels_.widgets());
+  }
+
+  /// A file that is being written is finished first, while the window shows its progress. If that
+  /// fails or is canceled, the window stays.
+  bool may_end() {
+    if (session_.wants_quit && work_.is_writing()) {
+      session_.wants_quit = false;
+      if (!std::exchange(quits_once_written_, true)) work_.take_write_failure();
+      session_.document.notice = "mesher ends when the file is written; Esc cancels writing it";
+      want_frames();
+    } else if (quits_once_written_ && !work_.is_writing()) {
+      quits_once_written_ = false;
+      // This asks if there were edits meanwhile.
+      if (!work_.take_write_failure()) leave(Leaving::quit);
+    }
+    return session_.wants_quit;
+  }
+
+  /// Called when an error ends the program. Returns whether edits are kept for the next start.
+  bool keep_everything() {
+    keep_journals();
+    try {
+      work_.finish_saves();
+    } catch (const std::exception&) {
+      // The error that ends the program is reported. The journals have the edits.
+    }
+    return std::any_of(journals_.begin(), journals_.end(),
+                       [](const auto& entry) { return entry.second.has_edits(); });
+  }
+
+  /// Lost edits are compared with the files of their models, which may be large.
+  void read_lost_edits() {
+    lost_ = std::make_unique<JobOf<std::vector<LostEdits>>>(
+        "Looking for lost edits",
+        [folder = state_folder_](Progress& progress) { return lost_edits(folder, &progress); },
+        Window::wake);
+  }
+
+  void take_lost_edits() {
+    if (!lost_ || !lost_->is_done()) return;
+    const std::unique_ptr<JobOf<std::vector<LostEdits>>> job = std::move(lost_);
+    try {
+      for (LostEdits& lost : job->take())
+        session_.lost.push_back(std::move(lost));
+    } catch (const std::exception& error) {
+      session_.document.error = error.what();
+    }
+    want_frames();
+  }
+
   // As in a script, each key acts on the result of the keys before it.
   void press(const std::vector<KeyPress>& keys) {
     if (!keys.empty()) work_.finish_arrival();
@@ -163,21 +211,43 @@ class Viewer {
       work_.restore(std::move(lost));
   }
 
-  /// Only the shown document changes.
+  /// Only the shown document changes, but writing the journal of another one may have failed.
   void keep_journals() {
-    Journal& journal =
-        journals_.try_emplace(session_.document.opening, state_folder_).first->second;
-    say(journal.note(session_.document));
+    journals_.try_emplace(session_.document.opening, state_folder_);
     for (auto entry = journals_.begin(); entry != journals_.end();) {
-      const bool is_open = document_opened_as(session_, entry->first) != nullptr;
-      if (!is_open) entry->second.remove();
-      entry = is_open ? std::next(entry) : journals_.erase(entry);
+      Document* const document = document_opened_as(session_, entry->first);
+      Journal& journal = entry->second;
+      if (document == nullptr) {
+        journal.remove();
+        entry = journals_.erase(entry);
+        continue;
+      }
+      const std::string remark = journal.note(*document);
+      // The next notice must not hide that edits are at risk.
+      if (journal.is_failing()) {
+        complain(remark);
+      } else {
+        say(remark);
+      }
+      ++entry;
     }
+  }
+
+  bool has_failing_journal() const {
+    return std::any_of(journals_.begin(), journals_.end(),
+                       [](const auto& entry) { return entry.second.is_failing(); });
   }
 
   void keep_preferences() {
     preferences_file_.write(session_.preferences);
     say(preferences_file_.take_remark());
+  }
+
+  void complain(const std::string& remark) {
+    if (remark.empty()) return;
+    std::string& error = session_.document.error;
+    error += (error.empty() ? "" : "\n") + remark;
+    want_frames();
   }
 
   void say(const std::string& remark) {
@@ -214,13 +284,13 @@ class Viewer {
     want_frames();
     if (has_question(session_)) return answer_question(session_, key);
     // A dialog takes the keyboard at once; its text field takes it only after it was drawn.
-    const bool is_typing = has_dialog() || overlay_->wants_text();
+    const bool is_typing = has_dialog() || overlay().wants_text();
     if (session_.shows_help && (key.name == "f1" || (key.name == "/" && key.shift))) {
       session_.shows_help = false;
       return follow_dialogs();
     }
     if (key.name == "escape") {
-      if (overlay_->close_popups()) return;
+      if (overlay().close_popups()) return;
       // A dialog is closed first, unless it waits for the job.
       const bool may_cancel = !has_dialog() || !session_.open_dialog.opening.empty();
       if (may_cancel && work_.cancel()) return;
@@ -233,12 +303,12 @@ class Viewer {
       if (key.name == "tab") complete_typed_path();
       return;
     }
-    if (overlay_->takes_key(key.name)) {
-      if (key.name == "enter") overlay_->press_focused();
+    if (overlay().takes_key(key.name)) {
+      if (key.name == "enter") overlay().press_focused();
       return;
     }
     if (const Command* command = command_for(key)) {
-      overlay_->ignore_key(key.name);
+      overlay().ignore_key(key.name);
       app::run(session_, *command);
     }
     follow_dialogs();
@@ -258,7 +328,7 @@ class Viewer {
   // The keys after a dialog was closed are commands again, even before the next frame.
   void follow_dialogs() {
     const bool is_open = has_dialog() || session_.shows_help || has_question(session_);
-    if (had_dialog_ && !is_open) overlay_->release_keyboard();
+    if (had_dialog_ && !is_open) overlay().release_keyboard();
     had_dialog_ = is_open;
   }
 
@@ -278,18 +348,19 @@ class Viewer {
       want_frames();  // the progress bar
       return Window::wait_events(kJobPollSeconds);
     }
-    if (overlay_->wants_text()) {
+    if (overlay().wants_text()) {
       want_frames();  // the caret
       return Window::wait_events(kCaretBlinkSeconds);
     }
-    Window::wait_events(work_.is_arriving() ? kJobPollSeconds : -1.0);
+    if (work_.is_arriving()) return Window::wait_events(kJobPollSeconds);
+    Window::wait_events(has_failing_journal() ? Journal::kRetrySeconds : -1.0);
   }
 
   /// Updates the GPU's copy of the model before a frame begins. Returns false if the GPU could not
   /// hold a change, which is then reverted: draw in the next frame.
   bool update_scene() {
     const Recovery::Outcome outcome = recovery_.update();
-    if (outcome != Recovery::Outcome::unchanged) painter_.invalidate();
+    if (outcome != Recovery::Outcome::unchanged) painter().invalidate();
     drawable_settings_ = session_.view.settings;
     if (outcome == Recovery::Outcome::reverted) want_frames();
     return outcome != Recovery::Outcome::reverted;
@@ -302,51 +373,69 @@ class Viewer {
   void follow_scale() {
     if (scale_ == wanted_scale()) return;
     scale_ = wanted_scale();
-    overlay_->set_scale(scale_);
+    overlay().set_scale(scale_);
     want_frames();
   }
 
+  /// Draws a frame. If the graphics fail, they are restarted, and another frame is drawn.
   void draw() {
+    try {
+      draw_frame();
+    } catch (const gpu::LostError& lost) {
+      restart_graphics(lost);
+    } catch (const gpu::OutOfMemoryError& failure) {
+      restart_graphics(failure);
+    }
+  }
+
+  void restart_graphics(const DeviceError& failure) {
+    recovery_.restart(failure);
+    want_frames();
+  }
+
+  void draw_frame() {
     --frames_wanted_;
     follow_scale();
     const double start = Window::time();
     if (!update_scene()) return;
     const glm::uvec2 size = window_.framebuffer_size();
-    auto frame = presenter_.begin({size.x, size.y});
+    auto frame = graphics_.presenter().begin({size.x, size.y});
     if (!frame) return;
     draw_panels(frame->extent);
     const VkRect2D place = model_rectangle(session_.view, frame->extent);
     draw_scene(*frame, place.extent);
-    painter_.image().copy_to(frame->commands, frame->image, place.offset);
-    overlay_->draw(frame->commands, frame->view, frame->extent);
-    presenter_.end(*frame);
+    painter().image().copy_to(frame->commands, frame->image, place.offset);
+    overlay().draw(frame->commands, frame->view, frame->extent);
+    if (!graphics_.presenter().end(*frame)) want_frames();
+    graphics_.note_frame();
     frame_ms_ = 1000.0 * (Window::time() - start);
     update_title();
   }
 
   void draw_panels(const VkExtent2D& extent) {
-    if (presenter_.generation() != framebuffers_of_) overlay_->forget_images();
-    framebuffers_of_ = presenter_.generation();
+    const std::uint64_t generation = graphics_.presenter().generation();
+    if (generation != framebuffers_of_) overlay().forget_images();
+    framebuffers_of_ = generation;
     const glm::dvec2 window{extent.width, extent.height};
-    overlay_->begin(window);
+    overlay().begin(window);
     const PanelActions actions = panels_.draw(session_, {.window = window,
                                                          .job = work_.visible_job(),
                                                          .can_cancel = work_.can_cancel(),
-                                                         .upload = mirror_.last_upload(),
+                                                         .upload = graphics_.mirror().last_upload(),
                                                          .frame_ms = frame_ms_,
-                                                         .device = device_.name()});
-    overlay_->end();
-    if (overlay_->require_glyphs(panels_.code_points())) want_frames();
+                                                         .device = graphics_.device().name()});
+    overlay().end();
+    if (overlay().require_glyphs(panels_.code_points())) want_frames();
     follow_dialogs();
     if (actions.cancels_job) work_.cancel();
     if (actions.wants_frames || !session_.document.edits.waiting.empty()) want_frames();
   }
 
   void draw_scene(const gpu::Frame& frame, const VkExtent2D& extent) {
-    if (painter_.draw(frame.commands, extent, mirror_, session_.document, session_.view.camera,
-                      Window::time()))
+    if (painter().draw(frame.commands, extent, graphics_.mirror(), session_.document,
+                       session_.view.camera, Window::time()))
       want_frames();
-    session_.view.is_finished = painter_.is_finished();
+    session_.view.is_finished = painter().is_finished();
     // If panels have just changed the settings, the mirror is updated before the next frame.
     if (session_.view.settings != drawable_settings_) want_frames();
   }
@@ -366,26 +455,27 @@ class Viewer {
     if (!update_scene()) return;
     const std::filesystem::path file = next_screenshot(session_.document.model.name);
     try {
-      io::write_png(file, render::render_image(device_, painter_.renderer(), mirror_.mesh(),
-                                               session_.view.camera, mirror_.settings(),
+      io::write_png(file, render::render_image(graphics_.device(), painter().renderer(),
+                                               graphics_.mirror().mesh(), session_.view.camera,
+                                               graphics_.mirror().settings(),
                                                static_cast<std::uint32_t>(session_.view.window.x),
                                                static_cast<std::uint32_t>(session_.view.window.y)));
       session_.document.notice = "saved " + file.string();
+    } catch (const gpu::LostError& lost) {
+      restart_graphics(lost);
+      session_.wants_screenshot = true;
     } catch (const Error& error) {
       session_.document.error = error.what();
     }
   }
 
+  ScenePainter& painter() { return graphics_.painter(); }
+  Overlay& overlay() { return graphics_.overlay(); }
+
   Session& session_;
   float ui_scale_;  ///< that was asked for; 0: that of the monitor
   Window window_;
-  gpu::Instance instance_;
-  gpu::Surface surface_;
-  gpu::Device device_;
-  gpu::Presenter presenter_;
-  ScenePainter painter_;
-  SceneMirror mirror_;
-  std::unique_ptr<Overlay> overlay_;
+  Graphics graphics_;
   float scale_ = 1.0F;  ///< of the panels
   Panels panels_;
   Gestures gestures_;
@@ -396,6 +486,8 @@ class Viewer {
   std::filesystem::path state_folder_;
   std::map<std::uint64_t, Journal> journals_;  ///< by Document::opening
   PreferencesFile preferences_file_;
+  std::unique_ptr<JobOf<std::vector<LostEdits>>> lost_;  ///< null: they are read
+  bool quits_once_written_ = false;
   render::Settings drawable_settings_;  ///< of the session when the mirror was last updated
   Pointer pointer_;
   std::string title_;

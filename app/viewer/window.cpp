@@ -1,11 +1,14 @@
 #include "app/viewer/window.h"
 
+#include <dlfcn.h>
 #define GLFW_INCLUDE_NONE
 #define GLFW_INCLUDE_VULKAN
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <glm/common.hpp>
 #include <map>
 #include <optional>
@@ -27,6 +30,26 @@ std::string glfw_error() {
   const char* description = nullptr;
   glfwGetError(&description);
   return description == nullptr ? "unknown reason" : description;
+}
+
+/// Xlib calls this when the connection to the display has ended, and does not go on after it. Its
+/// own handler ends the program with the exit code of a usage error.
+int end_without_display(void*) {
+  std::fputs(
+      "mesher: the display was closed; mesher offers the unsaved edits when it starts again\n",
+      stderr);
+  // Destructors and those of static objects must not run: other threads may work with them.
+  std::_Exit(static_cast<int>(ExitCode::machine_lacks));
+}
+
+/// GLFW may have loaded Xlib itself, so that the program is not linked with it.
+void handle_closed_display() {
+  void* const xlib = dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD);
+  if (xlib == nullptr) return;
+  using SetHandler = void* (*)(int (*)(void*));
+  const auto set = reinterpret_cast<SetHandler>(dlsym(xlib, "XSetIOErrorHandler"));
+  if (set != nullptr) set(end_without_display);
+  dlclose(xlib);
 }
 
 /// Returns the name of a key by its position on the keyboard; empty if shortcuts cannot use it.
@@ -150,6 +173,7 @@ Window::Window(const glm::ivec2& size, float ui_scale, const std::string& title)
     throw NoDisplay("cannot open a window (" + reason + ")");
   }
   glfwSetWindowUserPointer(window_, this);
+  handle_closed_display();
   if (is_sized) return;
   const glm::ivec2 chosen =
       default_window_size(ui_scale > 0.0F ? ui_scale : content_scale(), room_on_screen());

@@ -199,7 +199,7 @@ Frame Presenter::record(std::uint32_t image_index) {
   return {slot.commands, image_index, image.image, image.view.get(), extent_};
 }
 
-void Presenter::end(const Frame& frame) {
+bool Presenter::end(const Frame& frame) {
   FrameSlot& slot = slots_[slot_];
   const SwapchainImage& image = images_[frame.image_index];
   transition(frame.commands, frame.image, kColorAttachment, kPresent);
@@ -222,6 +222,7 @@ void Presenter::end(const Frame& frame) {
   } else {
     check(result, "vkQueuePresentKHR");
   }
+  return result != VK_ERROR_OUT_OF_DATE_KHR;
 }
 
 }  // namespace mesher::gpu

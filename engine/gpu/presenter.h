@@ -43,12 +43,12 @@ class Presenter {
   ///
   /// Returns none if there is nothing to draw into (a minimized window: size zero), or if the
   /// swapchain had to be rebuilt twice in a row. Then wait for events and try again. `size` is the
-  /// framebuffer size in pixels; the swapchain adopts it. Throws DeviceError (for a lost device or
-  /// surface).
+  /// framebuffer size in pixels; the swapchain adopts it. Throws LostError, or OutOfMemoryError.
   std::optional<Frame> begin(VkExtent2D size);
-  /// Ends recording, submits and presents. Call it for every frame that has begun. Pre: the image
-  /// is in COLOR_ATTACHMENT_OPTIMAL.
-  void end(const Frame& frame);
+  /// Ends recording, submits and presents. Call it for every frame that has begun. Returns whether
+  /// the frame is shown; if not, because the window has just changed, draw another one. Pre: the
+  /// image is in COLOR_ATTACHMENT_OPTIMAL. Throws LostError.
+  bool end(const Frame& frame);
 
   VkFormat format() const { return format_.format; }
   std::uint32_t image_count() const { return static_cast<std::uint32_t>(images_.size()); }

@@ -6,8 +6,6 @@
 #include <array>
 #include <utility>
 
-#include "engine/core/error.h"
-
 namespace mesher::gpu {
 namespace {
 
@@ -56,7 +54,18 @@ std::string result_name(VkResult result) {
 
 void check(VkResult result, std::string_view call) {
   if (result == VK_SUCCESS) return;
-  throw DeviceError(std::string(call) + ": " + result_name(result));
+  const std::string what = std::string(call) + ": " + result_name(result);
+  switch (result) {
+    case VK_ERROR_DEVICE_LOST:
+      throw LostError("the GPU stopped working (" + what + ")");
+    case VK_ERROR_SURFACE_LOST_KHR:
+      throw LostError("the window can no longer be drawn into (" + what + ")");
+    case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+    case VK_ERROR_OUT_OF_HOST_MEMORY:
+      throw OutOfMemoryError("out of GPU memory (" + what + ")");
+    default:
+      throw DeviceError(what);
+  }
 }
 
 }  // namespace mesher::gpu

@@ -134,7 +134,23 @@ void AtomicFile::write(std::string_view bytes) {
   }
 }
 
-void AtomicFile::commit() {
+/// The bytes have to be on the disk before the name is: otherwise, a power failure in between
+/// leaves an empty file in place of the old one.
+void AtomicFile::flush_bytes() {
+  // Some file systems cannot flush, and the file is valid without it.
+  if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOSYS) fail("cannot write");
+}
+
+void AtomicFile::flush_name() const noexcept {
+  const std::filesystem::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;  // of a folder that cannot be read, the name follows later
+  static_cast<void>(::fsync(descriptor));
+  ::close(descriptor);
+}
+
+void AtomicFile::commit(Flush flush) {
+  if (flush == Flush::now && !is_direct_) flush_bytes();
   if (!is_direct_ && temporary_.empty()) name_temporary();
   const int descriptor = descriptor_;
   descriptor_ = -1;
@@ -143,6 +159,7 @@ void AtomicFile::commit() {
   if (is_direct_) return;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot write");
   temporary_.clear();
+  if (flush == Flush::now) flush_name();
 }
 
 void AtomicFile::discard() noexcept {

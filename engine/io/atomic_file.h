@@ -7,6 +7,12 @@
 
 namespace mesher::io {
 
+/// When a file has to be on the disk, and not only in the memory of the system.
+enum class Flush {
+  later,  ///< when the system likes: a power failure soon after may lose it
+  now,    ///< before `commit` returns
+};
+
 /// Writes a file that appears whole or not at all.
 ///
 /// The data goes to an unnamed file in the target's folder, or to a temporary file where the file
@@ -33,13 +39,15 @@ class AtomicFile {
   const std::string& name() const { return name_; }
   /// Bytes written so far.
   std::uint64_t size() const { return size_; }
-  /// Closes the file and renames it to the target. Throws OutputError, and then the temporary file
-  /// has been removed.
-  void commit();
+  /// Closes the file and renames it to the target. With Flush::now, a power failure leaves the old
+  /// file or the new one. Throws OutputError, and then the temporary file has been removed.
+  void commit(Flush flush = Flush::later);
 
  private:
   void open_temporary();
   void name_temporary();
+  void flush_bytes();
+  void flush_name() const noexcept;
   template <class Make>
   void try_names(Make make);
   void discard() noexcept;

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "engine/core/progress.h"
+#include "engine/io/atomic_file.h"
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/mesh.h"
 
@@ -13,6 +14,7 @@ struct FormatInfo;
 struct WriteOptions {
   bool ascii = false;  ///< PLY and STL as text rather than little-endian binary
   Progress* progress = nullptr;
+  Flush flush = Flush::later;  ///< as for AtomicFile::commit
 };
 
 /// Writes a mesh in the format of the file's extension, with the attributes and creases that the

@@ -32,8 +32,15 @@ TEST(Result, NamesMatchTheStandard) {
   EXPECT_EQ(result_name(VK_ERROR_OUT_OF_DEVICE_MEMORY), "VK_ERROR_OUT_OF_DEVICE_MEMORY");
   EXPECT_EQ(result_name(static_cast<VkResult>(-12345)), "VkResult -12345");
   EXPECT_NO_THROW(check(VK_SUCCESS, "vkNothing"));
+  EXPECT_EQ(message_of([] { check(VK_ERROR_FEATURE_NOT_PRESENT, "vkCreateDevice"); }),
+            "vkCreateDevice: VK_ERROR_FEATURE_NOT_PRESENT");
   EXPECT_EQ(message_of([] { check(VK_ERROR_DEVICE_LOST, "vkQueueSubmit2"); }),
-            "vkQueueSubmit2: VK_ERROR_DEVICE_LOST");
+            "the GPU stopped working (vkQueueSubmit2: VK_ERROR_DEVICE_LOST)");
+  EXPECT_EQ(message_of([] { check(VK_ERROR_OUT_OF_DEVICE_MEMORY, "vkAllocateMemory"); }),
+            "out of GPU memory (vkAllocateMemory: VK_ERROR_OUT_OF_DEVICE_MEMORY)");
+  EXPECT_THROW(check(VK_ERROR_DEVICE_LOST, ""), LostError);
+  EXPECT_THROW(check(VK_ERROR_SURFACE_LOST_KHR, ""), LostError);
+  EXPECT_THROW(check(VK_ERROR_OUT_OF_HOST_MEMORY, ""), OutOfMemoryError);
 }
 
 TEST(Instance, MissingDriverIsReportedInOneLine) {

@@ -64,10 +64,12 @@ Finished run_program(const std::vector<std::string>& arguments,
 }
 
 BackgroundProgram::BackgroundProgram(const std::vector<std::string>& arguments,
-                                     const std::vector<std::string>& environment, int inherited_fd)
+                                     const std::vector<std::string>& environment, int inherited_fd,
+                                     const std::string& err)
     : pid_(fork()) {
   if (pid_ != 0) return;
   if (inherited_fd >= 0) fcntl(inherited_fd, F_SETFD, 0);
+  if (!err.empty()) dup2(open(err.c_str(), O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
   become(arguments, environment);
 }
 

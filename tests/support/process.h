@@ -21,9 +21,10 @@ Finished run_program(const std::vector<std::string>& arguments,
 /// A program that runs in parallel to the test. The destructor kills it if it has not ended.
 class BackgroundProgram {
  public:
+  /// `err`: a file for its messages; empty: they are those of the test.
   explicit BackgroundProgram(const std::vector<std::string>& arguments,
                              const std::vector<std::string>& environment = {},
-                             int inherited_fd = -1);
+                             int inherited_fd = -1, const std::string& err = {});
   ~BackgroundProgram();
   BackgroundProgram(const BackgroundProgram&) = delete;
   BackgroundProgram& operator=(const BackgroundProgram&) = delete;

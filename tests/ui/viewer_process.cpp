@@ -4,6 +4,7 @@
 #include <X11/Xutil.h>
 
 #include <chrono>
+#include <iostream>
 #include <stdexcept>
 #include <thread>
 
@@ -27,23 +28,31 @@ bool becomes_true(const std::function<bool()>& condition) {
 }  // namespace
 
 ViewerProcess::ViewerProcess(const XServer& server, std::vector<std::string> arguments,
-                             std::filesystem::path state_home, const std::string& bus)
+                             std::filesystem::path state_home, const std::string& bus,
+                             const std::vector<std::string>& environment)
     : server_(server) {
   if (state_home.empty()) state_home = folder_.path();
   arguments.insert(arguments.begin(), MESHER_PROGRAM);
   arguments.insert(arguments.end(), {"--validation", "--state-log", folder_ / "state.jsonl"});
-  program_ = std::make_unique<BackgroundProgram>(
-      arguments, std::vector<std::string>{server.environment(), "WAYLAND_DISPLAY",
-                                          "DBUS_SESSION_BUS_ADDRESS=" + bus,
-                                          "XDG_STATE_HOME=" + state_home.string(),
-                                          "XDG_CONFIG_HOME=" + (state_home / "config").string(),
-                                          "XDG_PICTURES_DIR=" + folder_.path().string()});
+  std::vector<std::string> all{server.environment(),
+                               "WAYLAND_DISPLAY",
+                               "DBUS_SESSION_BUS_ADDRESS=" + bus,
+                               "XDG_STATE_HOME=" + state_home.string(),
+                               "XDG_CONFIG_HOME=" + (state_home / "config").string(),
+                               "XDG_PICTURES_DIR=" + folder_.path().string()};
+  all.insert(all.end(), environment.begin(), environment.end());
+  program_ = std::make_unique<BackgroundProgram>(arguments, all, -1, folder_ / "err");
   if (!becomes_true([this] { return !state().is_null() || !is_running(); }) || !is_running()) {
-    throw std::runtime_error("the viewer did not start");
+    throw std::runtime_error("the viewer did not start: " + errors());
   }
   window_ = server.xdotool({"search", "--sync", "--name", "mesher"});
   window_ = window_.substr(0, window_.find('\n'));
   server.xdotool({"windowfocus", "--sync", window_});
+}
+
+ViewerProcess::~ViewerProcess() {
+  program_.reset();
+  std::cerr << errors();
 }
 
 nlohmann::json ViewerProcess::state() const {

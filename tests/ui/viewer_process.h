@@ -19,9 +19,15 @@ class ViewerProcess {
   /// Waits for the first state. `arguments` as on the command line.
   /// `state_home`: for XDG_STATE_HOME; empty: a folder of its own. `bus`: address of the session
   /// bus; the default: none can be reached, so that the program shows its own dialogs.
+  /// `environment`: as for run_program, besides all this.
   ViewerProcess(const XServer& server, std::vector<std::string> arguments,
                 std::filesystem::path state_home = {},
-                const std::string& bus = "unix:path=/nonexistent");
+                const std::string& bus = "unix:path=/nonexistent",
+                const std::vector<std::string>& environment = {});
+  /// Prints the messages of the program.
+  ~ViewerProcess();
+  ViewerProcess(const ViewerProcess&) = delete;
+  ViewerProcess& operator=(const ViewerProcess&) = delete;
 
   const TempFolder& folder() const { return folder_; }
   /// The last line of the state log.
@@ -50,6 +56,8 @@ class ViewerProcess {
   void press_close_button() const;
   /// The title of the window.
   std::string title() const;
+  /// The messages of the program.
+  std::string errors() const { return read_bytes(folder_ / "err"); }
   /// Ends the program by SIGKILL.
   void kill() { program_->kill_at_once(); }
   /// Waits until the program ends. Returns its exit code, or -1 after a timeout.

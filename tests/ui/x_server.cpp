@@ -10,13 +10,14 @@
 
 namespace mesher::test {
 
-XServer::XServer() {
+XServer::XServer(const std::vector<std::string>& arguments) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("pipe");
-  server_ = std::make_unique<BackgroundProgram>(
-      std::vector<std::string>{"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0",
-                               "1280x900x24", "-nolisten", "tcp"},
-      std::vector<std::string>{}, ends[1]);
+  std::vector<std::string> command{"Xvfb",      "-displayfd", std::to_string(ends[1]),
+                                   "-screen",   "0",          "1280x900x24",
+                                   "-nolisten", "tcp"};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  server_ = std::make_unique<BackgroundProgram>(command, std::vector<std::string>{}, ends[1]);
   close(ends[1]);
   std::string number;
   char byte = 0;

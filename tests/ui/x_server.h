@@ -11,7 +11,12 @@ namespace mesher::test {
 /// An Xvfb server on a free display number. Throws std::runtime_error if it does not start.
 class XServer {
  public:
-  XServer();
+  XServer() : XServer(std::vector<std::string>{}) {}
+
+  /// Ends the server, as when a person logs out.
+  void end() { server_.reset(); }
+  /// `arguments`: further ones of Xvfb.
+  explicit XServer(const std::vector<std::string>& arguments);
 
   /// "DISPLAY=:N"
   const std::string& environment() const { return environment_; }

@@ -55,6 +55,8 @@ void draw_start(Session& session, Ui& ui) {
   if (begin_dialog("Welcome to mesher###start", &session.shows_start, kStartWidthPoints)) {
     if (ImGui::IsWindowAppearing()) ui.samples = samples();
     faint_text("Drop models on the window, or choose one here. Esc shows the sample behind.");
+    // The message below the model would be covered.
+    if (!session.document.error.empty()) problem_text(session.document.error);
     if (wide_button("Open a model... (Ctrl+O)###open", true, "Choose a file"))
       toggle_open_dialog(session);
     std::filesystem::path clicked;

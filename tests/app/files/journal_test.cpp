@@ -8,6 +8,7 @@
 #include "app/files/restore.h"
 #include "engine/io/read.h"
 #include "tests/app/edit/editing.h"
+#include "tests/support/small_disk.h"
 #include "tests/support/temp_folder.h"
 
 namespace mesher::app {
@@ -174,6 +175,78 @@ TEST_F(JournalTest, FolderThatCannotBeWrittenIsSaidOnce) {
   EXPECT_NE(journal.note(s.document).find("cannot be restored after a crash"), std::string::npos);
   press(s, "d");
   EXPECT_EQ(journal.note(s.document), "");
+}
+
+TEST_F(JournalTest, FullDiskIsSaidOnceAndKeepsTheEditsBefore) {
+  const test::SmallDisk disk;
+  Session s = opened(kKnot);
+  Journal journal(disk.path());
+  press(s, "d");
+  EXPECT_EQ(journal.note(s.document), "");
+  disk.fill();
+  const auto kept = [&] {
+    std::string text;
+    for (const auto& entry : fs::directory_iterator(disk.path()))
+      if (entry.path().extension() == ".journal") text = test::read_bytes(entry.path());
+    return text;
+  };
+  const std::string before = kept();
+  press(s, "d");
+  const std::string remark = journal.note(s.document);
+  EXPECT_TRUE(remark.starts_with("edits cannot be restored after a crash: ")) << remark;
+  EXPECT_TRUE(remark.ends_with("No space left on device")) << remark;
+  EXPECT_TRUE(journal.is_failing());
+  press(s, "d");
+  EXPECT_EQ(journal.note(s.document), "") << "not once per edit";
+  EXPECT_EQ(kept(), before);
+  EXPECT_EQ(disk.count_files(), 2U);
+  disk.make_room();
+  press(s, "d");
+  EXPECT_EQ(journal.note(s.document), "edits can be restored after a crash again");
+  EXPECT_FALSE(journal.is_failing());
+  EXPECT_NE(kept(), before);
+  EXPECT_EQ(journal.note(s.document), "");
+  disk.fill();
+  press(s, "d");
+  EXPECT_NE(journal.note(s.document), "") << "it is another failure";
+  journal.remove();
+  EXPECT_EQ(disk.count_files(), 0U);
+}
+
+TEST_F(JournalTest, MissingHomeIsSaidOnce) {
+  Session s = opened(kKnot);
+  Journal journal{fs::path()};
+  EXPECT_EQ(journal.note(s.document), "") << "there are no edits";
+  press(s, "d");
+  EXPECT_NE(journal.note(s.document).find("there is no home folder"), std::string::npos);
+  press(s, "d");
+  EXPECT_EQ(journal.note(s.document), "");
+  EXPECT_FALSE(journal.has_edits());
+}
+
+TEST_F(JournalTest, FullDiskFromTheStartLeavesNothing) {
+  const test::SmallDisk disk;
+  disk.fill();
+  Session s = opened(kKnot);
+  press(s, "d");
+  Journal journal(disk / "state");
+  EXPECT_NE(journal.note(s.document), "");
+  EXPECT_EQ(disk.count_files(), 0U);
+  press(s, "ctrl+z");
+  EXPECT_EQ(journal.note(s.document), "");
+  EXPECT_FALSE(journal.is_failing()) << "nothing is unsaved";
+  disk.make_room();
+  press(s, "d");
+  EXPECT_EQ(journal.note(s.document), "");
+  EXPECT_EQ(disk.count_files(), 2U);
+}
+
+TEST_F(JournalTest, ReadingStampsCanBeCanceled) {
+  lose(kKnot, "d");
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(lost_edits(journals(), &progress), Cancelled);
+  EXPECT_EQ(lost_edits(journals()).size(), 1U) << "its lock is free";
 }
 
 TEST_F(JournalTest, ModelFromAPipeIsSaidOnce) {

@@ -32,6 +32,45 @@ TEST(Paths, ScreenshotsDoNotOverwriteOneAnother) {
   unsetenv("XDG_PICTURES_DIR");
 }
 
+TEST(Paths, HomeThatIsMissingOrRelativeIsNone) {
+  const char* old = std::getenv("HOME");
+  const std::string home = old == nullptr ? "" : old;
+  unsetenv("XDG_STATE_HOME");
+  unsetenv("XDG_CONFIG_HOME");
+  for (const char* none : {"", "relative/home"}) {
+    setenv("HOME", none, 1);
+    EXPECT_EQ(state_folder(), "");
+    EXPECT_EQ(config_folder(), "");
+  }
+  unsetenv("HOME");
+  EXPECT_EQ(state_folder(), "");
+  EXPECT_EQ(home_folder(), "");
+  setenv("HOME", home.c_str(), 1);
+}
+
+TEST(Paths, NearestFolderOfADeletedOne) {
+  const test::TempFolder folder;
+  EXPECT_EQ(nearest_folder(folder.path()), folder.path());
+  EXPECT_EQ(nearest_folder(folder / "deleted/below"), folder.path());
+  EXPECT_EQ(nearest_folder("/no_such_folder"), "/");
+  EXPECT_EQ(nearest_folder("deleted/below"), ".");
+  EXPECT_EQ(nearest_folder(""), ".");
+}
+
+TEST(Paths, FoldersAreMadeOrTheReasonIsSaid) {
+  const test::TempFolder folder;
+  make_folder(folder / "a/b");
+  make_folder(folder / "a/b");
+  EXPECT_TRUE(is_folder(folder / "a/b"));
+  const std::string below = folder.write("file", "").string() + "/below";
+  try {
+    make_folder(below);
+    ADD_FAILURE();
+  } catch (const OutputError& error) {
+    EXPECT_EQ(std::string(error.what()), below + ": cannot make the folder: Not a directory");
+  }
+}
+
 TEST(Paths, TypedPathIsStrippedOfBlanksAndQuotes) {
   EXPECT_EQ(typed_path("  'a b.obj' "), "a b.obj");
   EXPECT_EQ(typed_path(" \t"), "");

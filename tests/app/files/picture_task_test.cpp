@@ -8,8 +8,10 @@
 #include "app/viewer/scripted_session.h"
 #include "engine/core/error.h"
 #include "engine/core/job.h"
+#include "engine/gpu/result.h"
 #include "engine/io/png.h"
 #include "tests/support/assets.h"
+#include "tests/support/fault_layer.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/webp_file.h"
 
@@ -48,6 +50,24 @@ TEST_F(PictureTaskTest, DrawsWhatTheWindowShows) {
     script_.press(parse_keys(keys));
     EXPECT_EQ(drawn().rgba, script_.picture().rgba) << keys;
   }
+}
+
+TEST_F(PictureTaskTest, LostGpuLeavesNoFile) {
+  const test::FaultLayer faults;
+  const std::vector<std::string> variables = faults.environment();
+  for (const std::string& variable : variables) {
+    const std::size_t equals = variable.find('=');
+    setenv(variable.substr(0, equals).c_str(), variable.substr(equals + 1).c_str(), 1);
+  }
+  for (const char* name : {"a.png", "a.webp"}) {
+    faults.cue({{"vkQueueSubmit2", VK_ERROR_DEVICE_LOST}});
+    PictureTask lost = task({.file = folder_ / name, .options = {}});
+    EXPECT_THROW(perform(lost, nullptr), gpu::LostError);
+    EXPECT_TRUE(faults.is_over());
+    EXPECT_EQ(folder_.count_files(), 0U);
+  }
+  for (const std::string& variable : variables)
+    unsetenv(variable.substr(0, variable.find('=')).c_str());
 }
 
 TEST_F(PictureTaskTest, DrawsGeomorphs) {

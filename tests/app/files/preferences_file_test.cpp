@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/small_disk.h"
 #include "tests/support/temp_folder.h"
 
 namespace mesher::app {
@@ -113,6 +114,30 @@ TEST_F(PreferencesFileTest, RecentFilesAreBoundedAndOnceEach) {
   EXPECT_EQ(std::ranges::count(preferences.recent, "/f5.obj"), 1);
   remember_opened(preferences, "/dev/null");
   EXPECT_EQ(preferences.recent.front(), "/f5.obj") << "a pipe or device cannot be opened again";
+}
+
+TEST_F(PreferencesFileTest, FullDiskIsSaidOnceAndTheNextChangeIsKept) {
+  const test::SmallDisk disk;
+  PreferencesFile kept(disk.path());
+  Preferences preferences = kept.read();
+  remember_opened(preferences, "/a.obj");
+  kept.write(preferences);
+  const std::string before = test::read_bytes(disk / "settings.json");
+  disk.fill();
+  remember_opened(preferences, "/b.obj");
+  kept.write(preferences);
+  const std::string remark = kept.take_remark();
+  EXPECT_TRUE(remark.ends_with("No space left on device; settings are not remembered")) << remark;
+  preferences.shows_hidden_files = true;
+  kept.write(preferences);
+  EXPECT_EQ(kept.take_remark(), "");
+  EXPECT_EQ(test::read_bytes(disk / "settings.json"), before);
+  EXPECT_EQ(disk.count_files(), 1U);
+  disk.make_room();
+  remember_opened(preferences, "/c.obj");
+  kept.write(preferences);
+  EXPECT_EQ(kept.take_remark(), "");
+  EXPECT_EQ(PreferencesFile(disk.path()).read(), preferences);
 }
 
 TEST_F(PreferencesFileTest, FolderThatCannotBeWrittenIsSaidOnce) {

@@ -10,6 +10,7 @@
 #include "engine/core/error.h"
 #include "engine/io/png.h"
 #include "tests/support/meshes.h"
+#include "tests/support/small_disk.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/webp_file.h"
 
@@ -32,6 +33,20 @@ class TurntableTest : public testing::Test {
   Session session_;
   ScriptedSession script_{session_, {.device = "", .validation = true}};
 };
+
+TEST_F(TurntableTest, FullDiskLeavesNoFrame) {
+  const test::SmallDisk disk(1U << 14);
+  for (const char* name : {"turn_##.png", "turn.webp"}) {
+    try {
+      write_turntable(script_.scene(), {.scale = 4}, {.frames = 20, .seconds = 1.0F}, disk / name,
+                      nullptr);
+      ADD_FAILURE() << name;
+    } catch (const OutputError& error) {
+      EXPECT_TRUE(std::string(error.what()).ends_with("No space left on device")) << error.what();
+    }
+    EXPECT_EQ(disk.count_files(), 0U);
+  }
+}
 
 TEST(Turn, ClosesWithoutAJump) {
   render::Camera start;
