@@ -41,8 +41,9 @@ void write_png_picture(const PictureScene& scene, const PictureOptions& options,
   io::PngWriter writer(out, size.width, size.height);
   render::draw_picture(scene.device, scene.renderer, scene.mesh, scene.camera,
                        settings_of(scene, options), drawn,
-                       [&](const Image& rows) { writer.append(rows); });
+                       [&](const Image& rows) { writer.append(rows, progress); });
   writer.finish();
+  seal(progress);
   out.commit();
 }
 

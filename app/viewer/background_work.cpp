@@ -42,6 +42,7 @@ void BackgroundWork::restore(LostEdits&& lost) {
 }
 
 bool BackgroundWork::advance() {
+  canceled_.reap();
   bool is_changed = finish_load();
   is_changed |= arrivals_.advance(kArrivalSeconds);
   is_changed |= edits_.advance();
@@ -90,20 +91,27 @@ void BackgroundWork::report_failures() {
 
 bool BackgroundWork::cancel() {
   if (load_) {
-    queue_.clear();
-    load_->cancel();
+    cancel_load();
   } else if (edits_.is_running()) {
     edits_.cancel();
   } else if (arrivals_.is_running()) {
     arrivals_.stop();
   } else if (save_) {
-    save_->cancel();
+    if (canceled_.take(save_)) session_.document.notice = "canceled; nothing was written";
   } else if (picture_) {
-    picture_->cancel();
+    if (canceled_.take(picture_)) session_.document.notice = "canceled; no picture was written";
   } else {
     return false;
   }
   return true;
+}
+
+void BackgroundWork::cancel_load() {
+  queue_.clear();
+  const std::filesystem::path file = load_->file();
+  if (!canceled_.take(load_)) return;
+  note_canceled(session_, file);
+  report_failures();
 }
 
 const Job* BackgroundWork::visible_job() const {
@@ -119,8 +127,6 @@ bool BackgroundWork::finish_load() {
     arrivals_.stop();
     show_(job->take());
     note_opened(session_, job->file());
-  } catch (const Cancelled&) {
-    note_canceled(session_, job->file());
   } catch (const std::exception& error) {
     failures_.emplace_back(error.what());
   }
@@ -137,8 +143,6 @@ bool BackgroundWork::advance_save() {
       note_saved(session_, job->take());
     }
     if (!save_) start_save();
-  } catch (const Cancelled&) {
-    session_.document.notice = "canceled; nothing was written";
   } catch (const std::exception& error) {
     session_.document.error = error.what();
   }
@@ -162,8 +166,6 @@ bool BackgroundWork::advance_picture() {
       session_.document.notice = "saved " + job->take().string();
     }
     if (!picture_) start_picture();
-  } catch (const Cancelled&) {
-    session_.document.notice = "canceled; no picture was written";
   } catch (const std::exception& error) {
     session_.document.error = error.what();
   }
