@@ -25,6 +25,7 @@
 #include "app/viewer/scene_mirror.h"
 #include "app/viewer/scene_painter.h"
 #include "app/viewer/state_log.h"
+#include "app/viewer/turn_log.h"
 #include "app/viewer/window.h"
 #include "engine/core/text.h"
 #include "engine/gpu/presenter.h"
@@ -62,6 +63,7 @@ class Viewer {
         recovery_(session, mirror_, work_, options.frame_first),
         desktop_files_(session, Window::wake),
         log_(options.state_log),
+        turn_(options.turn_log),
         state_folder_(options.state_folder),
         preferences_file_(options.config_folder) {
     window_.set_events(events());
@@ -87,6 +89,7 @@ class Viewer {
       session_.lost.push_back(std::move(lost));
     while (!session_.wants_quit) {
       wait();
+      turn_.begin();
       if (window_.take_close_request()) leave(Leaving::quit);
       if (work_.advance()) want_frames();
       if (desktop_files_.advance()) want_frames();
@@ -95,9 +98,10 @@ class Viewer {
       keep_preferences();
       animate();
       update_hover();
-      if (frames_wanted_ > 0) draw();
+      const bool drew = frames_wanted_ > 0 && draw();
       if (session_.wants_screenshot) save_screenshot();
       if (session_.copied) overlay_->copy(*std::exchange(session_.copied, std::nullopt));
+      turn_.end(drew, work_.visible_job());
       log_.note(session_, &pointer_, &panels_.widgets());
     }
     work_.finish_saves();
@@ -125,22 +129,33 @@ class Viewer {
   }
 
   Window::Events events() {
-    return {.key = [this](const KeyPress& key) { press_key(key); },
+    return {.key =
+                [this](const KeyPress& key) {
+                  turn_.begin();
+                  press_key(key);
+                },
             .press =
                 [this](MouseButton button, Modifiers modifiers, glm::dvec2 at) {
+                  turn_.begin();
                   pointer_.is_pressed = true;
                   if (!panels_.covers(at)) gestures_.press(button, modifiers, at, Window::time());
                   want_frames();
                 },
             .release =
                 [this] {
+                  turn_.begin();
                   pointer_.is_pressed = false;
                   session_.wants_context_menu = gestures_.release();
                   want_frames();
                 },
-            .move = [this](glm::dvec2 at) { move(at); },
+            .move =
+                [this](glm::dvec2 at) {
+                  turn_.begin();
+                  move(at);
+                },
             .scroll =
                 [this](double steps) {
+                  turn_.begin();
                   if (!panels_.covers(pointer_.at)) gestures_.scroll(steps, pointer_.at);
                   want_frames();
                 },
@@ -149,7 +164,11 @@ class Viewer {
                   work_.open(files);
                   want_frames();
                 },
-            .changed = [this] { want_frames(); }};
+            .changed =
+                [this] {
+                  turn_.begin();
+                  want_frames();
+                }};
   }
 
   void leave(Leaving leaving) {
@@ -296,22 +315,29 @@ class Viewer {
     want_frames();
   }
 
-  void draw() {
+  /// Returns whether there was something to draw into.
+  bool draw() {
     --frames_wanted_;
     follow_scale();
     const double start = Window::time();
-    if (!update_scene()) return;
+    if (!update_scene()) return false;
     const glm::uvec2 size = window_.framebuffer_size();
+    turn_.begin_wait();
     auto frame = presenter_.begin({size.x, size.y});
-    if (!frame) return;
+    turn_.end_wait();
+    if (!frame) return false;
     draw_panels(frame->extent);
     const VkRect2D place = model_rectangle(session_.view, frame->extent);
     draw_scene(*frame, place.extent);
     painter_.image().copy_to(frame->commands, frame->image, place.offset);
     overlay_->draw(frame->commands, frame->view, frame->extent);
-    presenter_.end(*frame);
+    presenter_.submit(*frame);
+    turn_.begin_wait();
+    presenter_.present(*frame);
+    turn_.end_wait();
     frame_ms_ = 1000.0 * (Window::time() - start);
     update_title();
+    return true;
   }
 
   void draw_panels(const VkExtent2D& extent) {
@@ -383,6 +409,7 @@ class Viewer {
   Recovery recovery_;
   DesktopFiles desktop_files_;
   StateLog log_;
+  TurnLog turn_;
   std::filesystem::path state_folder_;
   std::map<std::uint64_t, Journal> journals_;  ///< by Document::opening
   PreferencesFile preferences_file_;
