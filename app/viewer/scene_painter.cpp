@@ -78,6 +78,7 @@ bool ScenePainter::draw(VkCommandBuffer commands, VkExtent2D extent, SceneMirror
   const Drawn now{mirror.settings(), camera};
   const bool is_changed = drawn_ != now;
   const bool heavy = is_heavy(mirror);
+  if (heavy) is_hurried_ = false;  // it would want frames for ever
   const unsigned samples = heavy ? unsigned{device_.supported_samples(now.settings.samples)}
                                  : samples_for(now.settings.samples, is_changed);
   ensure(whole_, extent, samples);
