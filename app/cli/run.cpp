@@ -146,6 +146,8 @@ class CommandLine {
         ->check(CLI::Range(0.5, 4.0));
     command->add_option("--state-log", view_.state_log,
                         "write the viewer's state to this file, one line of JSON per change");
+    command->add_option("--turn-log", view_.turn_log,
+                        "write the time of each turn of the window's loop to this file, as JSON");
   }
 
   void add_render() {

@@ -208,6 +208,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
                   .ui_scale = view.ui_scale,
                   .is_sized = !look.size.empty(),
                   .state_log = view.state_log,
+                  .turn_log = view.turn_log,
                   .state_folder = state_folder(),
                   .config_folder = config_folder(),
                   .frame_first = frame,

@@ -15,6 +15,7 @@ struct ViewOptions {
   bool panels = false;     ///< that picture shows the panels too
   float ui_scale = 0.0F;   ///< size of the panels; 0: that of the monitor
   std::string state_log;   ///< see StateLog
+  std::string turn_log;    ///< see TurnLog
   bool is_sample = false;  ///< no model was named: the start screen is shown over one
   std::vector<std::string> more;  ///< models that are opened as tabs beside the first
   std::string nearest_command;    ///< that a model which does not exist may be a misspelling of

@@ -1,6 +1,7 @@
 #include "app/document/progressive_view.h"
 
 #include "app/document/automatic_level.h"
+#include "app/document/stand_in.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +10,9 @@
 namespace mesher::app {
 namespace {
 
-/// Times of preparing geomorphs, and of measuring levels.
-constexpr double kLevelWeights[] = {0.55, 0.45};
+/// Times of preparing geomorphs, of measuring levels, and of the stand-in, which only large models
+/// get.
+constexpr double kLevelWeights[] = {0.55, 0.45, 0.02};
 // The distance to the automatic level decreases by a factor of e in this time.
 constexpr double kTravelSeconds = 0.15;
 // The level counts as reached within this distance, in positions of the slider.
@@ -28,6 +30,9 @@ DetailLevels detail_levels(progressive::Progressive&& progressive, Progress* pro
   levels.geomorph = progressive::Geomorph(levels.mesh, progress);
   stages.next("measuring levels");
   levels.errors = progressive::LevelErrors(levels.mesh, progress);
+  stages.next();
+  if (levels.mesh.full_face_count() > kStandInFrom)
+    levels.stand_in = level_as_stand_in(levels.mesh, progress);
   return levels;
 }
 
@@ -49,6 +54,9 @@ void ProgressiveView::show(std::unique_ptr<progressive::PmReader> reader) {
 }
 
 void ProgressiveView::reader_was_fed() {
+  // What was read at once is small compared to what a large file becomes.
+  if (!levels_.stand_in && mesh().mesh().face_count() >= kStandInFaces)
+    levels_.stand_in = make_stand_in(mesh().mesh(), statistics(mesh().mesh()));
   set_time(follows_reader_ ? range().end() : time_);
 }
 

@@ -86,6 +86,9 @@ struct DetailLevels {
   std::optional<simplify::SimplifyReport> report{};
   /// The options that it was built by, as words of an edit; empty if the mesh was read from a file.
   std::string built_by{};
+  /// A level that any machine draws within a frame, for meshes that need one (kStandInFrom); else
+  /// null.
+  std::shared_ptr<const Mesh> stand_in{};
 };
 
 /// Computes what is needed to show a progressive mesh. O(F). Throws Cancelled.
@@ -102,7 +105,7 @@ class ProgressiveView {
   /// Shows the splits that a reader has read, and follows it until a person changes the level.
   /// Splits are not animated until `show` provides a geomorph. Pre: the reader has the base.
   void show(std::unique_ptr<progressive::PmReader> reader);
-  /// The reader, or null. It is fed at full detail; call `reader_was_fed` afterward.
+  /// The reader, or null. It is fed at full detail; call `reader_was_fed` afterward, still there.
   progressive::PmReader* reader() { return reader_.get(); }
   void reader_was_fed();
   /// Keeps the mesh of the reader, which is not fed any more. Pre: there is a reader.
@@ -118,6 +121,8 @@ class ProgressiveView {
     return reader_ ? reader_->mesh() : levels_.mesh;
   }
   const DetailLevels& levels() const { return levels_; }
+  /// A coarse level, to be shown while drawing the mesh would take too long; null: none was made.
+  const std::shared_ptr<const Mesh>& stand_in() const { return levels_.stand_in; }
   bool has_geomorph() const { return has_geomorph_; }
   bool is_on() const { return is_on_; }
   /// Turns progressive mode on or off. Pre: has_mesh(), to turn it on.

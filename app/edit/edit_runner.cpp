@@ -15,7 +15,9 @@ constexpr const char* kNoMemory = "out of memory: the model cannot be copied";
 }  // namespace
 
 bool EditRunner::advance() {
+  canceled_.reap();
   bool has_changed = drop_foreign_job();
+  has_changed |= std::exchange(was_canceled_, false);
   if (job_ && job_->is_done()) {
     take();
     has_changed = true;
@@ -31,7 +33,7 @@ bool EditRunner::advance() {
 bool EditRunner::drop_foreign_job() {
   if (!job_ || job_of_ == document_.opening) return false;
   document_.notice = "canceled: " + job_->title();
-  job_.reset();
+  canceled_.take(job_);
   return true;
 }
 
@@ -63,12 +65,7 @@ void EditRunner::take() {
   const std::unique_ptr<EditJob> job = std::move(job_);
   document_.edits.is_changing = false;
   try {
-    const std::shared_ptr<EditTask> task = job->take();
-    if (job->progress().is_cancelled())
-      throw Cancelled();  // it was canceled when the work had already ended
-    task->finish(document_);
-  } catch (const Cancelled&) {
-    document_.notice = "canceled";
+    job->take()->finish(document_);
   } catch (const std::bad_alloc&) {
     document_.edits.waiting.clear();
     document_.error = kNoMemory;
@@ -81,7 +78,12 @@ void EditRunner::take() {
 
 void EditRunner::cancel() {
   document_.edits.waiting.clear();
-  if (job_) job_->cancel();
+  if (!job_) return;
+  canceled_.take(job_);  // edits are never sealed: their result is taken here
+  was_canceled_ = true;
+  document_.edits.is_changing = false;
+  document_.notice = "canceled";
+  follow_shown_level(document_.edits, document_.subdivide);
 }
 
 void EditRunner::stop() {

@@ -5,6 +5,7 @@
 
 #include "app/document/document.h"
 #include "app/document/edit_task.h"
+#include "engine/core/canceled_jobs.h"
 #include "engine/core/job.h"
 
 namespace mesher::app {
@@ -23,7 +24,7 @@ class EditRunner {
   bool is_running() const { return job_ != nullptr; }
   /// The running edit, or null.
   const Job* job() const { return job_.get(); }
-  /// Cancels the running edit, with a notice, and drops the requested ones.
+  /// Cancels the running edit, with a notice, and drops the requested ones. Returns at once.
   void cancel();
   /// As `cancel`, without a notice. Returns when the edit has ended.
   void stop();
@@ -40,7 +41,9 @@ class EditRunner {
   Document& document_;
   void (*wake_)();
   std::unique_ptr<EditJob> job_;
-  std::uint64_t job_of_ = 0;  ///< Document::opening of the model that the job edits
+  CanceledJobs canceled_;
+  bool was_canceled_ = false;  ///< since the last `advance`
+  std::uint64_t job_of_ = 0;   ///< Document::opening of the model that the job edits
 };
 
 }  // namespace mesher::app

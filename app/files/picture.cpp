@@ -50,12 +50,13 @@ void write_png_picture(const PictureScene& scene, const PictureOptions& options,
                        settings_of(scene.settings, options), drawn, [&](const Image& rows) {
                          const std::uint32_t first = std::exchange(row, row + rows.height);
                          const bool has_legend = first < scene.legend.height + margin(options);
-                         if (!has_legend) return writer.append(rows);
+                         if (!has_legend) return writer.append(rows, progress);
                          Image whole = rows;
                          blend_over(whole, first, scene.legend, glm::uvec2(margin(options)));
-                         writer.append(whole);
+                         writer.append(whole, progress);
                        });
   writer.finish();
+  seal(progress);
   out.commit();
 }
 

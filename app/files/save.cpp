@@ -76,6 +76,7 @@ void write_progressive(const SaveTask& task, Progress* progress) {
   stages.next();
   io::AtomicFile file(task.file);
   io::write_pm_file(file, *levels, {.progress = progress});
+  seal(progress);
   file.commit(io::Flush::now);
 }
 

@@ -34,21 +34,18 @@ PictureScene scene_at(const PictureScene& start, std::uint32_t frame, std::uint3
   return scene;
 }
 
-void report_frame(Progress* progress, std::uint32_t frame, std::uint32_t frames) {
-  report(progress, static_cast<float>(frame) / static_cast<float>(frames));
-}
-
 void write_animation(const PictureScene& start, const PictureOptions& options,
                      const TurntableOptions& turn, const std::filesystem::path& file,
                      Progress* progress) {
   io::WebpAnimation animation(file, options.scale * start.window.width,
                               options.scale * start.window.height);
+  Stages stages(progress, std::vector<double>(turn.frames, 1.0));
   for (std::uint32_t frame = 0; frame < turn.frames; ++frame) {
-    report_frame(progress, frame, turn.frames);
-    animation.append(draw_picture(scene_at(start, frame, turn.frames), options, nullptr),
+    stages.next();
+    animation.append(draw_picture(scene_at(start, frame, turn.frames), options, progress),
                      begin_ms(turn, frame));
   }
-  report(progress, 1.0F);
+  seal(progress);
   animation.finish(begin_ms(turn, turn.frames));
 }
 
@@ -57,15 +54,16 @@ void write_frames(const PictureScene& start, const PictureOptions& options,
                   const TurntableOptions& turn, const std::filesystem::path& file,
                   Progress* progress) {
   std::vector<std::unique_ptr<io::AtomicFile>> files;
+  Stages stages(progress, std::vector<double>(turn.frames, 1.0));
   for (std::uint32_t frame = 0; frame < turn.frames; ++frame) {
-    report_frame(progress, frame, turn.frames);
-    const Image image = draw_picture(scene_at(start, frame, turn.frames), options, nullptr);
+    stages.next();
+    const Image image = draw_picture(scene_at(start, frame, turn.frames), options, progress);
     files.push_back(std::make_unique<io::AtomicFile>(frame_file(file, frame)));
     io::PngWriter writer(*files.back(), image.width, image.height);
-    writer.append(image);
+    writer.append(image, progress);
     writer.finish();
   }
-  report(progress, 1.0F);
+  seal(progress);
   for (const auto& written : files)
     written->commit();
 }

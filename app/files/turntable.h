@@ -31,7 +31,7 @@ void check_turntable_files(const std::filesystem::path& file, const TurntableOpt
 
 /// Draws a full turn around the model, and writes it as one animated WebP that repeats forever or
 /// as one PNG per frame (frame_file). All files appear or none. Reports progress per frame. Pre:
-/// turntable_objection is empty. Throws as write_picture; Cancelled between frames.
+/// turntable_objection is empty. Throws as write_picture.
 void write_turntable(const PictureScene& scene, const PictureOptions& options,
                      const TurntableOptions& turn, const std::filesystem::path& file,
                      Progress* progress);

@@ -43,6 +43,7 @@ void BackgroundWork::restore(LostEdits&& lost) {
 }
 
 bool BackgroundWork::advance() {
+  canceled_.reap();
   bool is_changed = finish_load();
   is_changed |= arrivals_.advance(kArrivalSeconds);
   is_changed |= edits_.advance();
@@ -91,20 +92,32 @@ void BackgroundWork::report_failures() {
 
 bool BackgroundWork::cancel() {
   if (load_) {
-    queue_.clear();
-    load_->cancel();
+    cancel_load();
   } else if (edits_.is_running()) {
     edits_.cancel();
   } else if (arrivals_.is_running()) {
     arrivals_.stop();
   } else if (save_) {
-    save_->cancel();
+    if (canceled_.take(save_)) note_write_canceled("canceled; nothing was written");
   } else if (picture_) {
-    picture_->cancel();
+    if (canceled_.take(picture_)) note_write_canceled("canceled; no picture was written");
   } else {
     return false;
   }
   return true;
+}
+
+void BackgroundWork::note_write_canceled(const char* notice) {
+  has_write_failure_ = true;
+  session_.document.notice = notice;
+}
+
+void BackgroundWork::cancel_load() {
+  queue_.clear();
+  const std::filesystem::path file = load_->file();
+  if (!canceled_.take(load_)) return;
+  note_canceled(session_, file);
+  report_failures();
 }
 
 const Job* BackgroundWork::visible_job() const {
@@ -120,8 +133,6 @@ bool BackgroundWork::finish_load() {
     arrivals_.stop();
     show_(job->take());
     note_opened(session_, job->file());
-  } catch (const Cancelled&) {
-    note_canceled(session_, job->file());
   } catch (const GraphicsFailed&) {
     throw;  // the model is not the reason
   } catch (const std::exception& error) {
@@ -140,9 +151,6 @@ bool BackgroundWork::advance_save() {
       note_saved(session_, job->take());
     }
     if (!save_) start_save();
-  } catch (const Cancelled&) {
-    has_write_failure_ = true;
-    session_.document.notice = "canceled; nothing was written";
   } catch (const std::exception& error) {
     has_write_failure_ = true;
     session_.document.error = error.what();
@@ -167,9 +175,6 @@ bool BackgroundWork::advance_picture() {
       session_.document.notice = "saved " + job->take().string();
     }
     if (!picture_) start_picture();
-  } catch (const Cancelled&) {
-    has_write_failure_ = true;
-    session_.document.notice = "canceled; no picture was written";
   } catch (const std::exception& error) {
     has_write_failure_ = true;
     session_.document.error = error.what();

@@ -14,6 +14,7 @@
 #include "app/files/arrival_runner.h"
 #include "app/files/load_job.h"
 #include "app/files/save.h"
+#include "engine/core/canceled_jobs.h"
 
 namespace mesher::app {
 
@@ -47,7 +48,8 @@ class BackgroundWork {
   bool advance();
   void stop_edits() { edits_.stop(); }
   void stop_arrival() { arrivals_.stop(); }
-  /// Cancels the innermost job. Returns whether there was one.
+  /// Cancels the innermost job, and says so at once. Returns whether there was one. A file that is
+  /// just getting its name is written nevertheless.
   bool cancel();
   /// Returns when no edit is running or requested.
   void finish_edits() { edits_.finish(); }
@@ -80,6 +82,8 @@ class BackgroundWork {
   bool has_loaded() const { return load_ && load_->is_done() && can_show_next(); }
   void start_opening();
   void start(Opening&& opening);
+  void cancel_load();
+  void note_write_canceled(const char* notice);
   bool finish_load();
   void report_failures();
   bool advance_save();
@@ -96,6 +100,7 @@ class BackgroundWork {
   ArrivalRunner arrivals_;
   std::deque<Opening> queue_;
   std::vector<std::string> failures_;  ///< of the files of the queue
+  CanceledJobs canceled_;
   std::unique_ptr<LoadJob> load_;
   std::unique_ptr<JobOf<Saved>> save_;
   std::unique_ptr<JobOf<std::filesystem::path>> picture_;

@@ -27,6 +27,10 @@ constexpr double kLongestFrame = 5.0;
 // A stand-in is made again if the number of faces has changed by more than this factor.
 constexpr double kSameFaces = 1.25;
 
+bool is_similar(double faces, double others) {
+  return faces <= kSameFaces * others && others <= kSameFaces * faces;
+}
+
 }  // namespace
 
 ScenePainter::ScenePainter(gpu::Device& device, VkFormat format)
@@ -47,9 +51,7 @@ void ScenePainter::measure(double now_s) {
   triangles_per_second_ += kTrust * (speed - triangles_per_second_);
 }
 
-bool ScenePainter::is_heavy(SceneMirror& mirror, const Document& document) const {
-  // Geomorphs move all vertices with the level, so that there is no picture to finish.
-  if (document.progressive.is_on()) return false;
+bool ScenePainter::is_heavy(SceneMirror& mirror) const {
   const auto work = double(render::Renderer::work(mirror.mesh(), mirror.settings()));
   return work / triangles_per_second_ > kFrameSeconds;
 }
@@ -86,7 +88,8 @@ bool ScenePainter::draw(VkCommandBuffer commands, VkExtent2D extent, SceneMirror
   measure(now_s);
   const Drawn now{mirror.settings(), camera};
   const bool is_changed = drawn_ != now;
-  const bool heavy = is_heavy(mirror, document);
+  const bool heavy = is_heavy(mirror);
+  if (heavy) is_hurried_ = false;  // it would want frames for ever
   const unsigned samples =
       heavy ? supported(now.settings.samples) : samples_for(now.settings.samples, is_changed);
   ensure(whole_, extent, samples);
@@ -132,16 +135,23 @@ bool ScenePainter::draw_heavy(VkCommandBuffer commands, SceneMirror& mirror,
 
 /// Returns false if there is no memory for it.
 bool ScenePainter::draw_stand_in(VkCommandBuffer commands, const Document& document) {
+  // There is no model yet that one could be made of.
+  if (document.progressive.is_arriving() && !document.progressive.stand_in()) return false;
   // Some of its faces are folded over, which says nothing about the model.
   render::Settings settings = drawn_->settings;
   settings.back = settings.front;
   try {
     update_stand_in(document);
+    // Its vertices are in split order only if it is a level.
+    settings.colors_by_split_order &= stand_in_level_ != nullptr;
+    if (document.progressive.is_on())
+      settings.colored_splits = document.progressive.mesh().split_count();
     stand_in_mirror_->apply(stand_in_, settings);
   } catch (const gpu::LostError&) {
     throw;
   } catch (const Error&) {
     stand_in_mirror_.reset();
+    stand_in_level_.reset();
     stand_in_of_ = 0;
     return false;
   }
@@ -149,17 +159,21 @@ bool ScenePainter::draw_stand_in(VkCommandBuffer commands, const Document& docum
   return true;
 }
 
+bool ScenePainter::is_stand_in_current(const Document& document) const {
+  if (stand_in_of_ != document.opening || stand_in_level_ != document.progressive.stand_in())
+    return false;
+  return stand_in_level_ || is_similar(document.statistics.faces, stand_in_faces_);
+}
+
 void ScenePainter::update_stand_in(const Document& document) {
-  const auto is_similar = [](double a, double b) {
-    return a <= kSameFaces * b && b <= kSameFaces * a;
-  };
+  if (is_stand_in_current(document)) return;
   const std::uint32_t faces = document.statistics.faces;
-  if (stand_in_of_ == document.opening && is_similar(faces, stand_in_faces_)) return;
-  const bool fits = document.stand_in && is_similar(faces, document.edits.opened_faces);
-  const auto made =
-      fits ? document.stand_in : make_stand_in(document.model.mesh, document.statistics);
+  std::shared_ptr<const Mesh> made = document.progressive.stand_in();
+  if (!made && is_similar(faces, document.edits.opened_faces)) made = document.stand_in;
+  if (!made) made = make_stand_in(document.model.mesh, document.statistics);
   stand_in_ = *made;
   stand_in_mirror_.emplace(device_);
+  stand_in_level_ = document.progressive.stand_in();
   stand_in_of_ = document.opening;
   stand_in_faces_ = faces;
 }

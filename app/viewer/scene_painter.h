@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "app/document/document.h"
@@ -11,9 +12,9 @@ namespace mesher::app {
 
 /// Draws the scene of a window, so that no frame takes long. A scene that takes longer than
 /// kFrameSeconds is drawn in slices, one per frame, while the picture does not change. When it
-/// changes, the finished slices are dropped, and a coarse stand-in of the mesh is shown meanwhile.
-/// Lighter scenes are drawn whole, with one sample per pixel while they change in frames that take
-/// long.
+/// changes, the finished slices are dropped, and a coarse stand-in of the mesh is shown meanwhile:
+/// a level of the progressive mesh if there is one, otherwise a clustering. Lighter scenes are
+/// drawn whole, with one sample per pixel while they change in frames that take long.
 class ScenePainter {
  public:
   static constexpr double kFrameSeconds = 0.033;
@@ -41,7 +42,7 @@ class ScenePainter {
   };
 
   void measure(double now_s);
-  bool is_heavy(SceneMirror& mirror, const Document& document) const;
+  bool is_heavy(SceneMirror& mirror) const;
   unsigned samples_for(unsigned wanted, bool is_changed);
   unsigned supported(unsigned samples) const;
   void ensure(std::optional<render::SceneTarget>& target, VkExtent2D extent, unsigned samples);
@@ -50,6 +51,7 @@ class ScenePainter {
                   bool is_changed);
   bool draw_stand_in(VkCommandBuffer commands, const Document& document);
   void update_stand_in(const Document& document);
+  bool is_stand_in_current(const Document& document) const;
 
   gpu::Device& device_;
   VkFormat format_;
@@ -64,8 +66,9 @@ class ScenePainter {
   // The stand-in, and the mesh that it was made of.
   Mesh stand_in_;
   std::optional<render::GpuMesh> stand_in_mirror_;
-  std::uint64_t stand_in_of_ = 0;     ///< Document::opening
-  std::uint32_t stand_in_faces_ = 0;  ///< of the mesh
+  std::shared_ptr<const Mesh> stand_in_level_;  ///< ProgressiveView::stand_in; null: a clustering
+  std::uint64_t stand_in_of_ = 0;               ///< Document::opening
+  std::uint32_t stand_in_faces_ = 0;            ///< of the mesh
 
   // Speed, measured in frames that follow one another.
   double triangles_per_second_;

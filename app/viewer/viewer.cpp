@@ -23,6 +23,7 @@
 #include "app/viewer/graphics.h"
 #include "app/viewer/recovery.h"
 #include "app/viewer/state_log.h"
+#include "app/viewer/turn_log.h"
 #include "app/viewer/window.h"
 #include "engine/core/job.h"
 #include "engine/core/text.h"
@@ -56,6 +57,7 @@ class Viewer {
         recovery_(session, graphics_, work_, options.frame_first),
         desktop_files_(session, Window::wake),
         log_(options.state_log),
+        turn_(options.turn_log),
         state_folder_(options.state_folder),
         preferences_file_(options.config_folder) {
     window_.set_events(events());
@@ -95,6 +97,7 @@ class Viewer {
  private:
   void step() {
     wait();
+    turn_.begin();
     if (window_.take_close_request()) leave(Leaving::quit);
     if (work_.advance()) want_frames();
     if (desktop_files_.advance()) want_frames();
@@ -104,9 +107,10 @@ class Viewer {
     keep_preferences();
     animate();
     update_hover();
-    if (frames_wanted_ > 0) draw();
+    const bool drew = frames_wanted_ > 0 && draw();
     if (session_.wants_screenshot) save_screenshot();
     if (session_.copied) overlay().copy(*std::exchange(session_.copied, std::nullopt));
+    turn_.end(drew, work_.visible_job());
     log_.note(session_, &pointer_, &panels_.widgets());
   }
 
@@ -173,22 +177,33 @@ class Viewer {
   }
 
   Window::Events events() {
-    return {.key = [this](const KeyPress& key) { press_key(key); },
+    return {.key =
+                [this](const KeyPress& key) {
+                  turn_.begin();
+                  press_key(key);
+                },
             .press =
                 [this](MouseButton button, Modifiers modifiers, glm::dvec2 at) {
+                  turn_.begin();
                   pointer_.is_pressed = true;
                   if (!panels_.covers(at)) gestures_.press(button, modifiers, at, Window::time());
                   want_frames();
                 },
             .release =
                 [this] {
+                  turn_.begin();
                   pointer_.is_pressed = false;
                   session_.wants_context_menu = gestures_.release();
                   want_frames();
                 },
-            .move = [this](glm::dvec2 at) { move(at); },
+            .move =
+                [this](glm::dvec2 at) {
+                  turn_.begin();
+                  move(at);
+                },
             .scroll =
                 [this](double steps) {
+                  turn_.begin();
                   if (!panels_.covers(pointer_.at)) gestures_.scroll(steps, pointer_.at);
                   want_frames();
                 },
@@ -197,7 +212,11 @@ class Viewer {
                   work_.open(files);
                   want_frames();
                 },
-            .changed = [this] { want_frames(); }};
+            .changed =
+                [this] {
+                  turn_.begin();
+                  want_frames();
+                }};
   }
 
   void leave(Leaving leaving) {
@@ -377,15 +396,17 @@ class Viewer {
     want_frames();
   }
 
-  /// Draws a frame. If the graphics fail, they are restarted, and another frame is drawn.
-  void draw() {
+  /// Draws a frame. If the graphics fail, they are restarted, and another frame is drawn. Returns
+  /// whether there was something to draw into.
+  bool draw() {
     try {
-      draw_frame();
+      return draw_frame();
     } catch (const gpu::LostError& lost) {
       restart_graphics(lost);
     } catch (const gpu::OutOfMemoryError& failure) {
       restart_graphics(failure);
     }
+    return false;
   }
 
   void restart_graphics(const DeviceError& failure) {
@@ -393,23 +414,29 @@ class Viewer {
     want_frames();
   }
 
-  void draw_frame() {
+  bool draw_frame() {
     --frames_wanted_;
     follow_scale();
     const double start = Window::time();
-    if (!update_scene()) return;
+    if (!update_scene()) return false;
     const glm::uvec2 size = window_.framebuffer_size();
+    turn_.begin_wait();
     auto frame = graphics_.presenter().begin({size.x, size.y});
-    if (!frame) return;
+    turn_.end_wait();
+    if (!frame) return false;
     draw_panels(frame->extent);
     const VkRect2D place = model_rectangle(session_.view, frame->extent);
     draw_scene(*frame, place.extent);
     painter().image().copy_to(frame->commands, frame->image, place.offset);
     overlay().draw(frame->commands, frame->view, frame->extent);
-    if (!graphics_.presenter().end(*frame)) want_frames();
+    graphics_.presenter().submit(*frame);
+    turn_.begin_wait();
+    if (!graphics_.presenter().present(*frame)) want_frames();
+    turn_.end_wait();
     graphics_.note_frame();
     frame_ms_ = 1000.0 * (Window::time() - start);
     update_title();
+    return true;
   }
 
   void draw_panels(const VkExtent2D& extent) {
@@ -483,6 +510,7 @@ class Viewer {
   Recovery recovery_;
   DesktopFiles desktop_files_;
   StateLog log_;
+  TurnLog turn_;
   std::filesystem::path state_folder_;
   std::map<std::uint64_t, Journal> journals_;  ///< by Document::opening
   PreferencesFile preferences_file_;

@@ -19,7 +19,8 @@ struct ViewerOptions {
   bool validation = false;  ///< with the Khronos validation layer
   float ui_scale = 0.0F;    ///< size of the panels; 0: that of the monitor
   bool is_sized = true;     ///< the window has the session's size; otherwise, the default one
-  std::filesystem::path state_log;
+  std::filesystem::path state_log;      ///< see StateLog
+  std::filesystem::path turn_log;       ///< see TurnLog
   std::filesystem::path state_folder;   ///< of journals; empty: edits are not kept in a crash
   std::filesystem::path config_folder;  ///< of settings; empty: they are not kept
   /// Frames the model once it is loaded; empty: it is seen from the default angle.

@@ -9,7 +9,7 @@ namespace mesher {
 
 Job::Job(std::string title, std::function<void(Progress&)> work, void (*wake)())
     : title_(std::move(title)),
-      thread_([this, work = std::move(work), wake] { run(work, wake); }) {}
+      thread_([this, work = std::move(work), wake]() mutable { run(std::move(work), wake); }) {}
 
 Job::~Job() {
   cancel();
@@ -31,7 +31,7 @@ double Job::age_s() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }
 
-void Job::run(const std::function<void(Progress&)>& work, void (*wake)()) {
+void Job::run(std::function<void(Progress&)> work, void (*wake)()) {
   try {
     work(progress_);
     progress_.set(1.0F);
@@ -40,6 +40,7 @@ void Job::run(const std::function<void(Progress&)>& work, void (*wake)()) {
   } catch (...) {
     failure_ = std::current_exception();
   }
+  work = nullptr;  // freeing large meshes takes time: not where the job is displayed
   is_done_.store(true, std::memory_order_release);
   if (wake != nullptr) wake();
 }

@@ -23,7 +23,8 @@ class Job {
 
   const std::string& title() const { return title_; }  ///< "Opening bunny.obj"
   const Progress& progress() const { return progress_; }
-  void cancel() { progress_.cancel(); }
+  /// As Progress::cancel.
+  bool cancel() { return progress_.cancel(); }
   bool is_done() const { return is_done_.load(std::memory_order_acquire); }
   /// Waits until the job is done.
   void wait();
@@ -41,7 +42,7 @@ class Job {
   void rethrow_failure() const;
 
  private:
-  void run(const std::function<void(Progress&)>& work, void (*wake)());
+  void run(std::function<void(Progress&)> work, void (*wake)());
 
   std::string title_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
@@ -72,7 +73,12 @@ class JobOf : public Job {
   JobOf(std::string title, Work work, void (*wake)(), std::shared_ptr<std::optional<T>> result)
       : Job(
             std::move(title),
-            [work = std::move(work), result](Progress& progress) { *result = work(progress); },
+            [work = std::move(work), result](Progress& progress) {
+              T made = work(progress);
+              check_cancelled(
+                  &progress);  // frees what was made here, and not where it is displayed
+              *result = std::move(made);
+            },
             wake),
         result_(std::move(result)) {}
 

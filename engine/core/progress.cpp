@@ -18,6 +18,18 @@ void Progress::name_stage(std::string_view stage) {
   stage_ = stage;
 }
 
+bool Progress::cancel() {
+  State expected = State::running;
+  state_.compare_exchange_strong(expected, State::cancelled);
+  return expected != State::sealed;
+}
+
+void Progress::seal() {
+  State expected = State::running;
+  state_.compare_exchange_strong(expected, State::sealed);
+  if (expected == State::cancelled) throw Cancelled();
+}
+
 void Progress::set(float fraction) {
   // A finished stage ends exactly where the next one begins.
   const double at =
@@ -87,6 +99,10 @@ void report(Progress* progress, float fraction) {
 
 void check_cancelled(const Progress* progress) {
   if (progress != nullptr && progress->is_cancelled()) throw Cancelled();
+}
+
+void seal(Progress* progress) {
+  if (progress != nullptr) progress->seal();
 }
 
 void begin_stage(Progress* progress, std::string_view stage) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <initializer_list>
 #include <mutex>
 #include <span>
@@ -29,8 +30,13 @@ class Progress {
   /// fraction grows; call it once per some thousand elements.
   void set(float fraction);
 
-  void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
-  bool is_cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+  /// Cancels the operation. Returns false, and changes nothing, once it is sealed.
+  bool cancel();
+  bool is_cancelled() const { return state_.load(std::memory_order_relaxed) == State::cancelled; }
+  /// The worker calls it before its result becomes visible to others, such as a file that gets its
+  /// name. From then on the operation cannot be canceled, so that a canceled one leaves no trace.
+  /// Throws Cancelled.
+  void seal();
 
  private:
   friend class Stages;
@@ -43,7 +49,8 @@ class Progress {
   };
 
   std::atomic<float> fraction_{0.0F};
-  std::atomic<bool> cancelled_{false};
+  enum class State : std::uint8_t { running, cancelled, sealed };
+  std::atomic<State> state_{State::running};
   /// What `set` fills. Changes only while no other thread reports.
   Part part_;
   mutable std::mutex mutex_;
@@ -111,6 +118,9 @@ void report(Progress* progress, float fraction);
 
 /// Throws Cancelled if `progress` was canceled. Does nothing if it is null.
 void check_cancelled(const Progress* progress);
+
+/// Progress::seal. Does nothing if it is null.
+void seal(Progress* progress);
 
 /// Names what begins, or throws Cancelled if `progress` was canceled. Does nothing if it is null.
 void begin_stage(Progress* progress, std::string_view stage);

@@ -199,7 +199,7 @@ Frame Presenter::record(std::uint32_t image_index) {
   return {slot.commands, image_index, image.image, image.view.get(), extent_};
 }
 
-bool Presenter::end(const Frame& frame) {
+void Presenter::submit(const Frame& frame) {
   FrameSlot& slot = slots_[slot_];
   const SwapchainImage& image = images_[frame.image_index];
   transition(frame.commands, frame.image, kColorAttachment, kPresent);
@@ -207,6 +207,10 @@ bool Presenter::end(const Frame& frame) {
   const VkSemaphore rendered = image.rendered.get();
   slot.ticket = device_.submit(frame.commands, slot.acquired.get(), rendered);
   slot_ = (slot_ + 1) % kFramesInFlight;
+}
+
+bool Presenter::present(const Frame& frame) {
+  const VkSemaphore rendered = images_[frame.image_index].rendered.get();
   const VkSwapchainKHR swapchain = swapchain_.get();
   const VkPresentInfoKHR info{.sType = VK_STRUCTURE_TYPE_PRESENT_INFO_KHR,
                               .pNext = nullptr,

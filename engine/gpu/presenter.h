@@ -27,7 +27,8 @@ struct Frame {
 ///       renderer.draw(frame->commands, target, mesh, camera, settings);
 ///       target.copy_to(frame->commands, frame->image);   // leaves COLOR_ATTACHMENT_OPTIMAL
 ///       ...                                              // ImGui's render pass, same layout after
-///       presenter.end(*frame);
+///       presenter.submit(*frame);
+///       presenter.present(*frame);
 ///     }
 class Presenter {
  public:
@@ -45,10 +46,13 @@ class Presenter {
   /// swapchain had to be rebuilt twice in a row. Then wait for events and try again. `size` is the
   /// framebuffer size in pixels; the swapchain adopts it. Throws LostError, or OutOfMemoryError.
   std::optional<Frame> begin(VkExtent2D size);
-  /// Ends recording, submits and presents. Call it for every frame that has begun. Returns whether
-  /// the frame is shown; if not, because the window has just changed, draw another one. Pre: the
-  /// image is in COLOR_ATTACHMENT_OPTIMAL. Throws LostError.
-  bool end(const Frame& frame);
+  /// Ends recording and submits. Call it for every frame that has begun. Pre: the image is in
+  /// COLOR_ATTACHMENT_OPTIMAL. Throws LostError.
+  void submit(const Frame& frame);
+  /// Presents a frame that was submitted. A software renderer may finish it first. Returns whether
+  /// the frame is shown; if not, because the window has just changed, draw another one. Throws
+  /// LostError.
+  bool present(const Frame& frame);
 
   VkFormat format() const { return format_.format; }
   std::uint32_t image_count() const { return static_cast<std::uint32_t>(images_.size()); }

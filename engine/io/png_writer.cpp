@@ -38,10 +38,11 @@ PngWriter::PngWriter(AtomicFile& file, std::uint32_t width, std::uint32_t height
 
 PngWriter::~PngWriter() = default;
 
-void PngWriter::append(const Image& rows) {
+void PngWriter::append(const Image& rows, const Progress* progress) {
   MESHER_ASSERT(rows.width == width_ && rows.height <= missing_rows_);
   MESHER_ASSERT(rows.rgba.size() == std::size_t{4} * rows.width * rows.height);
   for (std::uint32_t y = 0; y < rows.height; ++y, --missing_rows_) {
+    check_cancelled(progress);
     const int error = spng_encode_row(context_.get(), rows.pixel(0, y), std::size_t{4} * width_);
     if (error != SPNG_EOI || missing_rows_ > 1) check(error);
   }

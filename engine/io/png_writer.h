@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/core/image.h"
+#include "engine/core/progress.h"
 #include "engine/io/atomic_file.h"
 
 struct spng_ctx;
@@ -24,8 +25,8 @@ class PngWriter {
   PngWriter& operator=(const PngWriter&) = delete;
 
   /// Appends rows. Pre: `rows` has the width of the picture, and no more rows than are missing.
-  /// Throws OutputError.
-  void append(const Image& rows);
+  /// Throws OutputError; Cancelled between rows.
+  void append(const Image& rows, const Progress* progress = nullptr);
   /// Writes the rest of the file, but does not commit it. Pre: no row is missing. Throws
   /// OutputError.
   void finish();

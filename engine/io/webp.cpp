@@ -91,6 +91,7 @@ void write_webp(const std::filesystem::path& file, const Image& image, Progress*
                                       : "cannot be compressed as WebP");
   }
   out.write(bytes_of(writer.mem, writer.size));
+  if (progress != nullptr) progress->seal();
   out.commit();
 }
 

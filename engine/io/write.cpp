@@ -23,6 +23,7 @@ void write_model(const std::filesystem::path& file, const Mesh& mesh, const Attr
   stages.next("writing");
   AtomicFile out(file);
   format.write(out, mesh, attributes, options);
+  seal(options.progress);
   out.commit(options.flush);
 }
 

@@ -16,10 +16,11 @@ bool is_growing(const GpuMesh& mesh, const GeomorphTime& time) {
 
 /// Returns the inverse of the number of times that the vertices from `first` on double those
 /// before. Counts all splits that may come, so that a color stays the same while levels change.
-float split_order_scale(const GpuMesh& mesh, std::uint32_t first) {
-  const std::uint32_t split_count = mesh.morph().split_count();
-  const double all =
-      mesh.morph().is_empty() ? mesh.vertex_count() : static_cast<double>(first) + split_count;
+float split_order_scale(const GpuMesh& mesh, const Settings& settings) {
+  const std::uint32_t first = settings.first_split_vertex;
+  std::uint32_t splits = settings.colored_splits;
+  if (splits == 0) splits = mesh.morph().split_count();
+  const double all = splits == 0 ? mesh.vertex_count() : static_cast<double>(first) + splits;
   const double doublings = std::log2((all + 1.0) / (first + 1.0));
   return static_cast<float>(1.0 / std::max(doublings, 1e-3));
 }
@@ -36,9 +37,8 @@ shared::GeomorphConstants constants_of(const GpuMesh& mesh, const Settings& sett
           .rate = time.rate,
           .fixed_share = time.fixed,
           .first_split_vertex = settings.first_split_vertex,
-          .split_order_scale = settings.colors_by_split_order
-                                   ? split_order_scale(mesh, settings.first_split_vertex)
-                                   : -1.0F,
+          .split_order_scale =
+              settings.colors_by_split_order ? split_order_scale(mesh, settings) : -1.0F,
           .unused = 0};
 }
 

@@ -46,8 +46,7 @@ using TakeRows = std::function<void(const Image& rows)>;
 /// band. A picture within the limits is one tile, and equals that of render_image byte for byte.
 ///
 /// Pre: `mesh` has been applied with `settings`; the options are in range, and the size of the
-/// picture is from 1 to kMostPictureSide and kMostDrawnSide. Throws DeviceError, or Cancelled
-/// between tiles.
+/// picture is from 1 to kMostPictureSide and kMostDrawnSide. Throws DeviceError, or Cancelled.
 void draw_picture(gpu::Device& device, Renderer& renderer, const GpuMesh& mesh,
                   const Camera& camera, const Settings& settings, const PictureOptions& options,
                   const TakeRows& take);

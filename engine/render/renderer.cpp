@@ -323,22 +323,23 @@ void Renderer::draw(VkCommandBuffer commands, const SceneTarget& target, const G
 
 void Renderer::draw(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
                     const Camera& camera, const Settings& settings, const PicturePart& part) {
+  draw_slice(commands, target, mesh, camera, settings, {0, work(mesh, settings)}, part);
+}
+
+void Renderer::draw_slice(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
+                          const Camera& camera, const Settings& settings, const WorkRange& slice) {
+  draw_slice(commands, target, mesh, camera, settings, slice, {.picture = target.extent()});
+}
+
+void Renderer::draw_slice(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
+                          const Camera& camera, const Settings& settings, const WorkRange& slice,
+                          const PicturePart& part) {
+  MESHER_ASSERT(slice.begin < slice.end);
   const Section section = section_of(part, target.extent(), largest_viewport_);
   Recording recording(commands, pipelines_, target, mesh, camera, part, section);
   if (mesh.face_count() > 0 && needs_geomorph(mesh, settings)) {
     recording.morph(geomorph_.write(commands, mesh, settings));
   }
-  recording.begin(background_color(settings.background));
-  recording.scene(settings, {0, work(mesh, settings)});
-  recording.end();
-}
-
-void Renderer::draw_slice(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
-                          const Camera& camera, const Settings& settings, const WorkRange& slice) {
-  MESHER_ASSERT(slice.begin < slice.end && !needs_geomorph(mesh, settings));
-  const PicturePart whole{.picture = target.extent()};
-  const Section section = section_of(whole, target.extent(), largest_viewport_);
-  Recording recording(commands, pipelines_, target, mesh, camera, whole, section);
   const SlicePlace place{.is_first = slice.begin == 0,
                          .is_last = slice.end >= work(mesh, settings)};
   recording.begin(background_color(settings.background), place);

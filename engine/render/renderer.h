@@ -40,9 +40,13 @@ class Renderer {
   /// Records a part of the work of drawing the scene, so that a scene that takes long can be drawn
   /// in several command buffers, with frames in between. The slices have to be drawn in order, with
   /// the same arguments otherwise; after the last one, the target is the same, bit by bit, as after
-  /// one `draw`. Pre: `needs_geomorph` is false for the mesh; slice.begin < slice.end.
+  /// one `draw`. Pre: slice.begin < slice.end.
   void draw_slice(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
                   const Camera& camera, const Settings& settings, const WorkRange& slice);
+  /// The same for one part of a picture.
+  void draw_slice(VkCommandBuffer commands, const SceneTarget& target, const GpuMesh& mesh,
+                  const Camera& camera, const Settings& settings, const WorkRange& slice,
+                  const PicturePart& part);
   /// Returns the work of drawing the scene, in triangles, which is the end of the last slice; at
   /// least 1.
   static std::uint64_t work(const GpuMesh& mesh, const Settings& settings);

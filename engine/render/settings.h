@@ -70,6 +70,8 @@ struct Settings {
   /// number of vertices has doubled.
   bool colors_by_split_order = false;
   std::uint32_t first_split_vertex = 0;
+  /// The number of splits that these colors are for; 0: those of the mesh that is drawn.
+  std::uint32_t colored_splits = 0;
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };

@@ -66,6 +66,20 @@ TEST(Progress, CancelThrowsAtNextReport) {
   EXPECT_EQ(progress.fraction(), 0.0F);
 }
 
+TEST(Progress, IsCancelledOrSealedWhicheverComesFirst) {
+  Progress cancelled;
+  EXPECT_TRUE(cancelled.cancel());
+  EXPECT_TRUE(cancelled.cancel());
+  EXPECT_THROW(seal(&cancelled), Cancelled);
+  Progress sealed;
+  seal(&sealed);
+  EXPECT_FALSE(sealed.cancel());
+  EXPECT_FALSE(sealed.is_cancelled());
+  EXPECT_NO_THROW(report(&sealed, 1.0F));
+  EXPECT_NO_THROW(seal(&sealed));
+  EXPECT_NO_THROW(seal(nullptr));
+}
+
 TEST(Progress, CancelWorksFromAnotherThread) {
   Progress progress;
   bool was_cancelled = false;

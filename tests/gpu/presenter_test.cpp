@@ -66,7 +66,8 @@ class PresenterTest : public ::testing::Test {
                          &color, 1, &all);
     transition(frame->commands, frame->image, kTransferTarget, kColorAttachment);
     extent_ = frame->extent;
-    presenter_->end(*frame);
+    presenter_->submit(*frame);
+    presenter_->present(*frame);
     return true;
   }
 

@@ -62,6 +62,8 @@ TEST_F(EditRunnerTest, CancelDropsRequestedEdits) {
     ask(request_remove_tenth);
   runner_.advance();
   runner_.cancel();
+  EXPECT_FALSE(runner_.is_running());
+  EXPECT_EQ(document_.notice, "canceled");
   runner_.finish();
   EXPECT_TRUE(document_.edits.waiting.empty());
   EXPECT_EQ(document_.edits.history.undo_depth(), 0U);
