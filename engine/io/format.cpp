@@ -17,6 +17,7 @@ namespace mesher::io {
 namespace {
 
 constexpr FormatContents kGltfContents{
+    .any_attribute = true,
     .texcoord = Holds::all_or_none, .normal = Holds::all_or_none, .color = Holds::each_corner};
 
 constexpr FormatInfo kFormats[] = {
