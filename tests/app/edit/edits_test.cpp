@@ -342,7 +342,7 @@ TEST(Edits, CanceledEditLeavesTheDocument) {
       const auto task = start_next_edit(s.document);
       task->perform(progress);
     };
-    test::cancel_at_random_moments(name, perform, [&] {
+    test::cancel_at_many_moments(name, perform, [&] {
       EXPECT_TRUE(test::is_identical(s.document.model.mesh, before));
       EXPECT_EQ(s.document.edits.history.done_steps(), 0U);
       EXPECT_FALSE(s.document.progressive.has_mesh());

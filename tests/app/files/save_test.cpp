@@ -243,7 +243,7 @@ TEST_F(SaveTest, CanceledSaveLeavesTheOldFile) {
       (void)perform(*task, progress);
       folder_.write(name, "the old one");
     };
-    test::cancel_at_random_moments(std::string("saving ") + name, save,
+    test::cancel_at_many_moments(std::string("saving ") + name, save,
                                    [&] { EXPECT_EQ(test::read_bytes(file), "the old one"); });
   }
 }
