@@ -40,7 +40,6 @@ struct Level {
   std::uint32_t level = 0;  ///< of the progressive mesh; pruned: index of the first equal level
   Mesh mesh;
   Attributes attributes;
-  std::vector<std::string> dropped;
   std::optional<SimplifyOutcome> pruned;  ///< none unless parts may be pruned
   /// RMS distance from the model, in model units; negative if this or a coarser level is near.
   double error = -1.0;
@@ -87,33 +86,20 @@ Source read_source(const InputOptions& input, double least_ratio, const LodArgum
   ProgressLine line(!common.quiet);
   begin_stage(line.progress(), "simplifying");
   options.progress = line.progress();
-  source.progressive = progressive::make_progressive(mesh, options);
+  Mesh marked = mesh;
+  simplify::mark_seams(marked, source.loaded.model.attributes);
+  source.progressive = progressive::make_progressive(marked, options);
   return source;
 }
 
-/// Computes normals if the model has some and they could not be carried over.
-void complete_normals(const Model& full, const Mesh& mesh, simplify::CarriedAttributes& carried) {
-  if (full.attributes.normal.empty() || !carried.attributes.normal.empty()) return;
-  carried.attributes.normal = corner_normals(mesh, {});
-  for (std::string& dropped : carried.dropped) {
-    if (dropped.starts_with("normals")) dropped += ": recomputed";
-  }
-}
-
-/// Returns the attributes that can be carried over to `mesh`, a level of the source.
-simplify::CarriedAttributes attributes_of(const Source& source, const Mesh& mesh) {
+/// Returns the attributes of `mesh`, a level of the source.
+Attributes attributes_of(const Source& source, const Mesh& mesh) {
   const Model& full = source.loaded.model;
   if (full.attributes.is_empty()) return {};
   Array<Face> face_source(mesh.face_count());
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
     face_source[f] = Mesh::face(source.progressive.face_source[f]);
-  const std::span<const Vertex> vertex_source = source.progressive.vertex_source;
-  simplify::CarriedAttributes carried =
-      simplify::carry_attributes(full.attributes, full.mesh.origins(),
-                                 simplify::Survivors{mesh, vertex_source.first(mesh.vertex_count()),
-                                                     face_source, full.mesh.vertex_count()});
-  complete_normals(full, mesh, carried);
-  return carried;
+  return simplify::carry_attributes({full.mesh, full.attributes}, mesh, face_source);
 }
 
 /// Leaves the progressive mesh at the coarsest of these levels.
@@ -131,9 +117,8 @@ std::vector<Level> make_levels(Source& source, const std::vector<double>& ratios
     } else {
       progressive.go_to(level.level);
       level.mesh = progressive.mesh();
-      simplify::CarriedAttributes carried = attributes_of(source, level.mesh);
-      level.attributes = std::move(carried.attributes);
-      level.dropped = std::move(carried.dropped);
+      simplify::unmark_seams(level.mesh);
+      level.attributes = attributes_of(source, level.mesh);
     }
     levels.push_back(std::move(level));
   }
@@ -161,14 +146,11 @@ std::vector<Level> make_pruned_levels(const Source& source, const std::vector<do
     ProgressLine line(!common.quiet);
     begin_stage(line.progress(), "simplifying");
     options.progress = line.progress();
-    simplify::Simplified simplified = simplify::simplify_pruned(Mesh(full.mesh), options);
-    simplify::CarriedAttributes carried =
-        simplify::carry_attributes(full.attributes, full.mesh.origins(), simplified);
-    complete_normals(full, simplified.mesh, carried);
-    level.pruned = SimplifyOutcome{simplified.report, source.diagonal(), {}};
+    auto [simplified, carried, crosses_seams] =
+        simplify::simplify_model(Mesh(full.mesh), full.attributes, options, true);
+    level.attributes = std::move(carried);
+    level.pruned = SimplifyOutcome{simplified.report, source.diagonal(), crosses_seams};
     level.mesh = std::move(simplified.mesh);
-    level.attributes = std::move(carried.attributes);
-    level.dropped = std::move(carried.dropped);
     const bool repeats = i > 0 && is_same(level.mesh, levels.back().mesh);
     level.level = repeats ? levels.back().level : static_cast<std::uint32_t>(i);
     levels.push_back(std::move(level));
@@ -229,9 +211,6 @@ void say_levels(const Source& source, const std::vector<Level>& levels,
       say(fmt::format("warning: level {} is {}", i,
                       far_from("the input", 100.0 * level.error / source.diagonal())));
     }
-    const std::string dropped_words = name + "dropped ";
-    for (const std::string& dropped : level.dropped)
-      say(dropped_words + dropped);
   }
   for (const fs::path& file : files)
     say("wrote " + file.string());
@@ -244,8 +223,7 @@ Json level_json(const Level& level) {
           {"faces", level.mesh.face_count()},
           {"coverage", level.coverage},
           {"far_from_input", level.error >= 0.0},
-          {"pruned", level.pruned ? to_json(*level.pruned)["pruned"] : Json()},
-          {"dropped", level.dropped}};
+          {"pruned", level.pruned ? to_json(*level.pruned)["pruned"] : Json()}};
 }
 
 /// Null if the levels come from a progressive mesh that was read.

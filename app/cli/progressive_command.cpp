@@ -38,9 +38,10 @@ void check_pm_output(const std::string& output) {
 
 std::vector<std::string> names_of(const Attributes& attributes) {
   std::vector<std::string> names;
-  if (!attributes.texcoord.empty()) names.emplace_back("texture coordinates");
-  if (!attributes.normal.empty()) names.emplace_back("normals");
-  if (!attributes.color.empty()) names.emplace_back("colors");
+  const auto has = [&](AttributeKind kind) { return attributes.find(kind) != nullptr; };
+  if (has(AttributeKind::texcoord)) names.emplace_back("texture coordinates");
+  if (has(AttributeKind::normal)) names.emplace_back("normals");
+  if (has(AttributeKind::color)) names.emplace_back("colors");
   if (!attributes.group.empty()) names.emplace_back("groups");
   return names;
 }
@@ -79,7 +80,7 @@ Written make_and_write(const LoadedModel& loaded, const std::string& output,
   Stopwatch watch;
   progressive::Progressive made = progressive::make_progressive(loaded.model.mesh, simple);
   Written written;
-  written.outcome = {made.report, loaded.statistics.box.diagonal(),
+  written.outcome = {made.report, loaded.statistics.box.diagonal(), false,
                      names_of(loaded.model.attributes)};
   written.build_s = std::max(0.0, watch.lap() - made.report.seconds.total());
   stages.next();

@@ -77,8 +77,7 @@ void say_outcome(const SimplifyOutcome& outcome, bool prunes) {
   if (r.certified_bound >= 0.0) {
     say("certified bound (max): " + with_percent(outcome, r.certified_bound));
   }
-  for (const std::string& dropped : outcome.dropped)
-    say("dropped " + dropped);
+  if (outcome.crosses_seams) say(kCrossesSeams);
 }
 
 /// The result of `--measure`.
@@ -158,19 +157,12 @@ SimplifyOutcome simplify_model(LoadedModel& loaded, simplify::SimplifyOptions op
     Stages stages(line.progress(), kCommandWeights);
     stages.next("simplifying");
     options.progress = line.progress();
-    Array<Vertex> origins;  // of the input; needed to carry attributes over
-    if (!model.attributes.is_empty()) {
-      origins.assign(model.mesh.origins().begin(), model.mesh.origins().end());
-    }
-    simplify::Simplified simplified =
-        prunes ? simplify::simplify_pruned(std::move(model.mesh), options)
-               : simplify::simplify(std::move(model.mesh), options);
+    auto [simplified, carried, crosses_seams] =
+        simplify::simplify_model(std::move(model.mesh), model.attributes, options, prunes);
     stages.next("finishing");
-    simplify::CarriedAttributes carried =
-        simplify::carry_attributes(model.attributes, origins, simplified);
     outcome.report = simplified.report;
-    outcome.dropped = std::move(carried.dropped);
-    model.attributes = std::move(carried.attributes);
+    outcome.crosses_seams = crosses_seams;
+    model.attributes = std::move(carried);
     model.mesh = std::move(simplified.mesh);
     stages.next();
     loaded.statistics = statistics(model.mesh, line.progress());

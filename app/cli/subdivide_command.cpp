@@ -22,10 +22,11 @@ constexpr double kBothWeights[] = {0.75, 0.25};
 constexpr double kMeshWeights[] = {1.0, 0.0};
 
 void check_memory(const Model& model, const subdivide::SubdivideOptions& options) {
-  const std::string refusal = subdivision_refusal(
-      subdivide::subdivision_size(model.mesh, options), options.levels,
-      {.available = available_memory_bytes(),
-       .beside = subdivide::subdivided_attribute_bytes(model.attributes, options.levels)});
+  const std::string refusal =
+      subdivision_refusal(subdivide::subdivision_size(model.mesh, options), options.levels,
+                          {.available = available_memory_bytes(),
+                           .beside = subdivide::subdivided_attribute_bytes(
+                               model.mesh, model.attributes, options.levels)});
   if (!refusal.empty()) throw DeviceError(refusal);
 }
 
@@ -38,11 +39,11 @@ double subdivide_model(Model& model, subdivide::SubdivideOptions options,
   stages.next();
   const auto start = std::chrono::steady_clock::now();
   subdivide::Subdivided result = subdivide::subdivide(model.mesh, options);
-  model.mesh = std::move(result.mesh);
   stages.next();
-  model.attributes =
-      subdivide::subdivide_attributes(model.attributes, options.levels, options.progress);
-  if (!result.limit_normal.empty()) model.attributes.normal = std::move(result.limit_normal);
+  model.attributes = subdivide::subdivide_attributes(model.mesh, model.attributes, result.mesh,
+                                                     options.levels, options.progress);
+  model.mesh = std::move(result.mesh);
+  set_normals(model.mesh, model.attributes, result.limit_normal);
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
@@ -62,9 +63,9 @@ void run_subdivide(const InputOptions& input, const std::string& output,
   }
   check_memory(model, options);
   const Json before = counts(model.mesh);
-  const bool has_normals = !model.attributes.normal.empty();
+  const bool has_normals = model.attributes.find(AttributeKind::normal) != nullptr;
   const double seconds = subdivide_model(model, options, common);
-  const bool drops_normals = has_normals && model.attributes.normal.empty();
+  const bool drops_normals = has_normals && model.attributes.find(AttributeKind::normal) == nullptr;
   if (!common.quiet) {
     say(fmt::format("subdivided {}x ({}) in {}", options.levels, key(options.scheme),
                     seconds_text(seconds)));

@@ -6,25 +6,6 @@
 #include "engine/simplify/attributes.h"
 
 namespace mesher::app {
-namespace {
-
-/// Returns a level in the form that carry_attributes expects.
-simplify::Simplified as_simplified(const Mesh& level, std::span<const Vertex> vertex_source,
-                                   std::span<const Halfedge> face_source,
-                                   std::uint32_t vertices_before) {
-  simplify::Simplified result;
-  result.mesh = level;
-  result.vertex_source.assign(vertex_source.begin(), vertex_source.begin() + level.vertex_count());
-  result.face_source.resize(level.face_count());
-  for (std::size_t f = 0; f < result.face_source.size(); ++f)
-    result.face_source[f] = Mesh::face(face_source[f]);
-  result.report.vertices_before = vertices_before;
-  result.report.collapses = 1;  // even at full detail the ids differ
-  return result;
-}
-
-}  // namespace
-
 const Mesh& shown_mesh(const Document& document) {
   return document.progressive.is_on() ? document.progressive.mesh().mesh() : document.model.mesh;
 }
@@ -38,18 +19,16 @@ Shape shown_shape(const Document& document) {
   const DetailLevels& levels = document.progressive.levels();
   const Model& model = document.model;
   if (levels.vertex_source.empty()) return {shown_mesh(document), {}};
-  return level_shape(shown_mesh(document), levels.vertex_source, levels.face_source, model.mesh,
-                     model.attributes);
+  return level_shape(shown_mesh(document), levels.face_source, model.mesh, model.attributes);
 }
 
-Shape level_shape(const Mesh& level, std::span<const Vertex> vertex_source,
-                  std::span<const Halfedge> face_source, const Mesh& model,
+Shape level_shape(const Mesh& level, std::span<const Halfedge> face_source, const Mesh& model,
                   const Attributes& attributes) {
   if (attributes.is_empty()) return {level, {}};
-  simplify::Simplified result =
-      as_simplified(level, vertex_source, face_source, model.vertex_count());
-  Attributes carried = simplify::carry_attributes(attributes, model.origins(), result).attributes;
-  return {std::move(result.mesh), std::move(carried)};
+  Array<Face> faces(level.face_count());
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    faces[f] = Mesh::face(face_source[f]);
+  return {level, simplify::carry_attributes({model, attributes}, level, faces)};
 }
 
 render::Settings shown_settings(render::Settings settings, const Document& document) {
@@ -64,7 +43,7 @@ render::Settings shown_settings(render::Settings settings, const Document& docum
 
 render::Sources shown_sources(const Document& document) {
   const ProgressiveView& view = document.progressive;
-  if (!view.is_on()) return {.corner_normals = shading_normals(document.model, document.edits)};
+  if (!view.is_on()) return {.corner_normals = shading_normals(document.edits)};
   if (!view.has_geomorph()) return {};
   const progressive::Geomorph& geomorph = view.levels().geomorph;
   return {.vertex_normals = geomorph.normals(),
@@ -75,13 +54,10 @@ render::MarkedEdges marked_edges(const CreaseMode& creases) {
   return {creases.selected, creases.hovered};
 }
 
-std::span<const glm::vec3> shading_normals(const Model& model, const Edits& edits) {
+std::span<const glm::vec3> shading_normals(const Edits& edits) {
   const auto& level = edits.subdivision;
-  const Array<glm::vec3>& normals = model.attributes.normal;
-  const bool has_limit = level && level->level > 0 && level->rules.limit &&
-                         subdivide::traits(level->rules.scheme).has_limit;
-  if (!has_limit || normals.size() != model.mesh.halfedge_count()) return {};
-  return normals;
+  if (!level || level->level == 0 || !level->limit_normals) return {};
+  return *level->limit_normals;
 }
 
 std::uint32_t shown_level(const Edits& edits) {

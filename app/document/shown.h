@@ -18,10 +18,9 @@ const Mesh& shown_mesh(const Document& document);
 Mesh& shown_mesh(Document& document);
 /// That mesh with all geomorphs finished, and its attributes.
 Shape shown_shape(const Document& document);
-/// A level of a progressive mesh of a model, with the attributes that carry over. The sources are
-/// those of DetailLevels.
-Shape level_shape(const Mesh& level, std::span<const Vertex> vertex_source,
-                  std::span<const Halfedge> face_source, const Mesh& model,
+/// A level of a progressive mesh of a model, with its attributes. The sources are those
+/// of DetailLevels.
+Shape level_shape(const Mesh& level, std::span<const Halfedge> face_source, const Mesh& model,
                   const Attributes& attributes);
 /// The settings to draw with: those of the view, with the lines of crease editing and the state of
 /// the geomorph.
@@ -31,7 +30,7 @@ render::Sources shown_sources(const Document& document);
 render::MarkedEdges marked_edges(const CreaseMode& creases);
 /// Normals to shade the model with, one per corner: those of the limit surface if it is shown;
 /// otherwise empty, and the renderer computes normals from the faces.
-std::span<const glm::vec3> shading_normals(const Model& model, const Edits& edits);
+std::span<const glm::vec3> shading_normals(const Edits& edits);
 /// The level of subdivision that the model shows: 0 if it is not subdivided.
 std::uint32_t shown_level(const Edits& edits);
 /// Pixels per model unit on the screen.

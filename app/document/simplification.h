@@ -31,8 +31,9 @@ inline constexpr std::array kSimplifyLimits{Option<SimplifySettings>{
 /// What a simplification did, and why it stopped.
 struct SimplifyOutcome {
   simplify::SimplifyReport report;
-  double diagonal = 0.0;             ///< of the input's bounding box: percentages refer to it
-  std::vector<std::string> dropped;  ///< attributes that could not be carried over
+  double diagonal = 0.0;       ///< of the input's bounding box: percentages refer to it
+  bool crosses_seams = false;  ///< the target could not be reached along the seams of attributes
+  std::vector<std::string> dropped{};  ///< attributes that a progressive mesh does not keep
   /// RMS distance from the model as it was opened (distance_from_input), in model units. None if
   /// the simplification started from that model, or if the result has so many faces that the
   /// distance is small.
@@ -45,5 +46,8 @@ struct SimplifyOutcome {
   }
   bool is_far() const { return error_percent() > 100.0 * simplify::kFarFromInput; }
 };
+
+inline constexpr const char* kCrossesSeams =
+    "seams of the attributes were crossed, because the target cannot be reached along them";
 
 }  // namespace mesher::app

@@ -14,6 +14,8 @@ struct SubdivisionLevel {
   std::shared_ptr<const Shape> base;
   std::uint32_t level = 0;
   subdivide::SubdivideOptions rules;  ///< those of kSubdivideRules
+  /// Normals of the limit surface, one per corner; null: vertices were not moved to it.
+  std::shared_ptr<const Array<glm::vec3>> limit_normals;
 };
 
 /// The finest level that a person can ask for: 4^12 faces per face.

@@ -236,8 +236,7 @@ class KeepBuiltLevel final : public KeepLevel {
     options_.progress = progress;
     progressive::Progressive made = progressive::make_progressive(shown_->mesh, options_);
     made.mesh.go_to(std::min(splits_, made.mesh.split_count()));
-    return level_shape(made.mesh.mesh(), made.vertex_source, made.face_source, shown_->mesh,
-                       shown_->attributes);
+    return level_shape(made.mesh.mesh(), made.face_source, shown_->mesh, shown_->attributes);
   }
 
   ProgressiveRules rules_;

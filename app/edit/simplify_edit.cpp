@@ -25,8 +25,7 @@ std::string notice_for(const SimplifyOutcome& outcome) {
     notice =
         fmt::format("{}: {}", describe(report.reason), count_text(report.faces_reached, "face"));
   }
-  for (const std::string& dropped : outcome.dropped)
-    notice += (notice.empty() ? "dropped " : "; dropped ") + dropped;
+  if (outcome.crosses_seams) notice += (notice.empty() ? "" : "; ") + std::string(kCrossesSeams);
   if (outcome.is_far()) {
     notice += (notice.empty() ? "" : "; ") + far_from("the opened model", outcome.error_percent());
   }
@@ -34,7 +33,7 @@ std::string notice_for(const SimplifyOutcome& outcome) {
 }
 
 /// Times of simplifying, of carrying attributes over, and of recording the edit.
-constexpr double kSimplifyWeights[] = {0.94, 0.02, 0.04};
+constexpr double kSimplifyWeights[] = {0.96, 0.0, 0.04};
 
 constexpr const char* kTenthLess = "simplify";
 constexpr const char* kOneEdge = "simplify_edge";
@@ -51,17 +50,16 @@ class SimplifyEdit final : public ModelEdit {
     Stages stages(progress, kSimplifyWeights);
     stages.next("simplifying");
     options_.progress = progress;
-    simplify::Simplified simplified = simplify::simplify(Mesh(start_->mesh), options_);
+    auto [simplified, carried, crosses_seams] =
+        simplify::simplify_model(Mesh(start_->mesh), start_->attributes, options_);
     stages.next("finishing");
-    simplify::CarriedAttributes carried =
-        simplify::carry_attributes(start_->attributes, start_->mesh.origins(), simplified);
     edit_.name = name(simplified.report.faces_reached);
-    outcome_ = {simplified.report, diagonal_, std::move(carried.dropped)};
+    outcome_ = {simplified.report, diagonal_, crosses_seams};
     if (opened_ != start_ && simplified.mesh.face_count() <= kManyFaces) {
       outcome_.error_from_opened = distance_from_input(opened_->mesh, simplified.mesh);
     }
     stages.next();
-    record({std::move(simplified.mesh), std::move(carried.attributes)}, progress);
+    record({std::move(simplified.mesh), std::move(carried)}, progress);
   }
 
  private:

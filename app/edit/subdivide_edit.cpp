@@ -11,6 +11,7 @@
 #include "app/edit/memory_budget.h"
 #include "app/edit/model_edit.h"
 #include "engine/core/memory.h"
+#include "engine/mesh/wedges.h"
 #include "engine/subdivide/attributes.h"
 #include "engine/subdivide/subdivide.h"
 
@@ -34,10 +35,7 @@ subdivide::SubdivideOptions at_level(subdivide::SubdivideOptions rules, std::uin
 }
 
 std::uint64_t shown_bytes(const Model& model) {
-  const Attributes& a = model.attributes;
-  return model.mesh.memory_bytes() + std::span(a.texcoord).size_bytes() +
-         std::span(a.normal).size_bytes() + std::span(a.color).size_bytes() +
-         std::span(a.group).size_bytes();
+  return model.mesh.memory_bytes() + model.attributes.memory_bytes();
 }
 
 std::string rules_text(const subdivide::SubdivideOptions& rules) {
@@ -59,7 +57,8 @@ constexpr double kBareWeights[] = {1.0, 0.0};
 /// Times of subdividing, and of recording the edit, mostly its statistics.
 constexpr double kEditWeights[] = {0.7, 0.3};
 
-Shape subdivided(const SubdivisionLevel& wanted, Progress* progress) {
+/// Returns the level, and sets its limit normals.
+Shape subdivided(SubdivisionLevel& wanted, Progress* progress) {
   if (wanted.level == 0) return *wanted.base;
   subdivide::SubdivideOptions options = at_level(wanted.rules, wanted.level);
   options.progress = progress;
@@ -67,9 +66,13 @@ Shape subdivided(const SubdivisionLevel& wanted, Progress* progress) {
   stages.next();
   subdivide::Subdivided result = subdivide::subdivide(wanted.base->mesh, options);
   stages.next();
-  Shape shape{std::move(result.mesh),
-              subdivide::subdivide_attributes(wanted.base->attributes, wanted.level, progress)};
-  if (!result.limit_normal.empty()) shape.attributes.normal = std::move(result.limit_normal);
+  Shape shape{std::move(result.mesh), {}};
+  shape.attributes = subdivide::subdivide_attributes(wanted.base->mesh, wanted.base->attributes,
+                                                     shape.mesh, wanted.level, progress);
+  if (!result.limit_normal.empty()) {
+    set_normals(shape.mesh, shape.attributes, result.limit_normal);
+    wanted.limit_normals = std::make_shared<const Array<glm::vec3>>(std::move(result.limit_normal));
+  }
   return shape;
 }
 
@@ -121,7 +124,7 @@ class SubdivideEdit final : public ModelEdit {
       return false;
     }
     take_shown(document);
-    wanted_ = {before.base ? before.base : shown_, level, rules_};
+    wanted_ = {before.base ? before.base : shown_, level, rules_, nullptr};
     title_ = fmt::format("Subdividing to level {}", level);
     level_before_ = before.level;
     edit_.text = word_of(step_);
@@ -166,11 +169,12 @@ std::string level_refusal(const Document& document, std::uint32_t level,
   const Attributes& attributes = shown.base ? shown.base->attributes : document.model.attributes;
   if (base.face_count() == 0) return "there is nothing to subdivide";
   if (level > kMaxLevel) return "already at the finest level";
-  return subdivision_refusal(subdivide::subdivision_size(base, at_level(rules, level)), level,
-                             {.available = available_memory_bytes(),
-                              .copies = kCopies,
-                              .beside = subdivide::subdivided_attribute_bytes(attributes, level),
-                              .held = kCopiesBefore * shown_bytes(document.model)});
+  return subdivision_refusal(
+      subdivide::subdivision_size(base, at_level(rules, level)), level,
+      {.available = available_memory_bytes(),
+       .copies = kCopies,
+       .beside = subdivide::subdivided_attribute_bytes(base, attributes, level),
+       .held = kCopiesBefore * shown_bytes(document.model)});
 }
 
 void follow_shown_level(Edits& edits, subdivide::SubdivideOptions& subdivide) {

@@ -29,9 +29,7 @@ LoadedModel open_model(const std::filesystem::path& file, const io::ReadOptions&
   return loaded;
 }
 
-namespace {
-
-LoadedModel load(const std::filesystem::path& file, LoadOptions options, Progress& progress) {
+LoadedModel load_model(const std::filesystem::path& file, LoadOptions options, Progress& progress) {
   Stages stages(&progress, kLoadWeights);
   stages.next();
   options.read.progress = &progress;
@@ -50,13 +48,16 @@ LoadedModel load(const std::filesystem::path& file, LoadOptions options, Progres
   return loaded;
 }
 
+namespace {
+
 LoadedModel load_lost(LostEdits&& lost, Progress& progress) {
   const ModelSource& source = lost.source;
-  LoadedModel loaded = load(lost.file,
-                            {.read = {.crease_index_base = source.crease_index_base,
-                                      .keep_isolated_vertices = source.keep_isolated_vertices},
-                             .tag_creases_deg = source.tag_creases_deg},
-                            progress);
+  LoadedModel loaded =
+      load_model(lost.file,
+                 {.read = {.crease_index_base = source.crease_index_base,
+                           .keep_isolated_vertices = source.keep_isolated_vertices},
+                  .tag_creases_deg = source.tag_creases_deg},
+                 progress);
   if (loaded.source.stamp != source.stamp)
     throw InputError(lost.file.string(), 0, "has changed: its edits cannot be repeated");
   loaded.lost = std::move(lost);
@@ -77,7 +78,8 @@ LoadJob::LoadJob(LostEdits&& lost, void (*wake)())
 LoadJob::LoadJob(const std::filesystem::path& file, const LoadOptions& options, void (*wake)())
     : JobOf(
           "Opening " + file.filename().string(),
-          [file, options](Progress& progress) { return load(file, options, progress); }, wake),
+          [file, options](Progress& progress) { return load_model(file, options, progress); },
+          wake),
       file_(file) {}
 
 }  // namespace mesher::app

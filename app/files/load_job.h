@@ -35,6 +35,9 @@ struct LoadOptions {
   std::optional<float> tag_creases_deg;
 };
 
+/// Does what a LoadJob does, on this thread. Throws as open_model; Cancelled.
+LoadedModel load_model(const std::filesystem::path& file, LoadOptions options, Progress& progress);
+
 /// Reads a model in the background. `take` throws what the reader throws (InputError).
 class LoadJob : public JobOf<LoadedModel> {
  public:

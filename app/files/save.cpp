@@ -139,9 +139,10 @@ std::vector<std::string> always_lost(const Document& document, const std::string
   };
   const io::FormatContents& holds = format->holds;
   add(has_creases(document.model, document.statistics), holds.creases, "creases");
-  add(!attributes.texcoord.empty(), holds.texcoord != io::Holds::nothing, "texture coordinates");
-  add(!attributes.normal.empty(), holds.normal != io::Holds::nothing, "normals");
-  add(!attributes.color.empty(), holds.color != io::Holds::nothing, "colors");
+  const auto has = [&](AttributeKind kind) { return attributes.find(kind) != nullptr; };
+  add(has(AttributeKind::texcoord), holds.texcoord != io::Holds::nothing, "texture coordinates");
+  add(has(AttributeKind::normal), holds.normal != io::Holds::nothing, "normals");
+  add(has(AttributeKind::color), holds.color != io::Holds::nothing, "colors");
   add(!attributes.group.empty(), holds.groups, "groups");
   return lost;
 }

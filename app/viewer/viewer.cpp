@@ -3,13 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <memory>
 #include <optional>
 #include <utility>
 
 #include "app/document/shown.h"
-#include "app/document/tabs.h"
 #include "app/edit/crease_edits.h"
 #include "app/files/journal.h"
 #include "app/files/leave.h"
@@ -20,12 +17,12 @@
 #include "app/ui/panels.h"
 #include "app/viewer/background_work.h"
 #include "app/viewer/desktop_files.h"
+#include "app/viewer/edit_keeper.h"
 #include "app/viewer/graphics.h"
 #include "app/viewer/recovery.h"
 #include "app/viewer/state_log.h"
 #include "app/viewer/turn_log.h"
 #include "app/viewer/window.h"
-#include "engine/core/job.h"
 #include "engine/core/text.h"
 #include "engine/gpu/result.h"
 #include "engine/io/png.h"
@@ -58,7 +55,7 @@ class Viewer {
         desktop_files_(session, Window::wake),
         log_(options.state_log),
         turn_(options.turn_log),
-        state_folder_(options.state_folder),
+        keeper_(options.state_folder),
         preferences_file_(options.config_folder) {
     window_.set_events(events());
     scale_ = wanted_scale();
@@ -78,7 +75,7 @@ class Viewer {
     try {
       update_scene();
       press(keys);
-      read_lost_edits();
+      keeper_.look_for_lost_edits(Window::wake);
       while (!may_end())
         step();
     } catch (const GraphicsFailed& failure) {
@@ -89,8 +86,7 @@ class Viewer {
       keep_everything();
       throw;
     }
-    for (auto& [opening, journal] : journals_)
-      journal.remove();
+    keeper_.forget();
     graphics_.finish();
   }
 
@@ -102,7 +98,7 @@ class Viewer {
     if (work_.advance()) want_frames();
     if (desktop_files_.advance()) want_frames();
     serve_requests();
-    take_lost_edits();
+    if (keeper_.take_lost_edits(session_)) want_frames();
     keep_journals();
     keep_preferences();
     animate();
@@ -138,28 +134,7 @@ class Viewer {
     } catch (const std::exception&) {
       // The error that ends the program is reported. The journals have the edits.
     }
-    return std::any_of(journals_.begin(), journals_.end(),
-                       [](const auto& entry) { return entry.second.has_edits(); });
-  }
-
-  /// Lost edits are compared with the files of their models, which may be large.
-  void read_lost_edits() {
-    lost_ = std::make_unique<JobOf<std::vector<LostEdits>>>(
-        "Looking for lost edits",
-        [folder = state_folder_](Progress& progress) { return lost_edits(folder, &progress); },
-        Window::wake);
-  }
-
-  void take_lost_edits() {
-    if (!lost_ || !lost_->is_done()) return;
-    const std::unique_ptr<JobOf<std::vector<LostEdits>>> job = std::move(lost_);
-    try {
-      for (LostEdits& lost : job->take())
-        session_.lost.push_back(std::move(lost));
-    } catch (const std::exception& error) {
-      session_.document.error = error.what();
-    }
-    want_frames();
+    return keeper_.has_edits();
   }
 
   // As in a script, each key acts on the result of the keys before it.
@@ -230,31 +205,10 @@ class Viewer {
       work_.restore(std::move(lost));
   }
 
-  /// Only the shown document changes, but writing the journal of another one may have failed.
   void keep_journals() {
-    journals_.try_emplace(session_.document.opening, state_folder_);
-    for (auto entry = journals_.begin(); entry != journals_.end();) {
-      Document* const document = document_opened_as(session_, entry->first);
-      Journal& journal = entry->second;
-      if (document == nullptr) {
-        journal.remove();
-        entry = journals_.erase(entry);
-        continue;
-      }
-      const std::string remark = journal.note(*document);
-      // The next notice must not hide that edits are at risk.
-      if (journal.is_failing()) {
-        complain(remark);
-      } else {
-        say(remark);
-      }
-      ++entry;
-    }
-  }
-
-  bool has_failing_journal() const {
-    return std::any_of(journals_.begin(), journals_.end(),
-                       [](const auto& entry) { return entry.second.is_failing(); });
+    const EditKeeper::Remarks remarks = keeper_.keep(session_);
+    say(remarks.notice);
+    complain(remarks.problem);
   }
 
   void keep_preferences() {
@@ -372,7 +326,7 @@ class Viewer {
       return Window::wait_events(kCaretBlinkSeconds);
     }
     if (work_.is_arriving()) return Window::wait_events(kJobPollSeconds);
-    Window::wait_events(has_failing_journal() ? Journal::kRetrySeconds : -1.0);
+    Window::wait_events(keeper_.is_failing() ? Journal::kRetrySeconds : -1.0);
   }
 
   /// Updates the GPU's copy of the model before a frame begins. Returns false if the GPU could not
@@ -511,10 +465,8 @@ class Viewer {
   DesktopFiles desktop_files_;
   StateLog log_;
   TurnLog turn_;
-  std::filesystem::path state_folder_;
-  std::map<std::uint64_t, Journal> journals_;  ///< by Document::opening
+  EditKeeper keeper_;
   PreferencesFile preferences_file_;
-  std::unique_ptr<JobOf<std::vector<LostEdits>>> lost_;  ///< null: they are read
   bool quits_once_written_ = false;
   render::Settings drawable_settings_;  ///< of the session when the mirror was last updated
   Pointer pointer_;

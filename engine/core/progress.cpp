@@ -14,8 +14,11 @@ std::string Progress::stage() const {
 }
 
 void Progress::name_stage(std::string_view stage) {
-  const std::lock_guard lock(mutex_);
-  stage_ = stage;
+  {
+    const std::lock_guard lock(mutex_);
+    stage_ = stage;
+  }
+  if (observer_ != nullptr) observer_->on_stage(stage);
 }
 
 bool Progress::cancel() {
@@ -38,6 +41,7 @@ void Progress::set(float fraction) {
   float now = fraction_.load(std::memory_order_relaxed);
   while (now < wanted && !fraction_.compare_exchange_weak(now, wanted, std::memory_order_relaxed)) {
   }
+  if (observer_ != nullptr && now < wanted) observer_->on_fraction(wanted);
 }
 
 Stages::Stages(Progress* progress, std::span<const double> weights)

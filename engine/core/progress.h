@@ -18,6 +18,18 @@ namespace mesher {
 /// stages (`Stages`); code that reports does not know which part of the whole it fills.
 class Progress {
  public:
+  /// Is told of every change, on the thread that makes it; several threads may tell it at once.
+  class Observer {
+   public:
+    virtual ~Observer() = default;
+    virtual void on_fraction(float fraction) = 0;  ///< in no particular order
+    virtual void on_stage(std::string_view stage) = 0;
+  };
+
+  Progress() = default;
+  /// `observer` must outlive this; null: nobody is told.
+  explicit Progress(Observer* observer) : observer_(observer) {}
+
   /// Returns the finished fraction of the operation, 0 to 1.
   float fraction() const { return fraction_.load(std::memory_order_relaxed); }
   /// Returns what is being done, as text for the user ("reading"). Empty: nothing has begun.
@@ -48,6 +60,7 @@ class Progress {
     double end = 1.0;
   };
 
+  Observer* observer_ = nullptr;
   std::atomic<float> fraction_{0.0F};
   enum class State : std::uint8_t { running, cancelled, sealed };
   std::atomic<State> state_{State::running};

@@ -16,8 +16,10 @@
 namespace mesher::io {
 namespace {
 
-constexpr FormatContents kGltfContents{
-    .texcoord = Holds::all_or_none, .normal = Holds::all_or_none, .color = Holds::each_corner};
+constexpr FormatContents kGltfContents{.any_attribute = true,
+                                       .texcoord = Holds::all_or_none,
+                                       .normal = Holds::all_or_none,
+                                       .color = Holds::each_corner};
 
 constexpr FormatInfo kFormats[] = {
     {.name = "Wavefront OBJ",

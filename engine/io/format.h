@@ -28,6 +28,7 @@ enum class Holds {
 struct FormatContents {
   bool creases = false;
   bool groups = false;
+  bool any_attribute = false;  ///< besides the three below, which every format could have
   Holds texcoord = Holds::nothing;
   Holds normal = Holds::nothing;
   Holds color = Holds::nothing;

@@ -364,7 +364,7 @@ class GltfReader {
   }
 
   void add_corners(const Primitive& primitive, std::uint32_t first_vertex) {
-    Attributes& attributes = soup_.attributes;
+    CornerAttributes& attributes = soup_.attributes;
     add_values(attributes.normal, primitive.normals, primitive, glm::vec3(kAbsent),
                [](const glm::vec3& n) { return n; });
     add_values(attributes.texcoord, primitive.texcoords, primitive, glm::vec2(kAbsent),

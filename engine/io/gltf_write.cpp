@@ -12,7 +12,6 @@
 #include "engine/core/progress.h"
 #include "engine/io/base64.h"
 #include "engine/io/block_writer.h"
-#include "engine/mesh/circulators.h"
 #include "engine/mesh/statistics.h"
 
 namespace mesher::io {
@@ -22,13 +21,6 @@ using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::uint64_t kMostBytes = std::numeric_limits<std::uint32_t>::max();
 
-/// Vertices of the file.
-struct SplitVertices {
-  Array<std::uint32_t> index;   ///< one per corner
-  Array<std::uint32_t> vertex;  ///< mesh vertex of each file vertex
-  Array<std::uint32_t> corner;  ///< a corner with its attributes; kNone for an isolated vertex
-};
-
 /// An array of the file with its own buffer view.
 struct Accessor {
   const char* type;
@@ -36,69 +28,46 @@ struct Accessor {
   std::size_t count;
   std::size_t element_bytes;
   int target;
-  OrderedJson more;  ///< further JSON members
+  OrderedJson more;           ///< further JSON members
+  bool needs_stride = false;  ///< its elements are shorter
 };
 
-/// Attributes to write.
-struct Carried {
-  bool normal;
-  bool texcoord;
-  bool color;
-};
-
-bool same_attributes(const Attributes& attributes, const Carried& carried, Halfedge a, Halfedge b) {
-  const auto same = [&](const auto& values) {
-    return std::memcmp(&values[a.index()], &values[b.index()], sizeof values[0]) == 0;
-  };
-  return (!carried.normal || same(attributes.normal)) &&
-         (!carried.texcoord || same(attributes.texcoord)) &&
-         (!carried.color || same(attributes.color));
+/// Bytes of a value in the file, where each begins at a multiple of 4.
+std::size_t aligned_bytes(const AttributeType& type) {
+  return (type.value_bytes() + 3) / 4 * 4;
 }
 
-/// Returns the half-edge at which a sweep around a vertex starts, so that no run of equal corners
-/// is split: after a change of attributes, or on a boundary at its start.
-template <class Same>
-Halfedge start_of_run(const Mesh& mesh, Vertex v, Same&& same) {
-  const Halfedge start = mesh.outgoing(v);
-  if (mesh.is_boundary(v)) return start;
-  Circulator<Mesh, Turn::cw> at(mesh, start);
-  bool has_more = true;
-  while (has_more) {
-    const Halfedge h = *at;
-    has_more = at.advance();
-    if (!same(h, *at)) return h;
+/// Returns the number by which glTF knows the type of a component.
+int gltf_number(ComponentType type) {
+  switch (type) {
+    case ComponentType::s8:
+      return 5120;
+    case ComponentType::u8:
+      return 5121;
+    case ComponentType::s16:
+      return 5122;
+    case ComponentType::u16:
+      return 5123;
+    case ComponentType::u32:
+      return 5125;
+    case ComponentType::f32:
+      break;
   }
-  return start;
+  return 5126;
 }
 
-SplitVertices split_vertices(const Mesh& mesh, const Attributes& attributes,
-                             const Carried& carried) {
-  SplitVertices split;
-  split.index.resize(mesh.halfedge_count());
-  split.vertex.reserve(mesh.vertex_count());
-  split.corner.reserve(mesh.vertex_count());
-  const auto add = [&](Vertex v, Halfedge h) {
-    split.vertex.push_back(v.index());
-    split.corner.push_back(h.index());
-  };
-  const auto same = [&](Halfedge a, Halfedge b) {
-    return same_attributes(attributes, carried, a, b);
-  };
-  for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i) {
-    const Vertex v(i);
-    if (mesh.is_isolated(v)) {
-      add(v, Halfedge());
-      continue;
-    }
-    Circulator at(mesh, start_of_run(mesh, v, same));
-    Halfedge last;
-    do {
-      if (!last.is_valid() || !same(*at, last)) add(v, *at);
-      last = *at;
-      split.index[last.index()] = static_cast<std::uint32_t>(split.vertex.size() - 1);
-    } while (at.advance());
+const char* gltf_shape(std::size_t components) {
+  constexpr const char* kShapes[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
+  return kShapes[components - 1];
+}
+
+/// Returns whether a layer can be written: glTF has no value for a corner without a normal.
+bool can_write(const AttributeLayer& layer) {
+  if (layer.type().kind != AttributeKind::normal) return true;
+  for (std::size_t w = 0; w < layer.count(); ++w) {
+    if (is_absent(layer, w)) return false;
   }
-  return split;
+  return true;
 }
 
 /// Writes one level of detail.
@@ -106,13 +75,9 @@ class LevelWriter {
  public:
   explicit LevelWriter(const GltfLevel& level)
       : mesh_(*level.mesh), attributes_(*level.attributes) {
-    carried_.normal = !attributes_.normal.empty();
-    for (const glm::vec3& n : attributes_.normal) {
-      if (!std::isfinite(n.x + n.y + n.z)) carried_.normal = false;
+    for (const AttributeLayer& layer : attributes_.layers) {
+      if (can_write(layer)) layers_.push_back(&layer);
     }
-    carried_.texcoord = !attributes_.texcoord.empty();
-    carried_.color = !attributes_.color.empty();
-    split_ = split_vertices(mesh_, attributes_, carried_);
   }
 
   /// Calls `add_accessor` for each accessor in the order of `write_data`, with type, component
@@ -122,28 +87,24 @@ class LevelWriter {
   OrderedJson describe(AddAccessor&& add_accessor) const {
     constexpr int kFloat = 5126;
     constexpr int kUint = 5125;
-    constexpr int kByte = 5121;
     constexpr int kVertexData = 34962;
     constexpr int kIndexData = 34963;
-    const std::size_t vertices = split_.vertex.size();
-    const auto add = [&](const char* type, int component, std::size_t bytes) {
-      return add_accessor(
-          Accessor{type, component, vertices, bytes, kVertexData, OrderedJson::object()});
-    };
     const Box box = bounding_box(mesh_);
     OrderedJson attributes;
     attributes["POSITION"] = add_accessor(Accessor{
         "VEC3",
         kFloat,
-        vertices,
+        vertex_count(),
         12,
         kVertexData,
         {{"min", {box.min.x, box.min.y, box.min.z}}, {"max", {box.max.x, box.max.y, box.max.z}}}});
-    if (carried_.normal) attributes["NORMAL"] = add("VEC3", kFloat, 12);
-    if (carried_.texcoord) attributes["TEXCOORD_0"] = add("VEC2", kFloat, 8);
-    if (carried_.color) {
-      attributes["COLOR_0"] =
-          add_accessor(Accessor{"VEC4", kByte, vertices, 4, kVertexData, {{"normalized", true}}});
+    for (const AttributeLayer* layer : layers_) {
+      const AttributeType& type = layer->type();
+      OrderedJson more = OrderedJson::object();
+      if (type.is_normalized) more["normalized"] = true;
+      attributes[type.name] = add_accessor(
+          Accessor{gltf_shape(type.components), gltf_number(type.component), vertex_count(),
+                   aligned_bytes(type), kVertexData, std::move(more), type.value_bytes() % 4 != 0});
     }
     const std::size_t indices = add_accessor(
         Accessor{"SCALAR", kUint, mesh_.halfedge_count(), 4, kIndexData, OrderedJson::object()});
@@ -156,52 +117,58 @@ class LevelWriter {
   template <class Sink>
   void write_data(Sink& sink, Progress* progress) const {
     // In proportion to the bytes.
-    const double vertex_weight = double(split_.vertex.size());
-    Stages stages(progress,
-                  {12.0 * vertex_weight, carried_.normal ? 12.0 * vertex_weight : 0.0,
-                   carried_.texcoord ? 8.0 * vertex_weight : 0.0,
-                   carried_.color ? 4.0 * vertex_weight : 0.0, 4.0 * double(split_.index.size())});
+    std::vector<double> weights{12.0 * double(vertex_count())};
+    for (const AttributeLayer* layer : layers_)
+      weights.push_back(double(layer->bytes().size()));
+    weights.push_back(4.0 * mesh_.halfedge_count());
+    Stages stages(progress, weights);
     stages.next();
-    const std::size_t vertices = split_.vertex.size();
-    write_elements(sink, vertices, 12, progress, [&](Appender& out, std::size_t i) {
-      out.raw(mesh_.positions()[split_.vertex[i]]);
+    write_elements(sink, vertex_count(), 12, progress, [&](Appender& out, std::size_t w) {
+      const Vertex v =
+          attributes_.vertex(Wedge(static_cast<std::uint32_t>(w)), mesh_.vertex_count());
+      out.raw(mesh_.position(v));
     });
-    stages.next();
-    if (carried_.normal) {
-      write_values(sink, progress, attributes_.normal, glm::vec3(0.0F, 0.0F, 1.0F),
-                   [](const glm::vec3& n) { return n; });
+    for (const AttributeLayer* layer : layers_) {
+      stages.next();
+      write_layer(sink, progress, *layer);
     }
     stages.next();
-    if (carried_.texcoord) {
-      write_values(sink, progress, attributes_.texcoord, glm::vec2(0.0F), [](const glm::vec2& t) {
-        return std::isfinite(t.x + t.y) ? glm::vec2(t.x, 1.0F - t.y) : glm::vec2(0.0F);
-      });
-    }
-    stages.next();
-    if (carried_.color) {
-      write_values(sink, progress, attributes_.color, glm::u8vec4(255),
-                   [](const glm::u8vec4& c) { return c; });
-    }
-    stages.next();
-    write_elements(sink, split_.index.size(), 4, progress,
-                   [&](Appender& out, std::size_t c) { out.raw(split_.index[c]); });
+    write_elements(sink, mesh_.halfedge_count(), 4, progress, [&](Appender& out, std::size_t c) {
+      const Halfedge corner(static_cast<std::uint32_t>(c));
+      out.raw(attributes_.wedge(mesh_.origins(), corner).index());
+    });
   }
 
  private:
-  template <class Sink, class T, class Convert>
-  void write_values(Sink& sink, Progress* progress, const Array<T>& values, const T& unused,
-                    Convert&& convert) const {
-    write_elements(sink, split_.corner.size(), sizeof(T), progress,
-                   [&](Appender& out, std::size_t i) {
-                     const std::uint32_t corner = split_.corner[i];
-                     out.raw(corner == kNone ? unused : convert(values[corner]));
-                   });
+  /// One vertex per wedge.
+  std::size_t vertex_count() const { return mesh_.vertex_count() + attributes_.further.size(); }
+
+  template <class Sink>
+  void write_layer(Sink& sink, Progress* progress, const AttributeLayer& layer) const {
+    const AttributeType& type = layer.type();
+    const std::size_t bytes = aligned_bytes(type);
+    AttributeLayer turned(type, 1);
+    write_elements(sink, layer.count(), bytes, progress, [&](Appender& out, std::size_t w) {
+      std::span<const std::byte> value = layer.value(w);
+      if (type.kind == AttributeKind::texcoord && !type.counts_down) {
+        store(turned, 0, from_top(load(layer, w)));
+        value = std::as_const(turned).value(0);
+      }
+      char padded[AttributeType::kMostComponents * sizeof(float)] = {};
+      std::memcpy(padded, value.data(), value.size());
+      out << std::string_view(padded, bytes);
+    });
+  }
+
+  /// Texture coordinates of a corner without any are 0.
+  static AttributeValue from_top(const AttributeValue& value) {
+    if (!std::isfinite(value[0] + value[1])) return {};
+    return {value[0], static_cast<double>(1.0F - static_cast<float>(value[1])), value[2], value[3]};
   }
 
   const Mesh& mesh_;
   const Attributes& attributes_;
-  Carried carried_ = {};
-  SplitVertices split_;
+  std::vector<const AttributeLayer*> layers_;
 };
 
 class GltfWriter {
@@ -254,6 +221,8 @@ class GltfWriter {
                                         {"byteOffset", bytes_},
                                         {"byteLength", bytes},
                                         {"target", accessor.target}});
+    if (accessor.needs_stride)
+      document_["bufferViews"].back()["byteStride"] = accessor.element_bytes;
     OrderedJson json{{"bufferView", document_["bufferViews"].size() - 1},
                      {"componentType", accessor.component_type},
                      {"count", accessor.count},

@@ -5,6 +5,7 @@
 
 #include "engine/io/format.h"
 #include "engine/io/vertex_attributes.h"
+#include "engine/mesh/corner_attributes.h"
 
 namespace mesher::io {
 namespace {
@@ -56,9 +57,15 @@ std::vector<std::string> losses_in_format(const std::filesystem::path& file, con
   if (!can.creases && !mesh.vertex_sharpnesses().empty()) {
     losses.emplace_back("sharpness of vertices");
   }
-  add_attribute(losses, "texture coordinates", can.texcoord, mesh, attributes.texcoord);
-  add_attribute(losses, "normals", can.normal, mesh, attributes.normal);
-  add_attribute(losses, "colors", can.color, mesh, attributes.color);
+  const CornerAttributes corners = to_corners(mesh, attributes);
+  add_attribute(losses, "texture coordinates", can.texcoord, mesh, corners.texcoord);
+  add_attribute(losses, "normals", can.normal, mesh, corners.normal);
+  add_attribute(losses, "colors", can.color, mesh, corners.color);
+  for (const AttributeLayer& layer : attributes.layers) {
+    const std::string& name = layer.type().name;
+    const bool is_common = name == "TEXCOORD_0" || name == "NORMAL" || name == "COLOR_0";
+    if (!is_common && !can.any_attribute) losses.push_back("attribute " + name);
+  }
   if (!can.groups && !attributes.group.empty()) losses.emplace_back("groups");
   return losses;
 }

@@ -7,6 +7,7 @@
 #include "engine/io/block_writer.h"
 #include "engine/io/vertex_attributes.h"
 #include "engine/io/weld.h"
+#include "engine/mesh/corner_attributes.h"
 
 namespace mesher::io {
 namespace {
@@ -68,7 +69,7 @@ Values<T> write_values(AtomicFile& file, std::string_view keyword, const Array<T
   return values;
 }
 
-void write_positions(AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
+void write_positions(AtomicFile& file, const Mesh& mesh, const CornerAttributes& attributes,
                      Progress* progress) {
   const Array<glm::u8vec4> colors =
       gather_to_vertices(mesh.origins(), mesh.vertex_count(), attributes.color, glm::u8vec4(255));
@@ -93,7 +94,7 @@ std::string one_line(std::string name) {
   return name;
 }
 
-void write_faces(AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
+void write_faces(AtomicFile& file, const Mesh& mesh, const CornerAttributes& attributes,
                  const Values<glm::vec2>& texcoords, const Values<glm::vec3>& normals,
                  Progress* progress) {
   const auto& group = attributes.group;
@@ -143,8 +144,8 @@ void write_creases(AtomicFile& file, const Mesh& mesh, const Progress* progress)
 
 }  // namespace
 
-void write_obj(AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
-               Progress* progress) {
+void write_obj(AtomicFile& file, const Mesh& mesh, const Attributes& wedges, Progress* progress) {
+  const CornerAttributes attributes = to_corners(mesh, wedges);
   Stages stages(progress, {kPositionTime * mesh.vertex_count(),
                            kTexcoordTime * double(attributes.texcoord.size()),
                            kNormalTime * double(attributes.normal.size()),

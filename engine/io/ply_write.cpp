@@ -4,6 +4,7 @@
 #include "engine/io/block_writer.h"
 #include "engine/io/polygon_write.h"
 #include "engine/io/vertex_attributes.h"
+#include "engine/mesh/corner_attributes.h"
 
 namespace mesher::io {
 namespace {
@@ -70,8 +71,9 @@ std::string header(const Mesh& mesh, const VertexValues& values, bool has_seams,
 
 }  // namespace
 
-void write_ply(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool ascii,
+void write_ply(AtomicFile& file, const Mesh& mesh, const Attributes& wedges, bool ascii,
                Progress* progress) {
+  const CornerAttributes attributes = to_corners(mesh, wedges);
   Stages stages(progress, {double(mesh.vertex_count()), kPlyFaceTime * mesh.face_count()});
   stages.next();
   const auto at_vertices = [&](const auto& of_corners, const auto& unused) {

@@ -23,6 +23,7 @@ struct Pair {
   }
   // A memcmp call would cost more than comparing the few words of one element.
   bool is_same_element(std::size_t i) const {
+    if (element_bytes % sizeof(std::uint32_t) != 0) return is_same(i, 1);
     for (std::size_t at = i * element_bytes; at < (i + 1) * element_bytes; at += 4) {
       std::uint32_t a = 0;
       std::uint32_t b = 0;

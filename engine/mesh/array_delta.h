@@ -51,6 +51,12 @@ class ArrayDelta {
     return delta;
   }
 
+  /// Compares two states of an array whose elements have `element_bytes` bytes. As the constructor.
+  static ArrayDelta of_bytes(std::span<const std::byte> before, std::span<const std::byte> after,
+                             std::size_t element_bytes) {
+    return {before, after, element_bytes};
+  }
+
   bool is_empty() const { return old_count_ == new_count_ && ranges_.empty(); }
   /// Returns the number of bytes that the difference occupies.
   std::size_t memory_bytes() const;
@@ -68,6 +74,15 @@ class ArrayDelta {
     MESHER_ASSERT(array.size() == count(reverse(direction)));
     array.resize(count(direction));
     write_bytes(std::as_writable_bytes(std::span(array)), direction);
+  }
+  /// The same two for a delta made by `of_bytes`.
+  void make_room_for_bytes(Array<std::byte>& array) const {
+    array.reserve(std::max(old_count_, new_count_) * element_bytes_);
+  }
+  void write_to_bytes(Array<std::byte>& array, Direction direction) const {
+    MESHER_ASSERT(array.size() == count(reverse(direction)) * element_bytes_);
+    array.resize(count(direction) * element_bytes_);
+    write_bytes(array, direction);
   }
   /// Calls `visit` once per range of elements that `write` changes or adds, in order.
   template <class Visit>

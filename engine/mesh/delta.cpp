@@ -22,6 +22,12 @@ ArrayDelta array_difference(const Array<T>& before, const Array<T>& after) {
   return {std::span<const T>(before), std::span<const T>(after)};
 }
 
+bool have_same_types(const std::vector<AttributeLayer>& a, const std::vector<AttributeLayer>& b) {
+  return std::equal(
+      a.begin(), a.end(), b.begin(), b.end(),
+      [](const AttributeLayer& x, const AttributeLayer& y) { return x.type() == y.type(); });
+}
+
 }  // namespace
 
 MeshDelta::MeshDelta(const Mesh& before, const Mesh& after)
@@ -117,38 +123,60 @@ void revert(Mesh& mesh, const MeshDelta& delta) {
 }
 
 AttributesDelta::AttributesDelta(const Attributes& before, const Attributes& after)
-    : texcoord_(array_difference(before.texcoord, after.texcoord)),
-      normal_(array_difference(before.normal, after.normal)),
-      color_(array_difference(before.color, after.color)),
+    : corner_wedge_(array_difference(before.corner_wedge, after.corner_wedge)),
+      further_(array_difference(before.further, after.further)),
       group_(array_difference(before.group, after.group)) {
+  if (have_same_types(before.layers, after.layers)) {
+    for (std::size_t i = 0; i < before.layers.size(); ++i)
+      layers_.push_back(ArrayDelta::of_bytes(before.layers[i].bytes(), after.layers[i].bytes(),
+                                             before.layers[i].type().value_bytes()));
+  } else {
+    old_layers_ = before.layers;
+    new_layers_ = after.layers;
+  }
   if (before.group_names == after.group_names) return;
   old_names_ = before.group_names;
   new_names_ = after.group_names;
 }
 
 bool AttributesDelta::is_empty() const {
-  return texcoord_.is_empty() && normal_.is_empty() && color_.is_empty() && group_.is_empty() &&
-         old_names_ == new_names_;
+  return corner_wedge_.is_empty() && further_.is_empty() && keeps_types() &&
+         std::all_of(layers_.begin(), layers_.end(),
+                     [](const ArrayDelta& layer) { return layer.is_empty(); }) &&
+         group_.is_empty() && old_names_ == new_names_;
 }
 
 std::size_t AttributesDelta::memory_bytes() const {
-  return texcoord_.memory_bytes() + normal_.memory_bytes() + color_.memory_bytes() +
-         group_.memory_bytes();
+  std::size_t bytes =
+      corner_wedge_.memory_bytes() + further_.memory_bytes() + group_.memory_bytes();
+  for (const ArrayDelta& layer : layers_)
+    bytes += layer.memory_bytes();
+  for (const auto* layers : {&old_layers_, &new_layers_}) {
+    for (const AttributeLayer& layer : *layers)
+      bytes += layer.bytes().size();
+  }
+  return bytes;
 }
 
 void AttributesDelta::make_room(Attributes& attributes) const {
-  texcoord_.make_room(attributes.texcoord);
-  normal_.make_room(attributes.normal);
-  color_.make_room(attributes.color);
+  corner_wedge_.make_room(attributes.corner_wedge);
+  further_.make_room(attributes.further);
+  for (std::size_t i = 0; i < layers_.size(); ++i)
+    layers_[i].make_room_for_bytes(attributes.layers[i].bytes());
   group_.make_room(attributes.group);
 }
 
+// Everything that can fail comes first.
 void AttributesDelta::write(Attributes& attributes, Direction direction) const {
-  std::vector<std::string> names = direction == Direction::forward ? new_names_ : old_names_;
+  const bool is_forward = direction == Direction::forward;
+  std::vector<std::string> names = is_forward ? new_names_ : old_names_;
+  std::vector<AttributeLayer> layers = is_forward ? new_layers_ : old_layers_;
   make_room(attributes);
-  texcoord_.write(attributes.texcoord, direction);
-  normal_.write(attributes.normal, direction);
-  color_.write(attributes.color, direction);
+  corner_wedge_.write(attributes.corner_wedge, direction);
+  further_.write(attributes.further, direction);
+  for (std::size_t i = 0; i < layers_.size(); ++i)
+    layers_[i].write_to_bytes(attributes.layers[i].bytes(), direction);
+  if (!keeps_types()) attributes.layers = std::move(layers);
   group_.write(attributes.group, direction);
   if (old_names_ != new_names_) attributes.group_names = std::move(names);
 }

@@ -84,10 +84,14 @@ class AttributesDelta {
   AttributesDelta(const Attributes& before, const Attributes& after);
   void make_room(Attributes& attributes) const;
   void write(Attributes& attributes, Direction direction) const;
+  bool keeps_types() const { return old_layers_.empty() && new_layers_.empty(); }
 
-  ArrayDelta texcoord_;
-  ArrayDelta normal_;
-  ArrayDelta color_;
+  ArrayDelta corner_wedge_;
+  ArrayDelta further_;
+  std::vector<ArrayDelta> layers_;  ///< of each layer, while both states have the same types
+  /// All layers of both states, if their types differ.
+  std::vector<AttributeLayer> old_layers_;
+  std::vector<AttributeLayer> new_layers_;
   ArrayDelta group_;
   std::vector<std::string> old_names_;  ///< like new_names_, empty if they do not differ
   std::vector<std::string> new_names_;
@@ -98,8 +102,8 @@ AttributesDelta difference(const Attributes& before, const Attributes& after);
 void apply(Attributes& attributes, const AttributesDelta& delta);
 /// Changes `after` back into `before`. Pre: `attributes` are those of the delta's `after`.
 void revert(Attributes& attributes, const AttributesDelta& delta);
-/// Reserves memory for either state. After that, only copying the group names can fail, before any
-/// change. Throws std::bad_alloc.
+/// Reserves memory for either state. After that, only copying names and, where the types of layers
+/// differ, layers can fail, before any change. Throws std::bad_alloc.
 void make_room(Attributes& attributes, const AttributesDelta& delta);
 
 }  // namespace mesher

@@ -34,6 +34,8 @@ using Halfedge = Id<struct HalfedgeTag>;
 /// An undirected edge, identified by the lower of its half-edges (so edge ids have gaps).
 using Edge = Id<struct EdgeTag>;
 using Face = Id<struct FaceTag>;
+/// The corners of a vertex that share all attribute values (engine/mesh/attributes.h).
+using Wedge = Id<struct WedgeTag>;
 
 static_assert(sizeof(Vertex) == 4 && sizeof(Halfedge) == 4);
 

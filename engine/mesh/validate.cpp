@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace mesher {
 namespace {
@@ -208,6 +209,62 @@ class Validator {
 };
 
 }  // namespace
+
+namespace {
+
+bool has_valid_wedges(const Mesh& mesh, const Attributes& a) {
+  const std::uint32_t vertices = mesh.vertex_count();
+  return std::all_of(a.corner_wedge.begin(), a.corner_wedge.end(), [&, h = 0U](Wedge w) mutable {
+    const Vertex v = mesh.origin(Halfedge(h++));
+    return w.index() < vertices + a.further.size() && a.vertex(w, vertices) == v;
+  });
+}
+
+bool has_used_wedges(const Mesh& mesh, const Attributes& a) {
+  std::vector<bool> is_used(a.further.size());
+  for (const Wedge w : a.corner_wedge) {
+    if (w.index() >= mesh.vertex_count()) is_used[w.index() - mesh.vertex_count()] = true;
+  }
+  return std::is_sorted(a.further.begin(), a.further.end()) &&
+         std::all_of(is_used.begin(), is_used.end(), [](bool used) { return used; });
+}
+
+bool has_valid_layers(const Mesh& mesh, const Attributes& a) {
+  std::set<std::string> names;
+  return std::all_of(a.layers.begin(), a.layers.end(), [&](const AttributeLayer& layer) {
+    return layer.count() == mesh.vertex_count() + a.further.size() &&
+           names.insert(layer.type().name).second;
+  });
+}
+
+bool has_valid_groups(const Mesh& mesh, const Attributes& a) {
+  return a.group.empty() || (a.group.size() == mesh.face_count() &&
+                             std::all_of(a.group.begin(), a.group.end(), [&](std::uint32_t group) {
+                               return group < a.group_names.size();
+                             }));
+}
+
+}  // namespace
+
+std::vector<Violation> validate(const Mesh& mesh, const Attributes& attributes) {
+  std::vector<Violation> violations;
+  const auto check = [&](bool holds, int invariant, const char* what) {
+    if (!holds) violations.push_back({invariant, what});
+    return holds;
+  };
+  const bool fits =
+      attributes.corner_wedge.empty() || attributes.corner_wedge.size() == mesh.halfedge_count();
+  check(fits && attributes.corner_wedge.empty() == attributes.further.empty(), 15,
+        "corners have no wedge, or wedges no corner");
+  check(has_valid_layers(mesh, attributes), 16,
+        "a layer has too few or too many values, or a name "
+        "occurs twice");
+  if (fits &&
+      check(has_valid_wedges(mesh, attributes), 17, "a corner's wedge is of another vertex"))
+    check(has_used_wedges(mesh, attributes), 18, "further wedges are unsorted or unused");
+  check(has_valid_groups(mesh, attributes), 19, "groups do not match the faces");
+  return violations;
+}
 
 std::vector<Violation> validate(const Mesh& mesh, std::size_t limit) {
   return Validator(mesh, limit).run();

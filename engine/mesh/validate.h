@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/mesh/attributes.h"
 #include "engine/mesh/mesh.h"
 
 namespace mesher {
@@ -17,5 +18,9 @@ struct Violation {
 /// Returns the violated invariants of Mesh (numbered in engine/mesh/mesh.h), at most `limit`
 /// entries; empty: the mesh is valid. Never crashes, whatever the arrays hold. O(F log F).
 std::vector<Violation> validate(const Mesh& mesh, std::size_t limit = 20);
+
+/// Returns the violated invariants of a valid mesh's attributes (numbered in
+/// engine/mesh/attributes.h), at most one per invariant. O(F).
+std::vector<Violation> validate(const Mesh& mesh, const Attributes& attributes);
 
 }  // namespace mesher

@@ -1,44 +1,58 @@
 #include "engine/subdivide/attributes.h"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "engine/core/parallel.h"
+#include "engine/mesh/wedges.h"
 
 namespace mesher::subdivide {
 namespace {
 
 constexpr std::size_t kAttributeGrain = 4096;
 
-glm::vec2 middle(const glm::vec2& a, const glm::vec2& b) {
-  return 0.5F * (a + b);
+/// Calls `split(from, to)` per corner of the four children of each face, in the order of `refine`:
+/// `from` are two corners of the coarse face, equal at its own corners, whose middle is at `to`.
+template <class Split>
+void for_each_child_corner(std::size_t coarse_corners, Progress* progress, const Split& split) {
+  constexpr std::size_t kEnds[12][2] = {{0, 0}, {0, 1}, {2, 0}, {0, 1}, {1, 1}, {1, 2},
+                                        {2, 0}, {1, 2}, {2, 2}, {0, 1}, {1, 2}, {2, 0}};
+  parallel_chunks(coarse_corners / 3, kAttributeGrain, progress,
+                  [&](std::size_t, IndexRange faces) {
+                    for (std::size_t f = faces.begin; f < faces.end; ++f) {
+                      for (std::size_t c = 0; c < 12; ++c)
+                        split(3 * f + kEnds[c][0], 3 * f + kEnds[c][1], 12 * f + c);
+                    }
+                  });
 }
 
-glm::u8vec4 middle(const glm::u8vec4& a, const glm::u8vec4& b) {
-  glm::u8vec4 result;
-  for (int i = 0; i < 4; ++i)
-    result[i] = static_cast<std::uint8_t>((a[i] + b[i] + 1) / 2);
-  return result;
+AttributeLayer split_layer(const AttributeLayer& corner, Progress* progress) {
+  AttributeLayer child(corner.type(), 4 * corner.count());
+  const std::size_t components = corner.type().components;
+  if (corner.type().component == ComponentType::f32) {
+    const auto* from = reinterpret_cast<const float*>(corner.bytes().data());
+    auto* to = reinterpret_cast<float*>(child.bytes().data());
+    for_each_child_corner(
+        corner.count(), progress, [&](std::size_t a, std::size_t b, std::size_t c) {
+          for (std::size_t k = 0; k < components; ++k)
+            to[c * components + k] =
+                a == b ? from[a * components + k]
+                       : 0.5F * (from[a * components + k] + from[b * components + k]);
+        });
+    return child;
+  }
+  for_each_child_corner(corner.count(), progress, [&](std::size_t a, std::size_t b, std::size_t c) {
+    store_mean(child, c, corner, a, b);
+  });
+  return child;
 }
 
-/// Returns the corners of the four children of each face, in the order of `refine`.
-template <class T>
-Array<T> split_corners(const Array<T>& corner, Progress* progress) {
+template <class T, class Middle>
+Array<T> split_ids(const Array<T>& corner, Progress* progress, const Middle& middle) {
   Array<T> child(4 * corner.size());
-  const auto split = [&](std::size_t f) {
-    const T a = corner[3 * f];
-    const T b = corner[3 * f + 1];
-    const T c = corner[3 * f + 2];
-    const T ab = middle(a, b);
-    const T bc = middle(b, c);
-    const T ca = middle(c, a);
-    T* const to = &child[12 * f];
-    std::size_t i = 0;
-    for (const T& value : {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca})
-      to[i++] = value;
-  };
-  parallel_chunks(corner.size() / 3, kAttributeGrain, progress, [&](std::size_t, IndexRange faces) {
-    for (std::size_t f = faces.begin; f < faces.end; ++f)
-      split(f);
+  for_each_child_corner(corner.size(), progress, [&](std::size_t a, std::size_t b, std::size_t c) {
+    child[c] = middle(corner[a], corner[b]);
   });
   return child;
 }
@@ -52,36 +66,108 @@ Array<std::uint32_t> split_groups(const Array<std::uint32_t>& group, Progress* p
   return child;
 }
 
+bool is_dropped(const AttributeLayer& layer) {
+  return layer.type().kind == AttributeKind::normal || layer.type().kind == AttributeKind::tangent;
+}
+
+/// Attributes of one level with values per corner.
+struct CornerLevel {
+  std::vector<AttributeLayer> blended;
+  Array<std::uint32_t> source;  ///< wedge that the other layers are copied from; may be empty
+  Array<std::uint32_t> group;
+};
+
+CornerLevel corner_level(const Mesh& mesh, const Attributes& attributes) {
+  CornerLevel level;
+  const std::size_t corners = mesh.halfedge_count();
+  bool has_copied = false;
+  for (const AttributeLayer& layer : attributes.layers) {
+    if (is_dropped(layer)) continue;
+    if (!can_blend(layer.type())) {
+      has_copied = true;
+      continue;
+    }
+    AttributeLayer& spread = level.blended.emplace_back(layer.type(), corners);
+    parallel_for_each(corners, kAttributeGrain, [&](std::uint32_t h) {
+      const Wedge w = attributes.wedge(mesh.origins(), Halfedge(h));
+      std::ranges::copy(layer.value(w.index()), spread.value(h).begin());
+    });
+  }
+  if (has_copied) {
+    level.source.resize(corners);
+    for (std::uint32_t h = 0; h < corners; ++h)
+      level.source[h] = attributes.wedge(mesh.origins(), Halfedge(h)).index();
+  }
+  level.group = attributes.group;
+  return level;
+}
+
+CornerLevel refined(const CornerLevel& coarse, Progress* progress) {
+  CornerLevel fine;
+  Stages stages(progress, {1.0, 0.3, 0.1});
+  stages.next();
+  {
+    Stages layers(progress,
+                  std::vector<double>(std::max<std::size_t>(1, coarse.blended.size()), 1.0));
+    for (const AttributeLayer& layer : coarse.blended) {
+      layers.next();
+      fine.blended.push_back(split_layer(layer, progress));
+    }
+  }
+  stages.next();
+  fine.source = split_ids(coarse.source, progress,
+                          [](std::uint32_t a, std::uint32_t b) { return std::min(a, b); });
+  stages.next();
+  fine.group = split_groups(coarse.group, progress);
+  return fine;
+}
+
+std::vector<AttributeStream> to_streams(const Attributes& attributes, CornerLevel&& level,
+                                        std::size_t corners) {
+  std::vector<AttributeStream> streams(2);
+  streams[0].layers = std::move(level.blended);
+  streams[0].index.resize(corners);
+  parallel_for_each(corners, kAttributeGrain, [&](std::uint32_t h) { streams[0].index[h] = h; });
+  if (level.source.empty()) return streams;
+  streams[1].index = std::move(level.source);
+  for (const AttributeLayer& layer : attributes.layers) {
+    if (!is_dropped(layer) && !can_blend(layer.type())) streams[1].layers.push_back(layer);
+  }
+  return streams;
+}
+
 }  // namespace
 
-Attributes subdivide_attributes(const Attributes& attributes, std::uint32_t levels,
-                                Progress* progress) {
+Attributes subdivide_attributes(const Mesh& coarse, const Attributes& attributes, const Mesh& fine,
+                                std::uint32_t levels, Progress* progress) {
   if (levels == 0) return attributes;
-  Attributes result;
-  result.group_names = attributes.group_names;
   std::vector<double> weights{1.0};
   while (weights.size() < levels)
     weights.push_back(4.0 * weights.back());
+  weights.push_back(2.0 * weights.back());  // the wedges
   Stages stages(progress, weights);
+  CornerLevel level = corner_level(coarse, attributes);
   for (std::uint32_t i = 0; i < levels; ++i) {
     stages.next();
-    const Attributes& coarse = i == 0 ? attributes : result;
-    Stages kinds(progress, {1.0, 1.0, 1.0});
-    kinds.next();
-    result.texcoord = split_corners(coarse.texcoord, progress);
-    kinds.next();
-    result.color = split_corners(coarse.color, progress);
-    kinds.next();
-    result.group = split_groups(coarse.group, progress);
+    level = refined(level, progress);
   }
+  stages.next();
+  Array<std::uint32_t> group = std::move(level.group);
+  Attributes result =
+      make_wedges(fine, to_streams(attributes, std::move(level), fine.halfedge_count()), progress);
+  result.group = std::move(group);
+  result.group_names = attributes.group_names;
   return result;
 }
 
-std::size_t subdivided_attribute_bytes(const Attributes& attributes, std::uint32_t levels) {
-  if (levels == 0) return 0;
-  const std::size_t bytes = attributes.texcoord.size() * sizeof(glm::vec2) +
-                            attributes.color.size() * sizeof(glm::u8vec4) +
-                            attributes.group.size() * sizeof(std::uint32_t);
+std::size_t subdivided_attribute_bytes(const Mesh& coarse, const Attributes& attributes,
+                                       std::uint32_t levels) {
+  if (levels == 0 || attributes.is_empty()) return 0;
+  std::size_t per_corner = sizeof(std::uint32_t);
+  for (const AttributeLayer& layer : attributes.layers)
+    per_corner += layer.type().value_bytes();
+  const std::size_t bytes =
+      coarse.halfedge_count() * per_corner + attributes.group.size() * sizeof(std::uint32_t);
   const std::size_t last = bytes << (2 * levels);
   return last + last / 4;
 }

@@ -36,11 +36,8 @@ std::optional<Model> read_or_refuse(const std::filesystem::path& file, std::stri
     for (const Violation& violation : validate(model.mesh)) {
       ADD_FAILURE() << "invariant " << violation.invariant << ": " << violation.what;
     }
-    const Attributes& attributes = model.attributes;
-    const std::size_t corners = model.mesh.halfedge_count();
-    for (const std::size_t size : {attributes.texcoord.size(), attributes.normal.size(),
-                                   attributes.color.size(), 3 * attributes.group.size()}) {
-      EXPECT_TRUE(size == 0 || size == corners) << size << " values for " << corners << " corners";
+    for (const Violation& violation : validate(model.mesh, model.attributes)) {
+      ADD_FAILURE() << "invariant " << violation.invariant << ": " << violation.what;
     }
     return model;
   } catch (const InputError& error) {

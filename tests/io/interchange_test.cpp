@@ -9,6 +9,7 @@
 #include "engine/io/gltf_write.h"
 #include "engine/io/read.h"
 #include "engine/io/write.h"
+#include "engine/mesh/corner_attributes.h"
 #include "tests/support/temp_folder.h"
 
 // An independent reader opens the files that mesher writes.
@@ -80,8 +81,10 @@ TEST(Levels, AssimpReadsAndShowsTheFinestLevel) {
   const TempFolder folder;
   const std::vector<Mesh> meshes{strip(8), strip(5), strip(2)};
   std::vector<Attributes> attributes(3);
+  CornerAttributes halves;
   for (const glm::vec2 at : {glm::vec2(0, 0), glm::vec2(1, 0)})
-    attributes[0].texcoord.insert(attributes[0].texcoord.end(), 12, at);
+    halves.texcoord.insert(halves.texcoord.end(), 12, at);
+  attributes[0] = to_wedges(meshes[0], std::move(halves));
   const std::vector<io::GltfLevel> levels{{&meshes[0], &attributes[0], 0.5},
                                           {&meshes[1], &attributes[1], 0.125},
                                           {&meshes[2], &attributes[2], 0.0}};

@@ -13,6 +13,7 @@
 #include "engine/io/read.h"
 #include "engine/io/write.h"
 #include "engine/mesh/validate.h"
+#include "tests/support/attributes.h"
 #include "tests/support/temp_folder.h"
 
 namespace mesher {
@@ -135,13 +136,13 @@ const std::string kRich =
 
 TEST(RoundTrip, ObjKeepsAttributesGroupsAndCreases) {
   const Model model = read_text(kRich);
-  ASSERT_EQ(model.attributes.texcoord.size(), 6U);
+  ASSERT_EQ(test::corners_of(model).texcoord.size(), 6U);
   const TempFolder folder;
   io::write_model(folder / "m.obj", model.mesh, model.attributes);
   const Model back = io::read_model(folder / "m.obj");
-  EXPECT_TRUE(same_bits(back.attributes.texcoord, model.attributes.texcoord));
-  EXPECT_TRUE(same_bits(back.attributes.normal, model.attributes.normal));
-  EXPECT_TRUE(same_bits(back.attributes.color, model.attributes.color));
+  EXPECT_TRUE(same_bits(test::corners_of(back).texcoord, test::corners_of(model).texcoord));
+  EXPECT_TRUE(same_bits(test::corners_of(back).normal, test::corners_of(model).normal));
+  EXPECT_TRUE(same_bits(test::corners_of(back).color, test::corners_of(model).color));
   EXPECT_EQ(back.attributes.group, model.attributes.group);
   EXPECT_EQ(back.attributes.group_names, model.attributes.group_names);
   EXPECT_TRUE(same_bits(back.mesh.sharpnesses(), model.mesh.sharpnesses()));
@@ -171,10 +172,10 @@ TEST(RoundTrip, PlyKeepsSeamsAndVertexColors) {
   for (const bool ascii : {false, true}) {
     io::write_model(folder / "m.ply", model.mesh, model.attributes, {.ascii = ascii});
     const Model back = io::read_model(folder / "m.ply");
-    EXPECT_TRUE(same_bits(back.attributes.color, model.attributes.color));
+    EXPECT_TRUE(same_bits(test::corners_of(back).color, test::corners_of(model).color));
     for (std::size_t c = 0; c < 6; ++c) {
-      const glm::vec2 a = back.attributes.texcoord[c];
-      const glm::vec2 b = model.attributes.texcoord[c];
+      const glm::vec2 a = test::corners_of(back).texcoord[c];
+      const glm::vec2 b = test::corners_of(model).texcoord[c];
       EXPECT_TRUE(a == b || (std::isnan(a.x) && std::isnan(b.x))) << c;
     }
   }
@@ -184,7 +185,8 @@ TEST(RoundTrip, OffKeepsVertexColors) {
   const Model model = read_text(kRich);
   const TempFolder folder;
   io::write_model(folder / "m.off", model.mesh, model.attributes);
-  EXPECT_TRUE(same_bits(io::read_model(folder / "m.off").attributes.color, model.attributes.color));
+  EXPECT_TRUE(same_bits(test::corners_of(io::read_model(folder / "m.off")).color,
+                        test::corners_of(model).color));
 }
 
 TEST(Write, FailedWriteLeavesNoFile) {

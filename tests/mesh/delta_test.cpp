@@ -228,55 +228,81 @@ TEST(MeshDelta, OutOfMemoryLeavesMeshUnchanged) {
   EXPECT_GT(failures, 5);
 }
 
+Attributes layers_of(std::size_t count, glm::vec2 texcoord, glm::u8vec4 color) {
+  Attributes attributes;
+  const Array<glm::vec2> texcoords(count, texcoord);
+  const Array<glm::u8vec4> colors(count, color);
+  attributes.layers.emplace_back(texcoord_type(), std::span(texcoords));
+  attributes.layers.emplace_back(color_type(), std::span(colors));
+  return attributes;
+}
+
 TEST(AttributesDelta, OutOfMemoryLeavesAttributesUnchanged) {
-  Attributes small;
-  small.texcoord.assign(30, {0.5F, 0.5F});
-  small.color.assign(30, {1, 2, 3, 4});
-  Attributes large;
-  large.texcoord.assign(1'000'000, {0.25F, 0.5F});
-  large.color.assign(1'000'000, {9, 9, 9, 9});
-  const AttributesDelta delta = difference(small, large);
-  int failures = 0;
-  for (std::uint64_t bytes = 0;; bytes += 1'000'000) {
-    Attributes a = small;
-    try {
-      const MemoryLimit scarce(bytes);
-      apply(a, delta);
-    } catch (const std::bad_alloc&) {
-      ++failures;
+  const Attributes small = layers_of(30, {0.5F, 0.5F}, {1, 2, 3, 4});
+  const Attributes large = layers_of(1'000'000, {0.25F, 0.5F}, {9, 9, 9, 9});
+  for (const Attributes& before : {small, Attributes()}) {  // the same types, and others
+    const AttributesDelta delta = difference(before, large);
+    int failures = 0;
+    for (std::uint64_t bytes = 0;; bytes += 1'000'000) {
+      Attributes a = before;
+      try {
+        const MemoryLimit scarce(bytes);
+        apply(a, delta);
+      } catch (const std::bad_alloc&) {
+        ++failures;
+      }
+      const bool is_done = !a.layers.empty() && a.layers[1].count() == large.layers[1].count();
+      EXPECT_TRUE(difference(a, is_done ? large : before).is_empty());
+      if (is_done) break;
+      ASSERT_LT(failures, 100);
     }
-    const bool is_done = a.color.size() == large.color.size();
-    EXPECT_TRUE(difference(a, is_done ? large : small).is_empty());
-    if (is_done) break;
-    ASSERT_LT(failures, 100);
+    EXPECT_GT(failures, 3);
   }
-  EXPECT_GT(failures, 3);
 }
 
 TEST(AttributesDelta, RoundTrips) {
-  Attributes before;
-  before.texcoord.assign(30, {0.5F, 0.5F});
-  before.color.assign(30, {1, 2, 3, 4});
+  Attributes before = layers_of(30, {0.5F, 0.5F}, {1, 2, 3, 4});
   before.group.assign(10, 1U);
   before.group_names = {"a", "b"};
-  Attributes after = before;
-  after.texcoord = {};
-  after.color.resize(27);
-  after.color[5] = {9, 9, 9, 9};
-  after.group.resize(9);
-  after.group_names = {"a"};
-  const AttributesDelta delta = difference(before, after);
-  EXPECT_FALSE(delta.is_empty());
-  EXPECT_GE(delta.memory_bytes(), 30 * sizeof(glm::vec2));
-  Attributes a = before;
-  apply(a, delta);
-  EXPECT_TRUE(a.texcoord.empty());
-  EXPECT_TRUE(a.color == after.color && a.group == after.group);
-  EXPECT_EQ(a.group_names, after.group_names);
-  revert(a, delta);
-  EXPECT_TRUE(a.texcoord == before.texcoord && a.color == before.color && a.group == before.group);
-  EXPECT_EQ(a.group_names, before.group_names);
-  EXPECT_TRUE(difference(a, before).is_empty());
+  Attributes other_values = before;
+  other_values.layers[1].resize(27);
+  other_values.layers[1].values<glm::u8vec4>()[5] = {9, 9, 9, 9};
+  other_values.corner_wedge.assign(30, Wedge(3));
+  other_values.further.assign(2, Vertex(1));
+  Attributes other_types = other_values;
+  other_types.layers.erase(other_types.layers.begin());
+  other_types.group.resize(9);
+  other_types.group_names = {"a"};
+  for (const Attributes& after : {other_values, other_types}) {
+    const AttributesDelta delta = difference(before, after);
+    EXPECT_FALSE(delta.is_empty());
+    EXPECT_GT(delta.memory_bytes(), 30U);
+    Attributes a = before;
+    apply(a, delta);
+    EXPECT_TRUE(difference(a, after).is_empty());
+    EXPECT_EQ(a.group_names, after.group_names);
+    revert(a, delta);
+    EXPECT_TRUE(difference(a, before).is_empty());
+    EXPECT_EQ(a.group_names, before.group_names);
+  }
+}
+
+TEST(AttributesDelta, ValuesOfAnySizeAreCompared) {
+  for (std::uint8_t components = 1; components <= 4; ++components) {
+    Attributes before;
+    before.layers.emplace_back(
+        AttributeType{AttributeKind::joints, "JOINTS_0", components, ComponentType::u8}, 100);
+    std::ranges::fill(before.layers[0].bytes(), std::byte{7});
+    Attributes after = before;
+    after.layers[0].value(41)[components - 1U] = std::byte{8};
+    const AttributesDelta delta = difference(before, after);
+    EXPECT_FALSE(delta.is_empty());
+    Attributes a = before;
+    apply(a, delta);
+    EXPECT_TRUE(difference(a, after).is_empty());
+    revert(a, delta);
+    EXPECT_TRUE(difference(a, before).is_empty());
+  }
 }
 
 }  // namespace

@@ -3,132 +3,353 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 
+#include "engine/core/error.h"
+#include "engine/core/parallel.h"
+#include "engine/mesh/corner_attributes.h"
+#include "engine/mesh/normals.h"
+#include "engine/mesh/wedges.h"
 #include "tests/support/meshes.h"
 
-namespace mesher {
+namespace mesher::test {
 namespace {
 
-glm::vec2 texcoord_of(Vertex v) {
-  return {0.25F * static_cast<float>(v.index()), 1.0F};
-}
+using simplify::SimplifiedModel;
+using simplify::simplify_model;
 
-/// One value per vertex, and the face index modulo 3 as its group.
-Attributes plain_attributes(const Mesh& mesh) {
-  Attributes a;
-  for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
-    const Vertex v = mesh.origin(Halfedge(i));
-    a.texcoord.push_back(texcoord_of(v));
-    a.normal.push_back({0.0F, static_cast<float>(v.index()), 1.0F});
-    a.color.push_back({static_cast<std::uint8_t>(v.index()), 1, 2, 255});
+/// A sheet with texture coordinates that are a linear function of the position.
+struct Sheet {
+  static glm::vec2 texcoord_at(const glm::vec3& p) {
+    return {0.25F * p.x - 0.5F * p.y, 3.0F + 0.125F * p.y};
   }
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
-    a.group.push_back(f % 3);
-  a.group_names = {"a", "b", "c"};
-  return a;
-}
 
-struct Case {
-  explicit Case(std::uint32_t target = 60) : mesh(build_mesh(test::grid(8)).mesh) {
-    attributes = plain_attributes(mesh);
-    result = simplify::simplify(
-        Mesh(mesh), {.target_faces = target, .order = simplify::ResultOrder::fill_holes});
+  explicit Sheet(std::uint32_t side = 12) : mesh(built(grid(side)).mesh) {
+    for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+      corners.texcoord.push_back(texcoord_at(mesh.position(mesh.origin(Halfedge(h)))));
+      corners.normal.push_back({0.0F, 0.0F, 1.0F});
+      corners.color.push_back({200, 100, 50, 255});
+    }
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
+      corners.group.push_back(f % 3);
+    corners.group_names = {"a", "b", "c"};
   }
-  simplify::CarriedAttributes carried() const {
-    return simplify::carry_attributes(attributes, mesh.origins(), result);
+  SimplifiedModel simplified(std::uint32_t target) const {
+    return simplify_model(Mesh(mesh), to_wedges(mesh, CornerAttributes(corners)),
+                          {.target_faces = target});
   }
 
   Mesh mesh;
-  Attributes attributes;
-  simplify::Simplified result;
+  CornerAttributes corners;
 };
 
-TEST(CarryAttributes, VertexValuesStayWithTheirVertices) {
-  const Case c;
-  const simplify::CarriedAttributes carried = c.carried();
-  EXPECT_TRUE(carried.dropped.empty());
-  const Attributes& a = carried.attributes;
-  ASSERT_EQ(a.texcoord.size(), c.result.mesh.halfedge_count());
-  ASSERT_EQ(a.normal.size(), a.texcoord.size());
-  ASSERT_EQ(a.color.size(), a.texcoord.size());
-  for (std::uint32_t i = 0; i < c.result.mesh.halfedge_count(); ++i) {
-    const Vertex source = c.result.vertex_source[c.result.mesh.origin(Halfedge(i)).index()];
-    EXPECT_EQ(a.texcoord[i], texcoord_of(source));
-    EXPECT_EQ(a.normal[i].y, static_cast<float>(source.index()));
-    EXPECT_EQ(a.color[i].x, source.index());
+void expect_valid_model(const SimplifiedModel& model) {
+  EXPECT_TRUE(validate(model.simplified.mesh).empty());
+  EXPECT_TRUE(validate(model.simplified.mesh, model.attributes).empty());
+}
+
+TEST(CarryAttributes, LinearFunctionsOfAPlaneAreReproduced) {
+  for (const std::uint32_t target : {200U, 60U, 10U, 2U}) {
+    const SimplifiedModel model = Sheet().simplified(target);
+    expect_valid_model(model);
+    const Mesh& mesh = model.simplified.mesh;
+    ASSERT_LE(mesh.face_count(), target);
+    const CornerAttributes carried = to_corners(mesh, model.attributes);
+    for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+      const glm::vec2 expected = Sheet::texcoord_at(mesh.position(mesh.origin(Halfedge(h))));
+      EXPECT_NEAR(carried.texcoord[h].x, expected.x, 1e-5F);
+      EXPECT_NEAR(carried.texcoord[h].y, expected.y, 1e-5F);
+      EXPECT_EQ(carried.normal[h], glm::vec3(0, 0, 1));
+      EXPECT_EQ(carried.color[h], glm::u8vec4(200, 100, 50, 255));
+    }
+    EXPECT_FALSE(model.attributes.has_seams());
   }
 }
 
 TEST(CarryAttributes, GroupsStayWithTheirFaces) {
-  const Case c;
-  const Attributes a = c.carried().attributes;
-  ASSERT_EQ(a.group.size(), c.result.mesh.face_count());
-  for (std::uint32_t f = 0; f < c.result.mesh.face_count(); ++f)
-    EXPECT_EQ(a.group[f], c.result.face_source[f].index() % 3);
-  EXPECT_EQ(a.group_names, c.attributes.group_names);
+  const SimplifiedModel model = Sheet().simplified(60);
+  ASSERT_EQ(model.attributes.group.size(), model.simplified.mesh.face_count());
+  for (std::uint32_t f = 0; f < model.simplified.mesh.face_count(); ++f)
+    EXPECT_EQ(model.attributes.group[f], model.simplified.face_source[f].index() % 3);
+  EXPECT_EQ(model.attributes.group_names, Sheet().corners.group_names);
 }
 
-TEST(CarryAttributes, SeamAtARemainingVertexDropsAndReportsTheAttribute) {
-  Case c;
-  const Vertex survivor = c.result.vertex_source[0];
-  c.attributes.texcoord[c.mesh.outgoing(survivor).index()] = {7.0F, 7.0F};
-  const simplify::CarriedAttributes carried = c.carried();
-  EXPECT_TRUE(carried.attributes.texcoord.empty());
-  EXPECT_FALSE(carried.attributes.normal.empty());
-  ASSERT_EQ(carried.dropped.size(), 1U);
-  EXPECT_EQ(carried.dropped[0].find("texture coordinates (seams at 1 of the "), 0U);
-}
-
-TEST(CarryAttributes, SeamAtARemovedVertexIsIgnored) {
-  Case c;
-  std::vector<bool> survives(c.mesh.vertex_count());
-  for (const Vertex v : c.result.vertex_source)
-    survives[v.index()] = true;
-  std::uint32_t gone = 0;
-  while (survives[gone] || c.mesh.valence(Vertex(gone)) < 3)
-    ++gone;
-  c.attributes.color[c.mesh.outgoing(Vertex(gone)).index()] = {9, 9, 9, 9};
-  EXPECT_TRUE(c.carried().dropped.empty());
-}
-
-TEST(CarryAttributes, MissingCornerValuesAreEqual) {
-  Case c;
-  constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
-  const Vertex survivor = c.result.vertex_source[0];
-  for (std::uint32_t i = 0; i < c.mesh.halfedge_count(); ++i) {
-    if (c.mesh.origin(Halfedge(i)) == survivor) c.attributes.texcoord[i] = glm::vec2(kNothing);
+TEST(CarryAttributes, StraightSeamSurvivesToTheLastFaces) {
+  Sheet sheet;
+  for (std::uint32_t f = 0; f < sheet.mesh.face_count() / 2; ++f) {  // the lower half
+    for (std::uint32_t c = 0; c < 3; ++c)
+      sheet.corners.texcoord[3 * f + c].x += 10.0F;
   }
-  const simplify::CarriedAttributes carried = c.carried();
-  EXPECT_TRUE(carried.dropped.empty());
-  EXPECT_TRUE(std::isnan(carried.attributes.texcoord[c.result.mesh.outgoing(Vertex(0)).index()].x));
+  for (const std::uint32_t target : {100U, 20U, 8U}) {
+    const SimplifiedModel model = sheet.simplified(target);
+    expect_valid_model(model);
+    EXPECT_FALSE(model.crosses_seams) << target;
+    const Mesh& mesh = model.simplified.mesh;
+    ASSERT_LE(mesh.face_count(), target);
+    const CornerAttributes carried = to_corners(mesh, model.attributes);
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+      float center = 0.0F;
+      for (std::uint32_t c = 0; c < 3; ++c)
+        center += mesh.position(mesh.origin(Halfedge(3 * f + c))).y / 3.0F;
+      const float offset = center < 6.0F ? 10.0F : 0.0F;
+      for (std::uint32_t c = 0; c < 3; ++c) {
+        const glm::vec3& p = mesh.position(mesh.origin(Halfedge(3 * f + c)));
+        EXPECT_NEAR(carried.texcoord[3 * f + c].x, Sheet::texcoord_at(p).x + offset, 1e-4F) << f;
+      }
+    }
+    for (const float sharpness : mesh.sharpnesses())
+      EXPECT_EQ(sharpness, 0.0F) << "the mark of the seam is gone";
+  }
 }
 
-TEST(CarryAttributes, EmptyAttributesStayEmpty) {
-  Case c;
-  c.attributes = {};
-  EXPECT_TRUE(c.carried().attributes.is_empty());
-  EXPECT_TRUE(c.carried().dropped.empty());
+/// An open cylinder of `around` x 8 squares whose texture goes around once, from 0 to 1.
+struct Tube {
+  explicit Tube(std::uint32_t around) {
+    constexpr std::uint32_t kRings = 9;
+    Soup soup;
+    for (std::uint32_t ring = 0; ring < kRings; ++ring) {
+      for (std::uint32_t i = 0; i < around; ++i) {
+        const float angle = 6.2831853F * float(i) / float(around);
+        soup.positions.push_back({std::cos(angle), std::sin(angle), 0.5F * float(ring)});
+      }
+    }
+    for (std::uint32_t ring = 0; ring + 1 < kRings; ++ring) {
+      for (std::uint32_t i = 0; i < around; ++i) {
+        const auto add = [&](std::uint32_t di, std::uint32_t dring) {
+          soup.corners.push_back((ring + dring) * around + (i + di) % around);
+          soup.attributes.texcoord.push_back(
+              {float(i + di) / float(around), float(ring + dring) / float(kRings - 1)});
+        };
+        for (const auto& [di, dring] :
+             {std::pair{0U, 0U}, {1U, 0U}, {1U, 1U}, {0U, 0U}, {1U, 1U}, {0U, 1U}})
+          add(di, dring);
+      }
+    }
+    BuildResult result = built(std::move(soup));
+    mesh = std::move(result.mesh);
+    attributes = std::move(result.attributes);
+  }
+  Mesh mesh;
+  Attributes attributes;
+};
+
+TEST(CarryAttributes, TextureAroundATubeStaysCutOnce) {
+  for (const std::uint32_t around : {5U, 6U, 12U, 40U}) {
+    const Tube tube(around);
+    EXPECT_EQ(tube.attributes.further.size(), 9U) << around;
+    for (const std::uint32_t share : {1U, 2U, 4U}) {
+      const SimplifiedModel model = simplify_model(
+          Mesh(tube.mesh), tube.attributes, {.target_faces = tube.mesh.face_count() / share});
+      expect_valid_model(model);
+      const Mesh& mesh = model.simplified.mesh;
+      const CornerAttributes carried = to_corners(mesh, model.attributes);
+      for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+        float low = 1.0F;
+        float high = 0.0F;
+        for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
+          low = std::min(low, carried.texcoord[h].x);
+          high = std::max(high, carried.texcoord[h].x);
+        }
+        EXPECT_LT(high - low, 0.75F) << around << " a face runs around the tube";
+      }
+    }
+  }
+}
+
+TEST(CarryAttributes, VerticesThatStayKeepTheirBits) {
+  const Tube tube(12);
+  const SimplifiedModel model =
+      simplify_model(Mesh(tube.mesh), tube.attributes,
+                     {.target_faces = 100, .placement = simplify::Placement::endpoint});
+  const Mesh& mesh = model.simplified.mesh;
+  const CornerAttributes before = to_corners(tube.mesh, tube.attributes);
+  const CornerAttributes after = to_corners(mesh, model.attributes);
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+    const glm::vec3& p = mesh.position(mesh.origin(Halfedge(h)));
+    bool is_found = false;
+    for (std::uint32_t g = 0; g < tube.mesh.halfedge_count(); ++g) {
+      is_found |= tube.mesh.position(tube.mesh.origin(Halfedge(g))) == p &&
+                  before.texcoord[g] == after.texcoord[h];
+    }
+    EXPECT_TRUE(is_found) << h;
+  }
+}
+
+TEST(CarryAttributes, NormalsAndTangentsHaveUnitLength) {
+  const Mesh mesh = built(torus(40, 30)).mesh;
+  Attributes attributes;
+  set_normals(mesh, attributes, corner_normals(mesh, {}));
+  AttributeLayer tangents({AttributeKind::tangent, "TANGENT", 4, ComponentType::f32},
+                          mesh.halfedge_count());
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+    const glm::vec3& p = mesh.position(mesh.origin(Halfedge(h)));
+    const glm::vec3 t = glm::normalize(glm::vec3(-p.y, p.x, 0.0F));
+    store(tangents, h, {t.x, t.y, t.z, -1.0});
+  }
+  set_corner_layers(mesh, attributes, {tangents});
+  const SimplifiedModel model = simplify_model(Mesh(mesh), attributes, {.target_faces = 200});
+  expect_valid_model(model);
+  ASSERT_EQ(model.attributes.layers.size(), 2U);
+  for (const AttributeLayer& layer : model.attributes.layers) {
+    for (std::size_t w = 0; w < layer.count(); ++w) {
+      const AttributeValue value = load(layer, w);
+      EXPECT_NEAR(glm::length(glm::dvec3(value[0], value[1], value[2])), 1.0, 1e-6);
+      if (layer.type().kind == AttributeKind::tangent) {
+        EXPECT_EQ(value[3], -1.0);
+      }
+    }
+  }
+}
+
+TEST(CarryAttributes, BonesAreNeverBlended) {
+  Sheet sheet;
+  Attributes attributes;
+  std::vector<AttributeLayer> layers;
+  layers.emplace_back(AttributeType{AttributeKind::joints, "JOINTS_0", 4, ComponentType::u8},
+                      sheet.mesh.halfedge_count());
+  layers.emplace_back(AttributeType{AttributeKind::weights, "WEIGHTS_0", 4, ComponentType::f32},
+                      sheet.mesh.halfedge_count());
+  for (std::uint32_t h = 0; h < sheet.mesh.halfedge_count(); ++h) {
+    const bool is_left = sheet.mesh.position(sheet.mesh.origin(Halfedge(h))).x < 6.0F;
+    store(layers[0], h, is_left ? AttributeValue{3, 9, 0, 0} : AttributeValue{4, 8, 0, 0});
+    store(layers[1], h,
+          is_left ? AttributeValue{0.75, 0.25, 0, 0} : AttributeValue{0.5, 0.5, 0, 0});
+  }
+  set_corner_layers(sheet.mesh, attributes, std::move(layers));
+  const SimplifiedModel model = simplify_model(Mesh(sheet.mesh), attributes, {.target_faces = 30});
+  expect_valid_model(model);
+  const AttributeLayer& joints = *model.attributes.find("JOINTS_0");
+  const AttributeLayer& weights = *model.attributes.find("WEIGHTS_0");
+  for (std::size_t w = 0; w < joints.count(); ++w) {
+    const bool is_left = load(joints, w)[0] == 3.0;
+    EXPECT_EQ(load(joints, w), (is_left ? AttributeValue{3, 9, 0, 0} : AttributeValue{4, 8, 0, 0}));
+    EXPECT_EQ(load(weights, w)[0], is_left ? 0.75 : 0.5) << "weights belong to their bones";
+  }
+}
+
+TEST(CarryAttributes, NormalPerFaceStaysNormalPerFace) {
+  const Mesh mesh = built(torus(24, 18)).mesh;
+  Array<glm::vec3> normals;
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+    const auto p = [&](std::uint32_t c) {
+      return mesh.position(mesh.origin(Halfedge(h / 3 * 3 + c)));
+    };
+    normals.push_back(glm::normalize(glm::cross(p(1) - p(0), p(2) - p(0))));
+  }
+  Attributes attributes;
+  set_normals(mesh, attributes, normals);
+  const SimplifiedModel model = simplify_model(Mesh(mesh), attributes, {.target_faces = 300});
+  expect_valid_model(model);
+  const Mesh& result = model.simplified.mesh;
+  ASSERT_LE(result.face_count(), 300U);
+  const CornerAttributes carried = to_corners(result, model.attributes);
+  for (std::uint32_t h = 0; h < result.halfedge_count(); ++h) {
+    const auto p = [&](std::uint32_t c) {
+      return result.position(result.origin(Halfedge(h / 3 * 3 + c)));
+    };
+    const glm::vec3 n = glm::normalize(glm::cross(p(1) - p(0), p(2) - p(0)));
+    EXPECT_GT(glm::dot(n, carried.normal[h]), 0.9999F);
+  }
+}
+
+TEST(CarryAttributes, CornersWithoutAValueStayWithoutOne) {
+  Sheet sheet(4);
+  for (glm::vec2& t : sheet.corners.texcoord)
+    t = glm::vec2(std::numeric_limits<float>::quiet_NaN());
+  sheet.corners.texcoord[0] = {0.5F, 0.5F};
+  const SimplifiedModel model = sheet.simplified(30);
+  expect_valid_model(model);
+  std::size_t absent = 0;
+  for (const glm::vec2& t : to_corners(model.simplified.mesh, model.attributes).texcoord)
+    absent += std::isnan(t.x) ? 1 : 0;
+  EXPECT_GE(absent, 80U);
 }
 
 TEST(CarryAttributes, NoCollapseKeepsAllAttributes) {
-  Case c(1000);
-  c.attributes.texcoord[0] = {7.0F, 7.0F};  // also a seam
-  const Attributes a = c.carried().attributes;
-  EXPECT_TRUE(a.texcoord == c.attributes.texcoord);
-  EXPECT_TRUE(a.group == c.attributes.group);
+  Sheet sheet(4);
+  sheet.corners.texcoord[0] = {7.0F, 7.0F};
+  const SimplifiedModel model = sheet.simplified(1'000);
+  const CornerAttributes carried = to_corners(model.simplified.mesh, model.attributes);
+  EXPECT_EQ(carried.texcoord, sheet.corners.texcoord);
+  EXPECT_EQ(carried.normal, sheet.corners.normal);
+  EXPECT_EQ(carried.group, sheet.corners.group);
 }
 
-TEST(CarryAttributes, AcceptsAnyListOfRemainingElements) {
-  const Case c;
-  const simplify::CarriedAttributes carried =
-      simplify::carry_attributes(c.attributes, c.mesh.origins(),
-                                 simplify::Survivors{c.result.mesh, c.result.vertex_source,
-                                                     c.result.face_source, c.mesh.vertex_count()});
-  EXPECT_TRUE(carried.dropped.empty());
-  EXPECT_TRUE(carried.attributes.texcoord == c.carried().attributes.texcoord);
-  EXPECT_TRUE(carried.attributes.group == c.carried().attributes.group);
+TEST(CarryAttributes, EmptyAttributesStayEmpty) {
+  const Mesh mesh = built(grid(6)).mesh;
+  EXPECT_TRUE(simplify_model(Mesh(mesh), {}, {.target_faces = 20}).attributes.is_empty());
+}
+
+TEST(CarryAttributes, DoesNotDependOnThreads) {
+  const Tube tube(40);
+  Array<std::byte> bytes[2];
+  for (const unsigned threads : {1U, 2U}) {
+    const ThreadLimit limit(threads);
+    bytes[threads - 1] = simplify_model(Mesh(tube.mesh), tube.attributes, {.target_faces = 200})
+                             .attributes.layers[0]
+                             .bytes();
+  }
+  EXPECT_EQ(bytes[0], bytes[1]);
+}
+
+TEST(CarryAttributes, CanceledWorkThrows) {
+  const Tube tube(12);
+  Progress progress;
+  progress.cancel();
+  std::vector<Face> faces;
+  for (std::uint32_t f = 0; f < tube.mesh.face_count(); ++f)
+    faces.emplace_back(f);
+  EXPECT_THROW(
+      (void)simplify::carry_attributes({tube.mesh, tube.attributes}, tube.mesh, faces, &progress),
+      Cancelled);
+}
+
+TEST(SimplifyModel, CrossesSeamsOnlyIfTheTargetNeedsIt) {
+  Sheet sheet;
+  for (std::uint32_t h = 0; h < sheet.mesh.halfedge_count(); ++h)
+    sheet.corners.texcoord[h].x = float(h / 3);  // each face is a chart of its own
+  const SimplifiedModel model = sheet.simplified(100);
+  expect_valid_model(model);
+  EXPECT_TRUE(model.crosses_seams);
+  EXPECT_LE(model.simplified.mesh.face_count(), 100U);
+  EXPECT_NE(model.attributes.find("TEXCOORD_0"), nullptr);
+  EXPECT_FALSE(Sheet().simplified(2).crosses_seams);
+}
+
+TEST(MarkSeams, SoftNormalsAreNoLines) {
+  const Mesh plain = built(cube()).mesh;
+  for (const auto& [degrees, is_marked] : {std::pair{20.0F, false}, {40.0F, true}}) {
+    Array<glm::vec3> normals(plain.halfedge_count(), glm::vec3(0, 0, 1));
+    const float angle = degrees * 3.14159265F / 180.0F;
+    for (std::size_t h = 0; h < 6; ++h)
+      normals[h] = {0, std::sin(angle), std::cos(angle)};
+    Attributes attributes;
+    set_normals(plain, attributes, normals);
+    Mesh mesh(plain);
+    simplify::mark_seams(mesh, attributes);
+    const auto marked = std::ranges::count(mesh.sharpnesses(), simplify::kSeamSharpness);
+    EXPECT_EQ(marked > 0, is_marked) << degrees;
+    simplify::unmark_seams(mesh);
+    EXPECT_TRUE(std::ranges::equal(mesh.sharpnesses(), plain.sharpnesses()));
+  }
+}
+
+TEST(MarkSeams, CreasesStayWhatTheyAre) {
+  Sheet sheet;
+  for (std::uint32_t h = 0; h < sheet.mesh.halfedge_count() / 2; ++h)
+    sheet.corners.texcoord[h].x += 10.0F;
+  const Attributes attributes = to_wedges(sheet.mesh, std::move(sheet.corners));
+  Mesh plain = sheet.mesh;
+  simplify::mark_seams(plain, attributes);
+  const auto seam = std::ranges::find(plain.sharpnesses(), simplify::kSeamSharpness);
+  ASSERT_NE(seam, plain.sharpnesses().end());
+  const Halfedge h(static_cast<std::uint32_t>(seam - plain.sharpnesses().begin()));
+  Mesh mesh = sheet.mesh;
+  mesh.set_sharpness(mesh.edge(h), 2.0F);
+  simplify::mark_seams(mesh, attributes);
+  EXPECT_EQ(mesh.sharpness(h), 2.0F);
 }
 
 }  // namespace
-}  // namespace mesher
+}  // namespace mesher::test

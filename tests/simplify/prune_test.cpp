@@ -7,6 +7,7 @@
 
 #include "engine/analysis/distance.h"
 #include "engine/core/parallel.h"
+#include "engine/mesh/corner_attributes.h"
 #include "engine/simplify/attributes.h"
 #include "tests/support/meshes.h"
 
@@ -108,22 +109,26 @@ TEST(Prune, IdsMapToTheInput) {
 
 TEST(Prune, AttributesFollowTheRemainingParts) {
   const Mesh mesh = built(specks_before_torus()).mesh;
-  Attributes attributes;
+  CornerAttributes corners;
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
-    attributes.group.push_back(f < 480 ? 0 : 1 + f % 5);
+    corners.group.push_back(f < 480 ? 0 : 1 + f % 5);
+  corners.group_names.resize(6);
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
-    attributes.texcoord.push_back({float(mesh.origin(Halfedge(h)).index()), 0.0F});
+    corners.texcoord.push_back({float(mesh.origin(Halfedge(h)).index()), 0.0F});
+  const Attributes attributes = to_wedges(mesh, std::move(corners));
   for (const std::uint32_t target : {4'800U, 300U}) {
-    const simplify::Simplified result =
-        simplify::simplify_pruned(Mesh(mesh), {.target_faces = target});
+    const simplify::SimplifiedModel model =
+        simplify::simplify_model(Mesh(mesh), attributes, {.target_faces = target}, true);
+    const simplify::Simplified& result = model.simplified;
     ASSERT_EQ(result.report.pruned_parts, 40U) << target;
-    const simplify::CarriedAttributes carried =
-        simplify::carry_attributes(attributes, mesh.origins(), result);
-    ASSERT_EQ(carried.attributes.group.size(), result.mesh.face_count());
+    EXPECT_TRUE(validate(result.mesh, model.attributes).empty());
+    ASSERT_EQ(model.attributes.group.size(), result.mesh.face_count());
     for (std::uint32_t f = 0; f < result.mesh.face_count(); ++f)
-      ASSERT_EQ(carried.attributes.group[f], 1 + result.face_source[f].index() % 5);
-    ASSERT_EQ(carried.attributes.texcoord.size(), result.mesh.halfedge_count());
-    EXPECT_GE(carried.attributes.texcoord[0].x, 320.0F) << "earlier vertices belong to the cubes";
+      ASSERT_EQ(model.attributes.group[f], 1 + result.face_source[f].index() % 5);
+    const CornerAttributes carried = to_corners(result.mesh, model.attributes);
+    ASSERT_EQ(carried.texcoord.size(), result.mesh.halfedge_count());
+    for (const glm::vec2& t : carried.texcoord)
+      ASSERT_GE(t.x, 320.0F) << "earlier vertices belong to the cubes";
   }
 }
 

@@ -290,7 +290,7 @@ TEST(Simplify, HasOneProgressForEveryWayToStop) {
 
 TEST(Simplify, CanBeCanceledAtAnyMoment) {
   const Mesh mesh = bumpy_torus(kSanitized ? 180 : 900, 600);
-  cancel_at_random_moments("simplifying", [&](Progress* progress) {
+  cancel_at_many_moments("simplifying", [&](Progress* progress) {
     static_cast<void>(
         simplify::simplify(Mesh(mesh), {.target_faces = 1'000, .progress = progress}));
   });

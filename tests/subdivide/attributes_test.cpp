@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/mesh/corner_attributes.h"
 #include "engine/subdivide/subdivide.h"
 #include "tests/support/meshes.h"
 
@@ -16,8 +17,8 @@ namespace {
 enum Corner : std::size_t { a = 0, ab = 1, ca = 2, b = 4, bc = 5, c = 8 };
 
 /// Two faces with a seam at their common edge.
-Attributes two_faces() {
-  Attributes attributes;
+CornerAttributes two_faces() {
+  CornerAttributes attributes;
   attributes.texcoord = {{0, 0}, {1, 0}, {0, 1}, {0.5F, 0.5F}, {1, 1}, {0.25F, 0.75F}};
   attributes.color.assign(6, glm::u8vec4(10, 20, 30, 255));
   attributes.color[1] = {13, 20, 255, 0};
@@ -27,8 +28,23 @@ Attributes two_faces() {
   return attributes;
 }
 
+/// Two triangles with a common edge.
+Mesh two_triangles() {
+  return built(soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {0, 1, 2, 1, 3, 2})).mesh;
+}
+
+/// Returns the attributes of a mesh after some levels, by corner.
+CornerAttributes subdivided(const Mesh& mesh, const CornerAttributes& corners,
+                            std::uint32_t levels) {
+  const Mesh fine = subdivide::subdivide(mesh, {.levels = levels}).mesh;
+  const Attributes attributes = subdivide::subdivide_attributes(
+      mesh, to_wedges(mesh, CornerAttributes(corners)), fine, levels);
+  EXPECT_TRUE(validate(fine, attributes).empty());
+  return to_corners(fine, attributes);
+}
+
 TEST(SubdivideAttributes, TexcoordsAreBisectedWithinEachFace) {
-  const Attributes fine = subdivide::subdivide_attributes(two_faces(), 1);
+  const CornerAttributes fine = subdivided(two_triangles(), two_faces(), 1);
   ASSERT_EQ(fine.texcoord.size(), 24U);
   EXPECT_EQ(fine.texcoord[a], glm::vec2(0, 0));
   EXPECT_EQ(fine.texcoord[b], glm::vec2(1, 0));
@@ -42,12 +58,11 @@ TEST(SubdivideAttributes, TexcoordsAreBisectedWithinEachFace) {
 }
 
 TEST(SubdivideAttributes, SeamsRemainSeams) {
-  const Mesh mesh =
-      built(soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {0, 1, 2, 1, 3, 2})).mesh;
+  const Mesh mesh = two_triangles();
   const Halfedge seam = mesh.find_halfedge(Vertex(1), Vertex(2));
   ASSERT_TRUE(mesh.twin(seam).is_valid());
   Mesh fine = subdivide::subdivide(mesh, {.levels = 3}).mesh;
-  const Attributes attributes = subdivide::subdivide_attributes(two_faces(), 3);
+  const CornerAttributes attributes = subdivided(mesh, two_faces(), 3);
   ASSERT_EQ(attributes.texcoord.size(), fine.halfedge_count());
   std::uint32_t at_seam = 0;
   for (std::uint32_t i = 0; i < fine.halfedge_count(); ++i) {
@@ -64,26 +79,27 @@ TEST(SubdivideAttributes, SeamsRemainSeams) {
 
 TEST(SubdivideAttributes, MatchPositionsUnderMidpointSubdivision) {
   const Mesh mesh = built(grid(4)).mesh;
-  Attributes attributes;
+  CornerAttributes attributes;
   const auto flat = [](const Mesh& m, Halfedge h) { return glm::vec2(m.position(m.origin(h))); };
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
     attributes.texcoord.push_back(flat(mesh, Halfedge(h)));
   const Mesh fine =
       subdivide::subdivide(mesh, {.levels = 2, .scheme = subdivide::Scheme::midpoint}).mesh;
-  const Attributes carried = subdivide::subdivide_attributes(attributes, 2);
+  const CornerAttributes carried = to_corners(
+      fine, subdivide::subdivide_attributes(mesh, to_wedges(mesh, std::move(attributes)), fine, 2));
   for (std::uint32_t h = 0; h < fine.halfedge_count(); ++h)
     EXPECT_EQ(carried.texcoord[h], flat(fine, Halfedge(h))) << h;
 }
 
 TEST(SubdivideAttributes, ColorsAreAveragedAndRoundedUp) {
-  const Attributes fine = subdivide::subdivide_attributes(two_faces(), 1);
+  const CornerAttributes fine = subdivided(two_triangles(), two_faces(), 1);
   EXPECT_EQ(fine.color[b], glm::u8vec4(13, 20, 255, 0));
   EXPECT_EQ(fine.color[ab], glm::u8vec4(12, 20, 143, 128));  // from 11.5, 20, 142.5 and 127.5
   EXPECT_EQ(fine.color[ca], glm::u8vec4(10, 20, 30, 255));
 }
 
 TEST(SubdivideAttributes, ChildrenInheritTheirGroup) {
-  const Attributes fine = subdivide::subdivide_attributes(two_faces(), 2);
+  const CornerAttributes fine = subdivided(two_triangles(), two_faces(), 2);
   ASSERT_EQ(fine.group.size(), 32U);
   for (std::size_t f = 0; f < fine.group.size(); ++f)
     EXPECT_EQ(fine.group[f], f < 16 ? 1U : 0U) << f;
@@ -91,17 +107,17 @@ TEST(SubdivideAttributes, ChildrenInheritTheirGroup) {
 }
 
 TEST(SubdivideAttributes, NormalsAreDroppedUnlessNothingIsSubdivided) {
-  EXPECT_TRUE(subdivide::subdivide_attributes(two_faces(), 1).normal.empty());
-  const Attributes same = subdivide::subdivide_attributes(two_faces(), 0);
+  EXPECT_TRUE(subdivided(two_triangles(), two_faces(), 1).normal.empty());
+  const CornerAttributes same = subdivided(two_triangles(), two_faces(), 0);
   EXPECT_TRUE(same.normal == two_faces().normal);
   EXPECT_TRUE(same.texcoord == two_faces().texcoord);
   EXPECT_TRUE(same.color == two_faces().color);
 }
 
 TEST(SubdivideAttributes, MissingCornerValuesGiveMissingMidpoints) {
-  Attributes attributes = two_faces();
+  CornerAttributes attributes = two_faces();
   attributes.texcoord[1] = glm::vec2(std::numeric_limits<float>::quiet_NaN());
-  const Attributes fine = subdivide::subdivide_attributes(attributes, 1);
+  const CornerAttributes fine = subdivided(two_triangles(), attributes, 1);
   for (const std::size_t corner : {b, ab, bc})
     EXPECT_TRUE(std::isnan(fine.texcoord[corner].x)) << corner;
   for (const std::size_t corner : {a, c, ca})
@@ -109,18 +125,41 @@ TEST(SubdivideAttributes, MissingCornerValuesGiveMissingMidpoints) {
 }
 
 TEST(SubdivideAttributes, EmptyAttributesStayEmpty) {
-  EXPECT_TRUE(subdivide::subdivide_attributes({}, 3).is_empty());
+  EXPECT_TRUE(subdivided(two_triangles(), {}, 3).is_empty());
+}
+
+TEST(SubdivideAttributes, BonesComeFromOneEnd) {
+  const Mesh mesh = two_triangles();
+  Attributes attributes;
+  attributes.layers.emplace_back(
+      AttributeType{AttributeKind::joints, "JOINTS_0", 1, ComponentType::u8}, mesh.vertex_count());
+  attributes.layers.emplace_back(
+      AttributeType{AttributeKind::weights, "WEIGHTS_0", 1, ComponentType::f32},
+      mesh.vertex_count());
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    store(attributes.layers[0], v, {10.0 + v, 0, 0, 0});
+    store(attributes.layers[1], v, {0.5 + 0.125 * v, 0, 0, 0});
+  }
+  const Mesh fine = subdivide::subdivide(mesh, {.levels = 2}).mesh;
+  const Attributes carried = subdivide::subdivide_attributes(mesh, attributes, fine, 2);
+  EXPECT_TRUE(validate(fine, carried).empty());
+  ASSERT_EQ(carried.layers.size(), 2U);
+  for (std::size_t w = 0; w < carried.layers[0].count(); ++w) {
+    const double bone = load(carried.layers[0], w)[0];
+    EXPECT_EQ(load(carried.layers[1], w)[0], 0.5 + 0.125 * (bone - 10.0));
+  }
 }
 
 TEST(SubdividedAttributes, SizeIsThatOfTheResultAndThePreviousLevel) {
-  Attributes attributes;
-  attributes.texcoord.assign(6, glm::vec2(0.0F));
-  attributes.color.assign(6, glm::u8vec4(0));
-  attributes.group.assign(2, 0);
-  EXPECT_EQ(subdivide::subdivided_attribute_bytes(attributes, 0), 0U);
-  constexpr std::size_t kBytes = 6 * 8 + 6 * 4 + 2 * 4;
-  EXPECT_EQ(subdivide::subdivided_attribute_bytes(attributes, 1), 5 * kBytes);
-  EXPECT_EQ(subdivide::subdivided_attribute_bytes(attributes, 3), 80 * kBytes);
+  const Mesh mesh = two_triangles();
+  CornerAttributes corners = two_faces();
+  corners.normal = {};
+  const Attributes attributes = to_wedges(mesh, std::move(corners));
+  EXPECT_EQ(subdivide::subdivided_attribute_bytes(mesh, attributes, 0), 0U);
+  constexpr std::size_t kBytes = 6 * (8 + 4 + 4) + 2 * 4;  // values, wedges and groups
+  EXPECT_EQ(subdivide::subdivided_attribute_bytes(mesh, attributes, 1), 5 * kBytes);
+  EXPECT_EQ(subdivide::subdivided_attribute_bytes(mesh, attributes, 3), 80 * kBytes);
+  EXPECT_EQ(subdivide::subdivided_attribute_bytes(mesh, {}, 3), 0U);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
 #include "engine/core/progress.h"
+#include "engine/mesh/corner_attributes.h"
 #include "engine/simplify/simplify.h"
 #include "engine/subdivide/attributes.h"
 #include "engine/subdivide/features.h"
@@ -144,9 +145,10 @@ TEST(Degenerate, EveryLongStepStopsWhenCanceled) {
   const auto place = [](const subdivide::EdgeSite&) { return mesher::subdivide::Point(); };
   EXPECT_THROW(subdivide::refine(level, true, &cancelled, place), Cancelled);
   EXPECT_THROW(subdivide::limit_surface(level, features, options), Cancelled);
-  Attributes attributes;
-  attributes.texcoord.assign(mesh.halfedge_count(), glm::vec2(0.0F));
-  EXPECT_THROW(subdivide::subdivide_attributes(attributes, 1, &cancelled), Cancelled);
+  CornerAttributes corners;
+  corners.texcoord.assign(mesh.halfedge_count(), glm::vec2(0.0F));
+  const Attributes attributes = to_wedges(mesh, std::move(corners));
+  EXPECT_THROW(subdivide::subdivide_attributes(mesh, attributes, mesh, 1, &cancelled), Cancelled);
   for (const unsigned threads : {1U, 2U}) {
     const ThreadLimit limit(threads);
     EXPECT_THROW(static_cast<void>(subdivide::subdivide(mesh, options)), Cancelled);

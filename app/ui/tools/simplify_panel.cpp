@@ -99,8 +99,7 @@ void draw_report(const SimplifyOutcome& outcome) {
   row("collapsing", seconds_text(report.seconds.collapse));
   row("completion", seconds_text(report.seconds.finish));
   if (report.measured_error >= 0.0) row("measurement", seconds_text(report.seconds.measure));
-  for (const std::string& dropped : outcome.dropped)
-    row("dropped", dropped);
+  if (outcome.crosses_seams) row("seams", "crossed to reach the target");
   ImGui::EndTable();
 }
 

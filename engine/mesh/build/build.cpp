@@ -13,6 +13,7 @@
 #include "engine/mesh/build/manifold_cutter.h"
 #include "engine/mesh/build/orientation.h"
 #include "engine/mesh/build/triangulate.h"
+#include "engine/mesh/wedges.h"
 
 namespace mesher {
 namespace {
@@ -22,6 +23,9 @@ constexpr std::size_t kBuildGrain = std::size_t{1} << 16;
 /// sharpness. Medians of 0.1, 1.4 and 13 million triangles, and of 1 million quads, on two cores.
 constexpr double kTriangleWeights[] = {0.01, 0.11, 0.58, 0.2, 0.1};
 constexpr double kPolygonWeights[] = {0.42, 0.05, 0.3, 0.08, 0.15};
+/// Time of the wedges, relative to the mesh: 1.4 million triangles with texture coordinates and
+/// normals.
+constexpr double kWedgesTime = 0.5;
 // A flipped diagonal may coincide with another one in turn. If that goes on, the polygons
 // themselves overlap, and their edges are cut.
 constexpr int kFlipRounds = 3;
@@ -53,12 +57,26 @@ class Builder {
   Builder(Soup&& soup, const BuildOptions& options) : soup_(std::move(soup)), options_(options) {}
 
   BuildResult run() {
+    begin_stage(options_.progress, "building the mesh");
+    check_sizes();
+    to_streams(soup_);
+    Stages stages(options_.progress, {1.0, soup_.streams.empty() ? 0.0 : kWedgesTime});
+    stages.next();
+    build();
+    stages.next();
+    result_.attributes = make_wedges(result_.mesh, std::move(soup_.streams), options_.progress);
+    result_.attributes.group = std::move(soup_.attributes.group);
+    result_.attributes.group_names = std::move(soup_.attributes.group_names);
+    return std::move(result_);
+  }
+
+ private:
+  /// Makes the mesh. Whatever moves corners moves the indices of the streams with them.
+  void build() {
     Progress* const progress = options_.progress;
-    begin_stage(progress, "building the mesh");
     Stages stages(progress, soup_.face_start.empty() ? std::span<const double>(kTriangleWeights)
                                                      : std::span<const double>(kPolygonWeights));
     stages.next();
-    check_sizes();
     triangulate(soup_, result_.report, progress);
     check_triangle_count();
     stages.next();
@@ -74,12 +92,9 @@ class Builder {
     std::fill(arrays_.sharpness.begin(), arrays_.sharpness.end(), 0.0F);
     tag_creases();
     tag_corners();
-    result_.attributes = std::move(soup_.attributes);
     result_.mesh = std::move(arrays_).finish();
-    return std::move(result_);
   }
 
- private:
   /// Drops what cannot be used, and takes positions and corners over.
   void clean() {
     Stages stages(options_.progress, {0.34, 0.42, 0.24});
@@ -118,14 +133,28 @@ class Builder {
   }
 
   void check_attribute_sizes() const {
-    const Attributes& a = soup_.attributes;
+    const CornerAttributes& a = soup_.attributes;
     const std::size_t corners = soup_.corners.size();
     for (const std::size_t size : {a.texcoord.size(), a.normal.size(), a.color.size()}) {
       if (size != 0 && size != corners)
         throw InputError("the number of attributes differs from the number of corners");
     }
+    for (const AttributeStream& stream : soup_.streams)
+      check_stream(stream);
     if (!a.group.empty() && a.group.size() != soup_.face_count()) {
       throw InputError("the number of groups differs from the number of faces");
+    }
+  }
+
+  void check_stream(const AttributeStream& stream) const {
+    if (stream.index.size() != soup_.corners.size())
+      throw InputError("the number of attributes differs from the number of corners");
+    for (const AttributeLayer& layer : stream.layers) {
+      if (layer.count() != stream.count()) throw InputError("attributes differ in number");
+    }
+    for (const std::uint32_t i : stream.index) {
+      if (i != kNone && i >= stream.count())
+        throw InputError("a face uses an attribute that does not exist");
     }
   }
 
@@ -136,9 +165,8 @@ class Builder {
   void drop_faces(const std::vector<std::uint8_t>& drop) {
     compact(soup_.corners, drop, 3);
     compact(arrays_.origin, drop, 3);
-    compact(soup_.attributes.texcoord, drop, 3);
-    compact(soup_.attributes.normal, drop, 3);
-    compact(soup_.attributes.color, drop, 3);
+    for (AttributeStream& stream : soup_.streams)
+      compact(stream.index, drop, 3);
     compact(soup_.attributes.group, drop, 1);
     compact(soup_.polygon_of, drop, 1);
   }
@@ -227,9 +255,8 @@ class Builder {
       if (diagonals.empty()) break;
       for (const Diagonal& diagonal : diagonals) {
         flip_diagonal(diagonal, arrays_.origin);
-        flip_diagonal(diagonal, soup_.attributes.texcoord);
-        flip_diagonal(diagonal, soup_.attributes.normal);
-        flip_diagonal(diagonal, soup_.attributes.color);
+        for (AttributeStream& stream : soup_.streams)
+          flip_diagonal(diagonal, stream.index);
       }
       matching = {};
       matching = match_edges(arrays_.origin, vertex_count(), options_.progress);
@@ -267,17 +294,46 @@ class Builder {
         std::swap(values[3 * std::size_t{f} + 1], values[3 * std::size_t{f} + 2]);
     };
     swap_corners(arrays_.origin);
-    swap_corners(soup_.attributes.texcoord);
-    swap_corners(soup_.attributes.normal);
-    swap_corners(soup_.attributes.color);
-    if (soup_.attributes.normal.empty()) return;
-    // Either only the winding was wrong, or the normals were reversed too: the face normal tells
-    // which.
-    const glm::dvec3 face = face_normal(f);
-    for (std::size_t c = 0; c < 3; ++c) {
-      glm::vec3& n = soup_.attributes.normal[3 * std::size_t{f} + c];
-      if (glm::dot(glm::dvec3(n), face) < 0.0) n = -n;
+    for (AttributeStream& stream : soup_.streams) {
+      swap_corners(stream.index);
+      turn_normals(f, stream);
     }
+  }
+
+  /// Gives the corners of a flipped face normals that point to its front. Either only the winding
+  /// was wrong, or the normals were reversed too: the face normal tells which.
+  void turn_normals(std::uint32_t f, AttributeStream& stream) const {
+    const auto layer = std::find_if(
+        stream.layers.begin(), stream.layers.end(),
+        [](const AttributeLayer& l) { return l.type().kind == AttributeKind::normal; });
+    if (layer == stream.layers.end()) return;
+    const glm::dvec3 face = face_normal(f);
+    for (std::size_t c = 3 * std::size_t{f}; c < 3 * std::size_t{f} + 3; ++c) {
+      std::uint32_t& i = stream.index[c];
+      if (i == kNone) continue;
+      const AttributeValue n = load(*layer, i);
+      if (!(glm::dot(glm::dvec3(n[0], n[1], n[2]), face) < 0.0)) continue;
+      i = append_turned(stream, i);
+    }
+  }
+
+  /// Appends a copy of a value, whose normal points the other way, to all layers of a stream, since
+  /// other faces may use the original. Returns its index.
+  static std::uint32_t append_turned(AttributeStream& stream, std::uint32_t i) {
+    const auto turned = static_cast<std::uint32_t>(stream.count());
+    for (AttributeLayer& layer : stream.layers) {
+      layer.resize(turned + std::size_t{1});
+      AttributeValue value = load(layer, i);
+      const AttributeKind kind = layer.type().kind;
+      if (kind == AttributeKind::normal) {
+        for (double& x : value)
+          x = -x;
+      } else if (kind == AttributeKind::tangent) {
+        value[3] = -value[3];  // of the bitangent, which stays
+      }
+      store(layer, turned, value);
+    }
+    return turned;
   }
 
   glm::dvec3 face_normal(std::uint32_t f) const {

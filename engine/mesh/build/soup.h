@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "engine/core/array.h"
-#include "engine/mesh/attributes.h"
+#include "engine/mesh/corner_attributes.h"
 #include "engine/mesh/ids.h"
+#include "engine/mesh/wedges.h"
 
 namespace mesher {
 
@@ -35,7 +37,9 @@ struct Soup {
   /// `triangulate`.
   Array<std::uint32_t> polygon_of;
   /// One value per corner of `corners` (not 3F if there are polygons); one group per face.
-  Attributes attributes;
+  CornerAttributes attributes;
+  /// Further attributes. `index` has an element for each of `corners`.
+  std::vector<AttributeStream> streams;
   std::vector<CreaseTag> creases;
   std::vector<CornerTag> corner_tags;
 
@@ -44,5 +48,9 @@ struct Soup {
                               : static_cast<std::uint32_t>(face_start.size() - 1);
   }
 };
+
+/// Turns the values of `attributes` into a stream, whose layers are named as in glTF. Groups stay.
+/// O(corners).
+void to_streams(Soup& soup);
 
 }  // namespace mesher

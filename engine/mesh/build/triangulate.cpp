@@ -123,9 +123,8 @@ void triangulate(Soup& soup, BuildReport& report, Progress* progress) {
     }
   });
   gather(soup.corners, source);
-  gather(soup.attributes.texcoord, source);
-  gather(soup.attributes.normal, source);
-  gather(soup.attributes.color, source);
+  for (AttributeStream& stream : soup.streams)
+    gather(stream.index, source);
   gather(soup.attributes.group, source_face);
   soup.polygon_of = std::move(source_face);
   soup.face_start = {};

@@ -24,9 +24,10 @@ namespace mesher {
 void triangulate(std::span<const glm::vec3> polygon,
                  std::vector<std::array<std::uint32_t, 3>>& triangles);
 
-/// Replaces every polygon of the soup by triangles and carries the attributes along. Drops faces of
-/// fewer than three corners and polygons that repeat an earlier one, and counts them in `report`.
-/// Deterministic. Afterwards `face_start` is empty. Throws Cancelled. Pre: indices are in range.
+/// Replaces every polygon of the soup by triangles and carries streams and groups along. Drops
+/// faces of fewer than three corners and polygons that repeat an earlier one, and counts them in
+/// `report`. Deterministic. Afterwards `face_start` is empty. Throws Cancelled. Pre: indices are in
+/// range; CornerAttributes have no values (see `to_streams`).
 void triangulate(Soup& soup, BuildReport& report, Progress* progress = nullptr);
 
 }  // namespace mesher

@@ -245,7 +245,7 @@ TEST_F(CommandLine, SimplifyAvoidsIntersectionsOnRequest) {
   EXPECT_NE(run.err.find("by self-intersection"), std::string::npos) << run.err;
 }
 
-TEST_F(CommandLine, SimplifyReportsDroppedAttributes) {
+TEST_F(CommandLine, SimplifySaysThatSeamsWereCrossed) {
   // A bumpy sheet with different texture coordinates for each face: every edge is a seam.
   std::string text = "vt 0 0\nvt 1 1\n";
   constexpr int kSide = 4;
@@ -267,10 +267,12 @@ TEST_F(CommandLine, SimplifyReportsDroppedAttributes) {
   const Finished run = mesher({"simplify", "t.obj", "-o", "o.obj", "--faces", "28", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto json = nlohmann::json::parse(run.out);
-  ASSERT_EQ(json["dropped"].size(), 1U);
-  EXPECT_NE(run.err.find("dropped texture coordinates (seams at "), std::string::npos) << run.err;
+  EXPECT_EQ(json["faces_reached"], 28);
+  EXPECT_EQ(json["crosses_seams"], true);
+  EXPECT_NE(run.err.find("seams of the attributes were crossed"), std::string::npos) << run.err;
+  EXPECT_NE(test::read_bytes(folder_ / "o.obj").find("\nvt "), std::string::npos);
   const Finished all = mesher({"simplify", "t.obj", "-o", "o.obj", "--faces", "32", "--json"});
-  EXPECT_TRUE(nlohmann::json::parse(all.out)["dropped"].empty()) << all.out;
+  EXPECT_EQ(nlohmann::json::parse(all.out)["crosses_seams"], false) << all.out;
 }
 
 TEST_F(CommandLine, RenderSimplifiesOnRequest) {

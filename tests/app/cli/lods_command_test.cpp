@@ -10,6 +10,7 @@
 #include "engine/core/error.h"
 #include "engine/io/read.h"
 #include "tests/app/program_test.h"
+#include "tests/support/attributes.h"
 #include "tests/support/meshes.h"
 #include "tests/support/obj_files.h"
 
@@ -135,50 +136,34 @@ std::string sheet(bool has_seams) {
   return text;
 }
 
-TEST_F(LodsCommand, AttributesWithoutSeamsAreCarriedOver) {
+TEST_F(LodsCommand, AttributesAreCarriedOver) {
   folder_.write("s.obj", sheet(false));
-  const auto json = mesher_json({"lods", "s.obj", "-o", "o.obj", "--ratios", "1,0.5"});
-  EXPECT_TRUE(json["levels"][1]["dropped"].empty());
+  mesher_json({"lods", "s.obj", "-o", "o.obj", "--ratios", "1,0.5"});
   const Model coarse = io::read_model(folder_ / "o_lod1.obj");
   ASSERT_EQ(coarse.mesh.face_count(), 36U);
-  ASSERT_EQ(coarse.attributes.texcoord.size(), 108U);
-  EXPECT_EQ(coarse.attributes.normal.size(), 108U);
-  for (const glm::vec2& t : coarse.attributes.texcoord) {
-    EXPECT_EQ(t.x, std::floor(t.x));
-    EXPECT_LE(t.x, 6.0F);
+  const CornerAttributes corners = test::corners_of(coarse);
+  ASSERT_EQ(corners.texcoord.size(), 108U);
+  EXPECT_EQ(corners.normal.size(), 108U);
+  for (std::uint32_t h = 0; h < 108; ++h) {  // they were equal to x and y
+    const glm::vec3& p = coarse.mesh.position(coarse.mesh.origin(Halfedge(h)));
+    EXPECT_NEAR(corners.texcoord[h].x, p.x, 0.1F);
+    EXPECT_NEAR(corners.texcoord[h].y, p.y, 0.1F);
   }
   const Model input = io::read_model(folder_ / "s.obj");
   const Model fine = io::read_model(folder_ / "o_lod0.obj");
-  EXPECT_TRUE(fine.attributes.texcoord == input.attributes.texcoord);
+  EXPECT_TRUE(test::corners_of(fine).texcoord == test::corners_of(input).texcoord);
 }
 
-TEST_F(LodsCommand, AttributesWithSeamsAreKeptOnlyAtFullDetail) {
+TEST_F(LodsCommand, AttributesWithSeamsAreKept) {
   folder_.write("s.obj", sheet(true));
   const Finished run = mesher({"lods", "s.obj", "-o", "o.glb", "--ratios", "1,0.5", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  const auto json = nlohmann::json::parse(run.out);
-  EXPECT_TRUE(json["levels"][0]["dropped"].empty());
-  ASSERT_EQ(json["levels"][1]["dropped"].size(), 1U);
-  EXPECT_TRUE(holds(run.err, "level 1: dropped texture coordinates (seams at ")) << run.err;
   const auto glb = document("o.glb");
-  EXPECT_TRUE(glb["meshes"][0]["primitives"][0]["attributes"].contains("TEXCOORD_0"));
-  EXPECT_FALSE(glb["meshes"][1]["primitives"][0]["attributes"].contains("TEXCOORD_0"));
-  EXPECT_TRUE(glb["meshes"][1]["primitives"][0]["attributes"].contains("NORMAL"));
-}
-
-TEST_F(LodsCommand, NormalsThatCannotBeCarriedOverAreComputed) {
-  std::string text = sheet(false) + "vn 0 1 0\n";
-  // One corner of every second face has another normal.
-  std::size_t faces = 0;
-  for (std::size_t at = text.find("\nf "); at != std::string::npos;
-       at = text.find("\nf ", at + 1)) {
-    if (++faces % 2 == 0) text[text.find("/1 ", at) + 1] = '2';
+  for (const std::size_t level : {0U, 1U}) {
+    const auto& attributes = glb["meshes"][level]["primitives"][0]["attributes"];
+    EXPECT_TRUE(attributes.contains("TEXCOORD_0")) << level;
+    EXPECT_TRUE(attributes.contains("NORMAL")) << level;
   }
-  folder_.write("s.obj", text);
-  const auto json = mesher_json({"lods", "s.obj", "-o", "o.glb", "--ratios", "1,0.5"});
-  ASSERT_EQ(json["levels"][1]["dropped"].size(), 1U);
-  EXPECT_TRUE(holds(json["levels"][1]["dropped"][0], "recomputed"));
-  EXPECT_TRUE(document("o.glb")["meshes"][1]["primitives"][0]["attributes"].contains("NORMAL"));
 }
 
 TEST_F(LodsCommand, UsesLevelsOfProgressiveMesh) {

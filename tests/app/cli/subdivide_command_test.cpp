@@ -10,6 +10,7 @@
 #include "engine/core/memory.h"
 #include "engine/io/read.h"
 #include "engine/mesh/validate.h"
+#include "tests/support/attributes.h"
 #include "tests/support/process.h"
 #include "tests/support/temp_folder.h"
 
@@ -173,14 +174,15 @@ TEST_F(SubdivideCommand, LimitWritesUnitNormals) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(Json::parse(run.out)["limit"], true);
   const Model model = read("c.obj");
-  ASSERT_EQ(model.attributes.normal.size(), model.mesh.halfedge_count());
+  const Array<glm::vec3> normals = test::corners_of(model).normal;
+  ASSERT_EQ(normals.size(), model.mesh.halfedge_count());
   for (std::uint32_t h = 0; h < model.mesh.halfedge_count(); ++h) {
-    const glm::vec3& n = model.attributes.normal[h];
+    const glm::vec3& n = normals[h];
     EXPECT_NEAR(glm::dot(n, n), 1.0F, 1e-4F);
     EXPECT_GT(glm::dot(n, model.mesh.position(model.mesh.origin(Halfedge(h)))), 0.0F);
   }
   ASSERT_EQ(subdivide({"cube", "-o", "plain.obj"}).exit_code, 0);
-  EXPECT_TRUE(read("plain.obj").attributes.normal.empty());
+  EXPECT_TRUE(read("plain.obj").attributes.is_empty());
 }
 
 TEST_F(SubdivideCommand, LimitOfInterpolatingSchemesHasNoEffect) {
@@ -201,7 +203,7 @@ TEST_F(SubdivideCommand, CarriesAttributesAndDropsNormals) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(Json::parse(run.out)["dropped"], Json::array({"normals"}));
   EXPECT_TRUE(is_said(run, "dropped normals")) << run.err;
-  const Attributes attributes = read("o.obj").attributes;
+  const CornerAttributes attributes = test::corners_of(read("o.obj"));
   ASSERT_EQ(attributes.texcoord.size(), 24U);
   EXPECT_EQ(attributes.texcoord[1], glm::vec2(0.5F, 0.0F));
   EXPECT_EQ(attributes.texcoord[12], glm::vec2(0.0F, 0.0F));  // a seam: vertex 2 is 1 0 elsewhere
@@ -219,7 +221,7 @@ TEST_F(SubdivideCommand, ZeroLevelsLeaveModelUnchanged) {
   EXPECT_EQ(Json::parse(run.out)["dropped"], Json::array());
   const Model model = read("o.obj");
   EXPECT_EQ(model.mesh.face_count(), 1U);
-  EXPECT_EQ(model.attributes.normal.size(), 3U);
+  EXPECT_EQ(test::corners_of(model).normal.size(), 3U);
 }
 
 TEST_F(SubdivideCommand, OutputIsIndependentOfThreadCount) {

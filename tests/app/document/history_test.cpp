@@ -5,6 +5,7 @@
 #include <new>
 
 #include "engine/core/memory.h"
+#include "engine/mesh/corner_attributes.h"
 #include "tests/support/meshes.h"
 #include "tests/support/sanitized.h"
 
@@ -84,8 +85,9 @@ TEST(History, TakeBackDropsUndoneEdits) {
 /// An edit that replaces the model by a large one with texture coordinates.
 Edit growth(const Edited& d) {
   const Mesh large = build_mesh(test::torus(500, 400)).mesh;
-  Attributes attributes;
-  attributes.texcoord.assign(large.halfedge_count(), {0.5F, 0.5F});
+  CornerAttributes corners;
+  corners.texcoord.assign(large.halfedge_count(), {0.5F, 0.5F});
+  const Attributes attributes = to_wedges(large, std::move(corners));
   return {.name = "grow",
           .mesh = difference(d.model.mesh, large),
           .attributes = difference(d.model.attributes, attributes),
@@ -108,7 +110,7 @@ TEST(History, OutOfMemoryLeavesModelUnchanged) {
     }
     if (history.undo_depth() == 1) break;
     EXPECT_TRUE(difference(before, d.model.mesh).is_empty());
-    EXPECT_TRUE(d.model.attributes.texcoord.empty());
+    EXPECT_TRUE(d.model.attributes.is_empty());
     EXPECT_EQ(d.stats.faces, before.face_count());
     EXPECT_EQ(history.memory_bytes(), 0U);
     ASSERT_LT(failures, 100);

@@ -12,6 +12,7 @@
 #include "app/files/save.h"
 #include "app/input/commands.h"
 #include "tests/app/edit/editing.h"
+#include "tests/support/attributes.h"
 #include "tests/support/meshes.h"
 
 namespace mesher::app {
@@ -279,8 +280,8 @@ TEST_F(ProgressiveViewTest, UsedLevelCanBeEditedAndUndone) {
 }
 
 TEST_F(ProgressiveViewTest, UsedLevelCarriesAttributesOver) {
-  Attributes& attributes = session_.document.model.attributes;
   const Mesh& mesh = session_.document.model.mesh;
+  CornerAttributes attributes;
   attributes.color.resize(mesh.halfedge_count());
   attributes.group.resize(mesh.face_count());
   attributes.group_names = {"low", "high"};
@@ -290,16 +291,20 @@ TEST_F(ProgressiveViewTest, UsedLevelCarriesAttributesOver) {
   }
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
     attributes.group[f] = f < 1200 ? 0 : 1;
+  session_.document.model.attributes = to_wedges(mesh, std::move(attributes));
   press_and_settle(session_, "p end");
   const auto& source = view().levels().vertex_source;
   const Shape shape = shown_shape(session_.document);
-  ASSERT_EQ(shape.attributes.color.size(), shape.mesh.halfedge_count());
+  test::expect_valid_attributes(shape);
+  const Array<glm::u8vec4> color = test::corners_of(shape).color;
+  ASSERT_EQ(color.size(), shape.mesh.halfedge_count());
   for (std::uint32_t h = 0; h < shape.mesh.halfedge_count(); ++h) {
     const std::uint32_t v = source[shape.mesh.origin(Halfedge(h)).index()].index();
-    EXPECT_EQ(shape.attributes.color[h], glm::u8vec4(v % 256, v / 256, 7, 255));
+    EXPECT_EQ(color[h], glm::u8vec4(v % 256, v / 256, 7, 255));
   }
   press_and_settle(session_, "pagedown pagedown k");
-  EXPECT_EQ(session_.document.model.attributes.color.size(),
+  test::expect_valid_attributes(session_.document.model);
+  EXPECT_EQ(test::corners_of(session_.document.model).color.size(),
             session_.document.model.mesh.halfedge_count());
   EXPECT_EQ(session_.document.model.attributes.group.size(),
             session_.document.model.mesh.face_count());

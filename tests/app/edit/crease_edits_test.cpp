@@ -9,6 +9,7 @@
 #include "app/edit/edits.h"
 #include "app/input/commands.h"
 #include "engine/mesh/creases.h"
+#include "tests/support/attributes.h"
 #include "tests/support/meshes.h"
 
 namespace mesher::app {
@@ -329,11 +330,13 @@ TEST_F(CreaseEdits, SimplifyFromOpenedModelKeepsItsCreases) {
 
 TEST_F(CreaseEdits, AttributesAreUnchanged) {
   show(test::cube());
-  s_.document.model.attributes.texcoord.assign(36, glm::vec2(0.5F));
+  CornerAttributes corners;
+  corners.texcoord.assign(36, glm::vec2(0.5F));
+  s_.document.model.attributes = to_wedges(s_.document.model.mesh, std::move(corners));
   press("shift+c");
-  EXPECT_EQ(s_.document.model.attributes.texcoord.size(), 36U);
+  EXPECT_EQ(test::corners_of(s_.document.model).texcoord.size(), 36U);
   press("ctrl+z");
-  EXPECT_EQ(s_.document.model.attributes.texcoord.size(), 36U);
+  EXPECT_EQ(test::corners_of(s_.document.model).texcoord.size(), 36U);
 }
 
 TEST_F(CreaseEdits, HoverReportsChangeOfEdge) {

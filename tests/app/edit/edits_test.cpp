@@ -15,6 +15,7 @@
 #include "engine/io/read.h"
 #include "engine/simplify/simplify.h"
 #include "tests/app/edit/editing.h"
+#include "tests/support/attributes.h"
 #include "tests/support/meshes.h"
 #include "tests/support/watched.h"
 
@@ -219,22 +220,23 @@ TEST(Edits, EditUsesSettingsAtTimeOfRequest) {
   EXPECT_FALSE(is_same(early.document.model.mesh, other.document.model.mesh));
 }
 
-TEST(Edits, DroppedAttributesGiveNoticeAndUndoRestoresThem) {
+TEST(Edits, CrossedSeamsGiveNoticeAndUndoRestoresAttributes) {
   Session s = session_with(test::grid(6));
-  Attributes& a = s.document.model.attributes;
+  CornerAttributes a;
   const Mesh& mesh = s.document.model.mesh;
   for (std::uint32_t i = 0; i < mesh.halfedge_count(); ++i) {
     a.texcoord.emplace_back(static_cast<float>(i), 0.0F);  // all seams
     a.color.push_back({static_cast<std::uint8_t>(mesh.origin(Halfedge(i)).index()), 0, 0, 255});
   }
+  s.document.model.attributes = to_wedges(mesh, std::move(a));
   press(s, "d");
-  EXPECT_TRUE(a.texcoord.empty());
-  EXPECT_EQ(a.color.size(), mesh.halfedge_count());
-  EXPECT_NE(s.document.notice.find("dropped texture coordinates"), std::string::npos)
-      << s.document.notice;
+  EXPECT_EQ(test::corners_of(s.document.model).texcoord.size(), mesh.halfedge_count());
+  EXPECT_EQ(test::corners_of(s.document.model).color.size(), mesh.halfedge_count());
+  test::expect_valid_attributes(s.document.model);
+  EXPECT_NE(s.document.notice.find("seams"), std::string::npos) << s.document.notice;
   press(s, "ctrl+z");
-  EXPECT_EQ(a.texcoord.size(), mesh.halfedge_count());
-  EXPECT_EQ(a.texcoord[17].x, 17.0F);
+  ASSERT_EQ(test::corners_of(s.document.model).texcoord.size(), mesh.halfedge_count());
+  EXPECT_EQ(test::corners_of(s.document.model).texcoord[17].x, 17.0F);
 }
 
 TEST(Edits, EmptyModelGivesANotice) {
@@ -394,7 +396,7 @@ TEST(Edits, CanceledEditLeavesTheDocument) {
       const auto task = start_next_edit(s.document);
       task->perform(progress);
     };
-    test::cancel_at_random_moments(name, perform, [&] {
+    test::cancel_at_many_moments(name, perform, [&] {
       EXPECT_TRUE(test::is_identical(s.document.model.mesh, before));
       EXPECT_EQ(s.document.edits.history.done_steps(), 0U);
       EXPECT_FALSE(s.document.progressive.has_mesh());

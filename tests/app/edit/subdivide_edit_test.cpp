@@ -12,6 +12,7 @@
 #include "engine/core/memory.h"
 #include "engine/subdivide/subdivide.h"
 #include "tests/app/edit/editing.h"
+#include "tests/support/attributes.h"
 #include "tests/support/meshes.h"
 
 namespace mesher::app {
@@ -159,14 +160,13 @@ TEST(Subdivision, LimitSurfaceHasItsNormals) {
   Session s = session_with(creased_cube());
   const Mesh coarse = s.document.model.mesh;
   press(s, "s s");
-  EXPECT_TRUE(shading_normals(s.document.model, s.document.edits).empty());
+  EXPECT_TRUE(shading_normals(s.document.edits).empty());
   press(s, "l");
   const subdivide::Subdivided expected = subdivide::subdivide(coarse, {.levels = 2, .limit = true});
   EXPECT_TRUE(is_same(s.document.model.mesh, expected.mesh));
-  EXPECT_TRUE(std::ranges::equal(shading_normals(s.document.model, s.document.edits),
-                                 expected.limit_normal));
+  EXPECT_TRUE(std::ranges::equal(shading_normals(s.document.edits), expected.limit_normal));
   press(s, "l");
-  EXPECT_TRUE(shading_normals(s.document.model, s.document.edits).empty());
+  EXPECT_TRUE(shading_normals(s.document.edits).empty());
   EXPECT_TRUE(is_same(s.document.model.mesh, subdivide::subdivide(coarse, {.levels = 2}).mesh));
 }
 
@@ -296,10 +296,12 @@ TEST(Subdivision, CarriesTextureCoordinatesOver) {
   soup.attributes.texcoord.assign(soup.corners.size(), glm::vec2(0.25F, 0.75F));
   Session s = session_with(std::move(soup));
   press(s, "s");
-  ASSERT_EQ(s.document.model.attributes.texcoord.size(), s.document.model.mesh.halfedge_count());
-  EXPECT_EQ(s.document.model.attributes.texcoord.back(), glm::vec2(0.25F, 0.75F));
+  ASSERT_EQ(test::corners_of(s.document.model).texcoord.size(),
+            s.document.model.mesh.halfedge_count());
+  EXPECT_EQ(test::corners_of(s.document.model).texcoord.back(), glm::vec2(0.25F, 0.75F));
   press(s, "shift+s");
-  EXPECT_EQ(s.document.model.attributes.texcoord.size(), s.document.model.mesh.halfedge_count());
+  EXPECT_EQ(test::corners_of(s.document.model).texcoord.size(),
+            s.document.model.mesh.halfedge_count());
 }
 
 TEST(Subdivision, JsonContainsSubdivision) {

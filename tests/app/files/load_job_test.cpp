@@ -68,24 +68,6 @@ TEST(LoadJob, StopsWhenCanceled) {
   EXPECT_EQ(wakes, 1);
 }
 
-/// Loads a file as the job does, and hands its Progress to a watcher.
-void load_watched(const std::filesystem::path& file, Progress* progress) {
-  LoadJob job(file, {}, nullptr);
-  while (!job.is_done()) {
-    if (progress == nullptr) continue;
-    if (progress->is_cancelled()) job.cancel();
-    if (const std::string stage = job.progress().stage(); !stage.empty())
-      progress->name_stage(stage);
-    progress->set(job.progress().fraction());
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
-  }
-  if (progress != nullptr) {
-    progress->name_stage(job.progress().stage());
-    progress->set(job.progress().fraction());
-  }
-  (void)job.take();
-}
-
 const std::vector<std::string> kLoadStages{"reading", "connecting", "building the mesh",
                                            "counting"};
 
@@ -95,13 +77,13 @@ TEST(LoadJob, HasOneProgressForEveryFormat) {
   for (const char* name : {"t.obj", "t.ply", "t.stl", "t.off", "t.gltf", "t.glb"}) {
     SCOPED_TRACE(name);
     io::write_model(folder / name, mesh, {});
-    const auto load = [&](Progress* progress) { load_watched(folder / name, progress); };
+    const auto load = [&](Progress* progress) { (void)load_model(folder / name, {}, *progress); };
     test::expect_one_progress(test::watched(load), kLoadStages);
   }
   for (const char* name : {"t.ply", "t.stl"}) {
     SCOPED_TRACE(std::string(name) + " as text");
     io::write_model(folder / name, mesh, {}, {.ascii = true});
-    const auto load = [&](Progress* progress) { load_watched(folder / name, progress); };
+    const auto load = [&](Progress* progress) { (void)load_model(folder / name, {}, *progress); };
     test::expect_one_progress(test::watched(load), kLoadStages);
   }
 }
@@ -111,17 +93,9 @@ TEST(LoadJob, ProgressMovesSteadily) {
   const Mesh mesh = test::built(test::torus(1000, 700)).mesh;
   for (const char* name : {"t.obj", "t.ply", "t.stl", "t.off", "t.glb"}) {
     io::write_model(folder / name, mesh, {});
-    // The smallest of several, because a busy machine may not let the watcher run.
-    float jump = 1.0F;
-    for (int run = 0; run < 4 && jump > 0.1F; ++run) {
-      const test::Watched seen =
-          test::watched([&](Progress* progress) { load_watched(folder / name, progress); });
-      float largest = 0.0F;
-      for (std::size_t i = 1; i < seen.fractions.size(); ++i)
-        largest = std::max(largest, seen.fractions[i] - seen.fractions[i - 1]);
-      jump = std::min(jump, largest);
-    }
-    EXPECT_LT(jump, 0.1F) << name;
+    const test::Watched seen =
+        test::watched([&](Progress* progress) { (void)load_model(folder / name, {}, *progress); });
+    EXPECT_LT(seen.largest_step(), 0.1F) << name;
   }
 }
 
@@ -131,7 +105,7 @@ TEST(LoadJob, CanBeCanceledAtAnyMoment) {
   const Mesh mesh = test::built(test::torus(test::kSanitized ? 250 : 1000, 700)).mesh;
   for (const char* name : {"t.obj", "t.ply", "t.stl", "t.off", "t.gltf", "t.glb"}) {
     io::write_model(folder / name, mesh, {});
-    test::cancel_at_random_moments(name, [&](Progress* progress) {
+    test::cancel_at_many_moments(name, [&](Progress* progress) {
       const LoadedModel loaded = open_model(folder / name, {.progress = progress});
       (void)statistics(loaded.model.mesh, progress);
     });

@@ -10,6 +10,7 @@
 #include "engine/core/error.h"
 #include "engine/io/pm_file.h"
 #include "engine/io/read.h"
+#include "engine/mesh/corner_attributes.h"
 #include "engine/mesh/delta.h"
 #include "tests/support/meshes.h"
 #include "tests/support/sanitized.h"
@@ -177,7 +178,9 @@ TEST_F(SaveTest, FormatsSayWhatTheyLose) {
   EXPECT_EQ(always_lost(s_.document, ".pm"), std::vector<std::string>{});
   EXPECT_EQ(losses_of(s_.document, "x.stl"), std::vector<std::string>{"12 creases"});
   EXPECT_EQ(losses_of(s_.document, "x.pm"), std::vector<std::string>{});
-  s_.document.model.attributes.color.assign(36, glm::u8vec4(1));
+  CornerAttributes corners;
+  corners.color.assign(36, glm::u8vec4(1));
+  s_.document.model.attributes = to_wedges(s_.document.model.mesh, std::move(corners));
   EXPECT_EQ(always_lost(s_.document, ".pm"), std::vector<std::string>{"colors"});
   EXPECT_EQ(losses_of(s_.document, "x.pm"), std::vector<std::string>{"colors"});
 }
@@ -240,8 +243,8 @@ TEST_F(SaveTest, CanceledSaveLeavesTheOldFile) {
       (void)perform(*task, progress);
       folder_.write(name, "the old one");
     };
-    test::cancel_at_random_moments(std::string("saving ") + name, save,
-                                   [&] { EXPECT_EQ(test::read_bytes(file), "the old one"); });
+    test::cancel_at_many_moments(std::string("saving ") + name, save,
+                                 [&] { EXPECT_EQ(test::read_bytes(file), "the old one"); });
   }
 }
 

@@ -8,6 +8,7 @@
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
 #include "engine/mesh/statistics.h"
+#include "tests/support/attributes.h"
 #include "tests/support/meshes.h"
 #include "tests/support/sanitized.h"
 
@@ -109,8 +110,8 @@ TEST(Build, FlippedFaceKeepsItsCornerAttributes) {
   std::swap(soup.corners[4], soup.corners[5]);
   const BuildResult r = built(std::move(soup));
   expect_report(r.report, {{Repair::faces_flipped, 1}});
-  EXPECT_EQ(r.attributes.texcoord[4].x, 5.0F);
-  EXPECT_EQ(r.attributes.texcoord[5].x, 4.0F);
+  EXPECT_EQ(test::corners_of(r).texcoord[4].x, 5.0F);
+  EXPECT_EQ(test::corners_of(r).texcoord[5].x, 4.0F);
 }
 
 TEST(Build, FlippedFaceNegatesOnlyInwardNormals) {
@@ -123,7 +124,7 @@ TEST(Build, FlippedFaceNegatesOnlyInwardNormals) {
   for (Soup* soup : {&wrong_winding, &turned_over}) {
     const BuildResult r = built(std::move(*soup));
     expect_report(r.report, {{Repair::faces_flipped, 1}});
-    for (const glm::vec3& n : r.attributes.normal)
+    for (const glm::vec3& n : test::corners_of(r).normal)
       EXPECT_EQ(n, glm::vec3(0, 0, 1));
   }
 }
@@ -172,8 +173,9 @@ TEST(Build, CleanQuadMeshStaysCleanForAnyDiagonals) {
   expect_report(r.report, {{Repair::polygons_triangulated, 2}});
   EXPECT_EQ(r.mesh.face_count(), 4U);
   EXPECT_FALSE(r.mesh.is_boundary(Vertex(1)));
+  const Array<glm::vec2> texcoord = test::corners_of(r).texcoord;
   for (std::uint32_t h = 0; h < r.mesh.halfedge_count(); ++h) {
-    EXPECT_EQ(r.attributes.texcoord[h].x, float(r.mesh.origin(Halfedge(h)).index()));
+    EXPECT_EQ(texcoord[h].x, float(r.mesh.origin(Halfedge(h)).index()));
   }
 }
 

@@ -179,6 +179,7 @@ TEST(Triangulate, SoupKeepsAttributesAndCountsRepairs) {
   for (std::uint32_t i = 0; i < 9; ++i)
     soup.attributes.texcoord.push_back({float(i), 0.0F});
   soup.attributes.group.assign({5, 6, 7});
+  to_streams(soup);
   BuildReport report;
   triangulate(soup, report);
   EXPECT_EQ(report[Repair::polygons_triangulated], 1U);
@@ -188,7 +189,8 @@ TEST(Triangulate, SoupKeepsAttributesAndCountsRepairs) {
   EXPECT_EQ(soup.attributes.group, (Array<std::uint32_t>{5, 5, 6}));
   const Array<std::uint32_t> expected_last{1, 4, 2};
   EXPECT_TRUE(std::equal(expected_last.begin(), expected_last.end(), soup.corners.begin() + 6));
-  EXPECT_EQ(soup.attributes.texcoord[6].x, 4.0F);
+  const AttributeStream& stream = soup.streams.at(0);
+  EXPECT_EQ(stream.layers.at(0).values<glm::vec2>()[stream.index[6]].x, 4.0F);
 }
 
 }  // namespace
