@@ -106,9 +106,9 @@ void add_obj_text(std::vector<Specimen>& zoo) {
   refused("index past 64 bits", kTriangle + "f 1 2 99999999999999999999999\n");
   refused("relative index before the start (CVE-2020-28589)", kTriangle + "f -1 -2 -4\n");
   refused("relative index past 32 bits", kTriangle + "f -1 -2 -4294967297\n");
-  refused("relative texture index before the start", kTriangle + "vt 0 0\nf 1/-2 2/-1 3/-1\n");
-  refused("texture index without texture coordinates", kTriangle + "f 1/1 2/1 3/1\n");
-  refused("normal index past the end", kTriangle + "vn 0 0 1\nf 1//1 2//2 3//1\n");
+  read("relative texture index before the start", kTriangle + "vt 0 0\nf 1/-2 2/-1 3/-1\n", 1);
+  read("texture index without texture coordinates", kTriangle + "f 1/1 2/1 3/1\n", 1);
+  read("normal index past the end", kTriangle + "vn 0 0 1\nf 1//1 2//2 3//1\n", 1);
   refused("crease of a missing vertex", kTriangle + "f 1 2 3\ne 0 3000000\n");
   refused("crease tag that claims billions",
           kTriangle + "t crease 4294967295/4294967295/0 0 1 1\n");
@@ -130,7 +130,7 @@ void add_obj_text(std::vector<Specimen>& zoo) {
   std::string names = kTriangle;
   for (int i = 0; i < kMany; ++i)
     names += "usemtl m" + std::to_string(i) + "\nf 1 2 3\n";
-  read("a hundred thousand materials", names, 1);
+  read("a hundred thousand materials", names, 16);  // as many sides as one place may have
   std::string joined = kTriangle + "o " + std::string(1000000, 'o') + "\n";
   for (int i = 0; i < kMany; ++i)
     joined += "g " + std::to_string(i) + "\n";
