@@ -39,6 +39,7 @@ LoadedModel load(const std::filesystem::path& file, LoadOptions options, Progres
   loaded.source = {.stamp = stamp_of(file),
                    .crease_index_base = options.read.crease_index_base,
                    .keep_isolated_vertices = options.read.keep_isolated_vertices,
+                   .weld = options.read.weld,
                    .tag_creases_deg = options.tag_creases_deg};
   if (options.tag_creases_deg)
     tag_creases_by_angle(loaded.model.mesh, glm::radians(*options.tag_creases_deg));
@@ -54,7 +55,8 @@ LoadedModel load_lost(LostEdits&& lost, Progress& progress) {
   const ModelSource& source = lost.source;
   LoadedModel loaded = load(lost.file,
                             {.read = {.crease_index_base = source.crease_index_base,
-                                      .keep_isolated_vertices = source.keep_isolated_vertices},
+                                      .keep_isolated_vertices = source.keep_isolated_vertices,
+                                      .weld = source.weld},
                              .tag_creases_deg = source.tag_creases_deg},
                             progress);
   if (loaded.source.stamp != source.stamp)
