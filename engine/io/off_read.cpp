@@ -253,6 +253,8 @@ class OffReader {
   void read_vertex(const OffKind& kind) {
     soup_.positions.push_back(read_position());
     if (kind.has_normals) normals_.push_back(read_vector());
+    const bool is_plain = !kind.has_colors && !kind.has_texcoords && !vertex_colors_.has_any();
+    if (is_plain && text_.at_line_end()) return text_.skip_line();
     has_declared_colors_ = kind.has_colors;
     OffNumbers numbers;
     numbers.read(text_);
@@ -296,6 +298,7 @@ class OffReader {
     }
     if (soup_.corners.size() >= kNone) text_.fail("more elements than 32-bit indices can address");
     soup_.face_start.push_back(static_cast<std::uint32_t>(soup_.corners.size()));
+    if (!face_colors_.has_any() && text_.at_line_end()) return text_.skip_line();
     OffNumbers numbers;
     numbers.read(text_);
     push_color(face_colors_, numbers, std::min<std::size_t>(4, numbers.count),
