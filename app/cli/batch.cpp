@@ -51,6 +51,21 @@ void print_statistics(const Statistics& s) {
   if (s.is_closed()) print("volume", number_text(s.volume));
 }
 
+void print_origin(const glm::dvec3& origin) {
+  if (origin == glm::dvec3(0.0)) return;
+  print("origin", fmt::format("{} {} {} (added to all positions)", origin.x, origin.y, origin.z));
+}
+
+void print_contents(const FileContents& contents) {
+  const char* label = "contents";
+  for (std::size_t i = 0; i < kContents.size(); ++i) {
+    const auto kind = static_cast<Content>(i);
+    if (contents[kind] == 0) continue;
+    print(label, contents.phrase(kind));
+    label = "";
+  }
+}
+
 /// Prints even with --quiet, because the result is not the complete model.
 void say_damage(const LoadedModel& loaded) {
   if (loaded.pm->damage.empty()) return;
@@ -70,6 +85,17 @@ void print_pm(const io::PmSummary& pm) {
   print("complete", pm.damage.empty() ? "yes" : "no: " + pm.damage);
 }
 
+/// Expresses the positions of a model about another origin.
+void move_origin(Model& model, const glm::dvec3& origin) {
+  const glm::dvec3 offset = model.origin - origin;
+  if (offset == glm::dvec3(0.0)) return;
+  for (std::uint32_t v = 0; v < model.mesh.vertex_count(); ++v) {
+    model.mesh.set_position(Vertex(v),
+                            glm::vec3(glm::dvec3(model.mesh.position(Vertex(v))) + offset));
+  }
+  model.origin = origin;
+}
+
 void say_written(const std::string& output, const Mesh& mesh) {
   say(fmt::format("{}: {} vertices, {}", output, count_text(mesh.vertex_count()),
                   count_text(mesh.face_count(), "face")));
@@ -79,7 +105,7 @@ void write_model(const std::string& output, const Model& model, bool ascii,
                  const CommonOptions& common) {
   ProgressLine line(!common.quiet, std::filesystem::path(output).filename().string());
   io::write_model(output, model.mesh, model.attributes,
-                  {.ascii = ascii, .progress = line.progress()});
+                  {.ascii = ascii, .origin = model.origin, .progress = line.progress()});
 }
 
 Json model_json(const LoadedModel& loaded) {
@@ -112,7 +138,7 @@ void say_repairs(const BuildReport& report) {
 
 void say_losses(const std::string& output, const std::vector<std::string>& losses) {
   for (const std::string& loss : losses)
-    say(fmt::format("{} cannot hold {}", output, loss));
+    say(fmt::format("{} does not hold {}", output, loss));
 }
 
 void check_format(const std::string& output) {
@@ -134,7 +160,7 @@ void check_output(const std::string& output) {
 std::vector<std::string> write_result(const std::string& output, const Model& model,
                                       const CommonOptions& common) {
   const std::vector<std::string> losses =
-      io::losses_in_format(output, model.mesh, model.attributes);
+      io::losses_in_format(output, model.mesh, model.attributes, model.contents, model.origin);
   write_model(output, model, false, common);
   if (!common.quiet) {
     say_losses(output, losses);
@@ -150,9 +176,9 @@ LoadedModel load(const InputOptions& input, const CommonOptions& common) {
     ProgressLine line(!common.quiet, file.filename().string());
     Stages stages(line.progress(), kReadAndCountWeights);
     stages.next();
-    loaded = open_model(file, {.crease_index_base = input.crease_index_base,
-                               .keep_isolated_vertices = input.keep_isolated,
-                               .progress = line.progress()});
+    io::ReadOptions options = read_options(input);
+    options.progress = line.progress();
+    loaded = open_model(file, options);
     if (input.tag_creases_deg) {
       tag_creases_by_angle(loaded.model.mesh, glm::radians(*input.tag_creases_deg));
     }
@@ -188,6 +214,8 @@ void run_info(const InputOptions& input, const CommonOptions& common) {
   print("file", loaded.file.string());
   if (loaded.pm) print_pm(*loaded.pm);
   print_statistics(loaded.statistics);
+  print_origin(loaded.model.origin);
+  print_contents(loaded.model.contents);
   if (loaded.model.report.is_clean()) print("repairs", "none needed");
 }
 
@@ -198,8 +226,8 @@ void run_convert(const InputOptions& input, const std::string& output, bool asci
   const Mesh& mesh = loaded.model.mesh;
   // Most formats cannot represent an empty mesh, and their readers would reject one.
   if (mesh.face_count() == 0) throw InputError(loaded.file.string(), 0, "has no faces to convert");
-  const std::vector<std::string> losses =
-      io::losses_in_format(output, mesh, loaded.model.attributes);
+  const std::vector<std::string> losses = io::losses_in_format(
+      output, mesh, loaded.model.attributes, loaded.model.contents, loaded.model.origin);
   write_model(output, loaded.model, ascii, common);
   if (!common.quiet) {
     say_losses(output, losses);
@@ -216,8 +244,9 @@ void run_convert(const InputOptions& input, const std::string& output, bool asci
 void run_compare(const InputOptions& first, const InputOptions& second, std::uint64_t samples,
                  const CommonOptions& common) {
   const LoadedModel a = load(first, common);
-  const LoadedModel b = load(second, common);
-  for (const LoadedModel* model : {&a, &b}) {
+  LoadedModel b = load(second, common);
+  move_origin(b.model, a.model.origin);
+  for (const LoadedModel* const model : std::initializer_list<const LoadedModel*>{&a, &b}) {
     if (model->statistics.faces == 0) {
       throw InputError(model->file.string(), 0, "has no faces to compare");
     }

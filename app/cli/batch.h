@@ -27,7 +27,7 @@ void run_compare(const InputOptions& first, const InputOptions& second, std::uin
 void say(const std::string& words);
 /// Prints on stderr what was repaired, if anything was.
 void say_repairs(const BuildReport& report);
-/// Says what the format of `output` cannot hold.
+/// Says what `output` does not hold of the model's file.
 void say_losses(const std::string& output, const std::vector<std::string>& losses);
 
 /// Prints `json` on stdout.

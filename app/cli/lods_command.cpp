@@ -168,7 +168,8 @@ void measure_coarse_levels(const Source& source, std::vector<Level>& levels) {
 }
 
 /// Writes either all files or none.
-void write_levels(const std::vector<fs::path>& files, const std::vector<Level>& levels) {
+void write_levels(const std::vector<fs::path>& files, const std::vector<Level>& levels,
+                  const glm::dvec3& origin) {
   std::vector<std::unique_ptr<io::AtomicFile>> open;
   open.reserve(files.size());
   for (const fs::path& file : files)
@@ -179,10 +180,10 @@ void write_levels(const std::vector<fs::path>& files, const std::vector<Level>& 
     chain.reserve(levels.size());
     for (const Level& level : levels)
       chain.push_back({&level.mesh, &level.attributes, level.coverage});
-    format.write_levels(*open.front(), chain);
+    format.write_levels(*open.front(), chain, origin);
   } else {
     for (std::size_t i = 0; i < levels.size(); ++i)
-      format.write(*open[i], levels[i].mesh, levels[i].attributes, {});
+      format.write(*open[i], levels[i].mesh, levels[i].attributes, {.origin = origin});
   }
   for (const auto& file : open)
     file->commit();
@@ -303,9 +304,10 @@ void run_lods(const InputOptions& input, const std::string& output, const LodArg
                                   ? make_pruned_levels(source, ratios, coverage, arguments, common)
                                   : make_levels(source, ratios, coverage);
   measure_coarse_levels(source, levels);
-  write_levels(files, levels);
+  write_levels(files, levels, source.loaded.model.origin);
   const std::vector<std::string> losses =
-      io::losses_in_format(output, levels.front().mesh, levels.front().attributes);
+      io::losses_in_format(output, levels.front().mesh, levels.front().attributes,
+                           source.loaded.model.contents, source.loaded.model.origin);
   if (!common.quiet) {
     say_losses(output, losses);
     say_levels(source, levels, files);

@@ -51,6 +51,13 @@ void apply_shading(render::Settings& settings, const LookOptions& look) {
 
 }  // namespace
 
+io::ReadOptions read_options(const InputOptions& input) {
+  return {.crease_index_base = input.crease_index_base,
+          .keep_isolated_vertices = input.keep_isolated,
+          .weld = input.no_weld ? std::optional<double>() : input.weld_distance,
+          .progress = nullptr};
+}
+
 std::optional<std::vector<double>> parse_numbers(const std::string& text) {
   std::vector<double> values;
   for (const std::string& part : split(text, ',')) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/document/view.h"
+#include "engine/io/read.h"
 
 namespace mesher::app {
 
@@ -27,9 +28,14 @@ struct InputOptions {
   std::string model;
   std::optional<int> crease_index_base;
   bool keep_isolated = false;
+  bool no_weld = false;
+  double weld_distance = 0.0;
   /// Edges whose face normals differ by more become infinitely sharp creases.
   std::optional<float> tag_creases_deg;
 };
+
+/// Returns the options as those of reading.
+io::ReadOptions read_options(const InputOptions& input);
 
 /// How a model is shown: the same arguments for `view` and `render`.
 struct LookOptions {

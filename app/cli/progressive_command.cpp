@@ -13,6 +13,7 @@
 #include "app/edit/distance_from_input.h"
 #include "engine/core/error.h"
 #include "engine/core/text.h"
+#include "engine/io/losses.h"
 #include "engine/progressive/base.h"
 #include "engine/progressive/build.h"
 
@@ -34,16 +35,6 @@ void check_pm_output(const std::string& output) {
     throw UsageError("-o: '" + output + "' does not end in .pm");
   }
   io::AtomicFile::check(output);
-}
-
-std::vector<std::string> names_of(const Attributes& attributes) {
-  std::vector<std::string> names;
-  const auto has = [&](AttributeKind kind) { return attributes.find(kind) != nullptr; };
-  if (has(AttributeKind::texcoord)) names.emplace_back("texture coordinates");
-  if (has(AttributeKind::normal)) names.emplace_back("normals");
-  if (has(AttributeKind::color)) names.emplace_back("colors");
-  if (!attributes.group.empty()) names.emplace_back("groups");
-  return names;
 }
 
 /// What was built and written.
@@ -81,7 +72,8 @@ Written make_and_write(const LoadedModel& loaded, const std::string& output,
   progressive::Progressive made = progressive::make_progressive(loaded.model.mesh, simple);
   Written written;
   written.outcome = {made.report, loaded.statistics.box.diagonal(), false,
-                     names_of(loaded.model.attributes)};
+                     io::losses_in_format("x.pm", loaded.model.mesh, loaded.model.attributes,
+                                          loaded.model.contents, loaded.model.origin)};
   written.build_s = std::max(0.0, watch.lap() - made.report.seconds.total());
   stages.next();
   const progressive::PmWriteOptions options{.coordinate_bits = coordinate_bits,
@@ -121,7 +113,7 @@ void say_written(const std::string& output, const Written& written) {
       pm.coordinate_bits == 0 ? "lossless" : fmt::format("{}-bit positions", pm.coordinate_bits),
       percent_text(100.0 * share_of_indexed(pm)), count_text(written.sizes.base, "byte")));
   for (const std::string& name : written.outcome.dropped)
-    say(name + " are not preserved");
+    say("not preserved: " + name);
 }
 
 void print_written(const LoadedModel& loaded, const std::string& output, const Written& written) {

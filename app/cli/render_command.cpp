@@ -166,6 +166,13 @@ void draw(LoadedModel&& loaded, const std::string& output, const LookOptions& lo
   if (common.json) print_report(session, output, picture, pm, {});
 }
 
+/// Refuses a model whose picture would be empty.
+void check_faces(const LoadedModel& loaded) {
+  if (loaded.model.mesh.face_count() == 0) {
+    throw InputError(loaded.file.string(), 0, "has no faces to draw");
+  }
+}
+
 /// Reduces the number of faces: by the level of a progressive mesh, or by simplification.
 void reduce(LoadedLevels& opened, const DetailArguments& detail, const CommonOptions& common) {
   LoadedModel& loaded = opened.loaded;
@@ -198,9 +205,12 @@ void run_render(const InputOptions& input, const std::string& output, const Look
   if (!look.camera.empty()) parse_camera(look.camera);
   check(output, look, picture);
   if (!detail.faces && !detail.lod) {
-    return draw(load(input, common), output, look, picture, common);
+    LoadedModel loaded = load(input, common);
+    check_faces(loaded);
+    return draw(std::move(loaded), output, look, picture, common);
   }
   LoadedLevels opened = load_levels(input, common);
+  check_faces(opened.loaded);
   if (detail.lod) return draw_moment(std::move(opened), *detail.lod, output, look, picture, common);
   reduce(opened, detail, common);
   draw(std::move(opened.loaded), output, look, picture, common);

@@ -104,6 +104,13 @@ class CommandLine {
                      "index base of the `e` lines of an OBJ (default: the one that fits)")
         ->check(CLI::IsMember({0, 1}));
     command->add_flag("--keep-isolated", input_.keep_isolated, "keep vertices that no face uses");
+    CLI::Option* const no_weld =
+        command->add_flag("--no-weld", input_.no_weld, "keep vertices at equal positions apart");
+    command
+        ->add_option("--weld", input_.weld_distance,
+                     "join vertices that are at most this far apart [model units] (default: 0)")
+        ->check(number_between(0.0, 1e38))
+        ->excludes(no_weld);
     command
         ->add_option("--tag-creases", input_.tag_creases_deg,
                      "mark edges whose face normals differ by more than this as creases [deg]")

@@ -86,9 +86,7 @@ void finish(Session& session, PmArrival& arrival) {
 }
 
 LoadOptions load_options(const InputOptions& input) {
-  return {.read = {.crease_index_base = input.crease_index_base,
-                   .keep_isolated_vertices = input.keep_isolated},
-          .tag_creases_deg = input.tag_creases_deg};
+  return {.read = read_options(input), .tag_creases_deg = input.tag_creases_deg};
 }
 
 void show(Session& session, LoadedModel&& loaded) {
@@ -103,6 +101,7 @@ void open_model(Session& session, const InputOptions& input, const CommonOptions
   loaded.source = {.stamp = stamp_of(loaded.file),
                    .crease_index_base = input.crease_index_base,
                    .keep_isolated_vertices = input.keep_isolated,
+                   .weld = read_options(input).weld,
                    .tag_creases_deg = input.tag_creases_deg};
   show(session, std::move(loaded));
 }
@@ -212,8 +211,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
                   .state_folder = state_folder(),
                   .config_folder = config_folder(),
                   .frame_first = frame,
-                  .read = {.crease_index_base = input.crease_index_base,
-                           .keep_isolated_vertices = input.keep_isolated}},
+                  .read = read_options(input)},
                  rest);
     } catch (const NoDisplay& no_display) {
       finish(session, rest);

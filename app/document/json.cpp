@@ -116,10 +116,27 @@ Json to_json(const BuildReport& report) {
   return json;
 }
 
+Json to_json(const FileContents& contents) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < kContents.size(); ++i) {
+    const auto kind = static_cast<Content>(i);
+    if (contents[kind] == 0) continue;
+    json[std::string(key(kind))] = {{"count", contents[kind]}, {"names", contents.names(kind)}};
+  }
+  return json;
+}
+
 Json to_json(const Model& model, const Statistics& statistics, const std::filesystem::path& file) {
+  Json figures = to_json(statistics);
+  if (!statistics.box.is_empty()) {
+    figures["box"] = {{"min", to_json(model.origin + glm::dvec3(statistics.box.min))},
+                      {"max", to_json(model.origin + glm::dvec3(statistics.box.max))}};
+  }
   return {{"file", file.string()},
           {"name", model.name},
-          {"statistics", to_json(statistics)},
+          {"origin", to_json(model.origin)},
+          {"statistics", std::move(figures)},
+          {"contents", to_json(model.contents)},
           {"repairs", to_json(model.report)}};
 }
 

@@ -35,6 +35,8 @@ Json options_json(const std::array<Option<S>, N>& table, const S& options) {
 Json to_json(const Statistics& statistics);
 /// Every kind of repair with its count, including zeros.
 Json to_json(const BuildReport& report);
+/// What a file held: counts of its kinds of content, each with names if there are any.
+Json to_json(const FileContents& contents);
 /// `{"file", "name", "statistics", "repairs"}`.
 Json to_json(const Model& model, const Statistics& statistics, const std::filesystem::path& file);
 /// The progressive mesh of a file, as `mesher info` prints it.

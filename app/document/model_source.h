@@ -16,6 +16,7 @@ struct ModelSource {
   std::optional<Stamp> stamp;  ///< none: the model cannot be read again, such as from a pipe
   std::optional<int> crease_index_base;  ///< as io::ReadOptions
   bool keep_isolated_vertices = false;
+  std::optional<double> weld = 0.0;
   std::optional<float> tag_creases_deg;  ///< edges were marked as creases by this angle
 };
 

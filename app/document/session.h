@@ -43,6 +43,8 @@ struct Session {
   bool shows_help = false;
   bool shows_palette = false;
   bool shows_start = false;  ///< the start screen
+  /// Models of the start screen that come with mesher. Listed when it is first drawn.
+  std::vector<std::filesystem::path> samples;
 
   // Requests to the viewer or the script that runs the session.
   bool wants_quit = false;

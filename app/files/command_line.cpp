@@ -23,6 +23,8 @@ std::string reading_options(const ModelSource& source) {
   if (source.crease_index_base)
     text += fmt::format(" --crease-index-base {}", *source.crease_index_base);
   if (source.keep_isolated_vertices) text += " --keep-isolated";
+  if (!source.weld) text += " --no-weld";
+  if (source.weld.value_or(0.0) > 0.0) text += fmt::format(" --weld {}", *source.weld);
   // The shortest text that reads back as the same float.
   if (source.tag_creases_deg) text += fmt::format(" --tag-creases {}", *source.tag_creases_deg);
   return text;

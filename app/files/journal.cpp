@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr const char* kExtension = ".journal";
 constexpr const char* kLockExtension = ".lock";
 // Between looks whether the work is canceled.
@@ -50,6 +50,7 @@ Json source_json(const fs::path& file, const ModelSource& source) {
           {"crc32", source.stamp->crc},
           {"crease_index_base", optional_json(source.crease_index_base)},
           {"keep_isolated", source.keep_isolated_vertices},
+          {"weld", optional_json(source.weld)},
           {"tag_creases_deg", optional_json(source.tag_creases_deg)}};
 }
 
@@ -70,6 +71,7 @@ void read_source(const Json& json, LostEdits& lost) {
                        json.at("crc32").get<std::uint32_t>()};
   lost.source.crease_index_base = optional_of<int>(json.at("crease_index_base"));
   lost.source.keep_isolated_vertices = json.at("keep_isolated").get<bool>();
+  lost.source.weld = optional_of<double>(json.at("weld"));
   lost.source.tag_creases_deg = optional_of<float>(json.at("tag_creases_deg"));
 }
 

@@ -37,6 +37,7 @@ LoadedModel load_model(const std::filesystem::path& file, LoadOptions options, P
   loaded.source = {.stamp = stamp_of(file),
                    .crease_index_base = options.read.crease_index_base,
                    .keep_isolated_vertices = options.read.keep_isolated_vertices,
+                   .weld = options.read.weld,
                    .tag_creases_deg = options.tag_creases_deg};
   if (options.tag_creases_deg)
     tag_creases_by_angle(loaded.model.mesh, glm::radians(*options.tag_creases_deg));
@@ -52,12 +53,12 @@ namespace {
 
 LoadedModel load_lost(LostEdits&& lost, Progress& progress) {
   const ModelSource& source = lost.source;
-  LoadedModel loaded =
-      load_model(lost.file,
-                 {.read = {.crease_index_base = source.crease_index_base,
-                           .keep_isolated_vertices = source.keep_isolated_vertices},
-                  .tag_creases_deg = source.tag_creases_deg},
-                 progress);
+  LoadedModel loaded = load_model(lost.file,
+                                  {.read = {.crease_index_base = source.crease_index_base,
+                                            .keep_isolated_vertices = source.keep_isolated_vertices,
+                                            .weld = source.weld},
+                                   .tag_creases_deg = source.tag_creases_deg},
+                                  progress);
   if (loaded.source.stamp != source.stamp)
     throw InputError(lost.file.string(), 0, "has changed: its edits cannot be repeated");
   loaded.lost = std::move(lost);

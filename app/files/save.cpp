@@ -149,7 +149,8 @@ std::vector<std::string> always_lost(const Document& document, const std::string
 
 std::vector<std::string> losses_of(const Document& document, const fs::path& file) {
   const auto [mesh, attributes] = written_shape(document, file);
-  return io::losses_in_format(file, mesh, attributes);
+  return io::losses_in_format(file, mesh, attributes, document.model.contents,
+                              document.model.origin);
 }
 
 void submit_save(Saving& saving, const Document& document,
@@ -170,6 +171,8 @@ std::optional<SaveTask> begin_save(Saving& saving, const Document& document) {
   const bool is_pm = io::has_pm_ending(*saving.waiting);
   SaveTask task{.file = *saving.waiting,
                 .shape = std::make_shared<const Shape>(written_shape(document, *saving.waiting)),
+                .contents = document.model.contents,
+                .origin = document.model.origin,
                 .levels = nullptr,
                 .rules = {},
                 .opening = document.opening,
@@ -191,11 +194,12 @@ Saved perform(const SaveTask& task, Progress* progress) {
     write_progressive(task, progress);
   } else {
     // Once it is saved, the journal of its edits is removed.
-    io::write_model(task.file, mesh, attributes, {.progress = progress, .flush = io::Flush::now});
+    io::write_model(task.file, mesh, attributes,
+                    {.origin = task.origin, .progress = progress, .flush = io::Flush::now});
   }
   return {.file = task.file,
           .faces = mesh.face_count(),
-          .losses = io::losses_in_format(task.file, mesh, attributes),
+          .losses = io::losses_in_format(task.file, mesh, attributes, task.contents, task.origin),
           .opening = task.opening,
           .state = task.state,
           .then = task.then};
@@ -205,7 +209,7 @@ std::string notice_of(const Saved& saved) {
   std::string notice =
       fmt::format("saved {}: {}", saved.file.string(), count_text(saved.faces, "face"));
   for (std::size_t i = 0; i < saved.losses.size(); ++i)
-    notice += (i == 0 ? "; the format cannot hold " : ", ") + saved.losses[i];
+    notice += (i == 0 ? "; it does not hold " : ", ") + saved.losses[i];
   return notice;
 }
 

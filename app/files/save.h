@@ -10,6 +10,7 @@
 #include "app/document/leaving.h"
 #include "app/files/folder.h"
 #include "engine/core/progress.h"
+#include "engine/mesh/contents.h"
 #include "engine/progressive/progressive_mesh.h"
 #include "engine/simplify/options.h"
 
@@ -47,6 +48,8 @@ void submit_save(Saving& saving, const Document& document,
 struct SaveTask {
   std::filesystem::path file;
   std::shared_ptr<const Shape> shape;
+  FileContents contents;  ///< this and the next as in Model
+  glm::dvec3 origin{0.0};
   /// The progressive mesh to write into a .pm file; null: it is built by `rules` first.
   std::shared_ptr<progressive::ProgressiveMesh> levels;
   simplify::SimplifyOptions rules;

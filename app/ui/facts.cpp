@@ -93,7 +93,7 @@ void draw_health(const Document& document) {
   heading("Health");
   faint_text(document.statistics.is_closed() ? "closed manifold" : "manifold with boundary");
   const BuildReport& report = document.model.report;
-  if (report.is_clean()) return faint_text("no repairs were needed");
+  if (report.is_clean()) faint_text("no repairs were needed");
   for (std::size_t i = 0; i < kRepairs.size(); ++i) {
     const auto repair = static_cast<Repair>(i);
     if (report[repair] == 0) continue;

@@ -85,11 +85,10 @@ struct Ui {
   const Command* chosen = nullptr;  ///< in a menu: run after all panels are drawn
 
   // Kept from frame to frame.
-  ShownFolder open_list;                       ///< of the open dialog
-  ShownFolder save_list;                       ///< of the save dialog
-  ShownFolder picture_list;                    ///< of the dialog of pictures
-  ShownLosses losses;                          ///< of the save dialog
-  std::vector<std::filesystem::path> samples;  ///< of the start screen
+  ShownFolder open_list;        ///< of the open dialog
+  ShownFolder save_list;        ///< of the save dialog
+  ShownFolder picture_list;     ///< of the dialog of pictures
+  ShownLosses losses;           ///< of the save dialog
   std::uint64_t tab_shown = 0;  ///< Document::opening of the tab that ImGui has selected
   std::string help_filter;      ///< in the help
   std::string palette_filter;   ///< in the command palette

@@ -11,6 +11,7 @@
 #include "engine/core/assert.h"
 #include "engine/core/parallel.h"
 #include "engine/core/progress.h"
+#include "engine/io/far_origin.h"
 
 namespace mesher::io {
 
@@ -36,6 +37,14 @@ class Appender {
   Appender& operator<<(std::uint32_t value) { return number(value, 10); }
   /// Appends the shortest decimal that reads back as the same float: at most 15 characters.
   Appender& operator<<(float value) { return number(value, 15); }
+  /// Appends at most 25 characters.
+  Appender& operator<<(const FarCoordinate& coordinate) {
+    constexpr std::size_t kMost = 25;
+    char* const p = storage_.data() + size_;
+    MESHER_ASSERT(kMost <= storage_.size() - size_);
+    size_ += static_cast<std::size_t>(write_far_coordinate(coordinate, p, p + kMost) - p);
+    return *this;
+  }
   /// Appends the bytes of a number as they are in memory (little-endian on all supported machines).
   template <class T>
   Appender& raw(const T& value) {

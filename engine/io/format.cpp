@@ -17,6 +17,7 @@ namespace mesher::io {
 namespace {
 
 constexpr FormatContents kGltfContents{.any_attribute = true,
+                                       .far_positions = true,
                                        .texcoord = Holds::all_or_none,
                                        .normal = Holds::all_or_none,
                                        .color = Holds::each_corner};
@@ -26,16 +27,19 @@ constexpr FormatInfo kFormats[] = {
      .extension = ".obj",
      .holds = {.creases = true,
                .groups = true,
+               .far_positions = true,
                .texcoord = Holds::each_corner,
                .normal = Holds::each_corner,
                .color = Holds::one_per_vertex},
      .read_weight = 0.65,
      .read = [](const MappedFile& file, const ReadOptions& o) { return read_obj(file, o); },
-     .write = [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
-                 const WriteOptions& o) { write_obj(file, mesh, attributes, o.progress); }},
+     .write =
+         [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
+            const WriteOptions& o) { write_obj(file, mesh, attributes, o.origin, o.progress); }},
     {.name = "Stanford PLY",
      .extension = ".ply",
-     .holds = {.texcoord = Holds::each_corner,
+     .holds = {.far_positions = true,
+               .texcoord = Holds::each_corner,
                .normal = Holds::one_per_vertex,
                .color = Holds::one_per_vertex},
      .read_weight = 0.3,  // binary 0.15, text 0.6
@@ -43,42 +47,52 @@ constexpr FormatInfo kFormats[] = {
                 const ReadOptions& o) { return read_ply(file, o.progress); },
      .write =
          [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
-            const WriteOptions& o) { write_ply(file, mesh, attributes, o.ascii, o.progress); }},
+            const WriteOptions& o) {
+           write_ply(file, mesh, attributes, o.origin, o.ascii, o.progress);
+         }},
     {.name = "STL",
      .extension = ".stl",
      .read_weight = 5.0,
+     .join_part = 0.9,
      .read = [](const MappedFile& file,
                 const ReadOptions& o) { return read_stl(file, o.progress); },
      .write = [](AtomicFile& file, const Mesh& mesh, const Attributes&,
-                 const WriteOptions& o) { write_stl(file, mesh, o.ascii, o.progress); }},
+                 const WriteOptions& o) { write_stl(file, mesh, o.origin, o.ascii, o.progress); }},
     {.name = "OFF",
      .extension = ".off",
-     .holds = {.color = Holds::one_per_vertex},
+     .holds = {.far_positions = true, .color = Holds::one_per_vertex},
      .read_weight = 0.8,
      .read = [](const MappedFile& file,
                 const ReadOptions& o) { return read_off(file, o.progress); },
-     .write = [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
-                 const WriteOptions& o) { write_off(file, mesh, attributes, o.progress); }},
+     .write =
+         [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
+            const WriteOptions& o) { write_off(file, mesh, attributes, o.origin, o.progress); }},
     {.name = "glTF",
      .extension = ".gltf",
      .holds = kGltfContents,
      .read_weight = 2.8,
-     .read = [](const MappedFile& file,
-                const ReadOptions& o) { return read_gltf(file, o.progress); },
-     .write = [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
-                 const WriteOptions& o) { write_gltf(file, mesh, attributes, false, o.progress); },
-     .write_levels = [](AtomicFile& file,
-                        std::span<const GltfLevel> levels) { write_gltf(file, levels, false); }},
+     .joins_itself = true,
+     .read = [](const MappedFile& file, const ReadOptions& o) { return read_gltf(file, o); },
+     .write =
+         [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
+            const WriteOptions& o) {
+           write_gltf(file, mesh, attributes, o.origin, false, o.progress);
+         },
+     .write_levels = [](AtomicFile& file, std::span<const GltfLevel> levels,
+                        const glm::dvec3& origin) { write_gltf(file, levels, origin, false); }},
     {.name = "binary glTF",
      .extension = ".glb",
      .holds = kGltfContents,
      .read_weight = 0.45,
-     .read = [](const MappedFile& file,
-                const ReadOptions& o) { return read_gltf(file, o.progress); },
-     .write = [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
-                 const WriteOptions& o) { write_gltf(file, mesh, attributes, true, o.progress); },
-     .write_levels = [](AtomicFile& file,
-                        std::span<const GltfLevel> levels) { write_gltf(file, levels, true); }},
+     .joins_itself = true,
+     .read = [](const MappedFile& file, const ReadOptions& o) { return read_gltf(file, o); },
+     .write =
+         [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
+            const WriteOptions& o) {
+           write_gltf(file, mesh, attributes, o.origin, true, o.progress);
+         },
+     .write_levels = [](AtomicFile& file, std::span<const GltfLevel> levels,
+                        const glm::dvec3& origin) { write_gltf(file, levels, origin, true); }},
     {.name = "progressive mesh", .extension = ".pm", .holds = {.creases = true}},
 };
 

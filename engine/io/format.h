@@ -29,6 +29,7 @@ struct FormatContents {
   bool creases = false;
   bool groups = false;
   bool any_attribute = false;  ///< besides the three below, which every format could have
+  bool far_positions = false;  ///< with all digits, also far from zero
   Holds texcoord = Holds::nothing;
   Holds normal = Holds::nothing;
   Holds color = Holds::nothing;
@@ -45,13 +46,19 @@ struct FormatInfo {
   /// Time to read the polygons of a file, relative to building the mesh of them: median of files of
   /// 0.1, 1.4 and 13 million faces on two cores.
   double read_weight = 1.0;
+  /// Share of joining vertices in that time.
+  double join_part = 0.03;
+  /// The reader joins vertices itself: those of each part of the file, not those of different
+  /// parts.
+  bool joins_itself = false;
   /// Reads the polygons of a file. Pre: the file is not empty. Null for progressive meshes, which
   /// engine/io/pm_file.h reads and writes.
   Soup (*read)(const MappedFile& file, const ReadOptions& options) = nullptr;
   void (*write)(AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
                 const WriteOptions& options) = nullptr;
   /// Writes several levels of detail into one file. Null: a file holds one level.
-  void (*write_levels)(AtomicFile& file, std::span<const GltfLevel> levels) = nullptr;
+  void (*write_levels)(AtomicFile& file, std::span<const GltfLevel> levels,
+                       const glm::dvec3& origin) = nullptr;
 };
 
 /// Returns all formats, in the order in which messages list them.

@@ -13,6 +13,7 @@
 #include "engine/core/parallel.h"
 #include "engine/core/progress.h"
 #include "engine/io/base64.h"
+#include "engine/io/text_cursor.h"
 
 namespace mesher::io {
 namespace {
@@ -107,38 +108,13 @@ float load_float(const char* p, Component type, bool is_normalized) {
     case Component::uint16:
       return load_as_float<std::uint16_t>(p, full(65535.0F));
     case Component::uint32:
-      return load_as_float<std::uint32_t>(p, 1.0F);
+      return load_as_float<std::uint32_t>(p, full(4294967295.0F));
     case Component::float32:
       break;
   }
   float value;
   std::memcpy(&value, p, sizeof value);
   return value;
-}
-
-/// Returns a relative reference with its %XX escapes decoded, or nothing if it is malformed.
-std::optional<std::string> decode_uri(std::string_view uri) {
-  std::string path;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    if (uri[i] != '%') {
-      path += uri[i];
-      continue;
-    }
-    const std::string digits(uri.substr(i + 1, 2));
-    char* end = nullptr;
-    const long value = std::strtol(digits.c_str(), &end, 16);
-    if (digits.size() != 2 || end != digits.c_str() + 2 || value <= 0) return std::nullopt;
-    path += static_cast<char>(value);
-    i += 2;
-  }
-  return path;
-}
-
-/// Returns whether a path stays in or below the folder it is relative to.
-bool stays_below(const std::filesystem::path& path) {
-  if (path.empty() || path.is_absolute()) return false;
-  return std::none_of(path.begin(), path.end(),
-                      [](const std::filesystem::path& part) { return part == ".."; });
 }
 
 }  // namespace
@@ -199,6 +175,7 @@ void GltfFile::read_container() {
 }
 
 void GltfFile::parse_json(const char* begin, const char* end) {
+  if (begin == file_.begin()) text_start(file_);  // refuses UTF-16
   try {
     json_ = std::make_unique<Json>(
         Json::parse(JsonText{begin, begin, end, progress_}, JsonText{end, begin, end, nullptr}));
@@ -249,6 +226,18 @@ std::optional<std::vector<double>> GltfFile::find_vector(const Json& object, con
   return values;
 }
 
+std::vector<std::uint64_t> GltfFile::index_list(const Json& object, const char* key) const {
+  std::vector<std::uint64_t> list;
+  const auto found = object.find(key);
+  if (found == object.end()) return list;
+  if (!found->is_array()) fail(std::string(key) + " is not an array");
+  for (const Json& index : *found) {
+    if (!index.is_number_unsigned()) fail("a node index is not a non-negative integer");
+    list.push_back(index.get<std::uint64_t>());
+  }
+  return list;
+}
+
 std::string_view GltfFile::text(const Json& object, const char* key) const {
   const auto found = object.find(key);
   if (found == object.end() || !found->is_string()) return {};
@@ -257,50 +246,76 @@ std::string_view GltfFile::text(const Json& object, const char* key) const {
 
 GltfFile::Accessor GltfFile::open_accessor(std::uint64_t index) {
   const Json& json = element("accessors", index);
-  if (json.contains("sparse")) fail("sparse accessors are not supported");
   Accessor accessor;
   const std::uint64_t type = find_number(json, "componentType").value_or(0);
   if (type < 5120 || type > 5126 || type == 5124) fail("unknown componentType");
   accessor.type = static_cast<Component>(type);
   static constexpr std::pair<std::string_view, std::size_t> kTypes[] = {
-      {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}};
+      {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
   for (const auto& [name, components] : kTypes) {
     if (text(json, "type") == name) accessor.components = components;
   }
   if (accessor.components == 0) fail("unknown accessor type");
   const auto normalized = json.find("normalized");
   accessor.is_normalized = normalized != json.end() && *normalized == true;
-  const std::size_t element_bytes = accessor.components * size_of(accessor.type);
-  accessor.stride = element_bytes;
-  accessor.bytes = view_bytes(json, accessor.stride);
-  if (accessor.stride < element_bytes) fail("byteStride is shorter than an element");
-
+  accessor.stride = accessor.components * size_of(accessor.type);
   const std::uint64_t count = find_number(json, "count").value_or(0);
+  const bool has_view = json.contains("bufferView");
+  if (has_view) open_data(json, count, accessor);
+  accessor.count = static_cast<std::size_t>(count);
+  if (has_view && !json.contains("sparse")) return accessor;
+  if (!has_view && !json.contains("sparse")) fail("an accessor has no data");
+  const std::size_t element_bytes = accessor.components * size_of(accessor.type);
+  accessor.bytes = sparse_bytes(index, json, accessor);
+  accessor.stride = element_bytes;
+  return accessor;
+}
+
+/// Finds the bytes of an accessor with a buffer view.
+void GltfFile::open_data(const Json& json, std::uint64_t count, Accessor& accessor) {
+  const std::size_t element_bytes = accessor.stride;
+  accessor.bytes = view_bytes(*find_number(json, "bufferView"), accessor.stride);
+  const std::uint64_t own_offset = find_number(json, "byteOffset").value_or(0);
+  if (own_offset > accessor.bytes.size()) fail("an accessor extends past its buffer");
+  accessor.bytes.remove_prefix(own_offset);
+  if (accessor.stride < element_bytes) fail("byteStride is shorter than an element");
   const std::size_t bytes = accessor.bytes.size();
   if (count != 0 &&
       (bytes < element_bytes || count - 1 > (bytes - element_bytes) / accessor.stride)) {
     fail("an accessor extends past its buffer");
   }
-  accessor.count = static_cast<std::size_t>(count);
-  return accessor;
 }
 
-/// Returns the bytes of an accessor's buffer view, starting at the accessor's own offset.
-std::string_view GltfFile::view_bytes(const Json& accessor, std::size_t& stride) {
-  const std::optional<std::uint64_t> view_index = find_number(accessor, "bufferView");
-  if (!view_index) fail("an accessor has no data");
-  const Json& view = element("bufferViews", *view_index);
-  std::string_view bytes = buffer_bytes(find_number(view, "buffer").value_or(~std::uint64_t{0}));
-  const std::uint64_t offset = find_number(view, "byteOffset").value_or(0);
-  const std::uint64_t length = find_number(view, "byteLength").value_or(0);
-  if (offset > bytes.size() || length > bytes.size() - offset) {
-    fail("a buffer view extends past its buffer");
+/// Returns all elements of an accessor with sparse values, without gaps. `base` has the others,
+/// which are zero if it has no bytes.
+std::string_view GltfFile::sparse_bytes(std::uint64_t index, const Json& json, Accessor base) {
+  const auto known = sparse_.find(index);
+  if (known != sparse_.end()) return known->second;
+  const Json& sparse = json["sparse"];
+  if (!sparse.is_object() || !sparse.contains("indices") || !sparse.contains("values") ||
+      !sparse["indices"].is_object() || !sparse["values"].is_object()) {
+    fail("a sparse accessor needs indices and values");
   }
-  bytes = bytes.substr(offset, length);
-  const std::uint64_t own_offset = find_number(accessor, "byteOffset").value_or(0);
-  if (own_offset > bytes.size()) fail("an accessor extends past its buffer");
-  stride = static_cast<std::size_t>(find_number(view, "byteStride").value_or(stride));
-  return bytes.substr(own_offset);
+  const std::size_t element_bytes = base.components * size_of(base.type);
+  make_room(base.count, element_bytes);
+  const std::uint64_t count = find_number(sparse, "count").value_or(0);
+  const std::uint64_t index_type = find_number(sparse["indices"], "componentType").value_or(0);
+  if (index_type != 5121 && index_type != 5123 && index_type != 5125) {
+    fail("sparse indices are not unsigned integers");
+  }
+  const std::size_t index_bytes = size_of(static_cast<Component>(index_type));
+  const std::string_view indices = part_bytes(sparse["indices"], index_bytes, count);
+  const std::string_view values = part_bytes(sparse["values"], element_bytes, count);
+  std::string bytes(base.count * element_bytes, '\0');
+  for (std::size_t i = 0; i < base.count && !base.bytes.empty(); ++i)
+    std::memcpy(&bytes[i * element_bytes], base.bytes.data() + i * base.stride, element_bytes);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint32_t at = 0;
+    std::memcpy(&at, indices.data() + i * index_bytes, index_bytes);
+    if (at >= base.count) fail("a sparse index is out of range");
+    std::memcpy(&bytes[at * element_bytes], values.data() + i * element_bytes, element_bytes);
+  }
+  return sparse_.emplace(index, std::move(bytes)).first->second;
 }
 
 std::string_view GltfFile::buffer_bytes(std::uint64_t index) {
@@ -324,11 +339,7 @@ std::unique_ptr<GltfFile::Buffer> GltfFile::open_buffer(std::uint64_t index) {
     buffer->decoded = std::move(*decoded);
     buffer->bytes = buffer->decoded;
   } else {
-    const std::optional<std::string> path = decode_uri(uri);
-    if (!path || !stays_below(*path)) fail("a buffer is outside the document's folder");
-    const auto full = std::filesystem::path(file_.name()).parent_path() / *path;
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(full, error)) fail("a buffer's file is missing");
+    const std::filesystem::path full = find_beside(uri);
     buffer->file = std::make_unique<MappedFile>(full);
     buffer->bytes = buffer->file->bytes();
   }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "engine/core/array.h"
@@ -44,9 +45,14 @@ class GltfFile {
   /// InputError if it does not have `size` elements.
   std::optional<std::vector<double>> find_vector(const Json& object, const char* key,
                                                  std::size_t size) const;
+  /// Returns the array of indices at a key of an object, empty if the key is absent.
+  std::vector<std::uint64_t> index_list(const Json& object, const char* key) const;
   /// Returns the string at a key of an object, or "" if the key is absent. Valid as long as the
   /// document.
   std::string_view text(const Json& object, const char* key) const;
+
+  /// Returns an extension of an object, or null.
+  const Json* extension(const Json& object, const char* name) const;
 
   /// Returns the number of elements of an accessor. All of them lie within the buffer.
   std::size_t element_count(std::uint64_t accessor);
@@ -54,8 +60,12 @@ class GltfFile {
   /// Missing components are 1; surplus ones are dropped. Normalized integers become fractions.
   Array<float> floats(std::uint64_t accessor, std::size_t components, std::size_t first,
                       std::size_t count);
+  /// Returns the integer that stands for 1 in an accessor of normalized integers, or 0 for others.
+  double full_value(std::uint64_t accessor) const;
   /// Returns all values of a scalar accessor of unsigned integers.
   Array<std::uint32_t> indices(std::uint64_t accessor);
+  /// Returns the bytes of a buffer view that is not compressed.
+  std::string_view plain_view(std::uint64_t index);
   /// Returns the size in bytes of the document and of the external buffers opened so far.
   std::size_t byte_count() const;
 
@@ -68,7 +78,14 @@ class GltfFile {
   void read_container();
   void parse_json(const char* begin, const char* end);
   Accessor open_accessor(std::uint64_t index);
-  std::string_view view_bytes(const Json& accessor, std::size_t& stride);
+  void open_data(const Json& json, std::uint64_t count, Accessor& accessor);
+  std::string_view sparse_bytes(std::uint64_t index, const Json& json, Accessor base);
+  void make_room(std::uint64_t count, std::uint64_t element_bytes);
+  std::string_view part_bytes(const Json& part, std::size_t element_bytes, std::uint64_t count);
+  std::string_view view_bytes(std::uint64_t index, std::size_t& stride);
+  std::string_view decoded_view(std::uint64_t index, const Json& view, const Json& compression);
+  std::string_view range_of(const Json& view);
+  std::filesystem::path find_beside(std::string_view uri) const;
   std::string_view buffer_bytes(std::uint64_t index);
   std::unique_ptr<Buffer> open_buffer(std::uint64_t index);
 
@@ -78,6 +95,10 @@ class GltfFile {
   std::string_view binary_chunk_;
   bool has_binary_chunk_ = false;
   std::vector<std::unique_ptr<Buffer>> buffers_;
+  /// Accessors with sparse values or without a buffer view, with all values in place.
+  std::unordered_map<std::uint64_t, std::string> sparse_;
+  std::unordered_map<std::uint64_t, std::string> decoded_views_;
+  std::size_t made_bytes_ = 0;  ///< of both
 };
 
 }  // namespace mesher::io

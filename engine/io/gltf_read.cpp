@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <unordered_map>
 
@@ -14,9 +14,13 @@
 #include "engine/core/parallel.h"
 #include "engine/core/progress.h"
 #include "engine/io/color_byte.h"
+#include "engine/io/far_origin.h"
 #include "engine/io/format.h"
+#include "engine/io/gltf_contents.h"
 #include "engine/io/gltf_file.h"
-#include "engine/io/weld.h"
+#include "engine/io/gltf_packed.h"
+#include "engine/io/gltf_pose.h"
+#include "engine/io/join.h"
 
 namespace mesher::io {
 namespace {
@@ -59,6 +63,8 @@ struct PlacedMesh {
   std::uint64_t mesh;
   glm::dmat4 to_world;
   std::string_view node_name;
+  std::optional<std::uint64_t> skin = std::nullopt;
+  std::vector<double> weights = {};  ///< of morph targets
 };
 
 template <class Vector>
@@ -78,16 +84,28 @@ struct Primitive {
   Array<glm::vec3> normals;
   Array<glm::vec2> texcoords;
   Array<glm::vec4> colors;
-  Array<std::uint32_t> triangles;  ///< three indices per triangle
+  Array<std::uint32_t> triangles;           ///< three indices per triangle
+  std::vector<glm::dmat4> transforms = {};  ///< of the vertices of a skinned mesh
 };
 
 class GltfReader {
  public:
-  GltfReader(const MappedFile& file, Progress* progress)
-      : progress_(progress), weights_(weights_of(file)), gltf_(file, progress) {}
+  GltfReader(const MappedFile& file, const ReadOptions& options,
+             const glm::dvec3& origin = glm::dvec3(0.0))
+      : options_(options),
+        origin_(origin),
+        progress_(options.progress),
+        weights_(weights_of(file)),
+        gltf_(file, options.progress) {
+    soup_.origin = origin;
+  }
+
+  /// Returns the largest distance of a coordinate from its value in double precision.
+  double position_error() const { return position_error_; }
 
   Soup run() {
-    refuse_compression();
+    check_required_extensions(gltf_);
+    note_contents(gltf_, soup_.contents);
     if (gltf_.count("nodes") == 0) {
       for (std::uint64_t mesh = 0; mesh < gltf_.count("meshes"); ++mesh)
         placed_.push_back({mesh, glm::dmat4(1.0), ""});
@@ -101,37 +119,14 @@ class GltfReader {
   }
 
  private:
-  void refuse_compression() {
-    const auto required = gltf_.root().find("extensionsRequired");
-    if (required == gltf_.root().end() || !required->is_array()) return;
-    for (const Json& extension : *required) {
-      if (extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression") {
-        gltf_.fail("compressed glTF is not supported");
-      }
-    }
-  }
-
-  std::vector<std::uint64_t> index_list(const Json& object, const char* key) {
-    std::vector<std::uint64_t> list;
-    const auto found = object.find(key);
-    if (found == object.end()) return list;
-    if (!found->is_array()) gltf_.fail(std::string(key) + " is not an array");
-    for (const Json& index : *found) {
-      if (!index.is_number_unsigned()) gltf_.fail("a node index is not a non-negative integer");
-      list.push_back(index.get<std::uint64_t>());
-    }
-    return list;
-  }
-
-  /// Returns the roots of the default scene; if there are no scenes, the nodes without a parent.
   std::vector<std::uint64_t> roots() {
     if (gltf_.count("scenes") > 0) {
       const std::uint64_t scene = gltf_.find_number(gltf_.root(), "scene").value_or(0);
-      return index_list(gltf_.element("scenes", scene), "nodes");
+      return gltf_.index_list(gltf_.element("scenes", scene), "nodes");
     }
     std::vector<bool> is_child(gltf_.count("nodes"), false);
     for (std::uint64_t node = 0; node < is_child.size(); ++node) {
-      for (const std::uint64_t child : index_list(gltf_.element("nodes", node), "children")) {
+      for (const std::uint64_t child : gltf_.index_list(gltf_.element("nodes", node), "children")) {
         if (child < is_child.size()) is_child[child] = true;
       }
     }
@@ -160,32 +155,31 @@ class GltfReader {
       const Json& node = gltf_.element("nodes", placed.node);
       if (is_visited[placed.node]) gltf_.fail("the nodes do not form a tree");
       is_visited[placed.node] = true;
-      const glm::dmat4 to_world = placed.to_world * local_transform(node);
-      if (const auto mesh = gltf_.find_number(node, "mesh")) {
-        placed_.push_back({*mesh, to_world, gltf_.text(node, "name")});
-      }
-      push(index_list(node, "children"), to_world);
+      const glm::dmat4 to_world = placed.to_world * local_transform(gltf_, node);
+      node_transforms_[placed.node] = to_world;
+      if (const auto mesh = gltf_.find_number(node, "mesh")) place(node, *mesh, to_world);
+      push(gltf_.index_list(node, "children"), to_world);
     }
   }
 
-  glm::dmat4 local_transform(const Json& node) {
-    glm::dmat4 matrix(1.0);
-    if (const auto values = gltf_.find_vector(node, "matrix", 16)) {
-      for (int i = 0; i < 16; ++i)
-        matrix[i / 4][i % 4] = (*values)[i];
-      return matrix;
+  /// Adds the mesh of a node, once for each instance.
+  void place(const Json& node, std::uint64_t mesh, const glm::dmat4& to_world) {
+    PlacedMesh placed{.mesh = mesh,
+                      .to_world = to_world,
+                      .node_name = gltf_.text(node, "name"),
+                      .skin = gltf_.find_number(node, "skin"),
+                      .weights = morph_weights(gltf_, node)};
+    const auto instances = instance_transforms(gltf_, node, kAlwaysAllowed / kPrimitiveCost);
+    if (!instances) {
+      placed_.push_back(std::move(placed));
+      return;
     }
-    if (const auto t = gltf_.find_vector(node, "translation", 3)) {
-      matrix[3] = glm::dvec4((*t)[0], (*t)[1], (*t)[2], 1.0);
+    soup_.contents[Content::instances] += instances->size();
+    for (const glm::dmat4& instance : *instances) {
+      placed.to_world = to_world * instance;
+      placed_.push_back(placed);
+      spend(kPrimitiveCost);
     }
-    if (const auto q = gltf_.find_vector(node, "rotation", 4)) {
-      matrix *= glm::mat4_cast(glm::dquat((*q)[3], (*q)[0], (*q)[1], (*q)[2]));
-    }
-    if (const auto s = gltf_.find_vector(node, "scale", 3)) {
-      for (int i = 0; i < 3; ++i)
-        matrix[i] *= (*s)[i];
-    }
-    return matrix;
   }
 
   void add_meshes() {
@@ -203,7 +197,7 @@ class GltfReader {
     Stages stages(progress_, weights);
     for (const PlacedMesh& placed : placed_) {
       stages.next();
-      add_mesh(placed.mesh, placed.to_world, placed.node_name);
+      add_mesh(placed);
     }
   }
 
@@ -219,33 +213,28 @@ class GltfReader {
   }
 
   double primitive_weight(const Json& json) const {
-    if (!json.is_object()) return kPrimitiveCost;
-    const auto indices = json.find("indices");
-    if (indices == json.end() || !indices->is_number_unsigned()) return kPrimitiveCost;
-    const auto accessor = indices->get<std::uint64_t>();
-    if (accessor >= gltf_.count("accessors")) return kPrimitiveCost;
-    const Json& found = gltf_.element("accessors", accessor);
-    const auto count = found.find("count");
-    if (count == found.end() || !count->is_number_unsigned()) return kPrimitiveCost;
-    return kPrimitiveCost + count->get<double>();
+    return kPrimitiveCost + static_cast<double>(claimed_elements(gltf_, json));
   }
 
-  void add_mesh(std::uint64_t index, const glm::dmat4& to_world, std::string_view node_name) {
-    const Json& mesh = gltf_.element("meshes", index);
+  void add_mesh(const PlacedMesh& placed) {
+    const Json& mesh = gltf_.element("meshes", placed.mesh);
     const auto primitives = mesh.find("primitives");
     if (primitives == mesh.end() || !primitives->is_array()) gltf_.fail("a mesh has no primitives");
-    const std::string_view name = node_name.empty() ? gltf_.text(mesh, "name") : node_name;
+    const std::string_view name =
+        placed.node_name.empty() ? gltf_.text(mesh, "name") : placed.node_name;
     Array<glm::vec3> positions;
     const std::size_t first_corner = soup_.corners.size();
     Stages stages(progress_, {1.0 - weights_.join, weights_.join});
     stages.next();
-    add_primitives(*primitives, to_world, name, positions);
+    add_primitives(*primitives, placed, name, positions);
     stages.next();
     join(positions, first_corner);
   }
 
-  void add_primitives(const Json& primitives, const glm::dmat4& to_world, std::string_view name,
+  void add_primitives(const Json& primitives, const PlacedMesh& placed, std::string_view name,
                       Array<glm::vec3>& positions) {
+    std::vector<glm::dmat4> joints;
+    if (placed.skin) joints = joint_transforms(gltf_, *placed.skin, node_transforms_);
     std::vector<double> weights;
     for (const Json& json : primitives)
       weights.push_back(primitive_weight(json));
@@ -255,31 +244,40 @@ class GltfReader {
       if (!json.is_object()) gltf_.fail("a primitive is not an object");
       Stages parts(progress_, {kReadPart, 1.0 - kReadPart});
       parts.next();
-      Primitive primitive = read_primitive(json);
+      Primitive primitive = read_primitive(json, placed.weights, joints);
       parts.next();
       spend(kPrimitiveCost + primitive.positions.size() + primitive.triangles.size());
       if (primitive.triangles.empty()) continue;
-      transform(primitive, to_world);
+      // The transform of the node of a skinned mesh does not count.
+      if (primitive.transforms.empty()) {
+        transform(primitive, placed.to_world);
+      } else {
+        pose(primitive);
+      }
       begin_group(json, name, primitive.triangles.size() / 3);
       add_corners(primitive, static_cast<std::uint32_t>(positions.size()));
       positions.insert(positions.end(), primitive.positions.begin(), primitive.positions.end());
     }
   }
 
-  Primitive read_primitive(const Json& json) {
+  Primitive read_primitive(const Json& json, const std::vector<double>& weights,
+                           const std::vector<glm::dmat4>& joints) {
     Primitive primitive;
     const std::uint64_t mode = gltf_.find_number(json, "mode").value_or(kTriangles);
     const auto attributes = json.find("attributes");
     if (mode < kTriangles || mode > kFan) return primitive;
     if (attributes == json.end() || !attributes->contains("POSITION")) return primitive;
     const auto position = gltf_.find_number(*attributes, "POSITION");
+    const PackedPrimitive* const packed = packed_.find(gltf_, json, progress_);
     const double rest = 1.0 - weights_.decode;
     Stages stages(progress_, {weights_.decode, 0.55 * rest, 0.35 * rest, 0.04 * rest, 0.03 * rest,
                               0.03 * rest});
     stages.next();
-    const std::size_t vertices = gltf_.element_count(*position);
+    const std::size_t vertices =
+        packed != nullptr ? packed->mesh.points : gltf_.element_count(*position);
     stages.next();
-    primitive.triangles = triangles(json, mode, vertices);
+    primitive.triangles =
+        packed != nullptr ? packed->mesh.indices : triangles(json, mode, vertices);
     if (primitive.triangles.empty()) return primitive;
     // Many primitives may share one long accessor and each use a part of it.
     const auto [low, high] =
@@ -289,12 +287,26 @@ class GltfReader {
     const auto values = [&](const char* key, std::size_t components) {
       stages.next();
       const auto accessor = gltf_.find_number(*attributes, key);
+      if (packed != nullptr && packed->names.contains(key)) {
+        return packed->values(key, components, first, count);
+      }
       return accessor ? gltf_.floats(*accessor, components, first, count) : Array<float>();
     };
     primitive.positions = as_vectors<glm::vec3>(values("POSITION", 3));
     primitive.normals = as_vectors<glm::vec3>(values("NORMAL", 3));
     primitive.texcoords = as_vectors<glm::vec2>(values("TEXCOORD_0", 2));
     primitive.colors = as_vectors<glm::vec4>(values("COLOR_0", 4));
+    add_morph_targets(gltf_, json, weights, "POSITION", first, primitive.positions);
+    add_morph_targets(gltf_, json, weights, "NORMAL", first, primitive.normals);
+    if (!joints.empty()) {
+      const auto of_vertices = [&](const std::string& key) {
+        if (packed != nullptr && packed->names.contains(key))
+          return packed->values(key, 4, first, count);
+        const auto accessor = gltf_.find_number(*attributes, key.c_str());
+        return accessor ? gltf_.floats(*accessor, 4, first, count) : Array<float>();
+      };
+      primitive.transforms = vertex_transforms(gltf_, of_vertices, joints, count);
+    }
     for (std::uint32_t& index : primitive.triangles)
       index -= first;
     return primitive;
@@ -326,22 +338,42 @@ class GltfReader {
     return unrolled;
   }
 
-  static void transform(Primitive& primitive, const glm::dmat4& to_world) {
-    if (to_world == glm::dmat4(1.0)) return;  // preserves every bit
-    for (glm::vec3& p : primitive.positions) {
-      p = glm::vec3(to_world * glm::dvec4(glm::dvec3(p), 1.0));
-    }
+  void transform(Primitive& primitive, const glm::dmat4& to_world) {
+    if (to_world == glm::dmat4(1.0) && origin_ == glm::dvec3(0.0)) return;  // preserves every bit
+    for (glm::vec3& p : primitive.positions)
+      p = placed_position(to_world, p);
     const glm::dmat3 linear(to_world);
-    const double determinant = glm::determinant(linear);
-    const glm::dmat3 of_normals =
-        determinant != 0.0 ? glm::transpose(glm::inverse(linear)) : linear;
-    for (glm::vec3& n : primitive.normals) {
-      const glm::dvec3 turned = of_normals * glm::dvec3(n);
-      const double length = glm::length(turned);
-      if (length > 0.0) n = glm::vec3(turned / length);
+    const glm::dmat3 of_normals = normal_transform(linear);
+    for (glm::vec3& n : primitive.normals)
+      turn_normal(of_normals, n);
+    if (glm::determinant(linear) < 0.0) turn_inside_out(primitive);
+  }
+
+  void pose(Primitive& primitive) {
+    for (std::size_t v = 0; v < primitive.positions.size(); ++v) {
+      glm::vec3& p = primitive.positions[v];
+      p = placed_position(primitive.transforms[v], p);
+      if (primitive.normals.empty()) continue;
+      turn_normal(normal_transform(glm::dmat3(primitive.transforms[v])), primitive.normals[v]);
     }
-    if (determinant >= 0.0) return;
-    // A mirroring transform turns the mesh inside out; swap two corners to undo that.
+    if (glm::determinant(glm::dmat3(primitive.transforms[primitive.triangles[0]])) < 0.0) {
+      turn_inside_out(primitive);
+    }
+  }
+
+  /// Returns a position of the scene about the origin, and notes what single precision costs.
+  glm::vec3 placed_position(const glm::dmat4& to_world, const glm::vec3& p) {
+    const glm::dvec3 wide = glm::dvec3(to_world * glm::dvec4(glm::dvec3(p), 1.0)) - origin_;
+    const glm::vec3 position(wide);
+    for (int i = 0; i < 3; ++i) {
+      const double distance = std::abs(wide[i] - static_cast<double>(position[i]));
+      if (std::isfinite(distance)) position_error_ = std::max(position_error_, distance);
+    }
+    return position;
+  }
+
+  /// A mirroring transform turns the mesh inside out; swaps two corners to undo that.
+  static void turn_inside_out(Primitive& primitive) {
     for (std::size_t i = 0; i + 2 < primitive.triangles.size(); i += 3) {
       std::swap(primitive.triangles[i + 1], primitive.triangles[i + 2]);
     }
@@ -393,16 +425,22 @@ class GltfReader {
 
   /// Adds the distinct positions of a mesh and sets its corners to them.
   void join(const Array<glm::vec3>& positions, std::size_t first_corner) {
-    const Weld welded = weld_positions(positions, progress_);
-    check_cancelled(progress_);
     const auto first_vertex = static_cast<std::uint32_t>(soup_.positions.size());
-    for (const std::uint32_t v : welded.first)
-      soup_.positions.push_back(positions[v]);
+    const std::optional<Weld> joined =
+        options_.weld ? joined_positions(positions, *options_.weld, soup_.report, progress_)
+                      : std::nullopt;
+    check_cancelled(progress_);
+    if (!joined) {
+      soup_.positions.insert(soup_.positions.end(), positions.begin(), positions.end());
+    } else {
+      for (const std::uint32_t v : joined->first)
+        soup_.positions.push_back(positions[v]);
+    }
     ordered_chunks(soup_.corners.size() - first_corner, kCornersBetweenReports, progress_,
                    [&](IndexRange range) {
                      for (std::size_t i = range.begin; i < range.end; ++i) {
                        std::uint32_t& corner = soup_.corners[first_corner + i];
-                       corner = first_vertex + welded.index[corner];
+                       corner = first_vertex + (joined ? joined->index[corner] : corner);
                      }
                    });
   }
@@ -427,6 +465,11 @@ class GltfReader {
     soup_.attributes.group_names.clear();
   }
 
+  const ReadOptions& options_;
+  glm::dvec3 origin_;
+  double position_error_ = 0.0;
+  NodeTransforms node_transforms_;
+  PackedPrimitives packed_;
   Progress* progress_;
   const GltfWeights& weights_;
   GltfFile gltf_;
@@ -438,13 +481,17 @@ class GltfReader {
 
 }  // namespace
 
-Soup read_gltf(const MappedFile& file, Progress* progress) {
+Soup read_gltf(const MappedFile& file, const ReadOptions& options) {
   const GltfWeights& weights = weights_of(file);
-  Stages stages(progress, {weights.document, 1.0 - weights.document});
+  Stages stages(options.progress, {weights.document, 1.0 - weights.document});
   stages.next();
-  GltfReader reader(file, progress);
+  GltfReader reader(file, options);
   stages.next();
-  return reader.run();
+  Soup soup = reader.run();
+  const glm::dvec3 origin = choose_origin(soup.positions, reader.position_error());
+  if (origin == glm::dvec3(0.0)) return soup;
+  soup = {};
+  return GltfReader(file, options, origin).run();
 }
 
 }  // namespace mesher::io

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/core/progress.h"
 #include "engine/io/mapped_file.h"
+#include "engine/io/read.h"
 #include "engine/mesh/build/soup.h"
 
 namespace mesher::io {
@@ -18,6 +18,6 @@ namespace mesher::io {
 /// here every value comes from checked bytes. Cycles and nodes with two parents are refused. So are
 /// repeated meshes that would expand a small file to an unreasonable size. O(bytes + output log
 /// output). Throws InputError.
-Soup read_gltf(const MappedFile& file, Progress* progress = nullptr);
+Soup read_gltf(const MappedFile& file, const ReadOptions& options = {});
 
 }  // namespace mesher::io

@@ -173,8 +173,9 @@ class LevelWriter {
 
 class GltfWriter {
  public:
-  GltfWriter(AtomicFile& file, std::span<const GltfLevel> levels, bool binary, Progress* progress)
-      : file_(file), binary_(binary), progress_(progress) {
+  GltfWriter(AtomicFile& file, std::span<const GltfLevel> levels, const glm::dvec3& origin,
+             bool binary, Progress* progress)
+      : file_(file), origin_(origin), binary_(binary), progress_(progress) {
     for (const GltfLevel& level : levels) {
       check_cancelled(progress);
       levels_.emplace_back(level);
@@ -242,6 +243,9 @@ class GltfWriter {
           [&](Accessor&& accessor) { return add_accessor(std::move(accessor)); });
       document_["meshes"].push_back({{"primitives", OrderedJson::array({std::move(primitive)})}});
       document_["nodes"].push_back({{"mesh", i}});
+      if (origin_ != glm::dvec3(0.0)) {
+        document_["nodes"].back()["translation"] = {origin_.x, origin_.y, origin_.z};
+      }
     }
     document_["scenes"] = OrderedJson::array({{{"nodes", OrderedJson::array({0})}}});
     document_["scene"] = 0;
@@ -275,6 +279,7 @@ class GltfWriter {
   }
 
   AtomicFile& file_;
+  glm::dvec3 origin_;
   bool binary_;
   Progress* progress_;
   std::vector<LevelWriter> levels_;
@@ -284,20 +289,20 @@ class GltfWriter {
 
 }  // namespace
 
-void write_gltf(AtomicFile& file, std::span<const GltfLevel> levels, bool binary,
-                Progress* progress) {
+void write_gltf(AtomicFile& file, std::span<const GltfLevel> levels, const glm::dvec3& origin,
+                bool binary, Progress* progress) {
   for (const GltfLevel& level : levels) {
     if (level.mesh->vertex_count() == 0) {
       throw OutputError(file.name(), "glTF cannot hold an empty mesh");
     }
   }
-  GltfWriter(file, levels, binary, progress).run();
+  GltfWriter(file, levels, origin, binary, progress).run();
 }
 
-void write_gltf(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool binary,
-                Progress* progress) {
+void write_gltf(AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
+                const glm::dvec3& origin, bool binary, Progress* progress) {
   const GltfLevel level{&mesh, &attributes};
-  write_gltf(file, {&level, 1}, binary, progress);
+  write_gltf(file, {&level, 1}, origin, binary, progress);
 }
 
 }  // namespace mesher::io

@@ -22,17 +22,18 @@ struct GltfLevel {
 ///
 /// Writes positions, normals if every corner has one, texture coordinates and colors. Texture
 /// coordinates are flipped to count from the top, as in glTF; missing ones are 0. A vertex is
-/// repeated where the attributes of its corners differ. Does not commit. O(F). Throws OutputError
-/// for an empty mesh, and for a .glb of more than 4 GB, the limit of the format.
-void write_gltf(AtomicFile& file, const Mesh& mesh, const Attributes& attributes, bool binary,
-                Progress* progress = nullptr);
+/// repeated where the attributes of its corners differ. The node is translated by `origin`. Does
+/// not commit. O(F). Throws OutputError for an empty mesh, and for a .glb of more than 4 GB, the
+/// limit of the format.
+void write_gltf(AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
+                const glm::dvec3& origin, bool binary, Progress* progress = nullptr);
 
 /// Writes levels of detail, finest first, with one node per level.
 ///
 /// Only the first node is in the scene. It names the others with the extension MSFT_lod, and its
 /// extras.MSFT_screencoverage lists the coverages. A program that does not know the extension shows
 /// the finest level. Pre: `levels` is not empty.
-void write_gltf(AtomicFile& file, std::span<const GltfLevel> levels, bool binary,
-                Progress* progress = nullptr);
+void write_gltf(AtomicFile& file, std::span<const GltfLevel> levels, const glm::dvec3& origin,
+                bool binary, Progress* progress = nullptr);
 
 }  // namespace mesher::io

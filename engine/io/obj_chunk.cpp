@@ -18,12 +18,22 @@ using scan::is_digit;
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
 /// Returns the length of a backslash and the line end, or the end of the file, that it escapes; 0
-/// if there is none. (A zero byte inside the file is reached next and refused.)
+/// if there is none. Blanks between them do not count. (A zero byte inside the file is reached next
+/// and refused.)
 std::size_t continuation(const char* p) {
   if (p[0] != '\\') return 0;
-  if (p[1] == '\n') return 2;
-  if (p[1] == '\0') return 1;
-  return p[1] == '\r' && p[2] == '\n' ? 3 : 0;
+  const char* const end = scan::skip_blanks(p + 1);
+  if (*end == '\n') return static_cast<std::size_t>(end + 1 - p);
+  return *end == '\0' ? static_cast<std::size_t>(end - p) : 0;
+}
+
+/// Returns whether the line that ends before `newline` ends in a backslash, with or without blanks
+/// after it.
+bool ends_in_backslash(const char* begin, const char* newline) {
+  const char* last = newline;
+  while (last > begin && is_blank(last[-1]))
+    --last;
+  return last > begin && last[-1] == '\\';
 }
 
 const char* skip_more_blanks(const char* p) {
@@ -46,8 +56,12 @@ inline const char* skip_blanks(const char* p) {
 /// line, or null after an error.
 class Parser {
  public:
-  Parser(const char* end, const ObjBounds (&bounds)[kObjKinds], ObjChunk& chunk)
-      : end_(end), bounds_(bounds), chunk_(chunk) {}
+  Parser(const char* end, const ObjBounds& bounds, const glm::dvec3& origin, ObjChunk& chunk)
+      : end_(end),
+        bounds_(bounds),
+        origin_(origin),
+        is_wide_(origin != glm::dvec3(0.0)),
+        chunk_(chunk) {}
 
   void run(const char* p) {
     while (p != nullptr && p < end_)
@@ -83,13 +97,60 @@ class Parser {
       case 'o':
         if (ends_keyword(p[1])) return name(p[0], p + 1);
         break;
+      case 's':
+        if (ends_keyword(p[1])) return name('s', p + 1);
+        break;
       case 'u':
         if (std::strncmp(p, "usemtl", 6) == 0 && ends_keyword(p[6])) return name('u', p + 6);
+        break;
+      case 'm':
+        if (std::strncmp(p, "mtllib", 6) == 0 && ends_keyword(p[6])) return name('m', p + 6);
         break;
       default:
         break;
     }
-    return *p == '#' ? past_line(p) : past_statement(p);
+    return *p == '#' ? past_line(p) : other_statement(p);
+  }
+
+  /// Counts a statement that is not read.
+  const char* other_statement(const char* p) {
+    const char* end = p;
+    while (end < end_ && !scan::ends_token(*end))
+      ++end;
+    const std::string_view keyword(p, static_cast<std::size_t>(end - p));
+    if (keyword == "p") {
+      for (const char* q = skip_blanks(end); !at_end(q); q = skip_blanks(past_token(q)))
+        ++chunk_.points;
+    } else if (keyword == "l") {
+      ++chunk_.lines;
+    } else if (keyword == "curv" || keyword == "curv2" || keyword == "surf") {
+      ++chunk_.curves;
+    } else if (!keyword.empty() && !is_part_of_curve(keyword)) {
+      note_unknown(keyword);
+    }
+    return past_statement(p);
+  }
+
+  const char* past_token(const char* p) const {
+    do {
+      ++p;
+    } while (p < end_ && !scan::ends_token(*p));
+    return p;
+  }
+
+  /// Statements that only describe the next curve or surface.
+  static bool is_part_of_curve(std::string_view keyword) {
+    static constexpr std::string_view kParts[] = {"vp",   "cstype", "deg",  "bmat", "step", "parm",
+                                                  "trim", "hole",   "scrv", "sp",   "end",  "con"};
+    return std::find(std::begin(kParts), std::end(kParts), keyword) != std::end(kParts);
+  }
+
+  void note_unknown(std::string_view keyword) {
+    constexpr std::size_t kMostPerChunk = 64;
+    std::vector<std::string_view>& unknown = chunk_.unknown;
+    if (unknown.size() < kMostPerChunk && (unknown.empty() || unknown.back() != keyword)) {
+      unknown.push_back(keyword);
+    }
   }
 
   bool ends_keyword(char c) const { return is_blank(c) || c == '\n' || c == '\\' || c == '\0'; }
@@ -105,15 +166,9 @@ class Parser {
     if (p >= end_) return end_;
     const char* const line = past_line(p);
     const bool has_comment = std::memchr(p, '#', static_cast<std::size_t>(line - p)) != nullptr;
-    if (has_comment || !is_continued(p, line)) return line;
+    if (has_comment || line == p || line[-1] != '\n' || !ends_in_backslash(p, line - 1))
+      return line;
     return past_statement(line);
-  }
-
-  bool is_continued(const char* begin, const char* next_line) const {
-    const char* last = next_line;
-    if (last > begin && last[-1] == '\n') --last;
-    if (last > begin && last[-1] == '\r') --last;
-    return last > begin && last < next_line && last[-1] == '\\';
   }
 
   const char* number(const char* p, float& value, const char* too_few) {
@@ -129,9 +184,24 @@ class Parser {
     return p;
   }
 
+  const char* coordinate(const char* p, int axis, float& value) {
+    p = skip_blanks(p);
+    const char* next = nullptr;
+    if (is_wide_) {
+      double wide = 0.0;
+      next = scan::read_double(p, wide);
+      value = static_cast<float>(wide - origin_[axis]);
+    } else {
+      next = scan::read_coordinate(p, value, chunk_.coordinate_error);
+    }
+    if (next != nullptr) return next;
+    return fail(p, at_end(p) ? "a vertex needs three coordinates" : "not a number");
+  }
+
   const char* position(const char* p) {
     glm::vec3 v;
-    p = vector3(p, v, "a vertex needs three coordinates");
+    for (int i = 0; i < 3 && p != nullptr; ++i)
+      p = coordinate(p, i, v[i]);
     if (p == nullptr) return nullptr;
     chunk_.positions.push(v);
     if (*p == '\n' && chunk_.colors.empty()) return p + 1;
@@ -152,6 +222,7 @@ class Parser {
       p = skip_blanks(next);
     }
     constexpr glm::u8vec4 kWhite(255);
+    if (count == 1 && extra[0] != 1.0F) chunk_.has_weights = true;
     if (count == 3 || count == 4) {
       chunk_.colors.fill_up(chunk_.positions.size() - 1, kWhite);
       chunk_.colors.push({color_byte(extra[0]), color_byte(extra[1]), color_byte(extra[2]),
@@ -178,7 +249,12 @@ class Parser {
     if (!at_end(p)) p = number(p, t.y, "");
     if (p == nullptr) return nullptr;
     chunk_.texcoords.push(t);
-    return *p == '\n' ? p + 1 : past_statement(p);
+    if (*p == '\n') return p + 1;
+    float third = 0.0F;
+    if (scan::read_float(skip_blanks(p), third) != nullptr && third != 0.0F) {
+      chunk_.has_third_texcoord = true;
+    }
+    return past_statement(p);
   }
 
   std::size_t count_so_far(ObjKind kind) const {
@@ -197,7 +273,7 @@ class Parser {
     for (;;) {
       p = skip_blanks(p);
       if (at_end(p)) break;
-      p = index(p, kObjVertex);
+      p = index(p);
       if (p == nullptr) return nullptr;
       if (*p == '/') {
         p = corner_attributes(p);
@@ -226,47 +302,57 @@ class Parser {
       ++p;
       if (!is_digit(*p) && *p != '-') continue;
       chunk_.indices[kind].index.fill_up(chunk_.corner_count() - 1, kNone);
-      p = index(p, kind);
+      p = attribute_index(p, kind);
       if (p == nullptr) return nullptr;
     }
     return p;
   }
 
-  const char* index(const char* p, ObjKind kind) {
-    if (!is_digit(*p)) return relative_index(p, kind);
+  /// A bad index costs the corner its attribute, not the file its geometry. One past the end is
+  /// found when the whole file is read.
+  const char* attribute_index(const char* p, ObjKind kind) {
     ObjIndices& indices = chunk_.indices[kind];
+    const bool is_relative = *p == '-';
+    if (is_relative && !is_digit(p[1])) return fail(p, "not a face corner");
+    std::uint32_t value = 0;
+    const char* const next = scan::read_digits(is_relative ? p + 1 : p, value);
+    const std::size_t here = count_so_far(kind);
+    if (value == 0 || (is_relative && value > here + kObjFurthestBack)) {
+      indices.index.push(kNone);
+      ++indices.bad;
+    } else if (is_relative) {
+      indices.relative.push_back(static_cast<std::uint32_t>(indices.index.size()));
+      indices.index.push(static_cast<std::uint32_t>(here - value));
+    } else {
+      indices.index.push(value - 1);
+    }
+    return next;
+  }
+
+  const char* index(const char* p) {
+    if (!is_digit(*p)) return relative_index(p);
+    ObjIndices& indices = chunk_.indices[kObjVertex];
     std::uint32_t value = 0;
     const char* const next = scan::read_digits(p, value);
     if (value == 0) return fail(p, "index 0: OBJ counts from 1");
-    if (value > bounds_[kind].count) return fail(p, out_of_range(kind));
+    if (value > bounds_.count) return fail(p, "vertex index out of range");
     indices.largest = std::max(indices.largest, value);
     indices.index.push(value - 1);
     return next;
   }
 
-  const char* relative_index(const char* p, ObjKind kind) {
+  const char* relative_index(const char* p) {
     if (p[0] != '-' || !is_digit(p[1])) return fail(p, "not a face corner");
-    ObjIndices& indices = chunk_.indices[kind];
+    ObjIndices& indices = chunk_.indices[kObjVertex];
     std::uint32_t back = 0;
     const char* const next = scan::read_digits(p + 1, back);
-    const std::size_t here = count_so_far(kind);
+    const std::size_t here = count_so_far(kObjVertex);
     if (back == 0) return fail(p, "index 0: OBJ counts from 1");
-    if (back > here + bounds_[kind].before) return fail(p, out_of_range(kind));
+    if (back > here + bounds_.before) return fail(p, "vertex index out of range");
     if (back > here) indices.reach_back = std::max<std::uint64_t>(indices.reach_back, back - here);
     indices.relative.push_back(static_cast<std::uint32_t>(indices.index.size()));
     indices.index.push(static_cast<std::uint32_t>(here - back));
     return next;
-  }
-
-  static const char* out_of_range(ObjKind kind) {
-    switch (kind) {
-      case kObjVertex:
-        return "vertex index out of range";
-      case kObjTexcoord:
-        return "texture coordinate index out of range";
-      default:
-        return "normal index out of range";
-    }
   }
 
   const char* name(char kind, const char* p) {
@@ -341,7 +427,9 @@ class Parser {
   }
 
   const char* const end_;
-  const ObjBounds (&bounds_)[kObjKinds];
+  const ObjBounds& bounds_;
+  const glm::dvec3& origin_;
+  const bool is_wide_;
   ObjChunk& chunk_;
 };
 
@@ -358,20 +446,25 @@ void start(ObjChunk& chunk, std::size_t bytes) {
     indices.relative.clear();
     indices.largest = 0;
     indices.reach_back = 0;
+    indices.bad = 0;
   }
   chunk.face_end.start(bytes / 2 + 1);
   chunk.all_triangles = true;
   chunk.names.clear();
   chunk.tags.clear();
+  chunk.points = chunk.lines = chunk.curves = 0;
+  chunk.has_weights = chunk.has_third_texcoord = false;
+  chunk.unknown.clear();
+  chunk.coordinate_error = 0.0;
   chunk.error = chunk.error_at = nullptr;
 }
 
 }  // namespace
 
-void parse_obj_chunk(const char* begin, const char* end, const ObjBounds (&bounds)[kObjKinds],
-                     ObjChunk& chunk) {
+void parse_obj_chunk(const char* begin, const char* end, const ObjBounds& bounds,
+                     const glm::dvec3& origin, ObjChunk& chunk) {
   start(chunk, static_cast<std::size_t>(end - begin));
-  Parser(end, bounds, chunk).run(begin);
+  Parser(end, bounds, origin, chunk).run(begin);
 }
 
 const char* next_obj_line(const char* text_begin, const char* from, const char* end) {
@@ -382,9 +475,7 @@ const char* next_obj_line(const char* text_begin, const char* from, const char* 
     const char* const newline =
         static_cast<const char*>(std::memchr(p, '\n', static_cast<std::size_t>(end - p)));
     if (newline == nullptr) return end;
-    const char* before = newline;
-    if (before > text_begin && before[-1] == '\r') --before;
-    if (before == text_begin || before[-1] != '\\') return newline + 1;
+    if (!ends_in_backslash(text_begin, newline)) return newline + 1;
     p = newline + 1;
   }
 }

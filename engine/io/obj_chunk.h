@@ -49,12 +49,17 @@ class Scratch {
 enum ObjKind : std::uint8_t { kObjVertex, kObjTexcoord, kObjNormal };
 inline constexpr int kObjKinds = 3;
 
-/// Range of valid indices of a corner. The defaults allow any index, because a chunk does not know
-/// the range while other chunks are still being parsed.
+/// Range of valid vertex indices of a corner. The defaults allow any index, because a chunk does
+/// not know the range while other chunks are still being parsed.
 struct ObjBounds {
   std::uint64_t count = 0xFFFFFFFFU;  ///< in the whole file
   std::uint64_t before = 1ULL << 40;  ///< in the chunks before this one
 };
+
+/// A relative index of a texture coordinate or normal that reaches further back than this before
+/// its chunk is bad. So one that reaches back, wrapped below zero, is at least
+/// 2^32 - kObjFurthestBack, and larger than any index within a chunk.
+inline constexpr std::uint32_t kObjFurthestBack = 0xF0000000U;
 
 /// One kind of index of a chunk's corners.
 struct ObjIndices {
@@ -65,11 +70,12 @@ struct ObjIndices {
   std::vector<std::uint32_t> relative;  ///< corners whose index is relative
   std::uint32_t largest = 0;            ///< absolute index, counted from 1
   std::uint64_t reach_back = 0;         ///< largest distance of a relative index before the chunk
+  std::uint64_t bad = 0;                ///< indices that no file can have; their corners have none
 };
 
-/// A change of name by `g`, `o` or `usemtl`.
+/// A change of name by `g`, `o`, `usemtl` or `s`, or a file of `mtllib`.
 struct ObjName {
-  char kind;           ///< 'g', 'o' or 'u'
+  char kind;           ///< 'g', 'o', 'u', 's' or 'm'
   std::uint32_t face;  ///< first face of the chunk with the name
   std::string_view name;
 };
@@ -95,6 +101,14 @@ struct ObjChunk {
   bool all_triangles = true;
   std::vector<ObjName> names;
   std::vector<ObjTag> tags;
+  std::uint64_t points = 0;
+  std::uint64_t lines = 0;
+  std::uint64_t curves = 0;
+  bool has_weights = false;               ///< a vertex has a weight other than 1
+  bool has_third_texcoord = false;        ///< that is not 0
+  std::vector<std::string_view> unknown;  ///< keywords of statements; some may repeat
+  /// Largest distance of a coordinate from its number in the text.
+  double coordinate_error = 0.0;
 
   const char* error = nullptr;  ///< reason, or null
   const char* error_at = nullptr;
@@ -104,10 +118,11 @@ struct ObjChunk {
 
 /// Parses the whole lines [begin, end) into `chunk` and replaces its contents.
 ///
-/// Stops at the first error and records it in `chunk`. Throws only if out of memory. Pre: the text
-/// is in a MappedFile, and both ends are starts of lines or the end of the file.
-void parse_obj_chunk(const char* begin, const char* end, const ObjBounds (&bounds)[kObjKinds],
-                     ObjChunk& chunk);
+/// Stops at the first error and records it in `chunk`. Positions are relative to `origin`; unless
+/// it is 0, they are read in double precision. Throws only if out of memory. Pre: the text is in a
+/// MappedFile, and both ends are starts of lines or the end of the file.
+void parse_obj_chunk(const char* begin, const char* end, const ObjBounds& bounds,
+                     const glm::dvec3& origin, ObjChunk& chunk);
 
 /// Returns the start of the first line at or after `from`. Does not split continued lines.
 const char* next_obj_line(const char* text_begin, const char* from, const char* end);

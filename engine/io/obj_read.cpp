@@ -1,13 +1,16 @@
 #include "engine/io/obj_read.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
 #include "engine/core/progress.h"
+#include "engine/io/far_origin.h"
 #include "engine/io/format.h"
 #include "engine/io/obj_chunk.h"
 #include "engine/io/obj_creases.h"
@@ -58,8 +61,11 @@ void grow(Array<T>& array, std::size_t size, Stretch wave) {
 /// Combines chunks in file order.
 class ObjAssembly {
  public:
-  ObjAssembly(const MappedFile& file, const ReadOptions& options)
-      : file_(file), options_(options) {}
+  ObjAssembly(const MappedFile& file, const ReadOptions& options,
+              const glm::dvec3& origin = glm::dvec3(0.0))
+      : file_(file), options_(options), origin_(origin) {
+    soup_.origin = origin;
+  }
 
   Soup run() {
     Stages stages(options_.progress, {kParseWeight, kFinishWeight});
@@ -68,6 +74,9 @@ class ObjAssembly {
     stages.next();
     return finish();
   }
+
+  /// Returns the largest distance of a coordinate from its number in the text. Pre: origin is 0.
+  double coordinate_error() const { return coordinate_error_; }
 
  private:
   void parse_all() {
@@ -97,9 +106,8 @@ class ObjAssembly {
   }
 
   void parse(const std::vector<ChunkRange>& ranges, std::vector<ObjChunk>& wave) const {
-    static constexpr ObjBounds kAnything[kObjKinds] = {};
     parallel_chunks(ranges.size(), 1, [&](std::size_t i, IndexRange) {
-      parse_obj_chunk(ranges[i].begin, ranges[i].end, kAnything, wave[i]);
+      parse_obj_chunk(ranges[i].begin, ranges[i].end, ObjBounds(), origin_, wave[i]);
     });
     for (std::size_t i = 0; i < ranges.size(); ++i) {
       if (wave[i].error != nullptr) fail(wave[i].error_at, wave[i].error);
@@ -126,20 +134,22 @@ class ObjAssembly {
   /// Adds a chunk's element counts and takes over its rare contents.
   void count(const ObjChunk& chunk, const ChunkRange& range) {
     for (const ObjName& name : chunk.names) {
+      note(name);
+      if (name.kind == 's' || name.kind == 'm') continue;
       rename(name, static_cast<std::uint32_t>(face_count_ + name.face));
     }
+    note_rest(chunk);
     tags_.insert(tags_.end(), chunk.tags.begin(), chunk.tags.end());
-    bool reaches_too_far = false;
     for (int kind = 0; kind < kObjKinds; ++kind) {
-      const ObjIndices& indices = chunk.indices[kind];
-      has_[kind] = has_[kind] || !indices.index.empty();
-      reaches_too_far = reaches_too_far || indices.reach_back > count_[kind];
-      if (indices.largest > largest_[kind]) {
-        largest_[kind] = indices.largest;
-        largest_at_[kind] = range;
-      }
+      has_[kind] = has_[kind] || !chunk.indices[kind].index.empty();
+      bad_indices_ += chunk.indices[kind].bad;
     }
-    if (reaches_too_far) fail_in(range, false);
+    const ObjIndices& vertices = chunk.indices[kObjVertex];
+    if (vertices.largest > largest_) {
+      largest_ = vertices.largest;
+      largest_at_ = range;
+    }
+    if (vertices.reach_back > count_[kObjVertex]) fail_in(range, false);
     count_[kObjVertex] += chunk.positions.size();
     count_[kObjTexcoord] += chunk.texcoords.size();
     count_[kObjNormal] += chunk.normals.size();
@@ -198,6 +208,7 @@ class ObjAssembly {
                     chunk.corner_count(), kNone);
       } else {
         copy_indices(chunk.indices[kind], range.before[kind], index_[kind], corner_at);
+        drop_before_start(chunk.indices[kind], range.before[kind], index_[kind], corner_at);
       }
     }
     if (all_triangles_) return;
@@ -213,6 +224,57 @@ class ObjAssembly {
     for (const std::uint32_t corner : from.relative) {
       to[at + corner] += static_cast<std::uint32_t>(before);
     }
+  }
+
+  /// Takes their indices from corners whose relative index lies before the start of the file.
+  void drop_before_start(const ObjIndices& from, std::size_t before, Array<std::uint32_t>& to,
+                         std::size_t at) {
+    for (const std::uint32_t corner : from.relative) {
+      const std::uint32_t index = from.index.begin()[corner];
+      const std::uint32_t reach = 0U - index;
+      if (reach > kObjFurthestBack || reach == 0 || reach <= before) continue;
+      to[at + corner] = kNone;
+      ++bad_indices_;
+    }
+  }
+
+  void note(const ObjName& name) {
+    FileContents& contents = soup_.contents;
+    if (name.name.empty() || (name.kind == 's' && (name.name == "off" || name.name == "0"))) return;
+    if (!seen_[static_cast<unsigned char>(name.kind)].insert(name.name).second) return;
+    switch (name.kind) {
+      case 's':
+        contents.add(Content::smoothing_groups, name.name);
+        break;
+      case 'm':
+        contents.add(Content::material_files, name.name);
+        break;
+      case 'o':
+        contents.add(Content::objects, name.name);
+        break;
+      case 'g':
+        contents.add(Content::groups, name.name);
+        break;
+      default:
+        contents.add(Content::materials, name.name);
+        break;
+    }
+  }
+
+  void note_rest(const ObjChunk& chunk) {
+    FileContents& contents = soup_.contents;
+    contents[Content::points] += chunk.points;
+    contents[Content::lines] += chunk.lines;
+    contents[Content::curves] += chunk.curves;
+    for (const std::string_view keyword : chunk.unknown) {
+      if (seen_[0].insert(keyword).second) contents.add(Content::own_properties, keyword);
+    }
+    const auto note_once = [&](bool is_there, std::string_view words) {
+      if (is_there && seen_[0].insert(words).second) contents.add(Content::own_properties, words);
+    };
+    note_once(chunk.has_weights, "weights of vertices");
+    note_once(chunk.has_third_texcoord, "third texture coordinates");
+    coordinate_error_ = std::max(coordinate_error_, chunk.coordinate_error);
   }
 
   void rename(const ObjName& name, std::uint32_t face) {
@@ -232,9 +294,7 @@ class ObjAssembly {
   }
 
   Soup finish() {
-    for (int kind = 0; kind < kObjKinds; ++kind) {
-      if (largest_[kind] > count_[kind]) fail_in(largest_at_[kind], true);
-    }
+    if (largest_ > count_[kObjVertex]) fail_in(largest_at_, true);
     if (soup_.positions.empty()) throw InputError(file_.name(), 0, "no vertices");
     Stages stages(options_.progress, {1.0, 1.0, 1.0, 1.0});
     stages.next();
@@ -245,6 +305,10 @@ class ObjAssembly {
     gather_colors();
     stages.next();
     gather_groups();
+    soup_.contents[Content::uv_sets] = has_[kObjTexcoord] ? 1 : 0;
+    soup_.contents[Content::normals] = has_[kObjNormal] ? 1 : 0;
+    soup_.contents[Content::color_sets] = has_colors_ ? 1 : 0;
+    soup_.report[Repair::attribute_indices_ignored] = bad_indices_;
     check_cancelled(options_.progress);
     add_obj_tags(file_, options_.crease_index_base, tags_, soup_);
     return std::move(soup_);
@@ -252,14 +316,12 @@ class ObjAssembly {
 
   /// Parses a chunk with an index out of range again, now with known bounds, to report the error.
   [[noreturn]] void fail_in(const ChunkRange& range, bool is_whole_file_read) const {
-    ObjBounds bounds[kObjKinds];
-    for (int kind = 0; kind < kObjKinds; ++kind) {
-      // While chunks remain, the limit on forward references is unknown.
-      if (is_whole_file_read) bounds[kind].count = count_[kind];
-      bounds[kind].before = range.before[kind];
-    }
+    ObjBounds bounds;
+    // While chunks remain, the limit on forward references is unknown.
+    if (is_whole_file_read) bounds.count = count_[kObjVertex];
+    bounds.before = range.before[kObjVertex];
     ObjChunk chunk;
-    parse_obj_chunk(range.begin, range.end, bounds, chunk);
+    parse_obj_chunk(range.begin, range.end, bounds, origin_, chunk);
     fail(chunk.error != nullptr ? chunk.error_at : range.begin,
          chunk.error != nullptr ? chunk.error : "index out of range");
   }
@@ -284,13 +346,17 @@ class ObjAssembly {
 
   template <class T>
   void gather(const Array<std::uint32_t>& index, const Array<T>& values, const T& absent,
-              Array<T>& out) const {
+              Array<T>& out) {
     out.resize(index.size());
     parallel_chunks(index.size(), kIndexGrain, options_.progress,
                     [&](std::size_t, IndexRange range) {
+                      std::uint64_t bad = 0;
                       for (std::size_t c = range.begin; c < range.end; ++c) {
-                        out[c] = index[c] == kNone ? absent : values[index[c]];
+                        const bool is_there = index[c] < values.size();
+                        bad += !is_there && index[c] != kNone ? 1 : 0;
+                        out[c] = is_there ? values[index[c]] : absent;
                       }
+                      if (bad > 0) bad_indices_ += bad;
                     });
   }
 
@@ -325,6 +391,7 @@ class ObjAssembly {
 
   const MappedFile& file_;
   const ReadOptions& options_;
+  glm::dvec3 origin_;
   Soup soup_;
   std::size_t count_[kObjKinds] = {};  ///< vertices, texture coordinates, normals so far
   std::size_t corner_count_ = 0;
@@ -332,8 +399,12 @@ class ObjAssembly {
   bool has_[kObjKinds] = {};  ///< whether any corner has an index of the kind
   bool has_colors_ = false;
   bool all_triangles_ = true;
-  std::uint32_t largest_[kObjKinds] = {};
-  ChunkRange largest_at_[kObjKinds] = {};
+  std::uint32_t largest_ = 0;  ///< vertex index, counted from 1
+  ChunkRange largest_at_ = {};
+  std::atomic<std::uint64_t> bad_indices_{0};
+  double coordinate_error_ = 0.0;
+  /// Names that were noted, by ObjName::kind; [0]: unknown statements.
+  std::unordered_map<unsigned char, std::unordered_set<std::string_view>> seen_;
   Array<std::uint32_t> index_[kObjKinds];  ///< those of vertices are soup_.corners
   Array<glm::vec2> texcoords_;
   Array<glm::vec3> normals_;
@@ -348,7 +419,12 @@ class ObjAssembly {
 }  // namespace
 
 Soup read_obj(const MappedFile& file, const ReadOptions& options) {
-  return ObjAssembly(file, options).run();
+  ObjAssembly assembly(file, options);
+  Soup soup = assembly.run();
+  const glm::dvec3 origin = choose_origin(soup.positions, assembly.coordinate_error());
+  if (origin == glm::dvec3(0.0)) return soup;
+  soup = {};
+  return ObjAssembly(file, options, origin).run();
 }
 
 }  // namespace mesher::io

@@ -12,8 +12,9 @@
 namespace mesher::io {
 namespace {
 
-constexpr std::size_t kNumber = 16;  ///< a float and the blank before it
-constexpr std::size_t kIndex = 11;   ///< an index and its separator
+constexpr std::size_t kNumber = 16;     ///< a float and the blank before it
+constexpr std::size_t kFarNumber = 26;  ///< a FarCoordinate and the blank before it
+constexpr std::size_t kIndex = 11;      ///< an index and its separator
 
 /// Times of a vertex's position, a corner's texture coordinates and normal, and a face and its
 /// creases, relative to the first, measured with 1.4 million faces.
@@ -70,13 +71,18 @@ Values<T> write_values(AtomicFile& file, std::string_view keyword, const Array<T
 }
 
 void write_positions(AtomicFile& file, const Mesh& mesh, const CornerAttributes& attributes,
-                     Progress* progress) {
+                     const glm::dvec3& origin, Progress* progress) {
+  const bool is_far = origin != glm::dvec3(0.0);
   const Array<glm::u8vec4> colors =
       gather_to_vertices(mesh.origins(), mesh.vertex_count(), attributes.color, glm::u8vec4(255));
-  write_elements(file, mesh.vertex_count(), 2 + 7 * kNumber, progress,
+  write_elements(file, mesh.vertex_count(), 2 + 3 * kFarNumber + 4 * kNumber, progress,
                  [&](Appender& out, std::size_t v) {
                    const glm::vec3& p = mesh.positions()[v];
-                   out << 'v' << ' ' << p.x << ' ' << p.y << ' ' << p.z;
+                   out << 'v';
+                   for (int k = 0; k < 3; ++k) {
+                     out << ' ';
+                     is_far ? out << FarCoordinate{origin[k], p[k]} : out << p[k];
+                   }
                    if (!colors.empty()) {
                      for (int k = 0; k < (colors[v].a == 255 ? 3 : 4); ++k) {
                        out << ' ' << static_cast<float>(colors[v][k]) / 255.0F;
@@ -144,7 +150,8 @@ void write_creases(AtomicFile& file, const Mesh& mesh, const Progress* progress)
 
 }  // namespace
 
-void write_obj(AtomicFile& file, const Mesh& mesh, const Attributes& wedges, Progress* progress) {
+void write_obj(AtomicFile& file, const Mesh& mesh, const Attributes& wedges,
+               const glm::dvec3& origin, Progress* progress) {
   const CornerAttributes attributes = to_corners(mesh, wedges);
   Stages stages(progress, {kPositionTime * mesh.vertex_count(),
                            kTexcoordTime * double(attributes.texcoord.size()),
@@ -153,7 +160,7 @@ void write_obj(AtomicFile& file, const Mesh& mesh, const Attributes& wedges, Pro
   stages.next();
   file.write("# mesher: " + std::to_string(mesh.vertex_count()) + " vertices, " +
              std::to_string(mesh.face_count()) + " faces\n");
-  write_positions(file, mesh, attributes, progress);
+  write_positions(file, mesh, attributes, origin, progress);
   stages.next();
   const Values<glm::vec2> texcoords = write_values(file, "vt", attributes.texcoord, progress);
   stages.next();

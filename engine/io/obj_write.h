@@ -12,9 +12,9 @@ namespace mesher::io {
 /// Writes `v` (with color if each vertex has one color), `vt` and `vn` without duplicates, `f`,
 /// groups as `g` in runs of faces, and creases as `e a b s`. Creases count vertices from 0, and a
 /// comment in the file says so. Vertices with a sharpness of their own are written as `t corner`.
-/// Numbers are the shortest that read back as the same floats. Does not commit. O(F log F) with
-/// attributes, else O(F).
+/// Numbers are the shortest that read back as the same floats; `origin` is added to positions. Does
+/// not commit. O(F log F) with attributes, else O(F).
 void write_obj(AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
-               Progress* progress = nullptr);
+               const glm::dvec3& origin, Progress* progress = nullptr);
 
 }  // namespace mesher::io

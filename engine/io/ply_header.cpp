@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/io/format.h"
+#include "engine/io/text_cursor.h"
 
 namespace mesher::io {
 namespace {
@@ -27,7 +29,7 @@ std::optional<PlyType> type_of(std::string_view name) {
 
 class HeaderReader {
  public:
-  explicit HeaderReader(const MappedFile& file) : file_(file), p_(file.begin()) {}
+  explicit HeaderReader(const MappedFile& file) : file_(file), p_(text_start(file)) {}
 
   PlyHeader run() {
     next_line();
@@ -42,8 +44,11 @@ class HeaderReader {
         read_element();
       } else if (keyword == "property") {
         read_property();
-      } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
-        fail("unknown keyword in the header");
+      } else if (keyword == "comment") {
+        read_comment();
+      } else if (!keyword.empty() && keyword != "obj_info") {
+        // A widespread exporter leaves out the word "comment".
+        ++header_.skipped_lines;
       }
     }
     if (!has_format_) fail("the header has no format line");
@@ -90,6 +95,13 @@ class HeaderReader {
     } else {
       fail("unknown format");
     }
+  }
+
+  /// MeshLab names its textures in comments.
+  void read_comment() {
+    if (word() != "TextureFile" || header_.textures.size() >= kMostProperties) return;
+    const std::size_t begin = std::min(line_.find_first_not_of(" \t"), line_.size());
+    header_.textures.emplace_back(line_.substr(begin, kMaxNameBytes));
   }
 
   void read_element() {

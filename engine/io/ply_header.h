@@ -34,10 +34,13 @@ struct PlyElement {
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::text;
   std::vector<PlyElement> elements;
-  const char* data = nullptr;  ///< first byte after the header
+  const char* data = nullptr;         ///< first byte after the header
+  std::vector<std::string> textures;  ///< files of MeshLab's comments `TextureFile`
+  std::uint64_t skipped_lines = 0;    ///< that the format does not define
 };
 
-/// Reads the header of a PLY file with any kind of line end. Throws InputError with the line.
+/// Reads the header of a PLY file with any kind of line end. Skips a byte order mark, and lines
+/// with an unknown keyword. Throws InputError with the line.
 PlyHeader read_ply_header(const MappedFile& file);
 
 }  // namespace mesher::io

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <string>
 
 #include "engine/core/error.h"
 #include "engine/core/progress.h"
+#include "engine/io/far_origin.h"
 #include "engine/io/ply_header.h"
+#include "engine/io/ply_values.h"
 #include "engine/io/soup_faces.h"
-#include "engine/io/text_cursor.h"
 #include "engine/io/vertex_attributes.h"
 
 namespace mesher::io {
@@ -21,102 +21,6 @@ constexpr std::uint64_t kPlyRowsPerReport = 4096;
 /// Times of reading the elements and of bringing attributes to the corners, without attributes 1 %.
 constexpr double kPlyReadWeight = 0.97;
 constexpr double kPlyFinishWeight = 0.03;
-
-/// Reads values one by one from a text file.
-class TextValues {
- public:
-  TextValues(const MappedFile& file, const char* data) : text_(file, data) {}
-  static constexpr std::size_t least_bytes(PlyType) { return 1; }
-
-  /// Returns a bound on the number of values that may follow.
-  std::size_t bytes_left() const { return text_.bytes_left() / 2 + 1; }
-  std::size_t file_bytes_left() const { return text_.bytes_left(); }
-  float next_float(PlyType) { return text_.number(); }
-  double next(PlyType) { return text_.wide_number(); }
-  std::int64_t next_whole(PlyType) { return text_.integer(); }
-  void skip(PlyType) { text_.word(); }
-  /// A row is one line. A line with more values belongs to another element, for example if a count
-  /// is wrong.
-  void end_row() {
-    if (!text_.at_row_end()) text_.fail("a line has more values than the header declares");
-  }
-  [[noreturn]] void fail(std::string_view reason) { text_.fail(reason); }
-
- private:
-  TextCursor text_;
-};
-
-/// Reads values from a binary file. `kSwapped`: its byte order is not the machine's.
-template <bool kSwapped>
-class BinaryValues {
- public:
-  BinaryValues(const MappedFile& file, const char* data) : file_(file), p_(data) {}
-  static std::size_t least_bytes(PlyType type) { return size_of(type); }
-
-  std::size_t bytes_left() const { return static_cast<std::size_t>(file_.end() - p_); }
-  std::size_t file_bytes_left() const { return bytes_left(); }
-  float next_float(PlyType type) {
-    return type == PlyType::float32 ? take<float>() : static_cast<float>(next(type));
-  }
-  double next(PlyType type) {
-    switch (type) {
-      case PlyType::float32:
-        return static_cast<double>(take<float>());
-      case PlyType::float64:
-        return take<double>();
-      case PlyType::int8:
-      case PlyType::uint8:
-      case PlyType::int16:
-      case PlyType::uint16:
-      case PlyType::int32:
-      case PlyType::uint32:
-        break;
-    }
-    return static_cast<double>(next_whole(type));
-  }
-  std::int64_t next_whole(PlyType type) {
-    switch (type) {
-      case PlyType::int8:
-        return take<std::int8_t>();
-      case PlyType::uint8:
-        return take<std::uint8_t>();
-      case PlyType::int16:
-        return take<std::int16_t>();
-      case PlyType::uint16:
-        return take<std::uint16_t>();
-      case PlyType::int32:
-        return take<std::int32_t>();
-      case PlyType::uint32:
-        return take<std::uint32_t>();
-      case PlyType::float32:
-      case PlyType::float64:
-        break;
-    }
-    fail("indices must be integers");
-  }
-  void skip(PlyType type) { need(size_of(type)), p_ += size_of(type); }
-  void end_row() {}
-  [[noreturn]] void fail(std::string_view reason) { throw InputError(file_.name(), 0, reason); }
-
- private:
-  void need(std::size_t bytes) {
-    if (bytes_left() < bytes) fail("the file ends too early");
-  }
-  template <class T>
-  T take() {
-    need(sizeof(T));
-    char bytes[sizeof(T)];
-    std::memcpy(bytes, p_, sizeof(T));
-    if constexpr (kSwapped) std::reverse(bytes, bytes + sizeof(T));
-    p_ += sizeof(T);
-    T value;
-    std::memcpy(&value, bytes, sizeof(T));
-    return value;
-  }
-
-  const MappedFile& file_;
-  const char* p_;
-};
 
 /// Role of a vertex property.
 enum class Role { none, position, normal, texcoord, color };
@@ -157,8 +61,12 @@ std::uint8_t color_byte(double value, PlyType type) {
 template <class Values>
 class PlyReader {
  public:
-  PlyReader(const MappedFile& file, const PlyHeader& header, Progress* progress)
-      : header_(header), values_(file, header.data), progress_(progress) {}
+  PlyReader(const MappedFile& file, const PlyHeader& header, const glm::dvec3& origin,
+            Progress* progress)
+      : header_(header), values_(file, header.data), progress_(progress) {
+    soup_.origin = origin;
+    is_wide_ = origin != glm::dvec3(0.0);
+  }
 
   Soup run() {
     Stages stages(progress_, {kPlyReadWeight, kPlyFinishWeight});
@@ -168,9 +76,12 @@ class PlyReader {
     return finish();
   }
 
+  double coordinate_error() const { return coordinate_error_; }
+
  private:
   void read_elements() {
     find_vertices();
+    note_contents();
     soup_.face_start.push_back(0);
     for (const PlyElement& element : header_.elements) {
       check_count(element);
@@ -179,12 +90,51 @@ class PlyReader {
       } else if (element.properties.empty()) {
         continue;  // any number of them takes no bytes
       } else if (element.name == "face") {
+        find_face_colors(element);
         read_rows(element.count, [&](std::uint64_t) { read_face(element); });
       } else if (element.name == "tristrips") {
         read_rows(element.count, [&](std::uint64_t) { read_strips(element); });
       } else {
         read_rows(element.count, [&](std::uint64_t) { skip_row(element); });
       }
+    }
+  }
+
+  /// Names what is not read.
+  void note_contents() {
+    FileContents& contents = soup_.contents;
+    soup_.report[Repair::header_lines_skipped] = header_.skipped_lines;
+    for (const std::string& texture : header_.textures)
+      contents.add(Content::textures, texture);
+    for (const PlyElement& element : header_.elements) {
+      const bool is_vertex = element.name == "vertex";
+      const bool is_face = element.name == "face";
+      if (!is_vertex && !is_face && element.name != "tristrips") {
+        if (element.count > 0 && !element.properties.empty())
+          contents.add(Content::own_properties, "element " + element.name);
+        continue;
+      }
+      for (const PlyProperty& property : element.properties) {
+        const bool is_read =
+            is_vertex ? !property.count_type && slot_of(property.name).role != Role::none
+                      : lists_vertices(property) ||
+                            (is_face && (is_corner_texcoord(property) || is_face_color(property)));
+        if (!is_read) contents.add(Content::own_properties, element.name + " " + property.name);
+      }
+    }
+  }
+
+  static bool is_corner_texcoord(const PlyProperty& property) {
+    return property.count_type && property.name == "texcoord";
+  }
+  static bool is_face_color(const PlyProperty& property) {
+    return !property.count_type && slot_of(property.name).role == Role::color;
+  }
+
+  void find_face_colors(const PlyElement& element) {
+    for (const PlyProperty& property : element.properties) {
+      color_component_.push_back(is_face_color(property) ? slot_of(property.name).component : -1);
+      has_face_colors_ = has_face_colors_ || color_component_.back() >= 0;
     }
   }
 
@@ -265,7 +215,7 @@ class PlyReader {
   void read_value(const PlyProperty& property, Slot slot, std::size_t v) {
     switch (slot.role) {
       case Role::position:
-        soup_.positions[v][slot.component] = values_.next_float(property.type);
+        soup_.positions[v][slot.component] = coordinate(property.type, slot.component);
         break;
       case Role::normal:
         normals_[v][slot.component] = values_.next_float(property.type);
@@ -280,6 +230,11 @@ class PlyReader {
         skip_property(property);
         break;
     }
+  }
+
+  float coordinate(PlyType type, int axis) {
+    if (is_wide_) return static_cast<float>(values_.next(type) - soup_.origin[axis]);
+    return values_.coordinate(type, coordinate_error_);
   }
 
   std::uint32_t check_index(std::int64_t index) {
@@ -303,12 +258,16 @@ class PlyReader {
   void read_face(const PlyElement& element) {
     const std::size_t first = soup_.corners.size();
     corner_texcoords_.clear();
-    for (const PlyProperty& property : element.properties) {
+    glm::u8vec4 color(255);
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      const PlyProperty& property = element.properties[i];
       if (lists_vertices(property)) {
         for (std::size_t left = list_size(property); left > 0; --left) {
           soup_.corners.push_back(check_index(values_.next_whole(property.type)));
         }
-      } else if (property.count_type && property.name == "texcoord") {
+      } else if (color_component_[i] >= 0) {
+        color[color_component_[i]] = color_byte(values_.next(property.type), property.type);
+      } else if (is_corner_texcoord(property)) {
         for (std::size_t left = list_size(property); left > 0; --left) {
           corner_texcoords_.push_back(values_.next_float(property.type));
         }
@@ -318,6 +277,10 @@ class PlyReader {
     }
     values_.end_row();
     end_face();
+    if (has_face_colors_) {
+      face_colors_.resize(soup_.face_start.size() - 2);  // strips before have none
+      face_colors_.push_back({color, true});
+    }
     keep_corner_texcoords(first);
   }
 
@@ -366,7 +329,11 @@ class PlyReader {
   Soup finish() {
     Stages stages(progress_, {1.0, 1.0, 1.0});
     stages.next();
-    forget_triangle_starts(soup_);
+    FileContents& contents = soup_.contents;
+    contents[Content::uv_sets] =
+        (texcoords_.empty() ? 0U : 1U) + (soup_.attributes.texcoord.empty() ? 0U : 1U);
+    contents[Content::normals] = normals_.empty() ? 0 : 1;
+    contents[Content::color_sets] = (colors_.empty() ? 0U : 1U) + (face_colors_.empty() ? 0U : 1U);
     if (soup_.attributes.texcoord.empty()) {
       soup_.attributes.texcoord =
           spread_to_corners<glm::vec2>(soup_.corners, texcoords_, progress_);
@@ -378,6 +345,9 @@ class PlyReader {
     soup_.attributes.normal = spread_to_corners<glm::vec3>(soup_.corners, normals_, progress_);
     stages.next();
     soup_.attributes.color = spread_to_corners<glm::u8vec4>(soup_.corners, colors_, progress_);
+    spread_faces_to_corners(soup_.face_start, face_colors_, glm::u8vec4(255),
+                            soup_.attributes.color);
+    forget_triangle_starts(soup_);
     return std::move(soup_);
   }
 
@@ -391,24 +361,38 @@ class PlyReader {
   Array<glm::vec2> texcoords_;
   Array<glm::u8vec4> colors_;
   std::vector<float> corner_texcoords_;  ///< of the current face
+  Array<FaceValue<glm::u8vec4>> face_colors_;
+  bool has_face_colors_ = false;
+  std::vector<int> color_component_;  ///< of each property of a face, -1: no color
+  bool is_wide_ = false;
+  double coordinate_error_ = 0.0;
 };
+
+/// Reads about zero, and again about an origin if that keeps more digits.
+template <class Values>
+Soup read_values(const MappedFile& file, const PlyHeader& header, Progress* progress) {
+  PlyReader<Values> reader(file, header, glm::dvec3(0.0), progress);
+  Soup soup = reader.run();
+  const glm::dvec3 origin = choose_origin(soup.positions, reader.coordinate_error());
+  if (origin == glm::dvec3(0.0)) return soup;
+  soup = {};
+  return PlyReader<Values>(file, header, origin, progress).run();
+}
 
 }  // namespace
 
 Soup read_ply(const MappedFile& file, Progress* progress) {
   const PlyHeader header = read_ply_header(file);
+  constexpr bool kIsLittle = std::endian::native == std::endian::little;
   switch (header.encoding) {
     case PlyEncoding::text:
-      return PlyReader<TextValues>(file, header, progress).run();
+      return read_values<PlyTextValues>(file, header, progress);
     case PlyEncoding::little_endian:
-      return PlyReader<BinaryValues<std::endian::native != std::endian::little>>(file, header,
-                                                                                 progress)
-          .run();
+      return read_values<PlyBinaryValues<!kIsLittle>>(file, header, progress);
     case PlyEncoding::big_endian:
       break;
   }
-  return PlyReader<BinaryValues<std::endian::native != std::endian::big>>(file, header, progress)
-      .run();
+  return read_values<PlyBinaryValues<kIsLittle>>(file, header, progress);
 }
 
 }  // namespace mesher::io

@@ -10,8 +10,9 @@ namespace mesher::io {
 /// elements in any order.
 ///
 /// Reads positions, normals, colors and texture coordinates of vertices; polygons (`vertex_indices`
-/// or `vertex_index`) with texture coordinates per corner (`texcoord`); and triangle strips.
-/// Everything else is ignored.
+/// or `vertex_index`) with texture coordinates per corner (`texcoord`) and colors; and triangle
+/// strips. A face's color goes to its corners. Everything else is only named among the contents.
+/// Coordinates far from zero, as text or doubles, are read again about an origin (`choose_origin`).
 ///
 /// This reader is our own for two reasons: it checks counts against the available bytes before it
 /// allocates, and it preserves every bit of a value. O(bytes). Throws InputError, with the line in

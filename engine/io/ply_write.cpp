@@ -38,6 +38,18 @@ class PlyValues {
     for (int i = 0; i < Vector::length(); ++i)
       value(v[i]);
   }
+  void position(const glm::dvec3& origin, const glm::vec3& local) {
+    for (int i = 0; i < 3; ++i) {
+      const FarCoordinate coordinate{origin[i], local[i]};
+      if (!ascii_) {
+        out_.raw(coordinate.value());
+        continue;
+      }
+      if (!is_first_) out_ << ' ';
+      is_first_ = false;
+      out_ << coordinate;
+    }
+  }
   void end_row() {
     if (ascii_) out_ << '\n';
   }
@@ -54,10 +66,12 @@ struct VertexValues {
   Array<glm::u8vec4> color;
 };
 
-std::string header(const Mesh& mesh, const VertexValues& values, bool has_seams, bool ascii) {
+std::string header(const Mesh& mesh, const VertexValues& values, bool has_seams, bool is_far,
+                   bool ascii) {
   std::string text = ascii ? "ply\nformat ascii 1.0\n" : "ply\nformat binary_little_endian 1.0\n";
   text += "comment written by mesher\nelement vertex " + std::to_string(mesh.vertex_count()) +
-          "\nproperty float x\nproperty float y\nproperty float z\n";
+          (is_far ? "\nproperty double x\nproperty double y\nproperty double z\n"
+                  : "\nproperty float x\nproperty float y\nproperty float z\n");
   if (!values.normal.empty()) text += "property float nx\nproperty float ny\nproperty float nz\n";
   if (!values.texcoord.empty()) text += "property float s\nproperty float t\n";
   if (!values.color.empty()) {
@@ -71,9 +85,10 @@ std::string header(const Mesh& mesh, const VertexValues& values, bool has_seams,
 
 }  // namespace
 
-void write_ply(AtomicFile& file, const Mesh& mesh, const Attributes& wedges, bool ascii,
-               Progress* progress) {
+void write_ply(AtomicFile& file, const Mesh& mesh, const Attributes& wedges,
+               const glm::dvec3& origin, bool ascii, Progress* progress) {
   const CornerAttributes attributes = to_corners(mesh, wedges);
+  const bool is_far = origin != glm::dvec3(0.0);
   Stages stages(progress, {double(mesh.vertex_count()), kPlyFaceTime * mesh.face_count()});
   stages.next();
   const auto at_vertices = [&](const auto& of_corners, const auto& unused) {
@@ -83,12 +98,13 @@ void write_ply(AtomicFile& file, const Mesh& mesh, const Attributes& wedges, boo
                             .texcoord = at_vertices(attributes.texcoord, glm::vec2(0.0F)),
                             .color = at_vertices(attributes.color, glm::u8vec4(255))};
   const bool has_seams = !attributes.texcoord.empty() && values.texcoord.empty();
-  file.write(header(mesh, values, has_seams, ascii));
-  constexpr std::size_t kMostVertexBytes = 8 * 16 + 4 * 11 + 1;
+  file.write(header(mesh, values, has_seams, is_far, ascii));
+  constexpr std::size_t kMostVertexBytes = 3 * 26 + 5 * 16 + 4 * 11 + 1;
   write_elements(file, mesh.vertex_count(), kMostVertexBytes, progress,
                  [&](Appender& out, std::size_t v) {
                    PlyValues row(out, ascii);
-                   row.vector(mesh.positions()[v]);
+                   const glm::vec3& p = mesh.positions()[v];
+                   is_far ? row.position(origin, p) : row.vector(p);
                    if (!values.normal.empty()) row.vector(values.normal[v]);
                    if (!values.texcoord.empty()) row.vector(values.texcoord[v]);
                    if (!values.color.empty()) row.vector(values.color[v]);

@@ -6,6 +6,7 @@
 
 #include "engine/core/error.h"
 #include "engine/io/format.h"
+#include "engine/io/join.h"
 #include "engine/io/mapped_file.h"
 
 namespace mesher::io {
@@ -15,7 +16,12 @@ Soup read_polygons(const FormatInfo& format, const std::filesystem::path& file,
                    const ReadOptions& options) {
   const MappedFile bytes(file, options.progress);
   if (bytes.size() == 0) throw InputError(bytes.name(), 0, "is empty");
-  return format.read(bytes, options);
+  Stages stages(options.progress, {1.0 - format.join_part, format.join_part});
+  stages.next();
+  Soup soup = format.read(bytes, options);
+  stages.next("connecting");
+  if (options.weld && !format.joins_itself) join_vertices(soup, *options.weld, options.progress);
+  return soup;
 }
 
 }  // namespace

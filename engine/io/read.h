@@ -15,15 +15,19 @@ struct ReadOptions {
   /// of the listed pairs are edges; 0 if both give the same number.
   std::optional<int> crease_index_base;
   bool keep_isolated_vertices = false;
+  /// Vertices at most this far apart are joined, in model units. 0: those at equal positions.
+  /// Unset: none.
+  std::optional<double> weld = 0.0;
   Progress* progress = nullptr;
 };
 
-/// Reads the polygons of a file unchanged, in the format of its extension, matched without case.
+/// Reads the polygons of a file, in the format of its extension, matched without case, and joins
+/// vertices at equal positions (ReadOptions::weld), whatever the format.
 ///
 /// All readers check every count against the file's bytes before they allocate, preserve every bit
-/// of a position, and keep shared vertices shared. engine/io/*_read.h say what each reader
-/// supports. Throws InputError with file, line (in text formats) and reason; DeviceError if out of
-/// memory; Cancelled.
+/// of a position, keep shared vertices shared, and note what else the file holds.
+/// engine/io/*_read.h say what each reader supports. Throws InputError with file, line (in text
+/// formats) and reason; DeviceError if out of memory; Cancelled.
 Soup read_soup(const std::filesystem::path& file, const ReadOptions& options = {});
 
 /// Reads a file and builds the mesh. Throws the same errors as read_soup.

@@ -18,6 +18,8 @@ Model read_model(const std::filesystem::path& file, const ReadOptions& options) 
   Stages stages(options.progress, {format == nullptr ? 1.0 : format->read_weight, kBuildWeight});
   stages.next();
   Soup soup = read_soup(file, options);
+  FileContents contents = std::move(soup.contents);
+  const glm::dvec3 origin = soup.origin;
   try {
     stages.next();
     BuildResult built = build_mesh(
@@ -26,7 +28,9 @@ Model read_model(const std::filesystem::path& file, const ReadOptions& options) 
     return {.name = file.filename().string(),
             .mesh = std::move(built.mesh),
             .attributes = std::move(built.attributes),
-            .report = built.report};
+            .report = built.report,
+            .contents = std::move(contents),
+            .origin = origin};
   } catch (const InputError& error) {
     if (!error.file().empty()) throw;
     throw InputError(file.string(), error.line(), error.reason());

@@ -142,6 +142,24 @@ const char* read_float(const char* p, float& value) {
   return end;
 }
 
+const char* read_coordinate(const char* p, float& value, double& error) {
+  const bool negative = *p == '-';
+  Decimal decimal;
+  const char* const end = read_decimal(p + (negative || *p == '+' ? 1 : 0), decimal);
+  double nearest = end == nullptr ? std::nan("") : nearest_double(decimal);
+  if (is_double_rounding_safe(nearest)) {
+    const auto rounded = static_cast<float>(nearest);
+    error = std::max(error, std::abs(nearest - static_cast<double>(rounded)));
+    value = negative ? -rounded : rounded;
+    return end;
+  }
+  const char* const slow_end = read_slowly(p, value);
+  if (slow_end == nullptr || read_slowly(p, nearest) == nullptr) return slow_end;
+  const double distance = std::abs(nearest - static_cast<double>(value));
+  if (std::isfinite(distance)) error = std::max(error, distance);
+  return slow_end;
+}
+
 const char* read_double(const char* p, double& value) {
   const bool negative = *p == '-';
   Decimal decimal;

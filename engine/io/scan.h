@@ -39,6 +39,10 @@ inline const char* skip_blanks(const char* p) {
 /// or another character follows it directly.
 const char* read_float(const char* p, float& value);
 
+/// Does the same as read_float, and raises `error` to the distance between the number as written
+/// and the result, if that is larger. Infinite and NaN results have no distance.
+const char* read_coordinate(const char* p, float& value, double& error);
+
 /// Reads a number in double precision, for formats that hold doubles and for attributes that are
 /// scaled.
 const char* read_double(const char* p, double& value);

@@ -13,15 +13,15 @@ struct Facet {
   glm::vec3 corners[3];
 };
 
-Facet facet_of(const Mesh& mesh, std::size_t f) {
+Facet facet_of(const Mesh& mesh, const glm::dvec3& origin, std::size_t f) {
   Facet facet = {};
-  for (std::size_t c = 0; c < 3; ++c) {
-    facet.corners[c] = mesh.position(mesh.origins()[3 * f + c]);
-  }
   // In double: products of small or large coordinates would leave the range of float.
-  const glm::dvec3 a(facet.corners[0]);
-  const glm::dvec3 area =
-      glm::cross(glm::dvec3(facet.corners[1]) - a, glm::dvec3(facet.corners[2]) - a);
+  glm::dvec3 local[3];
+  for (std::size_t c = 0; c < 3; ++c) {
+    local[c] = glm::dvec3(mesh.position(mesh.origins()[3 * f + c]));
+    facet.corners[c] = glm::vec3(origin + local[c]);
+  }
+  const glm::dvec3 area = glm::cross(local[1] - local[0], local[2] - local[0]);
   const double length = glm::length(area);
   facet.normal = length > 0.0 ? glm::vec3(area / length) : glm::vec3(0.0F);
   return facet;
@@ -31,11 +31,11 @@ void append_vector(Appender& out, const glm::vec3& v) {
   out << ' ' << v.x << ' ' << v.y << ' ' << v.z << '\n';
 }
 
-void write_text(AtomicFile& file, const Mesh& mesh, Progress* progress) {
+void write_text(AtomicFile& file, const Mesh& mesh, const glm::dvec3& origin, Progress* progress) {
   file.write("solid mesher\n");
   constexpr std::size_t kMostBytes = 128 + 12 * 16;
   write_elements(file, mesh.face_count(), kMostBytes, progress, [&](Appender& out, std::size_t f) {
-    const Facet facet = facet_of(mesh, f);
+    const Facet facet = facet_of(mesh, origin, f);
     out << "facet normal";
     append_vector(out, facet.normal);
     out << "  outer loop\n";
@@ -48,24 +48,26 @@ void write_text(AtomicFile& file, const Mesh& mesh, Progress* progress) {
   file.write("endsolid mesher\n");
 }
 
-void write_binary(AtomicFile& file, const Mesh& mesh, Progress* progress) {
+void write_binary(AtomicFile& file, const Mesh& mesh, const glm::dvec3& origin,
+                  Progress* progress) {
   std::string header = "binary STL written by mesher";
   header.resize(80, ' ');
   const std::uint32_t facets = mesh.face_count();
   header.append(reinterpret_cast<const char*>(&facets), sizeof facets);
   file.write(header);
   write_elements(file, facets, 50, progress, [&](Appender& out, std::size_t f) {
-    out.raw(facet_of(mesh, f)).raw(std::uint16_t{0});
+    out.raw(facet_of(mesh, origin, f)).raw(std::uint16_t{0});
   });
 }
 
 }  // namespace
 
-void write_stl(AtomicFile& file, const Mesh& mesh, bool ascii, Progress* progress) {
+void write_stl(AtomicFile& file, const Mesh& mesh, const glm::dvec3& origin, bool ascii,
+               Progress* progress) {
   if (ascii) {
-    write_text(file, mesh, progress);
+    write_text(file, mesh, origin, progress);
   } else {
-    write_binary(file, mesh, progress);
+    write_binary(file, mesh, origin, progress);
   }
 }
 

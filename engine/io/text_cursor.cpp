@@ -9,6 +9,9 @@ namespace mesher::io {
 
 const char* text_start(const MappedFile& file) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (file.bytes().starts_with("\xFF\xFE") || file.bytes().starts_with("\xFE\xFF")) {
+    throw InputError(file.name(), 0, "is UTF-16 text; save it as UTF-8");
+  }
   return file.begin() + (file.bytes().starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
 }
 
@@ -31,6 +34,17 @@ bool TextCursor::at_row_end() {
   return *p_ == '\r' || at_line_end();
 }
 
+std::optional<double> TextCursor::number_on_line(bool& is_whole) {
+  if (at_line_end()) return std::nullopt;
+  double value = 0.0;
+  const char* const next = scan::read_double(p_, value);
+  if (next == nullptr || *next == '#') return std::nullopt;
+  is_whole = std::memchr(p_, '.', static_cast<std::size_t>(next - p_)) == nullptr;
+  last_ = p_;
+  p_ = next;
+  return value;
+}
+
 void TextCursor::skip_line() {
   if (p_ >= file_.end()) return;
   const void* const newline = std::memchr(p_, '\n', bytes_left());
@@ -48,18 +62,27 @@ std::string_view TextCursor::word() {
 float TextCursor::number() {
   expect_more();
   float value = 0.0F;
-  const char* const next = scan::read_float(p_, value);
-  if (next == nullptr) fail("not a number");
-  p_ = next;
+  take_number(scan::read_float(p_, value));
   return value;
+}
+
+float TextCursor::coordinate(double& error) {
+  expect_more();
+  float value = 0.0F;
+  take_number(scan::read_coordinate(p_, value, error));
+  return value;
+}
+
+// A comment begins after white space: some programs write "1.#IND" for a number that is none.
+void TextCursor::take_number(const char* end) {
+  if (end == nullptr || *end == '#') fail("not a number");
+  p_ = end;
 }
 
 double TextCursor::wide_number() {
   expect_more();
   double value = 0.0;
-  const char* const next = scan::read_double(p_, value);
-  if (next == nullptr) fail("not a number");
-  p_ = next;
+  take_number(scan::read_double(p_, value));
   return value;
 }
 

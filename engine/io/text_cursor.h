@@ -1,13 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "engine/io/mapped_file.h"
 
 namespace mesher::io {
 
-/// Returns the start of a file's text, after the byte order mark that some editors write.
+/// Returns the start of a file's text, after the byte order mark that some editors write. Throws
+/// InputError if the mark is that of UTF-16, which mesher does not read.
 const char* text_start(const MappedFile& file);
 
 /// Reads the words and numbers of a text file one by one. Throws InputError with the line if the
@@ -26,6 +28,9 @@ class TextCursor {
   bool at_line_end();
   /// Does the same as at_line_end for files whose lines end in a lone carriage return.
   bool at_row_end();
+  /// Reads the next number on this line. Returns nothing at its end, or if the next word is no
+  /// number. `is_whole`: it has no decimal point.
+  std::optional<double> number_on_line(bool& is_whole);
   /// Goes to the start of the next line.
   void skip_line();
 
@@ -34,6 +39,8 @@ class TextCursor {
 
   std::string_view word();
   float number();
+  /// As number, and raises `error` to the distance of the result from the number as written.
+  float coordinate(double& error);
   double wide_number();
   std::int64_t integer();
 
@@ -42,6 +49,7 @@ class TextCursor {
 
  private:
   void expect_more();
+  void take_number(const char* end);
 
   const MappedFile& file_;
   const char* p_;

@@ -30,6 +30,28 @@ Array<T> spread_to_corners(std::span<const std::uint32_t> corners, const Array<T
   return values;
 }
 
+/// A value of a face, or none.
+template <class T>
+struct FaceValue {
+  T value{};
+  bool is_there = false;
+};
+
+/// Copies values of faces to their corners; the corners of faces without one keep what they have,
+/// or get `absent` if `values` is empty. O(corners). Pre: one entry per face of `face_start`.
+template <class T>
+void spread_faces_to_corners(const Array<std::uint32_t>& face_start,
+                             const Array<FaceValue<T>>& of_faces, const T& absent,
+                             Array<T>& values) {
+  if (of_faces.empty()) return;
+  if (values.empty()) values.assign(face_start.back(), absent);
+  for (std::size_t f = 0; f < of_faces.size(); ++f) {
+    if (!of_faces[f].is_there) continue;
+    for (std::uint32_t c = face_start[f]; c < face_start[f + 1]; ++c)
+      values[c] = of_faces[f].value;
+  }
+}
+
 /// Returns one value per vertex if all corners at each vertex agree bit for bit (`unused` for
 /// vertices without corners); otherwise, or if there are no values, empty. O(corners).
 template <class T>

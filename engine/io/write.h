@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/vec3.hpp>
 
 #include "engine/core/progress.h"
 #include "engine/io/atomic_file.h"
@@ -13,6 +14,8 @@ struct FormatInfo;
 
 struct WriteOptions {
   bool ascii = false;  ///< PLY and STL as text rather than little-endian binary
+  /// Added to every position.
+  glm::dvec3 origin{0.0};
   Progress* progress = nullptr;
   Flush flush = Flush::later;  ///< as for AtomicFile::commit
 };

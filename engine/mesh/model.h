@@ -1,9 +1,11 @@
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <string>
 
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/build/report.h"
+#include "engine/mesh/contents.h"
 #include "engine/mesh/mesh.h"
 
 namespace mesher {
@@ -14,6 +16,10 @@ struct Model {
   Mesh mesh;
   Attributes attributes;
   BuildReport report;
+  FileContents contents;  ///< of the file, also what the model does not hold
+  /// Added to every position of the mesh, in the file's own coordinates. 0 unless single precision
+  /// about zero would lose digits of the file's numbers.
+  glm::dvec3 origin{0.0};
 };
 
 }  // namespace mesher

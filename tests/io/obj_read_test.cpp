@@ -218,10 +218,9 @@ TEST(ObjRead, ErrorsHaveTheirLineNumber) {
   expect(kTriangle + "f 0 1 2\n", 4, "index 0");
   expect(kTriangle + "f -1 -2 -4\n", 4, "vertex index out of range");
   expect("v 0 0 0\nv 1 1 1\nf -1 -2 -3\nv 0 0 0\n", 3, "vertex index out of range");
-  expect(kTriangle + "f 1/1 2/1 3/1\n", 4, "texture coordinate index out of range");
-  expect(kTriangle + "f 1//2 2//1 3//1\nvn 0 0 1\n", 4, "normal index out of range");
   expect(kTriangle + "f 1 2 3\nf 1 2 b\n", 5, "not a face corner");
   expect(kTriangle + "f 1 2 3/x\n", 4, "not a face corner");
+  expect(kTriangle + "f 1 2 3/-\n", 4, "not a face corner");
   expect(kTriangle + "f 1 2 3.5\n", 4, "not a face corner");
   expect(kTriangle + "f 1 2 - 3\n", 4, "not a face corner");
   expect(kTriangle + "vt\nf 1 2 3\n", 4, "texture coordinate");
@@ -233,6 +232,86 @@ TEST(ObjRead, ErrorsHaveTheirLineNumber) {
   expect(kTriangle + "f 1 2 3\nt crease 4000000000/1/0 0 1 1\n", 5, "vertex numbers");
   expect("# nothing\n", 0, "no vertices");
   expect(std::string("v 0 0 0\nv \0 0 0\n", 16), 2, "not a number");
+}
+
+// An index that no value has costs its corner the attribute. The shape is whole.
+TEST(ObjRead, BadAttributeIndicesCostTheCornerItsAttribute) {
+  const std::string values = kTriangle + "vt 0.5 0.5\nvn 0 0 1\n";
+  struct Case {
+    const char* corner;
+    std::uint64_t bad;
+    bool has_texcoord;
+    bool has_normal;
+  };
+  for (const Case& c :
+       {Case{"3/1/1", 0, true, true}, Case{"3/2/1", 1, false, true}, Case{"3/1/2", 1, true, false},
+        Case{"3/0/0", 2, false, false}, Case{"3/-1/-1", 0, true, true},
+        Case{"3/-2/-1", 1, false, true}, Case{"3/-4294967295/-4294967296", 2, false, false},
+        Case{"3/-99999999999999999999/1", 1, false, true},
+        Case{"3/99999999999999999999/4294967295", 2, false, false},
+        Case{"3//7", 1, false, false}}) {
+    SCOPED_TRACE(c.corner);
+    const Soup soup = parse(values + "f 1/1/1 2/1/1 " + c.corner + "\n");
+    EXPECT_EQ(soup.face_count(), 1U);
+    EXPECT_EQ(soup.report[Repair::attribute_indices_ignored], c.bad);
+    EXPECT_EQ(soup.attributes.texcoord[2] == glm::vec2(0.5F), c.has_texcoord);
+    EXPECT_EQ(soup.attributes.normal[2] == glm::vec3(0, 0, 1), c.has_normal);
+    EXPECT_EQ(soup.attributes.texcoord[0], glm::vec2(0.5F));
+  }
+}
+
+// Relative indices reach back across chunks; only those before the start of the file are bad.
+TEST(ObjRead, BadRelativeAttributeIndicesAreFoundInEveryChunk) {
+  std::string text = kTriangle + "vt 0.5 0.5\n";
+  while (text.size() < 600000)
+    text += "# a comment that fills a chunk of the file, so that the face is in another one\n";
+  const Soup soup = parse(text + "f 1/-1 2/-2 3/-4294967290\n");
+  EXPECT_EQ(soup.report[Repair::attribute_indices_ignored], 2U);
+  EXPECT_EQ(soup.attributes.texcoord[0], glm::vec2(0.5F));
+  EXPECT_TRUE(std::isnan(soup.attributes.texcoord[1].x));
+  EXPECT_TRUE(std::isnan(soup.attributes.texcoord[2].x));
+}
+
+TEST(ObjRead, BlanksAfterABackslashDoNotMatter) {
+  for (const char* end : {"\\\n", "\\ \n", "\\\t \n", "\\\r\n", "\\  \r\n"}) {
+    SCOPED_TRACE(end);
+    const std::string cut = std::string(" ") + end + " ";
+    const Soup soup = parse("v 0" + cut + "0 0\nv 1 0" + cut + "0\nv 0 1 0" + cut + "\nxyz a" +
+                            cut + "f 1 1 1\nf 1" + cut + "2" + cut + cut + "3\n");
+    EXPECT_EQ(soup.positions.size(), 3U);
+    EXPECT_EQ(corners_of(soup), (std::vector<std::uint32_t>{0, 1, 2}));
+  }
+  EXPECT_NE(refusal(kTriangle + "f 1 2 \\ 3\n").reason.find("not a face corner"),
+            std::string::npos);
+}
+
+TEST(ObjRead, Utf16IsRefusedByName) {
+  for (const bool is_big : {false, true}) {
+    std::string text = is_big ? "\xFE\xFF" : "\xFF\xFE";
+    for (const char c : kTriangle)
+      text += is_big ? std::string{'\0', c} : std::string{c, '\0'};
+    EXPECT_NE(refusal(text).reason.find("UTF-16"), std::string::npos);
+  }
+}
+
+TEST(ObjRead, NotesWhatItDoesNotKeep) {
+  const Soup soup = parse(
+      "mtllib a b.mtl\no Box\ng left\ns 1\nusemtl brick\nv 0 0 0 2\nv 1 0 0\nv 0 1 0\n"
+      "vt 0 0 0.5\nvp 0 0\np 1 2 3\nl 1 2\nl 2 3\ncurv 0 1 1 2\nbevel on\nf 1/1 2/1 3/1\n"
+      "usemtl paper\nusemtl brick\ns off\ng right\nf 3 2 1\n");
+  const FileContents& contents = soup.contents;
+  EXPECT_EQ(contents.names(Content::material_files), std::vector<std::string>{"a b.mtl"});
+  EXPECT_EQ(contents.names(Content::objects), std::vector<std::string>{"Box"});
+  EXPECT_EQ(contents.names(Content::groups), (std::vector<std::string>{"left", "right"}));
+  EXPECT_EQ(contents.names(Content::materials), (std::vector<std::string>{"brick", "paper"}));
+  EXPECT_EQ(contents[Content::smoothing_groups], 1U);
+  EXPECT_EQ(contents[Content::points], 3U);
+  EXPECT_EQ(contents[Content::lines], 2U);
+  EXPECT_EQ(contents[Content::curves], 1U);
+  EXPECT_EQ(contents[Content::uv_sets], 1U);
+  EXPECT_EQ(
+      contents.names(Content::own_properties),
+      (std::vector<std::string>{"bevel", "weights of vertices", "third texture coordinates"}));
 }
 
 /// A grid of n x n quads as text.

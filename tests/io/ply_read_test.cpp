@@ -134,6 +134,59 @@ TEST(PlyRead, ReadsTriangleStrips) {
             (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3, 1, 3, 2}));
 }
 
+TEST(PlyRead, SkipsAByteOrderMark) {
+  EXPECT_EQ(parse_ply("\xEF\xBB\xBF" + kTextTriangle).positions.size(), 3U);
+  EXPECT_EQ(parse_ply("\xEF\xBB\xBF" + binary_square(false)).positions.size(),
+            parse_ply(binary_square(false)).positions.size());
+}
+
+// A widespread exporter leaves out the word "comment".
+TEST(PlyRead, SkipsUnknownHeaderLinesAndSaysSo) {
+  std::string text = kTextTriangle;
+  text.insert(text.find("element"), "Created by an exporter, source file:\n\nproperties follow\n");
+  const Soup soup = parse_ply(text);
+  EXPECT_EQ(soup.positions.size(), 3U);
+  EXPECT_EQ(soup.report[Repair::header_lines_skipped], 2U);
+  EXPECT_EQ(parse_ply(kTextTriangle).report[Repair::header_lines_skipped], 0U);
+}
+
+TEST(PlyRead, ColorsOfFacesGoToTheirCorners) {
+  const auto with = [](const std::string& vertex, const std::string& type, const std::string& row) {
+    return parse_ply("ply\nformat ascii 1.0\nelement vertex 4\n" + kXyz + vertex +
+                     "element face 2\nproperty " + type +
+                     " red\nproperty list uchar int "
+                     "vertex_indices\nproperty " +
+                     type + " green\nproperty " + type +
+                     " blue\nend_header\n0 0 0 9\n1 0 0 9\n1 1 0 9\n0 1 0 9\n" + row);
+  };
+  const Soup bytes =
+      with("property uchar alpha\n", "uchar", "10 4 0 1 2 3 20 30\n40 3 0 1 2 50 60\n");
+  ASSERT_EQ(bytes.attributes.color.size(), 7U);
+  EXPECT_EQ(bytes.attributes.color[3], glm::u8vec4(10, 20, 30, 255));
+  EXPECT_EQ(bytes.attributes.color[4], glm::u8vec4(40, 50, 60, 255));
+  EXPECT_EQ(bytes.contents[Content::color_sets], 2U) << "those of vertices are not kept";
+  const Soup fractions =
+      with("property uchar other\n", "float", "1 3 0 1 2 0 0.2\n0 3 0 2 3 1 0\n");
+  EXPECT_EQ(fractions.attributes.color[2], glm::u8vec4(255, 0, 51, 255));
+  EXPECT_EQ(fractions.contents[Content::color_sets], 1U);
+}
+
+TEST(PlyRead, NamesWhatItDoesNotKeep) {
+  const Soup soup = parse_ply(
+      "ply\nformat ascii 1.0\ncomment TextureFile a b.png\ncomment other\nelement vertex 3\n" +
+      kXyz +
+      "property float quality\nproperty list uchar int flags\nelement face 1\nproperty list uchar "
+      "int "
+      "vertex_indices\nproperty list uchar float texcoord\nproperty int texnumber\nelement edge 1\n"
+      "property int a\nend_header\n0 0 0 1 0\n1 0 0 1 1 2\n0 1 0 1 0\n3 0 1 2 6 0 0 1 0 0 1 "
+      "0\n5\n");
+  EXPECT_EQ(soup.contents.names(Content::textures), std::vector<std::string>{"a b.png"});
+  EXPECT_EQ(soup.contents.names(Content::own_properties),
+            (std::vector<std::string>{"vertex quality", "vertex flags", "face texnumber",
+                                      "element edge"}));
+  EXPECT_EQ(soup.contents[Content::uv_sets], 1U);
+}
+
 TEST(PlyRead, RejectsInvalidFiles) {
   const auto expect = [](const std::string& bytes, std::uint64_t line, const std::string& reason) {
     const auto [at, why] = ply_refusal(bytes);
@@ -151,7 +204,7 @@ TEST(PlyRead, RejectsInvalidFiles) {
   expect(start + "element vertex 1\nproperty quad x\n", 4, "unknown type");
   expect(start + "element vertex 1\nproperty list float int x\n", 4, "integer type");
   expect(start + "element a 1\nelement a 1\n", 4, "declared twice");
-  expect(start + "nonsense\n", 3, "unknown keyword");
+  expect(start + "nonsense\n", 4, "no end");
   expect(start + "element vertex 1\nproperty float x\nend_header\n1\n", 6, "x, y and z");
   expect(start + "element vertex 0\n" + kXyz + "end_header\n", 8, "no vertices");
   expect(start + "element vertex 4000000000\n" + kXyz + "end_header\n0 0 0\n", 8, "too short");

@@ -63,11 +63,67 @@ TEST(StlRead, ReadsBinaryWithTrailingBytes) {
   EXPECT_EQ(parse("m.stl", binary_stl(kTwoFacets, 2) + "extra").corners.size(), 6U);
 }
 
-TEST(StlRead, RejectsBinaryWithWrongCount) {
-  expect_refusal("m.stl", binary_stl(kTwoFacets, 3), 0, "too early");
-  expect_refusal("m.stl", binary_stl(kTwoFacets, 0xFFFFFFFFU), 0, "too early");
+// Streaming programs write the count last, or never. The size of the file tells it.
+TEST(StlRead, CorrectsTheCountThatTheSizeTells) {
+  for (const std::uint32_t claimed : {0U, 1U, 3U, 0xFFFFFFFFU}) {
+    for (const char* start : {"    ", "solid"}) {
+      SCOPED_TRACE(claimed);
+      std::string bytes = binary_stl(kTwoFacets, claimed);
+      bytes.replace(0, 5, start);
+      bytes.resize(84 + 100);
+      const Soup soup = parse("m.stl", bytes);
+      EXPECT_EQ(soup.corners.size(), 6U);
+      EXPECT_EQ(soup.report[Repair::facet_counts_corrected], 1U);
+    }
+  }
+  EXPECT_EQ(parse("m.stl", binary_stl(kTwoFacets, 2)).report[Repair::facet_counts_corrected], 0U);
+}
+
+TEST(StlRead, RejectsBinaryWithWrongCountAndARest) {
+  expect_refusal("m.stl", binary_stl(kTwoFacets, 3) + "x", 0, "too early");
+  expect_refusal("m.stl", binary_stl(kTwoFacets, 0xFFFFFFFFU) + "x", 0, "too early");
+  expect_refusal("m.stl", binary_stl(kTwoFacets, 0) + "x", 0, "neither");
   expect_refusal("m.stl", binary_stl({}, 0), 0, "neither");
   expect_refusal("m.stl", "short", 0, "neither");
+}
+
+/// Two facets with two attribute bytes each.
+Soup colored_stl(const std::string& header, std::uint16_t first, std::uint16_t second) {
+  std::string bytes = binary_stl(kTwoFacets, 2);
+  bytes.replace(0, header.size(), header);
+  std::memcpy(&bytes[84 + 48], &first, 2);
+  std::memcpy(&bytes[84 + 98], &second, 2);
+  return parse("m.stl", bytes);
+}
+
+// VisCAM and SolidView: the highest bit says that a facet has a color, blue in the lowest bits.
+TEST(StlRead, ReadsFacetColorsOfVisCam) {
+  const Soup soup = colored_stl("", 0x8000U | 31U, 0x7C00U);
+  ASSERT_EQ(soup.attributes.color.size(), 6U);
+  EXPECT_EQ(soup.attributes.color[0], glm::u8vec4(0, 0, 255, 255));
+  EXPECT_EQ(soup.attributes.color[2], glm::u8vec4(0, 0, 255, 255));
+  EXPECT_EQ(soup.attributes.color[3], glm::u8vec4(255)) << "this facet has none";
+  EXPECT_EQ(soup.contents[Content::color_sets], 1U);
+}
+
+// Materialise Magics: the highest bit says that a facet has the color in the header; otherwise its
+// own has red in the lowest bits.
+TEST(StlRead, ReadsFacetColorsOfMagics) {
+  const std::string header("COLOR=\x0A\x14\x1E\xFF", 10);
+  const Soup soup = colored_stl(header, 31U, 0x8000U | 31U);
+  EXPECT_EQ(soup.attributes.color[0], glm::u8vec4(255, 0, 0, 255));
+  EXPECT_EQ(soup.attributes.color[3], glm::u8vec4(10, 20, 30, 255));
+  EXPECT_EQ(colored_stl(header, 0, 0).attributes.color[0], glm::u8vec4(10, 20, 30, 255))
+      << "no facet has a color of its own";
+  EXPECT_EQ(colored_stl(header, 16U << 5U, 0).attributes.color[0], glm::u8vec4(0, 132, 0, 255));
+}
+
+TEST(StlRead, NamesAttributeBytesThatAreNoColors) {
+  const Soup soup = colored_stl("", 7, 0);
+  EXPECT_TRUE(soup.attributes.color.empty());
+  EXPECT_EQ(soup.contents.names(Content::own_properties),
+            std::vector<std::string>{"attribute bytes of facets"});
+  EXPECT_EQ(colored_stl("", 0, 0).contents[Content::own_properties], 0U);
 }
 
 std::string text_facet(const std::string& corners) {
@@ -91,9 +147,35 @@ TEST(StlRead, ReadsUppercaseTextAfterAByteOrderMark) {
   EXPECT_EQ(soup.corners.size(), 3U);
 }
 
+// Normals follow from the positions. Some programs write these for degenerate facets.
+TEST(StlRead, NormalsThatAreNotNumbersDoNoHarm) {
+  for (const char* normal :
+       {"-1.#IND -1.#IND -1.#IND", "nan nan nan", "1.#QNAN 0 0", "", "0 0", "x y z", "#IND 0 0"}) {
+    SCOPED_TRACE(normal);
+    const Soup soup = parse("m.stl", std::string("solid a\nfacet normal ") + normal +
+                                         "\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                                         "endloop\nendfacet\nendsolid\n");
+    EXPECT_EQ(soup.corners.size(), 3U);
+    EXPECT_EQ(soup.report[Repair::invalid_normals_ignored], 1U);
+    EXPECT_EQ(soup.contents.names(Content::objects), std::vector<std::string>{"a"});
+  }
+}
+
+// A comment begins after white space, so the rest of such a number is not skipped, and the error
+// names its line.
+TEST(StlRead, NumberSignInsideANumberIsNoComment) {
+  const auto with_corner = [](const std::string& corner) {
+    return "solid\n" + text_facet("vertex 0 0 0\nvertex " + corner + "\nvertex 0 1 0\n") +
+           "endsolid\n";
+  };
+  expect_refusal("m.stl", with_corner("1.#IND 0 0"), 5, "not a number");
+  expect_refusal("m.stl", with_corner("1 0 0.#QNAN"), 5, "not a number");
+  EXPECT_EQ(parse("m.stl", with_corner("1 0 0 # c")).corners.size(), 3U);
+}
+
 TEST(StlRead, RejectsInvalidText) {
   expect_refusal("m.stl", "solid\nendsolid\n", 0, "no facets");
-  expect_refusal("m.stl", "solid\nfacet normal 0 0\nouter", 3, "not a number");
+  expect_refusal("m.stl", "solid\nfacet normal 0 0\nouter", 3, "ends too early");
   expect_refusal("m.stl", "solid\n" + text_facet("vertex 0 0 0\nvertex 1 0 0\n"), 6, "\"vertex\"");
   expect_refusal("m.stl", "solid\n" + text_facet("vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"), 9,
                  "ends too early");
@@ -121,6 +203,65 @@ TEST(OffRead, ReadsAttributes) {
   EXPECT_EQ(soup.attributes.color[2], glm::u8vec4(255, 0, 10, 7));
   EXPECT_EQ(soup.attributes.texcoord[0], glm::vec2(1, 0.5F));
   EXPECT_EQ(soup.attributes.texcoord[2], glm::vec2(0, 1));
+}
+
+TEST(OffRead, PrefixLettersMayComeInAnyOrder) {
+  for (const char* word : {"CNOFF", "NCOFF"}) {
+    const Soup soup =
+        parse("m.off", std::string(word) +
+                           "\n3 1 0\n0 0 0 0 0 1 255 0 10\n1 0 0 0 0 1 255 0 10\n0 1 0 0 0 1 255 0 "
+                           "10\n3 0 1 2\n");
+    EXPECT_EQ(soup.attributes.normal[0], glm::vec3(0, 0, 1)) << word;
+    EXPECT_EQ(soup.attributes.color[0], glm::u8vec4(255, 0, 10, 255)) << word;
+  }
+  for (const char* word : {"STCNOFF", "NSTCOFF", "CSTNOFF", "NCSTOFF"}) {
+    const Soup soup =
+        parse("m.off", std::string(word) +
+                           "\n3 1 0\n0 0 0 0 0 1 255 0 10 1 0.5\n1 0 0 0 0 1 255 0 10 1 "
+                           "0\n0 1 0 0 0 1 255 0 10 0 1\n3 0 1 2\n");
+    EXPECT_EQ(soup.attributes.texcoord[0], glm::vec2(1, 0.5F)) << word;
+    EXPECT_EQ(soup.attributes.color[0], glm::u8vec4(255, 0, 10, 255)) << word;
+  }
+  expect_refusal("m.off", "CCOFF\n", 1, "begin with OFF");
+}
+
+// Many programs write colors without the letter in front.
+TEST(OffRead, ReadsColorsOfVerticesAndFacesWithoutTheLetter) {
+  const auto square = [](const std::string& vertex, const std::string& face) {
+    return parse("m.off", "OFF\n4 2 0\n0 0 0 " + vertex + "\n1 0 0 " + vertex + "\n1 1 0 " +
+                              vertex + "\n0 1 0 " + vertex + "\n3 0 1 2 " + face + "\n3 0 2 3\n");
+  };
+  const glm::u8vec4 color(255, 0, 51, 255);
+  for (const char* text :
+       {"255 0 51", "255 0 51 255", "1.0 0 0.2", "1 0 0.2 1.0", "255.0 0.0 51.0"}) {
+    SCOPED_TRACE(text);
+    EXPECT_EQ(square(text, "").attributes.color[0], color);
+    const Soup faces = square("", text);
+    EXPECT_EQ(faces.attributes.color[0], color);
+    EXPECT_EQ(faces.attributes.color[2], color);
+    EXPECT_EQ(faces.attributes.color[3], glm::u8vec4(255)) << "the second face has none";
+    const Soup both = square("0 255 0", text);
+    EXPECT_EQ(both.attributes.color[0], color);
+    EXPECT_EQ(both.attributes.color[3], glm::u8vec4(0, 255, 0, 255));
+    EXPECT_EQ(both.contents[Content::color_sets], 2U);
+  }
+  EXPECT_TRUE(square("", "").attributes.color.empty());
+}
+
+TEST(OffRead, NamesNumbersThatAreNoColors) {
+  const auto names = [](const std::string& vertex, const std::string& face) {
+    const Soup soup =
+        parse("m.off", "OFF\n3 1 0\n0 0 0 " + vertex + "\n1 0 0\n0 1 0\n3 0 1 2 " + face + "\n");
+    EXPECT_TRUE(soup.attributes.color.empty());
+    return soup.contents.names(Content::own_properties);
+  };
+  const std::vector<std::string> of_vertices{"numbers after the coordinates of vertices"};
+  EXPECT_EQ(names("0 -1 0", ""), of_vertices) << "a normal";
+  EXPECT_EQ(names("300 0 0", ""), of_vertices);
+  EXPECT_EQ(names("1 2", ""), of_vertices);
+  EXPECT_EQ(names("", "7"), std::vector<std::string>{"indices of colors in a color map"});
+  EXPECT_EQ(names("", "7 8"), std::vector<std::string>{"numbers after the corners of faces"});
+  EXPECT_EQ(names("words", "words"), std::vector<std::string>{}) << "as before, not read at all";
 }
 
 TEST(OffRead, RejectsInvalidFiles) {

@@ -9,6 +9,7 @@ namespace mesher::test {
 
 std::string sound_gltf();  // zoo_gltf.cpp
 std::string sound_glb();
+std::string posed_gltf();
 
 namespace {
 
@@ -17,7 +18,7 @@ const std::string kLittle = "binary_little_endian";
 const std::string kIndices = "property list uchar int vertex_indices\n";
 
 template <class T>
-std::string bytes_of(const std::vector<T>& values, bool swapped = false) {
+std::string number_bytes(const std::vector<T>& values, bool swapped = false) {
   std::string all;
   for (const T& value : values) {
     std::string bytes(sizeof value, '\0');
@@ -39,20 +40,21 @@ const std::vector<float> kCorners = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 std::string binary_ply(bool big) {
   std::string bytes = ply_header(big ? "binary_big_endian" : "binary_little_endian", "4", "2");
-  bytes += bytes_of(kCorners, big);
+  bytes += number_bytes(kCorners, big);
   for (const std::vector<std::int32_t>& face : {std::vector<std::int32_t>{0, 1, 2}, {0, 3, 1}}) {
-    bytes += '\3' + bytes_of(face, big);
+    bytes += '\3' + number_bytes(face, big);
   }
   return bytes;
 }
 
 std::string binary_stl(const std::vector<float>& corners, std::uint32_t claimed) {
-  std::string bytes = std::string(80, ' ') + bytes_of<std::uint32_t>({claimed});
+  std::string bytes = std::string(80, ' ') + number_bytes<std::uint32_t>({claimed});
   for (std::size_t i = 0; i + 9 <= corners.size(); i += 9) {
-    bytes += std::string(12, '\0') +
-             bytes_of(std::vector<float>(corners.begin() + static_cast<std::ptrdiff_t>(i),
-                                         corners.begin() + static_cast<std::ptrdiff_t>(i + 9))) +
-             std::string(2, '\0');
+    bytes +=
+        std::string(12, '\0') +
+        number_bytes(std::vector<float>(corners.begin() + static_cast<std::ptrdiff_t>(i),
+                                        corners.begin() + static_cast<std::ptrdiff_t>(i + 9))) +
+        std::string(2, '\0');
   }
   return bytes;
 }
@@ -77,11 +79,11 @@ void add_ply_counts(const Enclosure& pen) {
   pen.refused("PLY that claims four billion faces (assimp #5729)",
               ply_header("ascii", "4", "4000000000") + kTextCorners);
   pen.refused("binary PLY that claims four billion faces",
-              ply_header(kLittle, "4", "4000000000") + bytes_of(kCorners));
+              ply_header(kLittle, "4", "4000000000") + number_bytes(kCorners));
   pen.refused("PLY that claims four billion vertices",
               ply_header("ascii", "4000000000", "0") + kTextCorners);
   pen.refused("binary PLY that claims four billion vertices",
-              ply_header(kLittle, "4000000000", "0") + bytes_of(kCorners));
+              ply_header(kLittle, "4000000000", "0") + number_bytes(kCorners));
   pen.refused("PLY count past 64 bits", ply_header("ascii", "99999999999999999999999", "0"));
   pen.refused("PLY count below zero", ply_header("ascii", "-1", "0"));
   pen.refused("PLY with one vertex too few", ply_header("ascii", "5", "0") + kTextCorners);
@@ -90,13 +92,13 @@ void add_ply_counts(const Enclosure& pen) {
 
 void add_ply_lists(const Enclosure& pen) {
   pen.refused("PLY list longer than the file",
-              ply_header(kLittle, "4", "1") + bytes_of(kCorners) + "\xFF");
+              ply_header(kLittle, "4", "1") + number_bytes(kCorners) + "\xFF");
   pen.refused("PLY list of two billion",
               ply_header(kLittle, "4", "1", "property list int int vertex_indices\n") +
-                  bytes_of(kCorners) + bytes_of<std::int32_t>({2147483647, 0, 1, 2}));
+                  number_bytes(kCorners) + number_bytes<std::int32_t>({2147483647, 0, 1, 2}));
   pen.refused("PLY list below zero",
               ply_header(kLittle, "4", "1", "property list char int vertex_indices\n") +
-                  bytes_of(kCorners) + "\x80" + bytes_of<std::int32_t>({0, 1, 2}));
+                  number_bytes(kCorners) + "\x80" + number_bytes<std::int32_t>({0, 1, 2}));
   pen.refused("PLY list counted in fractions",
               ply_header("ascii", "4", "1", "property list float int vertex_indices\n") +
                   kTextCorners + "3 0 1 2\n");
@@ -106,7 +108,7 @@ void add_ply_lists(const Enclosure& pen) {
               ply_header("ascii", "4", "1") + kTextCorners + "3 0 1 99999999999999999999\n");
   pen.refused("PLY indices that are fractions",
               ply_header(kLittle, "4", "1", "property list uchar float vertex_indices\n") +
-                  bytes_of(kCorners) + '\3' + bytes_of<float>({0, 1, 2}));
+                  number_bytes(kCorners) + '\3' + number_bytes<float>({0, 1, 2}));
 }
 
 void add_ply_properties(const Enclosure& pen) {
@@ -151,8 +153,8 @@ void add_odd_ply(const Enclosure& pen) {
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
   pen.read("PLY with coordinates that are no numbers",
            ply_header(kLittle, "4", "1") +
-               bytes_of<float>({kNaN, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}) + '\3' +
-               bytes_of<std::int32_t>({0, 1, 2}),
+               number_bytes<float>({kNaN, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}) + '\3' +
+               number_bytes<std::int32_t>({0, 1, 2}),
            0, {{Repair::non_finite_vertices_dropped, 1}, {Repair::non_finite_faces_dropped, 1}});
 }
 
@@ -172,8 +174,23 @@ void add_stl_and_off(std::vector<Specimen>& zoo) {
   };
   stl("empty", "");
   stl("of its header alone", std::string(80, ' '));
-  stl("that claims four billion facets", binary_stl(kFacets, 0xFFFFFFFFU));
-  stl("that claims one facet more", binary_stl(kFacets, 3));
+  for (const auto& [name, claimed] :
+       {std::pair{"that claims four billion facets, with the size of two", 0xFFFFFFFFU},
+        {"that claims one facet more", 3U},
+        {"that claims none", 0U}}) {
+    zoo.push_back({std::string("STL ") + name,
+                   ".stl",
+                   binary_stl(kFacets, claimed),
+                   Fate::read,
+                   2,
+                   {{Repair::facet_counts_corrected, 1}}});
+  }
+  stl("that claims four billion facets", binary_stl(kFacets, 0xFFFFFFFFU) + "x");
+  stl("with a normal of a hundred thousand words", "solid\nfacet normal " +
+                                                       std::string(200000, ' ').replace(1, 1, "x") +
+                                                       "1 x 1 x 1 x 1 x 1 x 1 x 1 "
+                                                       "x 1 x 1 x 1 x 1\n");
+  stl("of nothing but zero bytes", std::string(100000, '\0'));
   stl("without facets", binary_stl({}, 0));
   stl("cut in a facet", binary_stl(kFacets, 2).substr(0, 150));
   stl("text without facets", "solid nothing\nendsolid nothing\n");
@@ -206,6 +223,12 @@ void add_stl_and_off(std::vector<Specimen>& zoo) {
   off("with an index past the end", "OFF\n4 1 0\n" + kTextCorners + "3 0 1 4\n");
   off("with an index below zero", "OFF\n4 1 0\n" + kTextCorners + "3 0 1 -1\n");
   off("with a face of billions", "OFF\n4 1 0\n" + kTextCorners + "4000000000 0 1 2\n");
+  off("in UTF-16", std::string("\xFF\xFEO\0F\0F\0\n\0", 10));
+  off("with a letter twice", "CCOFF\n4 1 0\n" + kTextCorners);
+  zoo.push_back({"OFF with a thousand numbers after a vertex", ".off",
+                 "OFF\n4 1 0\n0 0 0" + std::string(2000, ' ') + std::string(1000, '7') +
+                     " nan 1e999 -1\n" + kTextCorners.substr(6) + "3 0 1 2 nan nan nan\n",
+                 Fate::read, 1});
   off("with letters", "OFF\n4 1 0\nzero 0 0\n");
   off("of four dimensions", "4OFF\n1 0 0\n0 0 0 1\n");
   off("in binary", "OFF BINARY\n\1\2\3\4");
@@ -233,14 +256,37 @@ std::vector<Specimen> sound_files() {
             "g a\nusemtl b\nf 1/1/1 2/1/1 3/1/1\ng c\nf -4//1 -1//1 -3//-1\ne 0 1 2.5\nt crease "
             "2/1/0 0 2 1\n"
             "t corner 1/1/0 3 inf\nl 1 2 \\\n3\n"),
+      sound("OBJ far from zero", ".obj",
+            "s 1\nv 6000000.125 2000000.3333 0.1\nv 6000001.7 2000000.1 0.25 \\ \n\nv 6000000.3 "
+            "2000001.4 0.5\nv 6000000.2 2000000.9 1.125\nf 1/9 2/-7 3\nf 1 3 4\np 1\n"),
       sound("PLY text", ".ply",
             ply_header("ascii", "4", "2") + kTextCorners + "3 0 1 2\n3 0 3 1\n"),
       sound("PLY little-endian", ".ply", binary_ply(false)),
       sound("PLY big-endian", ".ply", binary_ply(true)),
+      sound(
+          "PLY with all that is not kept", ".ply",
+          "\xEF\xBB\xBFply\nformat ascii 1.0\nmade by hand\ncomment TextureFile a.png\nelement "
+          "vertex "
+          "4\nproperty double x\nproperty double y\nproperty double z\nproperty list uchar int "
+          "q\nelement face 2\nproperty list uchar int vertex_indices\nproperty uchar red\nproperty "
+          "int texnumber\nelement edge 1\nproperty int a\nend_header\n7000000.1 0.25 0 "
+          "0\n7000001.3 0 "
+          "0 1 5\n7000000 1.0001 0 0\n7000000 0 1 2 1 2\n3 0 1 2 255 0\n3 0 3 1 9 1\n7\n"),
       sound("STL text", ".stl", text_stl()),
+      sound("STL text with bad normals", ".stl",
+            std::string(text_stl()).replace(text_stl().find("0 0 1"), 5, "-1.#IND nan 1")),
+      sound("STL binary with colors", ".stl",
+            binary_stl(kFacets, 0)
+                .replace(0, 10, std::string("COLOR=\1\2\3\4", 10))
+                .replace(132, 2, "ab")),
       sound("STL binary", ".stl", binary_stl(kFacets, 2)),
       sound("OFF", ".off", "OFF\n# c\n4 2 0\n" + kTextCorners + "3 0 1 2\n3 0 3 1 255 0 0\n"),
+      sound("OFF with attributes", ".off",
+            "NSTCOFF\n4 2 0\n0 0 0 0 0 1 1 0 0.5 0 1\n1 0 0 0 0 1 255 0 9 8 1 1\n0 1 0 0 0 1 1 1 1 "
+            "0 0\n0 0 "
+            "1 0 0 1 9 9 9 0 1\n3 0 1 2 7\n3 0 3 1 0.5 0.5 1.0\n"),
       sound("glTF", ".gltf", sound_gltf()),
+      sound("glTF with a pose", ".gltf", posed_gltf()),
       sound("GLB", ".glb", sound_glb()),
   };
 }

@@ -1,4 +1,5 @@
 #include "tests/support/bytes.h"
+#include "tests/support/gltf_document.h"
 #include "tests/support/zoo.h"
 #include "tests/support/zoo_text.h"
 
@@ -50,6 +51,28 @@ std::string chain_of_nodes() {
 std::string sound_gltf() {
   return document();
 }
+/// Sparse positions, an instance, a skin with a bone, and a morph target.
+std::string posed_gltf() {
+  GltfDocument file;
+  const auto view = [&](const std::string& bytes) { return std::to_string(file.view(bytes)); };
+  file.accessor(R"("bufferView":)" + view(bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 5, 5})) +
+                    R"(,"sparse":{"count":1,"indices":{"bufferView":)" + view("\3") +
+                    R"(,"componentType":5121},"values":{"bufferView":)" +
+                    view(bytes_of<float>({0, 0, 1})) + "}}",
+                5126, "VEC3", 4);
+  file.indices({0, 1, 2, 0, 3, 1});
+  file.accessor(R"("bufferView":)" + view(std::string(16, '\0')), 5121, "VEC4", 4);
+  file.floats({1, 0, 0, 0, 1, 0, 0, 0, 0.5F, 0, 0, 0, 1, 0, 0, 0}, "VEC4", 4);
+  file.floats({0, 0, 2, 0, 0, 2, 0, 0, 2, 0, 0, 2}, "VEC3", 3);
+  file.floats({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 3, 0, 0, 1}, "MAT4", 16);
+  file.floats({7, 0, 0}, "VEC3", 3);
+  return file.text(
+      R"("nodes":[{"mesh":0,"skin":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":
+      {"TRANSLATION":6}}}},{"translation":[0,2,0]}],"skins":[{"joints":[1],"inverseBindMatrices":5}],
+      "meshes":[{"weights":[0.5],"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":2,"WEIGHTS_0":3},
+      "indices":1,"targets":[{"POSITION":4}]}]}])");
+}
+
 std::string sound_glb() {
   std::string json = R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":60}],)" + kViews +
                      kAccessors + kMeshes + "}";
@@ -95,7 +118,7 @@ void add_nodes(const Enclosure& pen) {
   pen.read(
       "translated beyond the largest float",
       document(R"("nodes":[{"mesh":0,"scale":[1e300,1e300,1e300],"translation":[1e300,0,0]}],)"), 0,
-      {{Repair::non_finite_vertices_dropped, 3}});
+      {{Repair::non_finite_vertices_dropped, 4}});
 }
 
 void add_data(const Enclosure& pen) {
@@ -133,8 +156,14 @@ void add_primitives(const Enclosure& pen) {
   pen.refused(
       "points alone",
       document("", R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":0}]}])"));
-  pen.refused("compressed",
-              altered(R"("asset")", R"("extensionsRequired":["EXT_meshopt_compression"],"asset")"));
+  pen.read("compression required and not used",
+           altered(R"("asset")", R"("extensionsRequired":["EXT_meshopt_compression"],"asset")"), 2);
+  pen.refused("an extension required that nobody knows",
+              altered(R"("asset")",
+                      R"("extensionsRequired":[")" + std::string(5000, 'x') + R"("],"asset")"));
+  pen.refused("Draco data that is none",
+              altered(kPrimitive, R"({"attributes":{"POSITION":0},"extensions":
+              {"KHR_draco_mesh_compression":{"bufferView":0,"attributes":{"POSITION":0}}}})"));
   pen.refused("a primitive a hundred thousand times a hundred thousand",
               document("\"nodes\":[" + repeated(R"({"mesh":0},)", kMany) + R"({"mesh":0}],)",
                        R"("meshes":[{"primitives":[)" + repeated(kPrimitive + ",", kMany) +

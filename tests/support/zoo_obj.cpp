@@ -106,9 +106,9 @@ void add_obj_text(std::vector<Specimen>& zoo) {
   refused("index past 64 bits", kTriangle + "f 1 2 99999999999999999999999\n");
   refused("relative index before the start (CVE-2020-28589)", kTriangle + "f -1 -2 -4\n");
   refused("relative index past 32 bits", kTriangle + "f -1 -2 -4294967297\n");
-  refused("relative texture index before the start", kTriangle + "vt 0 0\nf 1/-2 2/-1 3/-1\n");
-  refused("texture index without texture coordinates", kTriangle + "f 1/1 2/1 3/1\n");
-  refused("normal index past the end", kTriangle + "vn 0 0 1\nf 1//1 2//2 3//1\n");
+  read("relative texture index before the start", kTriangle + "vt 0 0\nf 1/-2 2/-1 3/-1\n", 1);
+  read("texture index without texture coordinates", kTriangle + "f 1/1 2/1 3/1\n", 1);
+  read("normal index past the end", kTriangle + "vn 0 0 1\nf 1//1 2//2 3//1\n", 1);
   refused("crease of a missing vertex", kTriangle + "f 1 2 3\ne 0 3000000\n");
   refused("crease tag that claims billions",
           kTriangle + "t crease 4294967295/4294967295/0 0 1 1\n");
@@ -130,7 +130,7 @@ void add_obj_text(std::vector<Specimen>& zoo) {
   std::string names = kTriangle;
   for (int i = 0; i < kMany; ++i)
     names += "usemtl m" + std::to_string(i) + "\nf 1 2 3\n";
-  read("a hundred thousand materials", names, 1);
+  read("a hundred thousand materials", names, 16);  // as many sides as one place may have
   std::string joined = kTriangle + "o " + std::string(1000000, 'o') + "\n";
   for (int i = 0; i < kMany; ++i)
     joined += "g " + std::to_string(i) + "\n";
@@ -156,8 +156,16 @@ void add_obj_shapes(std::vector<Specimen>& zoo) {
       {{R::degenerate_faces_dropped, 3}});
   add("a vertex twice", kTriangle + "f 1 1 1\nf 1 2 2\nf 1 2 3\n", 1,
       {{R::degenerate_faces_dropped, 2}});
-  add("duplicate faces", kTriangle + "f 1 2 3\nf 2 3 1\nf 1 2 3\nf 3 2 1\n", 1,
-      {{R::duplicate_faces_dropped, 3}});
+  add("duplicate faces", kTriangle + "f 1 2 3\nf 2 3 1\nf 1 2 3\nf 3 2 1\n", 2,
+      {{R::duplicate_faces_dropped, 2}, {R::second_sides_kept, 1}});
+  add("both sides of a face a hundred thousand times",
+      kTriangle + repeated("f 1 2 3\nf 3 2 1\n", kMany), 2,
+      {{R::duplicate_faces_dropped, 2 * kMany - 2}, {R::second_sides_kept, 1}});
+  std::string groups = kTriangle + "v 1 1 0\n";
+  for (int i = 0; i < kMany; ++i)
+    groups += "g " + std::to_string(i) + "\nf 1 2 3\nf 1 2 4 3\n";
+  add("the same faces in a hundred thousand groups", groups, 16 + 32,
+      {{R::second_sides_kept, 30}, {R::duplicate_faces_dropped, 2 * (kMany - 16)}});
   add("the same face a hundred thousand times", kTriangle + repeated("f 1 2 3\n", kMany), 1,
       {{R::duplicate_faces_dropped, kMany - 1}});
   add("three faces at an edge", kTriangle + "v 0 0 1\nv 0 -1 0\nf 1 2 3\nf 2 1 4\nf 2 1 5\n", 3,

@@ -53,7 +53,7 @@ std::vector<std::filesystem::path> samples() {
 
 void draw_start(Session& session, Ui& ui) {
   if (begin_dialog("Welcome to mesher###start", &session.shows_start, kStartWidthPoints)) {
-    if (ImGui::IsWindowAppearing()) ui.samples = samples();
+    if (session.samples.empty()) session.samples = samples();
     faint_text("Drop models on the window, or choose one here. Esc shows the sample behind.");
     // The message below the model would be covered.
     if (!session.document.error.empty()) problem_text(session.document.error);
@@ -65,8 +65,8 @@ void draw_start(Session& session, Ui& ui) {
       clicked = draw_files(session.preferences.recent, "recent");
     }
     heading("Samples");
-    ImGui::BeginChild("samples", {0.0F, list_height(ui.samples.size())});
-    if (const std::filesystem::path sample = draw_files(ui.samples, "sample"); !sample.empty())
+    ImGui::BeginChild("samples", {0.0F, list_height(session.samples.size())});
+    if (const std::filesystem::path sample = draw_files(session.samples, "sample"); !sample.empty())
       clicked = sample;
     ImGui::EndChild();
     if (!clicked.empty()) request_open(session, clicked);

@@ -54,7 +54,9 @@ void set_flag(std::uint8_t& flag) {
 /// The stages of build_mesh, in order, over the data they share.
 class Builder {
  public:
-  Builder(Soup&& soup, const BuildOptions& options) : soup_(std::move(soup)), options_(options) {}
+  Builder(Soup&& soup, const BuildOptions& options) : soup_(std::move(soup)), options_(options) {
+    result_.report = soup_.report;
+  }
 
   BuildResult run() {
     begin_stage(options_.progress, "building the mesh");
@@ -77,7 +79,8 @@ class Builder {
     Stages stages(progress, soup_.face_start.empty() ? std::span<const double>(kTriangleWeights)
                                                      : std::span<const double>(kPolygonWeights));
     stages.next();
-    triangulate(soup_, result_.report, progress);
+    file_vertices_ = soup_.positions.size();
+    copies_ = triangulate(soup_, result_.report, progress);
     check_triangle_count();
     stages.next();
     clean();
@@ -230,7 +233,7 @@ class Builder {
                                                    : Repair::isolated_vertices_dropped] = isolated;
     result_.vertex_source.resize(vertices);
     std::iota(result_.vertex_source.begin(), result_.vertex_source.end(), 0U);
-    if (!drops_any) return;
+    if (!drops_any) return find_copies();
     Array<std::uint32_t> new_index(vertices);
     std::uint32_t next = 0;
     for (std::size_t v = 0; v < vertices; ++v)
@@ -243,6 +246,18 @@ class Builder {
                         soup_.corners[i] = new_index[soup_.corners[i]];
                       }
                     });
+    find_copies();
+  }
+
+  /// The vertices of second sides have the source of those that they are copies of.
+  void find_copies() {
+    for (std::uint32_t v = 0; v < result_.vertex_source.size() && !copies_.empty(); ++v) {
+      std::uint32_t& source = result_.vertex_source[v];
+      if (source < file_vertices_) continue;
+      const SheetCopy& copy = copies_[source - file_vertices_];
+      source = copy.vertex;
+      sheet_vertices_.set(copy.vertex, copy.sheet, v);
+    }
   }
 
   std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(arrays_.position.size()); }
@@ -267,14 +282,45 @@ class Builder {
 
   EdgeMatching match_and_drop_duplicates() {
     EdgeMatching matching = match_and_flip_diagonals();
-    if (matching.duplicate_faces.empty()) return matching;
-    result_.report[Repair::duplicate_faces_dropped] = matching.duplicate_faces.size();
+    // Polygons and triangles share the vertices of their sheet, so that a two-sided surface of both
+    // holds together. If such a face coincides with another one in turn, it gets new vertices.
+    for (bool shares = true; !matching.duplicate_faces.empty(); shares = false) {
+      const CoincidentFaces found =
+          coincident_triangles(arrays_.origin, matching.duplicate_faces, soup_.attributes.group);
+      matching = {};
+      SheetVertices new_vertices;
+      for (const SecondSide& side : found.second_sides)
+        separate(side, shares ? sheet_vertices_ : new_vertices, shares);
+      result_.report[Repair::second_sides_kept] += shares ? found.second_sides.size() : 0;
+      result_.report[Repair::duplicate_faces_dropped] += found.duplicates.size();
+      drop_duplicates(found.duplicates);
+      matching = match_edges(arrays_.origin, vertex_count(), options_.progress);
+    }
+    return matching;
+  }
+
+  void drop_duplicates(const std::vector<std::uint32_t>& duplicates) {
+    if (duplicates.empty()) return;
     std::vector<std::uint8_t> drop(arrays_.origin.size() / 3, 0);
-    for (const std::uint32_t f : matching.duplicate_faces)
+    for (const std::uint32_t f : duplicates)
       drop[f] = 1;
-    matching = {};
     drop_faces(drop);
-    return match_edges(arrays_.origin, vertex_count(), options_.progress);
+  }
+
+  /// Gives a second side vertices of its own, the copies of its vertices or of their sources.
+  void separate(const SecondSide& side, SheetVertices& vertices, bool of_sources) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      Vertex& v = arrays_.origin[3 * std::size_t{side.face} + c];
+      const std::uint32_t source = result_.vertex_source[v.index()];
+      const std::uint32_t next = vertex_count();
+      if (next >= kNone - 1) throw InputError("too many vertices for 32-bit ids");
+      const std::uint32_t copy = vertices.copy(of_sources ? source : v.index(), side.sheet, next);
+      if (copy == next) {
+        arrays_.position.push_back(glm::vec3(arrays_.position[v.index()]));
+        result_.vertex_source.push_back(source);
+      }
+      v = Vertex(copy);
+    }
   }
 
   void orient(EdgeMatching& matching) {
@@ -439,6 +485,9 @@ class Builder {
   BuildResult result_;
   MeshArrays arrays_;
   std::vector<std::uint8_t> bad_vertex_;
+  std::size_t file_vertices_ = 0;
+  std::vector<SheetCopy> copies_;  ///< the vertices after those of the file
+  SheetVertices sheet_vertices_;   ///< by source and sheet
 };
 
 }  // namespace

@@ -20,7 +20,7 @@ struct BuildResult {
   Attributes attributes;  ///< at the corners of `mesh`
   BuildReport report;
   /// For each vertex of the mesh, its index in Soup::positions. Increasing, except for the copies
-  /// made by cutting, which come last.
+  /// made for second sides and by cutting, which come last.
   Array<std::uint32_t> vertex_source;
 };
 
@@ -28,7 +28,10 @@ struct BuildResult {
 /// order:
 ///
 /// - Polygons are triangulated (`triangulate`).
-/// - Faces are dropped if they are degenerate, use a non-finite vertex or repeat an earlier face.
+/// - Faces are dropped if they are degenerate, use a non-finite vertex or repeat an earlier face
+/// with
+///   the same direction and group. One with the vertices of an earlier face but another direction
+///   or group was modeled on purpose: it is kept as a second side, on vertices of its own.
 /// - Neighbors that disagree in orientation are flipped to agree with the majority of their
 ///   component.
 /// - Edges of more than two faces are cut. Around each, faces that bound the same solid are paired

@@ -11,14 +11,25 @@ std::span<const std::uint32_t> corners_of(const Soup& soup, std::uint32_t face) 
           soup.face_start[face + 1] - soup.face_start[face]};
 }
 
+struct Outline {
+  std::vector<std::uint32_t> corners;
+  CoincidentFace face;
+  bool operator<(const Outline& other) const {
+    return corners != other.corners ? corners < other.corners : face.face < other.face.face;
+  }
+};
+
 /// Returns the corners from the lowest one on, toward the lower of its neighbors: the same for
 /// every start corner and direction of one outline. (An outline that visits its lowest corner twice
 /// may have several such forms, so two copies of it may count as different.)
-std::vector<std::uint32_t> canonical(std::span<const std::uint32_t> corners) {
+Outline canonical(const Soup& soup, std::uint32_t face) {
+  const std::span<const std::uint32_t> corners = corners_of(soup, face);
   std::vector<std::uint32_t> result(corners.begin(), corners.end());
   std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
-  if (result.back() < result[1]) std::reverse(result.begin() + 1, result.end());
-  return result;
+  const bool is_reversed = result.back() < result[1];
+  if (is_reversed) std::reverse(result.begin() + 1, result.end());
+  const Array<std::uint32_t>& group = soup.attributes.group;
+  return {std::move(result), {face, is_reversed, group.empty() ? 0 : group[face]}};
 }
 
 /// A sum over corners, so that the hash is the same for every start corner and direction.
@@ -35,7 +46,7 @@ std::uint64_t order_free_hash(std::span<const std::uint32_t> corners) {
 
 }  // namespace
 
-std::vector<std::uint32_t> duplicate_polygons(const Soup& soup) {
+CoincidentFaces coincident_polygons(const Soup& soup) {
   struct Key {
     std::uint64_t hash;
     std::uint32_t face;
@@ -47,25 +58,31 @@ std::vector<std::uint32_t> duplicate_polygons(const Soup& soup) {
     if (corners.size() > 3) keys.push_back({order_free_hash(corners), f});
   }
   std::sort(keys.begin(), keys.end());
-  std::vector<std::uint32_t> duplicates;
+  CoincidentFaces found;
   for (std::size_t begin = 0; begin < keys.size();) {
     std::size_t end = begin + 1;
     while (end < keys.size() && keys[end].hash == keys[begin].hash)
       ++end;
     // Faces with equal hashes have the same corners up to order. Sorting makes equal faces
     // adjacent.
-    std::vector<std::pair<std::vector<std::uint32_t>, std::uint32_t>> group;
-    for (std::size_t i = begin; end - begin > 1 && i < end; ++i) {
-      group.emplace_back(canonical(corners_of(soup, keys[i].face)), keys[i].face);
-    }
-    std::sort(group.begin(), group.end());
-    for (std::size_t i = 1; i < group.size(); ++i) {
-      if (group[i].first == group[i - 1].first) duplicates.push_back(group[i].second);
+    std::vector<Outline> outlines;
+    for (std::size_t i = begin; end - begin > 1 && i < end; ++i)
+      outlines.push_back(canonical(soup, keys[i].face));
+    std::sort(outlines.begin(), outlines.end());
+    for (std::size_t first = 0; first < outlines.size();) {
+      std::vector<CoincidentFace> same;
+      std::size_t last = first;
+      for (; last < outlines.size() && outlines[last].corners == outlines[first].corners; ++last)
+        same.push_back(outlines[last].face);
+      sort_coincident(same, found);
+      first = last;
     }
     begin = end;
   }
-  std::sort(duplicates.begin(), duplicates.end());
-  return duplicates;
+  std::sort(found.duplicates.begin(), found.duplicates.end());
+  std::sort(found.second_sides.begin(), found.second_sides.end(),
+            [](const SecondSide& a, const SecondSide& b) { return a.face < b.face; });
+  return found;
 }
 
 }  // namespace mesher

@@ -24,9 +24,16 @@ enum class Repair : std::uint8_t {
   creases_on_missing_edges,     ///< between vertices without an edge, or on a missing vertex
   invalid_sharpness_ignored,    ///< NaN or negative
   contradictory_creases,        ///< tagged twice with different values; the last one is used
+  vertices_joined,              ///< with another at an equal position
+  close_vertices_joined,        ///< with another within the distance asked for
+  second_sides_kept,            ///< faces on the vertices of another, with vertices of their own
+  attribute_indices_ignored,    ///< of a texture coordinate or normal that does not exist
+  invalid_normals_ignored,      ///< that are not numbers
+  facet_counts_corrected,       ///< in the header of an STL; the size of the file gives the count
+  header_lines_skipped,         ///< that the format does not define
 };
 /// The labels are phrases for count_phrase.
-inline constexpr Choices<Repair, 14> kRepairs{{
+inline constexpr Choices<Repair, 21> kRepairs{{
     {Repair::polygons_triangulated, {"polygons_triangulated", "{polygon|polygons} triangulated"}},
     {Repair::degenerate_faces_dropped,
      {"degenerate_faces_dropped", "degenerate {face|faces} dropped"}},
@@ -52,13 +59,30 @@ inline constexpr Choices<Repair, 14> kRepairs{{
      {"invalid_sharpness_ignored", "invalid sharpness {value|values} ignored"}},
     {Repair::contradictory_creases,
      {"contradictory_creases", "contradictory {crease|creases} (the last one is used)"}},
+    {Repair::vertices_joined,
+     {"vertices_joined", "{vertex|vertices} joined with another at the same position"}},
+    {Repair::close_vertices_joined,
+     {"close_vertices_joined", "{vertex|vertices} joined with another within the distance"}},
+    {Repair::second_sides_kept,
+     {"second_sides_kept",
+      "{face|faces} on the vertices of another kept as a second side, with vertices of its own"}},
+    {Repair::attribute_indices_ignored,
+     {"attribute_indices_ignored",
+      "{index|indices} of a missing texture coordinate or normal ignored"}},
+    {Repair::invalid_normals_ignored,
+     {"invalid_normals_ignored",
+      "{normal that is not a number|normals that are not numbers} ignored"}},
+    {Repair::facet_counts_corrected,
+     {"facet_counts_corrected",
+      "wrong facet {count|counts} in the header corrected by the size of the file"}},
+    {Repair::header_lines_skipped, {"header_lines_skipped", "unknown header {line|lines} skipped"}},
 }};
 static_assert(is_complete(kRepairs));
 constexpr const auto& choices(Repair) {
   return kRepairs;
 }
 
-/// The number of repairs of each kind. All zero: the file was a clean manifold.
+/// The number of repairs of each kind. Clean: a manifold, with nothing to do but join vertices.
 class BuildReport {
  public:
   std::uint64_t& operator[](Repair repair) { return counts_[static_cast<std::size_t>(repair)]; }

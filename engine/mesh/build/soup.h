@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "engine/core/array.h"
+#include "engine/mesh/build/report.h"
+#include "engine/mesh/contents.h"
 #include "engine/mesh/corner_attributes.h"
 #include "engine/mesh/ids.h"
 #include "engine/mesh/wedges.h"
@@ -42,6 +44,12 @@ struct Soup {
   std::vector<AttributeStream> streams;
   std::vector<CreaseTag> creases;
   std::vector<CornerTag> corner_tags;
+  /// Added to every position, in the file's own coordinates; 0 unless single precision about zero
+  /// would lose digits.
+  glm::dvec3 origin{0.0};
+  FileContents contents;
+  /// What the reader had to repair; `build_mesh` adds to it.
+  BuildReport report;
 
   std::uint32_t face_count() const {
     return face_start.empty() ? static_cast<std::uint32_t>(corners.size() / 3)

@@ -4,7 +4,6 @@
 #include <glm/geometric.hpp>
 
 #include "engine/core/parallel.h"
-#include "engine/mesh/build/duplicate_polygons.h"
 #include "engine/mesh/build/ear_clipper.h"
 
 namespace mesher {
@@ -52,9 +51,10 @@ void triangulate_quad(std::span<const glm::vec3> p, std::vector<Triangle>& trian
 
 /// Returns the index of each face's first triangle, plus the total at the end. Dropped faces have
 /// no triangles.
-std::vector<std::size_t> triangle_starts(const Soup& soup, BuildReport& report) {
+std::vector<std::size_t> triangle_starts(const Soup& soup,
+                                         const std::vector<std::uint32_t>& duplicates,
+                                         BuildReport& report) {
   const std::uint32_t faces = soup.face_count();
-  const std::vector<std::uint32_t> duplicates = duplicate_polygons(soup);
   report[Repair::duplicate_faces_dropped] += duplicates.size();
   auto duplicate = duplicates.begin();
   std::vector<std::size_t> starts(std::size_t{faces} + 1, 0);
@@ -96,10 +96,14 @@ void triangulate(std::span<const glm::vec3> polygon, std::vector<Triangle>& tria
   }
 }
 
-void triangulate(Soup& soup, BuildReport& report, Progress* progress) {
-  if (soup.face_start.empty()) return;
+std::vector<SheetCopy> triangulate(Soup& soup, BuildReport& report, Progress* progress) {
+  if (soup.face_start.empty()) return {};
   const std::uint32_t faces = soup.face_count();
-  const std::vector<std::size_t> starts = triangle_starts(soup, report);
+  std::vector<std::uint32_t> duplicates;
+  std::uint64_t second_sides = 0;
+  std::vector<SheetCopy> copies = separate_polygons(soup, duplicates, second_sides);
+  report[Repair::second_sides_kept] += second_sides;
+  const std::vector<std::size_t> starts = triangle_starts(soup, duplicates, report);
   Array<std::uint32_t> source(3 * starts[faces]);  // corner of the soup, for each new corner
   Array<std::uint32_t> source_face(starts[faces]);
   parallel_chunks(faces, kTriangulateGrain, progress, [&](std::size_t, IndexRange range) {
@@ -128,6 +132,7 @@ void triangulate(Soup& soup, BuildReport& report, Progress* progress) {
   gather(soup.attributes.group, source_face);
   soup.polygon_of = std::move(source_face);
   soup.face_start = {};
+  return copies;
 }
 
 }  // namespace mesher

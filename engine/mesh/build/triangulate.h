@@ -8,6 +8,7 @@
 
 #include "engine/core/progress.h"
 #include "engine/mesh/build/report.h"
+#include "engine/mesh/build/second_sides.h"
 #include "engine/mesh/build/soup.h"
 
 namespace mesher {
@@ -26,8 +27,9 @@ void triangulate(std::span<const glm::vec3> polygon,
 
 /// Replaces every polygon of the soup by triangles and carries streams and groups along. Drops
 /// faces of fewer than three corners and polygons that repeat an earlier one, and counts them in
-/// `report`. Deterministic. Afterwards `face_start` is empty. Throws Cancelled. Pre: indices are in
+/// `report`. Polygons that are second sides get vertices of their own, which are appended; returns
+/// these. Deterministic. Afterwards `face_start` is empty. Throws Cancelled. Pre: indices are in
 /// range; CornerAttributes have no values (see `to_streams`).
-void triangulate(Soup& soup, BuildReport& report, Progress* progress = nullptr);
+std::vector<SheetCopy> triangulate(Soup& soup, BuildReport& report, Progress* progress = nullptr);
 
 }  // namespace mesher

@@ -110,7 +110,7 @@ TEST_F(LodsCommand, OtherFormatsGetOneFilePerLevel) {
   EXPECT_GT(coarse["crease_edges"], 0);
   EXPECT_EQ(coarse["euler_characteristic"], input["euler_characteristic"]);
   const Finished ply = mesher({"lods", "cactus", "-o", "c.ply"});
-  EXPECT_TRUE(holds(ply.err, "c.ply cannot hold ")) << ply.err;
+  EXPECT_TRUE(holds(ply.err, "c.ply does not hold ")) << ply.err;
 }
 
 /// A bumpy sheet. Its texture coordinates have seams at every edge, or no seams.

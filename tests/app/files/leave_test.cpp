@@ -163,7 +163,7 @@ TEST_F(LeaveTest, FormatThatLosesCreasesAsksAgain) {
   save(folder_ / "a.stl");
   EXPECT_FALSE(s_.wants_quit);
   EXPECT_TRUE(has_question(s_));
-  EXPECT_NE(s_.document.notice.find("cannot hold"), std::string::npos) << s_.document.notice;
+  EXPECT_NE(s_.document.notice.find("does not hold"), std::string::npos) << s_.document.notice;
 }
 
 TEST_F(LeaveTest, ClosedSaveDialogStays) {

@@ -79,7 +79,7 @@ TEST_F(SaveTest, ReportsWhatFormatCannotHold) {
   run(s_, "tag_creases");
   run_waiting_edits(s_.document);
   save(folder_ / "out.stl");
-  EXPECT_NE(s_.document.notice.find("; the format cannot hold 12 creases"), std::string::npos)
+  EXPECT_NE(s_.document.notice.find("; it does not hold 12 creases"), std::string::npos)
       << s_.document.notice;
 }
 

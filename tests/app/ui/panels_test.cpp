@@ -18,6 +18,7 @@
 #include "app/cli/view.h"
 #include "app/document/tabs.h"
 #include "app/files/leave.h"
+#include "app/files/paths.h"
 #include "app/files/picture_requests.h"
 #include "app/input/commands.h"
 #include "app/input/keys.h"
@@ -130,6 +131,10 @@ void show_opening(Session& s) {
 
 void show_start(Session& s) {
   s.preferences.recent = {Home::kModels / "bunny.obj", Home::kModels / "\u5154\u5b50.glb"};
+  // The folder may also hold models that were fetched for tests.
+  for (const char* name : {"bunny", "bunny_1k", "bunny_200", "cactus", "creased_cube", "cube",
+                           "hypersheet", "knot", "open_box", "semi_sharp_cube", "uneven_cube"})
+    s.samples.push_back(samples_folder() / (std::string(name) + ".obj"));
   s.shows_start = true;
 }
 

@@ -103,9 +103,14 @@ std::set<std::uint32_t> bow_ties_by_brute_force(const BuildResult& r) {
 TEST(BuildBowTies, AgreesWithBruteForceOnRandomSoups) {
   std::size_t with_bow_ties = 0;
   std::size_t with_other_copies = 0;
-  for (std::uint32_t seed = 0; seed < 2000; ++seed) {
+  std::uint32_t compared = 0;
+  for (std::uint32_t seed = 0; compared < 2000; ++seed) {
     SCOPED_TRACE(seed);
     const BuildResult r = built(random_soup(seed));
+    // The vertices of second sides have the sources of other vertices, but share no edges with
+    // them.
+    if (r.report[Repair::second_sides_kept] > 0) continue;
+    ++compared;
     const std::set<std::uint32_t> expected = bow_ties_by_brute_force(r);
     std::size_t copies = 0;
     for (std::uint32_t v = 0; v < r.mesh.vertex_count(); ++v) {
