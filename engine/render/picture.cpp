@@ -1,7 +1,6 @@
 #include "engine/render/picture.h"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <utility>
 
@@ -45,37 +44,20 @@ void copy_tile(const Image& tile, Image& band, std::uint32_t x) {
   }
 }
 
-/// Draws a scene in slices that take about as long as a frame, and looks for a cancellation between
-/// them.
-class SlicedDrawing {
- public:
-  using Record = std::function<void(VkCommandBuffer, const WorkRange&)>;
+/// Work of a slice, between two checks for a cancellation. Each slice costs a pass over the whole
+/// tile, so small ones would take far longer in total, however the time of a slice is measured.
+constexpr std::uint64_t kSliceWork = 1'000'000;
 
-  SlicedDrawing(gpu::Device& device, std::uint64_t work, const Progress* progress)
-      : device_(device), work_(work), progress_(progress) {}
-
-  void draw(const Record& record) {
-    for (std::uint64_t begin = 0; begin < work_;) {
-      check_cancelled(progress_);
-      const std::uint64_t end = std::min(work_, begin + slice_);
-      const auto start = std::chrono::steady_clock::now();
-      device_.run_once([&](VkCommandBuffer commands) { record(commands, {begin, end}); });
-      const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-      // The slices do not change the picture, so their size may depend on the time.
-      if (time.count() < 0.5 * kSliceSeconds) slice_ *= 2;
-      if (time.count() > kSliceSeconds) slice_ = std::max<std::uint64_t>(slice_ / 2, 1);
-      begin = end;
-    }
+/// Draws a scene in slices, which do not change the picture.
+void draw_slices(gpu::Device& device, std::uint64_t work, const Progress* progress,
+                 const std::function<void(VkCommandBuffer, const WorkRange&)>& record) {
+  for (std::uint64_t begin = 0; begin < work; begin += kSliceWork) {
+    check_cancelled(progress);
+    device.run_once([&](VkCommandBuffer commands) {
+      record(commands, {begin, std::min(work, begin + kSliceWork)});
+    });
   }
-
- private:
-  static constexpr double kSliceSeconds = 0.04;
-
-  gpu::Device& device_;
-  std::uint64_t work_;
-  const Progress* progress_;
-  std::uint64_t slice_ = 100'000;
-};
+}
 
 Image read_tile(gpu::Device& device, const SceneTarget& target, bool is_as_drawn, unsigned n) {
   Image drawn = gpu::read_image(device, target.color(), gpu::kTransferSource);
@@ -108,7 +90,7 @@ void draw_picture(gpu::Device& device, Renderer& renderer, const GpuMesh& mesh,
   const auto record = [&](VkCommandBuffer commands, const WorkRange& slice) {
     renderer.draw_slice(commands, target, mesh, camera, settings, slice, part);
   };
-  SlicedDrawing drawing(device, Renderer::work(mesh, settings), options.progress);
+  const std::uint64_t work = Renderer::work(mesh, settings);
   for (std::uint32_t row = 0; row < rows; ++row) {
     const std::uint32_t top = row * tile.height;
     Image band{
@@ -118,7 +100,7 @@ void draw_picture(gpu::Device& device, Renderer& renderer, const GpuMesh& mesh,
              static_cast<float>(row * columns + column) / static_cast<float>(rows * columns));
       const std::uint32_t left = column * tile.width;
       part.corner = {static_cast<std::int32_t>(n * left), static_cast<std::int32_t>(n * top)};
-      drawing.draw(record);
+      draw_slices(device, work, options.progress, record);
       Image drawn = read_tile(device, target, n == 1 && !options.is_transparent, n);
       if (columns == 1 && drawn.height == band.height) {
         band = std::move(drawn);
