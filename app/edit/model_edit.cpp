@@ -68,9 +68,13 @@ void ModelEdit::record(const Shape& shape, Progress* progress) {
   begin_stage(progress, "recording");
   Stages stages(progress, kRecordWeights);
   stages.next();
-  edit_.mesh = difference(shown_->mesh, shape.mesh);
-  check_cancelled(progress);
-  edit_.attributes = difference(shown_->attributes, shape.attributes);
+  {
+    Stages parts(progress, {0.9, 0.1});
+    parts.next();
+    edit_.mesh = difference(shown_->mesh, shape.mesh, progress);
+    parts.next();
+    edit_.attributes = difference(shown_->attributes, shape.attributes, progress);
+  }
   edit_.before = statistics_;
   stages.next();
   edit_.after = statistics(shape.mesh, progress);

@@ -8,6 +8,10 @@ namespace mesher {
 namespace {
 
 constexpr std::size_t kDeltaChunk = std::size_t{1} << 16U;
+/// Times of comparing two states, and of copying what differs of each.
+constexpr double kDeltaWeights[] = {0.4, 0.3, 0.3};
+// Bytes between two checks for a cancellation.
+constexpr std::size_t kCopyChunk = std::size_t{1} << 22U;
 // Elements are compared one by one only in blocks of this size that differ.
 constexpr std::size_t kBlock = 64;
 
@@ -60,22 +64,26 @@ std::vector<ChangedRange> differing(const Pair& pair, IndexRange chunk) {
 }  // namespace
 
 ArrayDelta::ArrayDelta(std::span<const std::byte> before, std::span<const std::byte> after,
-                       std::size_t element_bytes)
+                       std::size_t element_bytes, Progress* progress)
     : element_bytes_(element_bytes),
       old_count_(before.size() / element_bytes),
       new_count_(after.size() / element_bytes) {
   if (before.data() == after.data() && before.size() == after.size()) return;  // the same array
   const Pair pair{before.data(), after.data(), element_bytes};
   std::vector<std::vector<ChangedRange>> parts(chunk_count(common(), kDeltaChunk));
-  parallel_chunks(common(), kDeltaChunk,
+  Stages stages(progress, kDeltaWeights);
+  stages.next();
+  parallel_chunks(common(), kDeltaChunk, progress,
                   [&](std::size_t i, IndexRange chunk) { parts[i] = differing(pair, chunk); });
   for (const std::vector<ChangedRange>& part : parts) {
     for (const ChangedRange range : part)
       append(ranges_, range);
   }
   ranges_.shrink_to_fit();
-  before_ = gather(before);
-  after_ = gather(after);
+  stages.next();
+  before_ = gather(before, progress);
+  stages.next();
+  after_ = gather(after, progress);
 }
 
 void ArrayDelta::add_element(std::uint32_t index, std::span<const std::byte> before,
@@ -91,18 +99,22 @@ std::size_t ArrayDelta::memory_bytes() const {
   return ranges_.capacity() * sizeof(ChangedRange) + before_.capacity() + after_.capacity();
 }
 
-Array<std::byte> ArrayDelta::gather(std::span<const std::byte> bytes) const {
+Array<std::byte> ArrayDelta::gather(std::span<const std::byte> bytes, Progress* progress) const {
   const std::size_t tail = common() * element_bytes_;
   std::size_t size = bytes.size() - tail;
   for (const ChangedRange range : ranges_)
     size += (range.end - range.begin) * element_bytes_;
   Array<std::byte> content(size);
   auto to = content.begin();
+  const auto append = [&](std::span<const std::byte> part) {
+    ordered_chunks(part.size(), kCopyChunk, progress, [&](IndexRange range) {
+      to = std::copy(part.begin() + range.begin, part.begin() + range.end, to);
+    });
+  };
   for (const ChangedRange range : ranges_) {
-    to = std::copy(bytes.begin() + range.begin * element_bytes_,
-                   bytes.begin() + range.end * element_bytes_, to);
+    append(bytes.subspan(range.begin * element_bytes_, (range.end - range.begin) * element_bytes_));
   }
-  std::copy(bytes.begin() + tail, bytes.end(), to);
+  append(bytes.subspan(tail));
   return content;
 }
 

@@ -9,6 +9,7 @@
 
 #include "engine/core/array.h"
 #include "engine/core/assert.h"
+#include "engine/core/progress.h"
 #include "engine/mesh/change_log.h"
 
 namespace mesher {
@@ -28,10 +29,10 @@ struct ElementWrite {
 class ArrayDelta {
  public:
   ArrayDelta() = default;
-  /// Compares the two states. O(n) at memory bandwidth, parallel.
+  /// Compares the two states. O(n) at memory bandwidth, parallel. Throws Cancelled.
   template <class T>
-  ArrayDelta(std::span<const T> before, std::span<const T> after)
-      : ArrayDelta(std::as_bytes(before), std::as_bytes(after), sizeof(T)) {
+  ArrayDelta(std::span<const T> before, std::span<const T> after, Progress* progress = nullptr)
+      : ArrayDelta(std::as_bytes(before), std::as_bytes(after), sizeof(T), progress) {
     static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(std::uint32_t) == 0);
   }
 
@@ -53,8 +54,8 @@ class ArrayDelta {
 
   /// Compares two states of an array whose elements have `element_bytes` bytes. As the constructor.
   static ArrayDelta of_bytes(std::span<const std::byte> before, std::span<const std::byte> after,
-                             std::size_t element_bytes) {
-    return {before, after, element_bytes};
+                             std::size_t element_bytes, Progress* progress = nullptr) {
+    return {before, after, element_bytes, progress};
   }
 
   bool is_empty() const { return old_count_ == new_count_ && ranges_.empty(); }
@@ -97,7 +98,7 @@ class ArrayDelta {
 
  private:
   ArrayDelta(std::span<const std::byte> before, std::span<const std::byte> after,
-             std::size_t element_bytes);
+             std::size_t element_bytes, Progress* progress);
 
   void add_element(std::uint32_t index, std::span<const std::byte> before,
                    std::span<const std::byte> after);
@@ -111,7 +112,7 @@ class ArrayDelta {
   std::size_t common() const { return std::min(old_count_, new_count_); }
   /// Returns the contents of the changed ranges one after the other, then the elements past the
   /// common ones.
-  Array<std::byte> gather(std::span<const std::byte> bytes) const;
+  Array<std::byte> gather(std::span<const std::byte> bytes, Progress* progress) const;
   void write_bytes(std::span<std::byte> bytes, Direction direction) const;
 
   std::size_t element_bytes_ = 0;

@@ -6,6 +6,9 @@
 namespace mesher {
 namespace {
 
+/// Bytes per face of the arrays of a mesh, in the order of their members.
+constexpr double kArrayWeights[] = {6.0, 12.0, 12.0, 2.0, 12.0, 0.1, 0.1};
+
 void note(ChangeLog& changes, GpuArray array, const ArrayDelta& delta, Direction direction) {
   delta.for_each_written(direction, [&](ChangedRange range) {
     changes.note(array, range.begin, range.end - range.begin);
@@ -18,8 +21,8 @@ ArrayDelta unchanged(std::span<const T> array) {
 }
 
 template <class T>
-ArrayDelta array_difference(const Array<T>& before, const Array<T>& after) {
-  return {std::span<const T>(before), std::span<const T>(after)};
+ArrayDelta array_difference(const Array<T>& before, const Array<T>& after, Progress* progress) {
+  return {std::span<const T>(before), std::span<const T>(after), progress};
 }
 
 bool have_same_types(const std::vector<AttributeLayer>& a, const std::vector<AttributeLayer>& b) {
@@ -30,14 +33,20 @@ bool have_same_types(const std::vector<AttributeLayer>& a, const std::vector<Att
 
 }  // namespace
 
-MeshDelta::MeshDelta(const Mesh& before, const Mesh& after)
-    : position_(before.positions(), after.positions()),
-      origin_(before.origins(), after.origins()),
-      twin_(before.twins(), after.twins()),
-      outgoing_(before.outgoings(), after.outgoings()),
-      sharpness_(before.sharpnesses(), after.sharpnesses()),
-      vertex_sharpness_(before.vertex_sharpnesses(), after.vertex_sharpnesses()),
-      bow_tie_copies_(before.bow_tie_copies(), after.bow_tie_copies()) {}
+MeshDelta::MeshDelta(const Mesh& before, const Mesh& after, Progress* progress) {
+  Stages stages(progress, kArrayWeights);
+  const auto compare = [&](auto array) {
+    stages.next();
+    return ArrayDelta((before.*array)(), (after.*array)(), progress);
+  };
+  position_ = compare(&Mesh::positions);
+  origin_ = compare(&Mesh::origins);
+  twin_ = compare(&Mesh::twins);
+  outgoing_ = compare(&Mesh::outgoings);
+  sharpness_ = compare(&Mesh::sharpnesses);
+  vertex_sharpness_ = compare(&Mesh::vertex_sharpnesses);
+  bow_tie_copies_ = compare(&Mesh::bow_tie_copies);
+}
 
 MeshDelta::MeshDelta(const Mesh& mesh, std::span<const ElementWrite<float>> sharpness)
     : position_(unchanged(mesh.positions())),
@@ -92,8 +101,8 @@ void MeshDelta::write(Mesh& mesh, Direction direction) const {
   });
 }
 
-MeshDelta difference(const Mesh& before, const Mesh& after) {
-  return {before, after};
+MeshDelta difference(const Mesh& before, const Mesh& after, Progress* progress) {
+  return {before, after, progress};
 }
 
 MeshDelta sharpness_difference(const Mesh& mesh, std::span<const EdgeSharpness> wanted) {
@@ -122,14 +131,18 @@ void revert(Mesh& mesh, const MeshDelta& delta) {
   delta.write(mesh, Direction::back);
 }
 
-AttributesDelta::AttributesDelta(const Attributes& before, const Attributes& after)
-    : corner_wedge_(array_difference(before.corner_wedge, after.corner_wedge)),
-      further_(array_difference(before.further, after.further)),
-      group_(array_difference(before.group, after.group)) {
+AttributesDelta::AttributesDelta(const Attributes& before, const Attributes& after,
+                                 Progress* progress) {
+  Stages stages(progress, {0.3, 0.7});
+  stages.next();
+  corner_wedge_ = array_difference(before.corner_wedge, after.corner_wedge, progress);
+  further_ = array_difference(before.further, after.further, progress);
+  group_ = array_difference(before.group, after.group, progress);
+  stages.next();
   if (have_same_types(before.layers, after.layers)) {
     for (std::size_t i = 0; i < before.layers.size(); ++i)
       layers_.push_back(ArrayDelta::of_bytes(before.layers[i].bytes(), after.layers[i].bytes(),
-                                             before.layers[i].type().value_bytes()));
+                                             before.layers[i].type().value_bytes(), progress));
   } else {
     old_layers_ = before.layers;
     new_layers_ = after.layers;
@@ -181,8 +194,8 @@ void AttributesDelta::write(Attributes& attributes, Direction direction) const {
   if (old_names_ != new_names_) attributes.group_names = std::move(names);
 }
 
-AttributesDelta difference(const Attributes& before, const Attributes& after) {
-  return {before, after};
+AttributesDelta difference(const Attributes& before, const Attributes& after, Progress* progress) {
+  return {before, after, progress};
 }
 
 void make_room(Attributes& attributes, const AttributesDelta& delta) {

@@ -28,13 +28,13 @@ class MeshDelta {
   std::size_t memory_bytes() const;
 
  private:
-  friend MeshDelta difference(const Mesh& before, const Mesh& after);
+  friend MeshDelta difference(const Mesh& before, const Mesh& after, Progress* progress);
   friend MeshDelta sharpness_difference(const Mesh& mesh, std::span<const EdgeSharpness> wanted);
   friend void make_room(Mesh& mesh, const MeshDelta& delta);
   friend void apply(Mesh& mesh, const MeshDelta& delta);
   friend void revert(Mesh& mesh, const MeshDelta& delta);
 
-  MeshDelta(const Mesh& before, const Mesh& after);
+  MeshDelta(const Mesh& before, const Mesh& after, Progress* progress);
   MeshDelta(const Mesh& mesh, std::span<const ElementWrite<float>> sharpness);
   void make_room(Mesh& mesh) const;
   void write(Mesh& mesh, Direction direction) const;
@@ -49,7 +49,8 @@ class MeshDelta {
 };
 
 /// Returns the difference that turns `before` into `after`. O(V + F) at memory bandwidth, parallel.
-MeshDelta difference(const Mesh& before, const Mesh& after);
+/// Throws Cancelled.
+MeshDelta difference(const Mesh& before, const Mesh& after, Progress* progress = nullptr);
 
 /// Returns the difference that sets these edges to their new sharpness, without reading the rest of
 /// the mesh. O(n log n) in the number of edges. Pre: every sharpness is at least 0, no edge occurs
@@ -76,12 +77,13 @@ class AttributesDelta {
   std::size_t memory_bytes() const;
 
  private:
-  friend AttributesDelta difference(const Attributes& before, const Attributes& after);
+  friend AttributesDelta difference(const Attributes& before, const Attributes& after,
+                                    Progress* progress);
   friend void make_room(Attributes& attributes, const AttributesDelta& delta);
   friend void apply(Attributes& attributes, const AttributesDelta& delta);
   friend void revert(Attributes& attributes, const AttributesDelta& delta);
 
-  AttributesDelta(const Attributes& before, const Attributes& after);
+  AttributesDelta(const Attributes& before, const Attributes& after, Progress* progress);
   void make_room(Attributes& attributes) const;
   void write(Attributes& attributes, Direction direction) const;
   bool keeps_types() const { return old_layers_.empty() && new_layers_.empty(); }
@@ -97,7 +99,9 @@ class AttributesDelta {
   std::vector<std::string> new_names_;
 };
 
-AttributesDelta difference(const Attributes& before, const Attributes& after);
+/// As the difference of meshes.
+AttributesDelta difference(const Attributes& before, const Attributes& after,
+                           Progress* progress = nullptr);
 /// Changes `before` into `after`. Pre: `attributes` are those of the delta's `before`.
 void apply(Attributes& attributes, const AttributesDelta& delta);
 /// Changes `after` back into `before`. Pre: `attributes` are those of the delta's `after`.
