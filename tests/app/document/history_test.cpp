@@ -97,7 +97,7 @@ Edit growth(const Edited& d) {
 
 TEST(History, OutOfMemoryLeavesModelUnchanged) {
   int failures = 0;
-  for (std::uint64_t bytes = 0;; bytes += test::kSanitized ? 5'000'000 : 2'000'000) {
+  for (std::uint64_t bytes = 0;; bytes += test::kSanitized ? 3'000'000 : 2'000'000) {
     Edited d;
     const Mesh before = d.model.mesh;
     History history;
