@@ -71,6 +71,112 @@ std::string moebius(int segments) {
   return text;
 }
 
+/// Adds shapes that are read, with the repairs that they need.
+class ObjShapes {
+ public:
+  explicit ObjShapes(std::vector<Specimen>& zoo) : zoo_(zoo) {}
+
+  void add_bad_faces();
+  void add_repeated_faces();
+  void add_cuts_and_creases();
+  void add_polygons();
+  void add_crowds();
+
+ private:
+  using R = Repair;
+
+  void add(std::string name, std::string text, std::optional<std::uint32_t> faces,
+           std::vector<std::pair<Repair, std::uint64_t>> repairs) {
+    zoo_.push_back(
+        {std::move(name), ".obj", std::move(text), Fate::read, faces, std::move(repairs)});
+  }
+
+  std::vector<Specimen>& zoo_;
+};
+
+void ObjShapes::add_bad_faces() {
+  add("not a number", kTriangle + "v nan 0 0\nf 1 2 3\nf 1 2 4\n", 1,
+      {{R::non_finite_vertices_dropped, 1}, {R::non_finite_faces_dropped, 1}});
+  add("infinities", "v inf 0 0\nv 0 -inf 0\nv 0 0 1e999\nf 1 2 3\n", 0,
+      {{R::non_finite_vertices_dropped, 3}, {R::non_finite_faces_dropped, 1}});
+  add("largest and smallest numbers",
+      "v 3.4e38 -3.4e38 1e-45\nv -3.4e38 3.4e38 0\nv 0 0 3.4e38\nf 1 2 3\n", 1, {});
+  add("faces of no, one and two corners", kTriangle + "f\nf 1\nf 1 2\nf 1 2 3\n", 1,
+      {{R::degenerate_faces_dropped, 3}});
+  add("a vertex twice", kTriangle + "f 1 1 1\nf 1 2 2\nf 1 2 3\n", 1,
+      {{R::degenerate_faces_dropped, 2}});
+}
+
+void ObjShapes::add_repeated_faces() {
+  add("duplicate faces", kTriangle + "f 1 2 3\nf 2 3 1\nf 1 2 3\nf 3 2 1\n", 2,
+      {{R::duplicate_faces_dropped, 2}, {R::second_sides_kept, 1}});
+  add("both sides of a face a hundred thousand times",
+      kTriangle + repeated("f 1 2 3\nf 3 2 1\n", kMany), 2,
+      {{R::duplicate_faces_dropped, 2 * kMany - 2}, {R::second_sides_kept, 1}});
+  std::string groups = kTriangle + "v 1 1 0\n";
+  for (int i = 0; i < kMany; ++i)
+    groups += "g " + std::to_string(i) + "\nf 1 2 3\nf 1 2 4 3\n";
+  add("the same faces in a hundred thousand groups", groups, 16 + 32,
+      {{R::second_sides_kept, 30}, {R::duplicate_faces_dropped, 2 * (kMany - 16)}});
+  add("the same face a hundred thousand times", kTriangle + repeated("f 1 2 3\n", kMany), 1,
+      {{R::duplicate_faces_dropped, kMany - 1}});
+}
+
+void ObjShapes::add_cuts_and_creases() {
+  add("three faces at an edge", kTriangle + "v 0 0 1\nv 0 -1 0\nf 1 2 3\nf 2 1 4\nf 2 1 5\n", 3,
+      {{R::non_manifold_edges_cut, 1}});
+  add("two fans at a vertex", kTriangle + "v -1 0 0\nv 0 -1 0\nf 1 2 3\nf 1 4 5\n", 2,
+      {{R::non_manifold_vertices_cut, 1}});
+  add("a face with reversed orientation",
+      kTriangle + "v 1 1 0\nv 2 1 0\nf 1 2 3\nf 2 4 3\nf 2 4 5\n", 3, {{R::faces_flipped, 1}});
+  add("Moebius strip", moebius(20), 40, {});
+  add("isolated vertices", kTriangle + "v 9 9 9\nv 8 8 8\nf 1 2 3\n", 1,
+      {{R::isolated_vertices_dropped, 2}});
+  add("creases on missing edges and of invalid sharpness",
+      kTriangle + "v 1 1 0\nf 1 2 3\nf 2 4 3\ne 0 3 1\ne 1 2 nan\ne 0 1 -1\n", 2,
+      {{R::creases_on_missing_edges, 1}, {R::invalid_sharpness_ignored, 2}});
+}
+
+void ObjShapes::add_polygons() {
+  add("polygon of a million corners", disc(1000000), 999998, {{R::polygons_triangulated, 1}});
+  add("polygon that crosses itself everywhere", tangle(3000), std::nullopt, {});
+  add("polygon of one position",
+      repeated("v 1 1 1\n", 1000) + disc(3) +
+          [] {
+            std::string polygon = "f";
+            for (int i = 1; i <= 1000; ++i)
+              polygon += " " + std::to_string(i);
+            return polygon + "\n";
+          }(),
+      std::nullopt, {});
+  add("polygon that goes back and forth", kTriangle + "f " + repeated("1 2 3 ", 2000) + "\n",
+      std::nullopt, {});
+}
+
+void ObjShapes::add_crowds() {
+  std::string fan = "v 0 0 0\n";
+  std::string book = "v 0 0 0\nv 0 0 1\n";
+  std::string brush = "v 0 0 0\n";
+  std::string fan_faces;
+  std::string book_faces;
+  std::string brush_faces;
+  for (int i = 0; i < kMany; ++i) {
+    const double angle = 2 * M_PI * i / kMany;
+    fan += vertex(1000 * std::cos(angle), 1000 * std::sin(angle), 0);
+    fan_faces += face(1, i + 2, (i + 1) % kMany + 2);
+    book += vertex(1000 * std::cos(angle), 1000 * std::sin(angle), 0);
+    book_faces += face(1, 2, i + 3);
+    brush +=
+        vertex(std::cos(angle), std::sin(angle), 1) + vertex(std::cos(angle), std::sin(angle), 2);
+    brush_faces += face(1, 2 * i + 2, 2 * i + 3);
+  }
+  add("a vertex of a hundred thousand edges", fan + fan_faces, kMany, {});
+  add("an edge of a hundred thousand faces", book + book_faces, kMany,
+      {{R::non_manifold_edges_cut, 1}});
+  add("a vertex of a hundred thousand fans", brush + brush_faces, kMany,
+      {{R::non_manifold_vertices_cut, 1}});
+}
+
 }  // namespace
 
 void add_obj_text(std::vector<Specimen>& zoo) {
@@ -140,81 +246,12 @@ void add_obj_text(std::vector<Specimen>& zoo) {
 }
 
 void add_obj_shapes(std::vector<Specimen>& zoo) {
-  using R = Repair;
-  const auto add = [&](std::string name, std::string text, std::optional<std::uint32_t> faces,
-                       std::vector<std::pair<Repair, std::uint64_t>> repairs) {
-    zoo.push_back(
-        {std::move(name), ".obj", std::move(text), Fate::read, faces, std::move(repairs)});
-  };
-  add("not a number", kTriangle + "v nan 0 0\nf 1 2 3\nf 1 2 4\n", 1,
-      {{R::non_finite_vertices_dropped, 1}, {R::non_finite_faces_dropped, 1}});
-  add("infinities", "v inf 0 0\nv 0 -inf 0\nv 0 0 1e999\nf 1 2 3\n", 0,
-      {{R::non_finite_vertices_dropped, 3}, {R::non_finite_faces_dropped, 1}});
-  add("largest and smallest numbers",
-      "v 3.4e38 -3.4e38 1e-45\nv -3.4e38 3.4e38 0\nv 0 0 3.4e38\nf 1 2 3\n", 1, {});
-  add("faces of no, one and two corners", kTriangle + "f\nf 1\nf 1 2\nf 1 2 3\n", 1,
-      {{R::degenerate_faces_dropped, 3}});
-  add("a vertex twice", kTriangle + "f 1 1 1\nf 1 2 2\nf 1 2 3\n", 1,
-      {{R::degenerate_faces_dropped, 2}});
-  add("duplicate faces", kTriangle + "f 1 2 3\nf 2 3 1\nf 1 2 3\nf 3 2 1\n", 2,
-      {{R::duplicate_faces_dropped, 2}, {R::second_sides_kept, 1}});
-  add("both sides of a face a hundred thousand times",
-      kTriangle + repeated("f 1 2 3\nf 3 2 1\n", kMany), 2,
-      {{R::duplicate_faces_dropped, 2 * kMany - 2}, {R::second_sides_kept, 1}});
-  std::string groups = kTriangle + "v 1 1 0\n";
-  for (int i = 0; i < kMany; ++i)
-    groups += "g " + std::to_string(i) + "\nf 1 2 3\nf 1 2 4 3\n";
-  add("the same faces in a hundred thousand groups", groups, 16 + 32,
-      {{R::second_sides_kept, 30}, {R::duplicate_faces_dropped, 2 * (kMany - 16)}});
-  add("the same face a hundred thousand times", kTriangle + repeated("f 1 2 3\n", kMany), 1,
-      {{R::duplicate_faces_dropped, kMany - 1}});
-  add("three faces at an edge", kTriangle + "v 0 0 1\nv 0 -1 0\nf 1 2 3\nf 2 1 4\nf 2 1 5\n", 3,
-      {{R::non_manifold_edges_cut, 1}});
-  add("two fans at a vertex", kTriangle + "v -1 0 0\nv 0 -1 0\nf 1 2 3\nf 1 4 5\n", 2,
-      {{R::non_manifold_vertices_cut, 1}});
-  add("a face with reversed orientation",
-      kTriangle + "v 1 1 0\nv 2 1 0\nf 1 2 3\nf 2 4 3\nf 2 4 5\n", 3, {{R::faces_flipped, 1}});
-  add("Moebius strip", moebius(20), 40, {});
-  add("isolated vertices", kTriangle + "v 9 9 9\nv 8 8 8\nf 1 2 3\n", 1,
-      {{R::isolated_vertices_dropped, 2}});
-  add("creases on missing edges and of invalid sharpness",
-      kTriangle + "v 1 1 0\nf 1 2 3\nf 2 4 3\ne 0 3 1\ne 1 2 nan\ne 0 1 -1\n", 2,
-      {{R::creases_on_missing_edges, 1}, {R::invalid_sharpness_ignored, 2}});
-  add("polygon of a million corners", disc(1000000), 999998, {{R::polygons_triangulated, 1}});
-  add("polygon that crosses itself everywhere", tangle(3000), std::nullopt, {});
-  add("polygon of one position",
-      repeated("v 1 1 1\n", 1000) + disc(3) +
-          [] {
-            std::string polygon = "f";
-            for (int i = 1; i <= 1000; ++i)
-              polygon += " " + std::to_string(i);
-            return polygon + "\n";
-          }(),
-      std::nullopt, {});
-  add("polygon that goes back and forth", kTriangle + "f " + repeated("1 2 3 ", 2000) + "\n",
-      std::nullopt, {});
-
-  std::string fan = "v 0 0 0\n";
-  std::string book = "v 0 0 0\nv 0 0 1\n";
-  std::string brush = "v 0 0 0\n";
-  std::string fan_faces;
-  std::string book_faces;
-  std::string brush_faces;
-  for (int i = 0; i < kMany; ++i) {
-    const double angle = 2 * M_PI * i / kMany;
-    fan += vertex(1000 * std::cos(angle), 1000 * std::sin(angle), 0);
-    fan_faces += face(1, i + 2, (i + 1) % kMany + 2);
-    book += vertex(1000 * std::cos(angle), 1000 * std::sin(angle), 0);
-    book_faces += face(1, 2, i + 3);
-    brush +=
-        vertex(std::cos(angle), std::sin(angle), 1) + vertex(std::cos(angle), std::sin(angle), 2);
-    brush_faces += face(1, 2 * i + 2, 2 * i + 3);
-  }
-  add("a vertex of a hundred thousand edges", fan + fan_faces, kMany, {});
-  add("an edge of a hundred thousand faces", book + book_faces, kMany,
-      {{R::non_manifold_edges_cut, 1}});
-  add("a vertex of a hundred thousand fans", brush + brush_faces, kMany,
-      {{R::non_manifold_vertices_cut, 1}});
+  ObjShapes shapes(zoo);
+  shapes.add_bad_faces();
+  shapes.add_repeated_faces();
+  shapes.add_cuts_and_creases();
+  shapes.add_polygons();
+  shapes.add_crowds();
 }
 
 }  // namespace mesher::test
