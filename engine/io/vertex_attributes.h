@@ -12,7 +12,7 @@
 
 namespace mesher::io {
 
-// Many formats store attributes per vertex, while mesher stores one per corner.
+// Many formats store attributes per vertex, while CornerAttributes have one value per corner.
 
 /// Copies per-vertex values to corners. O(corners), parallel. Throws Cancelled. Pre: indices are in
 /// range.

@@ -253,14 +253,4 @@ void set_normals(const Mesh& mesh, Attributes& attributes, std::span<const glm::
   set_corner_layers(mesh, attributes, std::move(layers), progress);
 }
 
-void remove_layers(const Mesh& mesh, Attributes& attributes, AttributeKind kind,
-                   Progress* progress) {
-  if (attributes.find(kind) == nullptr) return;
-  Streams streams(1);
-  streams[0] = stream_of(mesh, attributes);
-  std::erase_if(streams[0].layers,
-                [&](const AttributeLayer& layer) { return layer.type().kind == kind; });
-  remake(mesh, attributes, std::move(streams), progress);
-}
-
 }  // namespace mesher

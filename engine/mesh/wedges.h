@@ -38,9 +38,4 @@ void set_corner_layers(const Mesh& mesh, Attributes& attributes,
 void set_normals(const Mesh& mesh, Attributes& attributes, std::span<const glm::vec3> normals,
                  Progress* progress = nullptr);
 
-/// Removes the layers of one kind, and joins the wedges that nothing separates any more. O(F + V)
-/// if there is such a layer. Throws Cancelled.
-void remove_layers(const Mesh& mesh, Attributes& attributes, AttributeKind kind,
-                   Progress* progress = nullptr);
-
 }  // namespace mesher
