@@ -455,14 +455,14 @@ class GltfReader {
     }
     const auto [entry, is_new] =
         group_ids_.try_emplace(group, static_cast<std::uint32_t>(group_ids_.size()));
-    if (is_new) soup_.attributes.group_names.push_back(group);
+    if (is_new) soup_.attributes.groups.push_back({.name = group});
     soup_.attributes.group.resize(soup_.attributes.group.size() + faces, entry->second);
   }
 
   void keep_groups() {
-    if (soup_.attributes.group_names.size() > 1) return;
+    if (soup_.attributes.groups.size() > 1) return;
     soup_.attributes.group = {};
-    soup_.attributes.group_names.clear();
+    soup_.attributes.groups.clear();
   }
 
   const ReadOptions& options_;

@@ -366,7 +366,7 @@ class ObjAssembly {
     group_changes_.push_back({static_cast<std::uint32_t>(face_count_), kNone});
     Array<std::uint32_t> group(face_count_);
     std::vector<std::uint32_t> renumbered(group_names_.size() + 1, kNone);
-    std::vector<std::string> names;
+    std::vector<FaceGroup> groups;
     for (std::size_t i = 0; i + 1 < group_changes_.size(); ++i) {
       const std::uint32_t begin = group_changes_[i].face;
       const std::uint32_t end = group_changes_[i + 1].face;
@@ -374,14 +374,14 @@ class ObjAssembly {
       const std::uint32_t id = group_changes_[i].group;
       std::uint32_t& number = renumbered[id == kNone ? group_names_.size() : id];
       if (number == kNone) {
-        number = static_cast<std::uint32_t>(names.size());
-        names.push_back(id == kNone ? std::string() : group_names_[id]);
+        number = static_cast<std::uint32_t>(groups.size());
+        groups.push_back({.name = id == kNone ? std::string() : group_names_[id]});
       }
       std::fill(group.begin() + begin, group.begin() + end, number);
     }
-    if (names.size() < 2) return;
+    if (groups.size() < 2) return;
     soup_.attributes.group = std::move(group);
-    soup_.attributes.group_names = std::move(names);
+    soup_.attributes.groups = std::move(groups);
   }
 
   struct GroupChange {

@@ -107,7 +107,7 @@ void write_faces(AtomicFile& file, const Mesh& mesh, const CornerAttributes& att
   write_elements(file, mesh.face_count(), 4 + 9 * kIndex, progress,
                  [&](Appender& out, std::size_t f) {
                    if (!group.empty() && (f == 0 || group[f] != group[f - 1])) {
-                     const std::string name = one_line(attributes.group_names[group[f]]);
+                     const std::string name = one_line(attributes.groups[group[f]].name);
                      out.need(name.size() + 4 + 9 * kIndex);
                      out << "g " << name << '\n';
                    }

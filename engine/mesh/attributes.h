@@ -126,6 +126,17 @@ void store_absent(AttributeLayer& layer, std::size_t i);
 /// Returns whether a value is that of a corner that has none. Integers always have a value.
 bool is_absent(const AttributeLayer& layer, std::size_t i);
 
+/// What faces of a file have in common besides their values. Empty texts: none.
+struct FaceGroup {
+  std::string object;              ///< `o` of OBJ, the name of a node of glTF
+  std::string name;                ///< `g` of OBJ
+  std::string smoothing;           ///< `s` of OBJ: normals are continuous among faces of one number
+  std::uint32_t material = kNone;  ///< index into Materials (engine/mesh/material.h)
+  std::uint32_t primitive = kNone;  ///< of the mesh in a glTF file
+
+  friend bool operator==(const FaceGroup&, const FaceGroup&) = default;
+};
+
 /// The data of a mesh besides its shape.
 ///
 /// Values are stored once per wedge: the corners of one vertex whose values all agree (H. Hoppe,
@@ -140,13 +151,13 @@ bool is_absent(const AttributeLayer& layer, std::size_t i);
 /// 17. The wedge of a corner is that of the corner's vertex: below V it is the vertex itself, and
 ///     from V on, `further` names the vertex.
 /// 18. `further` ascends, and each further wedge is used by a corner.
-/// 19. `group` is empty or has F elements, each below the number of names.
+/// 19. `group` is empty or has F elements, each below the number of groups.
 struct Attributes {
   std::vector<AttributeLayer> layers;
   Array<Wedge> corner_wedge;   ///< 3F, or empty: every vertex has one wedge
   Array<Vertex> further;       ///< vertex of each wedge from V on
-  Array<std::uint32_t> group;  ///< one per face (F, or empty): index into `group_names`
-  std::vector<std::string> group_names;
+  Array<std::uint32_t> group;  ///< one per face (F, or empty): index into `groups`
+  std::vector<FaceGroup> groups;
 
   bool is_empty() const { return layers.empty() && group.empty(); }
   bool has_seams() const { return !corner_wedge.empty(); }

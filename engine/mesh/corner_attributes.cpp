@@ -51,7 +51,7 @@ CornerAttributes to_corners(const Mesh& mesh, const Attributes& attributes) {
                                      });
   corners.color = spread<glm::u8vec4>(mesh, attributes, attributes.find("COLOR_0"), color_at);
   corners.group = attributes.group;
-  corners.group_names = attributes.group_names;
+  corners.groups = attributes.groups;
   return corners;
 }
 
@@ -66,7 +66,7 @@ Attributes to_wedges(const Mesh& mesh, CornerAttributes&& corners) {
   Attributes attributes;
   set_corner_layers(mesh, attributes, std::move(layers));
   attributes.group = std::move(corners.group);
-  attributes.group_names = std::move(corners.group_names);
+  attributes.groups = std::move(corners.groups);
   return attributes;
 }
 

@@ -19,8 +19,8 @@ struct CornerAttributes {
   Array<glm::vec2> texcoord;  ///< v counts from the bottom, as in OBJ
   Array<glm::vec3> normal;
   Array<glm::u8vec4> color;    ///< RGBA, 255 is full intensity
-  Array<std::uint32_t> group;  ///< one per face (F, or empty): index into `group_names`
-  std::vector<std::string> group_names;
+  Array<std::uint32_t> group;  ///< one per face (F, or empty): index into `groups`
+  std::vector<FaceGroup> groups;
 
   bool is_empty() const { return !has_values() && group.empty(); }
   bool has_values() const { return !texcoord.empty() || !normal.empty() || !color.empty(); }

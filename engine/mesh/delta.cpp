@@ -147,16 +147,16 @@ AttributesDelta::AttributesDelta(const Attributes& before, const Attributes& aft
     old_layers_ = before.layers;
     new_layers_ = after.layers;
   }
-  if (before.group_names == after.group_names) return;
-  old_names_ = before.group_names;
-  new_names_ = after.group_names;
+  if (before.groups == after.groups) return;
+  old_groups_ = before.groups;
+  new_groups_ = after.groups;
 }
 
 bool AttributesDelta::is_empty() const {
   return corner_wedge_.is_empty() && further_.is_empty() && keeps_types() &&
          std::all_of(layers_.begin(), layers_.end(),
                      [](const ArrayDelta& layer) { return layer.is_empty(); }) &&
-         group_.is_empty() && old_names_ == new_names_;
+         group_.is_empty() && old_groups_ == new_groups_;
 }
 
 std::size_t AttributesDelta::memory_bytes() const {
@@ -182,7 +182,7 @@ void AttributesDelta::make_room(Attributes& attributes) const {
 // Everything that can fail comes first.
 void AttributesDelta::write(Attributes& attributes, Direction direction) const {
   const bool is_forward = direction == Direction::forward;
-  std::vector<std::string> names = is_forward ? new_names_ : old_names_;
+  std::vector<FaceGroup> groups = is_forward ? new_groups_ : old_groups_;
   std::vector<AttributeLayer> layers = is_forward ? new_layers_ : old_layers_;
   make_room(attributes);
   corner_wedge_.write(attributes.corner_wedge, direction);
@@ -191,7 +191,7 @@ void AttributesDelta::write(Attributes& attributes, Direction direction) const {
     layers_[i].write_to_bytes(attributes.layers[i].bytes(), direction);
   if (!keeps_types()) attributes.layers = std::move(layers);
   group_.write(attributes.group, direction);
-  if (old_names_ != new_names_) attributes.group_names = std::move(names);
+  if (old_groups_ != new_groups_) attributes.groups = std::move(groups);
 }
 
 AttributesDelta difference(const Attributes& before, const Attributes& after, Progress* progress) {

@@ -95,8 +95,8 @@ class AttributesDelta {
   std::vector<AttributeLayer> old_layers_;
   std::vector<AttributeLayer> new_layers_;
   ArrayDelta group_;
-  std::vector<std::string> old_names_;  ///< like new_names_, empty if they do not differ
-  std::vector<std::string> new_names_;
+  std::vector<FaceGroup> old_groups_;  ///< like new_groups_, empty if they do not differ
+  std::vector<FaceGroup> new_groups_;
 };
 
 /// As the difference of meshes.
@@ -106,7 +106,7 @@ AttributesDelta difference(const Attributes& before, const Attributes& after,
 void apply(Attributes& attributes, const AttributesDelta& delta);
 /// Changes `after` back into `before`. Pre: `attributes` are those of the delta's `after`.
 void revert(Attributes& attributes, const AttributesDelta& delta);
-/// Reserves memory for either state. After that, only copying names and, where the types of layers
+/// Reserves memory for either state. After that, only copying groups and, where the types of layers
 /// differ, layers can fail, before any change. Throws std::bad_alloc.
 void make_room(Attributes& attributes, const AttributesDelta& delta);
 

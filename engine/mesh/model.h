@@ -1,11 +1,13 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <memory>
 #include <string>
 
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/build/report.h"
 #include "engine/mesh/contents.h"
+#include "engine/mesh/material.h"
 #include "engine/mesh/mesh.h"
 
 namespace mesher {
@@ -15,6 +17,8 @@ struct Model {
   std::string name;  ///< for titles: the file's name without folder
   Mesh mesh;
   Attributes attributes;
+  /// What the groups of `attributes` refer to; null if the file has no materials. Edits keep it.
+  std::shared_ptr<const Materials> materials;
   BuildReport report;
   FileContents contents;  ///< of the file, also what the model does not hold
   /// Added to every position of the mesh, in the file's own coordinates. 0 unless single precision

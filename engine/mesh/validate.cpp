@@ -240,7 +240,7 @@ bool has_valid_layers(const Mesh& mesh, const Attributes& a) {
 bool has_valid_groups(const Mesh& mesh, const Attributes& a) {
   return a.group.empty() || (a.group.size() == mesh.face_count() &&
                              std::all_of(a.group.begin(), a.group.end(), [&](std::uint32_t group) {
-                               return group < a.group_names.size();
+                               return group < a.groups.size();
                              }));
 }
 

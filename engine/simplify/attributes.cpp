@@ -358,7 +358,7 @@ class Carrier {
   }
 
   void carry_groups(Attributes& carried) const {
-    carried.group_names = input_.attributes.group_names;
+    carried.groups = input_.attributes.groups;
     if (input_.attributes.group.empty()) return;
     carried.group.resize(face_source_.size());
     for (std::size_t f = 0; f < face_source_.size(); ++f)
@@ -426,13 +426,13 @@ Attributes carry_attributes(const Attributed& input, const Mesh& result,
                             std::span<const Face> face_source, Progress* progress) {
   if (input.attributes.is_empty()) return {};
   if (input.attributes.layers.empty() || result.face_count() == 0) {
-    Attributes groups;
-    groups.group_names = input.attributes.group_names;
+    Attributes carried;
+    carried.groups = input.attributes.groups;
     if (!input.attributes.group.empty()) {
       for (const Face f : face_source)
-        groups.group.push_back(input.attributes.group[f.index()]);
+        carried.group.push_back(input.attributes.group[f.index()]);
     }
-    return groups;
+    return carried;
   }
   return Carrier(input, result, face_source, progress).run();
 }

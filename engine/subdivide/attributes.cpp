@@ -156,7 +156,7 @@ Attributes subdivide_attributes(const Mesh& coarse, const Attributes& attributes
   Attributes result =
       make_wedges(fine, to_streams(attributes, std::move(level), fine.halfedge_count()), progress);
   result.group = std::move(group);
-  result.group_names = attributes.group_names;
+  result.groups = attributes.groups;
   return result;
 }
 

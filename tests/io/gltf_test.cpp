@@ -125,7 +125,7 @@ TEST(GltfRead, NodesTransformTheirMeshes) {
   EXPECT_EQ(soup.positions[1], glm::vec3(12, 0, 0));
   EXPECT_NEAR(soup.positions[5].x, 0.0F, 1e-6F);
   EXPECT_NEAR(soup.positions[5].y, 1.0F, 1e-6F);
-  EXPECT_EQ(soup.attributes.group_names, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(soup.attributes.groups, test::named_groups({"a", "b"}));
   EXPECT_EQ(soup.attributes.group[3], 1U);
 }
 

@@ -9,6 +9,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
+#include "tests/support/attributes.h"
 #include "tests/support/temp_folder.h"
 
 namespace mesher {
@@ -150,8 +151,8 @@ TEST(ObjRead, GroupsAreKeptIfThereIsMoreThanOne) {
   const Soup soup = parse(kTriangle +
                           "f 1 2 3\no box\ng side\nf 1 2 3\nf 2 3 1\nusemtl red\nf 1 2 3\n"
                           "g empty\ng side\nf 1 2 3\ng\nf 1 2 3\n");
-  EXPECT_EQ(soup.attributes.group_names,
-            (std::vector<std::string>{"", "box/side", "box/side/red", "box/red"}));
+  EXPECT_EQ(soup.attributes.groups,
+            test::named_groups({"", "box/side", "box/side/red", "box/red"}));
   EXPECT_EQ(std::vector<std::uint32_t>(soup.attributes.group.begin(), soup.attributes.group.end()),
             (std::vector<std::uint32_t>{0, 1, 1, 2, 2, 3}));
 }

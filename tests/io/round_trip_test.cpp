@@ -144,7 +144,7 @@ TEST(RoundTrip, ObjKeepsAttributesGroupsAndCreases) {
   EXPECT_TRUE(same_bits(test::corners_of(back).normal, test::corners_of(model).normal));
   EXPECT_TRUE(same_bits(test::corners_of(back).color, test::corners_of(model).color));
   EXPECT_EQ(back.attributes.group, model.attributes.group);
-  EXPECT_EQ(back.attributes.group_names, model.attributes.group_names);
+  EXPECT_EQ(back.attributes.groups, model.attributes.groups);
   EXPECT_TRUE(same_bits(back.mesh.sharpnesses(), model.mesh.sharpnesses()));
   EXPECT_TRUE(same_bits(back.mesh.vertex_sharpnesses(), model.mesh.vertex_sharpnesses()));
   EXPECT_EQ(model.mesh.sharpness(model.mesh.find_halfedge(Vertex(0), Vertex(2))), 2.5F);

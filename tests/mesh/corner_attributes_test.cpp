@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/attributes.h"
 #include "tests/support/meshes.h"
 
 namespace mesher::test {
@@ -16,7 +17,7 @@ TEST(CornerAttributes, SurviveTheWayThroughWedges) {
     corners.color.push_back({static_cast<std::uint8_t>(h), 0, 0, 255});
   }
   corners.group.assign(mesh.face_count(), 0);
-  corners.group_names = {"all"};
+  corners.groups = test::named_groups({"all"});
   const CornerAttributes expected = corners;
   const Attributes attributes = to_wedges(mesh, std::move(corners));
   EXPECT_TRUE(validate(mesh, attributes).empty());
@@ -25,7 +26,7 @@ TEST(CornerAttributes, SurviveTheWayThroughWedges) {
   EXPECT_EQ(back.normal, expected.normal);
   EXPECT_EQ(back.color, expected.color);
   EXPECT_EQ(back.group, expected.group);
-  EXPECT_EQ(back.group_names, expected.group_names);
+  EXPECT_EQ(back.groups, expected.groups);
 }
 
 TEST(CornerAttributes, TextureCoordinatesThatCountDownAreTurned) {

@@ -11,6 +11,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/mesh/collapse.h"
+#include "tests/support/attributes.h"
 #include "tests/support/meshes.h"
 #include "tests/support/sanitized.h"
 
@@ -263,7 +264,7 @@ TEST(AttributesDelta, OutOfMemoryLeavesAttributesUnchanged) {
 TEST(AttributesDelta, RoundTrips) {
   Attributes before = layers_of(30, {0.5F, 0.5F}, {1, 2, 3, 4});
   before.group.assign(10, 1U);
-  before.group_names = {"a", "b"};
+  before.groups = test::named_groups({"a", "b"});
   Attributes other_values = before;
   other_values.layers[1].resize(27);
   other_values.layers[1].values<glm::u8vec4>()[5] = {9, 9, 9, 9};
@@ -272,7 +273,7 @@ TEST(AttributesDelta, RoundTrips) {
   Attributes other_types = other_values;
   other_types.layers.erase(other_types.layers.begin());
   other_types.group.resize(9);
-  other_types.group_names = {"a"};
+  other_types.groups = test::named_groups({"a"});
   for (const Attributes& after : {other_values, other_types}) {
     const AttributesDelta delta = difference(before, after);
     EXPECT_FALSE(delta.is_empty());
@@ -280,10 +281,10 @@ TEST(AttributesDelta, RoundTrips) {
     Attributes a = before;
     apply(a, delta);
     EXPECT_TRUE(difference(a, after).is_empty());
-    EXPECT_EQ(a.group_names, after.group_names);
+    EXPECT_EQ(a.groups, after.groups);
     revert(a, delta);
     EXPECT_TRUE(difference(a, before).is_empty());
-    EXPECT_EQ(a.group_names, before.group_names);
+    EXPECT_EQ(a.groups, before.groups);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
 #include "engine/mesh/corner_attributes.h"
+#include "tests/support/attributes.h"
 #include "tests/support/meshes.h"
 
 namespace mesher::test {
@@ -168,7 +169,7 @@ TEST(ValidateAttributes, NamesEachBrokenInvariant) {
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
     corners.texcoord.push_back({h < 12 ? 0.0F : 1.0F, 0.0F});
   corners.group.assign(mesh.face_count(), 0);
-  corners.group_names = {"all"};
+  corners.groups = test::named_groups({"all"});
   const Attributes good = to_wedges(mesh, std::move(corners));
   ASSERT_TRUE(validate(mesh, good).empty());
   const auto broken = [&](auto&& harm) {

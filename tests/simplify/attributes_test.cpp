@@ -11,6 +11,7 @@
 #include "engine/mesh/corner_attributes.h"
 #include "engine/mesh/normals.h"
 #include "engine/mesh/wedges.h"
+#include "tests/support/attributes.h"
 #include "tests/support/meshes.h"
 
 namespace mesher::test {
@@ -33,7 +34,7 @@ struct Sheet {
     }
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
       corners.group.push_back(f % 3);
-    corners.group_names = {"a", "b", "c"};
+    corners.groups = test::named_groups({"a", "b", "c"});
   }
   SimplifiedModel simplified(std::uint32_t target) const {
     return simplify_model(Mesh(mesh), to_wedges(mesh, CornerAttributes(corners)),
@@ -72,7 +73,7 @@ TEST(CarryAttributes, GroupsStayWithTheirFaces) {
   ASSERT_EQ(model.attributes.group.size(), model.simplified.mesh.face_count());
   for (std::uint32_t f = 0; f < model.simplified.mesh.face_count(); ++f)
     EXPECT_EQ(model.attributes.group[f], model.simplified.face_source[f].index() % 3);
-  EXPECT_EQ(model.attributes.group_names, Sheet().corners.group_names);
+  EXPECT_EQ(model.attributes.groups, Sheet().corners.groups);
 }
 
 TEST(CarryAttributes, StraightSeamSurvivesToTheLastFaces) {

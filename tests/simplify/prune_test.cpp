@@ -112,7 +112,7 @@ TEST(Prune, AttributesFollowTheRemainingParts) {
   CornerAttributes corners;
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
     corners.group.push_back(f < 480 ? 0 : 1 + f % 5);
-  corners.group_names.resize(6);
+  corners.groups.resize(6);
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
     corners.texcoord.push_back({float(mesh.origin(Halfedge(h)).index()), 0.0F});
   const Attributes attributes = to_wedges(mesh, std::move(corners));

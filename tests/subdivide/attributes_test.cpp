@@ -7,6 +7,7 @@
 
 #include "engine/mesh/corner_attributes.h"
 #include "engine/subdivide/subdivide.h"
+#include "tests/support/attributes.h"
 #include "tests/support/meshes.h"
 
 namespace mesher::test {
@@ -24,7 +25,7 @@ CornerAttributes two_faces() {
   attributes.color[1] = {13, 20, 255, 0};
   attributes.normal.assign(6, glm::vec3(0, 0, 1));
   attributes.group = {1, 0};
-  attributes.group_names = {"stone", "moss"};
+  attributes.groups = test::named_groups({"stone", "moss"});
   return attributes;
 }
 
@@ -103,7 +104,7 @@ TEST(SubdivideAttributes, ChildrenInheritTheirGroup) {
   ASSERT_EQ(fine.group.size(), 32U);
   for (std::size_t f = 0; f < fine.group.size(); ++f)
     EXPECT_EQ(fine.group[f], f < 16 ? 1U : 0U) << f;
-  EXPECT_EQ(fine.group_names, two_faces().group_names);
+  EXPECT_EQ(fine.groups, two_faces().groups);
 }
 
 TEST(SubdivideAttributes, NormalsAreDroppedUnlessNothingIsSubdivided) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <initializer_list>
+#include <vector>
+
 #include "engine/mesh/corner_attributes.h"
 #include "engine/mesh/validate.h"
 
@@ -11,6 +14,14 @@ namespace mesher::test {
 template <class T>
 CornerAttributes corners_of(const T& model) {
   return to_corners(model.mesh, model.attributes);
+}
+
+/// Returns groups with these names and nothing else.
+inline std::vector<FaceGroup> named_groups(std::initializer_list<const char*> names) {
+  std::vector<FaceGroup> groups;
+  for (const char* name : names)
+    groups.push_back({.name = name});
+  return groups;
 }
 
 /// Expects that the attributes of a model, or of anything with a mesh and attributes, are valid.

@@ -68,7 +68,7 @@ class Builder {
     stages.next();
     result_.attributes = make_wedges(result_.mesh, std::move(soup_.streams), options_.progress);
     result_.attributes.group = std::move(soup_.attributes.group);
-    result_.attributes.group_names = std::move(soup_.attributes.group_names);
+    result_.attributes.groups = std::move(soup_.attributes.groups);
     return std::move(result_);
   }
 

@@ -210,7 +210,7 @@ TEST_F(SubdivideCommand, CarriesAttributesAndDropsNormals) {
   EXPECT_EQ(attributes.texcoord[1], glm::vec2(0.5F, 0.0F));
   EXPECT_EQ(attributes.texcoord[12], glm::vec2(0.0F, 0.0F));  // a seam: vertex 2 is 1 0 elsewhere
   EXPECT_TRUE(attributes.normal.empty());
-  EXPECT_EQ(attributes.group_names, (std::vector<std::string>{"stone", "moss"}));
+  EXPECT_EQ(attributes.groups, test::named_groups({"stone", "moss"}));
   ASSERT_EQ(attributes.group.size(), 8U);
   EXPECT_EQ(attributes.group[3], 0U);
   EXPECT_EQ(attributes.group[4], 1U);

@@ -284,7 +284,7 @@ TEST_F(ProgressiveViewTest, UsedLevelCarriesAttributesOver) {
   CornerAttributes attributes;
   attributes.color.resize(mesh.halfedge_count());
   attributes.group.resize(mesh.face_count());
-  attributes.group_names = {"low", "high"};
+  attributes.groups = test::named_groups({"low", "high"});
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
     const std::uint32_t v = mesh.origin(Halfedge(h)).index();
     attributes.color[h] = {v % 256, v / 256, 7, 255};

@@ -4,6 +4,7 @@
 
 #include "engine/mesh/build/build.h"
 #include "engine/mesh/statistics.h"
+#include "tests/support/attributes.h"
 #include "tests/support/meshes.h"
 
 namespace mesher::test {
@@ -70,7 +71,7 @@ TEST(SecondSides, PolygonsAndTrianglesShareASheet) {
 TEST(SecondSides, AnotherGroupOnTheSameSideIsKept) {
   Soup soup = soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2, 0, 1, 2, 1, 2, 0, 2, 1, 0});
   soup.attributes.group.assign({0, 1, 0, 1});
-  soup.attributes.group_names = {"brick", "paper"};
+  soup.attributes.groups = test::named_groups({"brick", "paper"});
   const BuildResult r = built(std::move(soup));
   expect_report(r.report, {{Repair::second_sides_kept, 2}, {Repair::duplicate_faces_dropped, 1}});
   EXPECT_EQ(statistics(r.mesh).components, 3U);
