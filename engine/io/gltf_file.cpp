@@ -13,6 +13,7 @@
 #include "engine/core/parallel.h"
 #include "engine/core/progress.h"
 #include "engine/io/base64.h"
+#include "engine/io/gltf_types.h"
 #include "engine/io/text_cursor.h"
 
 namespace mesher::io {
@@ -64,30 +65,6 @@ class JsonText {
   Progress* progress_;
 };
 
-enum class Component : std::uint32_t {
-  int8 = 5120,
-  uint8 = 5121,
-  int16 = 5122,
-  uint16 = 5123,
-  uint32 = 5125,
-  float32 = 5126,
-};
-
-std::size_t size_of(Component type) {
-  switch (type) {
-    case Component::int8:
-    case Component::uint8:
-      return 1;
-    case Component::int16:
-    case Component::uint16:
-      return 2;
-    case Component::uint32:
-    case Component::float32:
-      break;
-  }
-  return 4;
-}
-
 template <class T>
 float load_as_float(const char* p, float full) {
   T value;
@@ -96,20 +73,20 @@ float load_as_float(const char* p, float full) {
   return full == 1.0F ? fraction : std::max(fraction, -1.0F);
 }
 
-float load_float(const char* p, Component type, bool is_normalized) {
+float load_float(const char* p, ComponentType type, bool is_normalized) {
   const auto full = [&](float largest) { return is_normalized ? largest : 1.0F; };
   switch (type) {
-    case Component::int8:
+    case ComponentType::s8:
       return load_as_float<std::int8_t>(p, full(127.0F));
-    case Component::uint8:
+    case ComponentType::u8:
       return load_as_float<std::uint8_t>(p, full(255.0F));
-    case Component::int16:
+    case ComponentType::s16:
       return load_as_float<std::int16_t>(p, full(32767.0F));
-    case Component::uint16:
+    case ComponentType::u16:
       return load_as_float<std::uint16_t>(p, full(65535.0F));
-    case Component::uint32:
+    case ComponentType::u32:
       return load_as_float<std::uint32_t>(p, full(4294967295.0F));
-    case Component::float32:
+    case ComponentType::f32:
       break;
   }
   float value;
@@ -118,15 +95,6 @@ float load_float(const char* p, Component type, bool is_normalized) {
 }
 
 }  // namespace
-
-struct GltfFile::Accessor {
-  std::string_view bytes;  ///< starts at the first element
-  std::size_t count = 0;
-  std::size_t stride = 0;
-  std::size_t components = 0;
-  Component type = Component::float32;
-  bool is_normalized = false;
-};
 
 struct GltfFile::Buffer {
   std::string decoded;
@@ -247,9 +215,9 @@ std::string_view GltfFile::text(const Json& object, const char* key) const {
 GltfFile::Accessor GltfFile::open_accessor(std::uint64_t index) {
   const Json& json = element("accessors", index);
   Accessor accessor;
-  const std::uint64_t type = find_number(json, "componentType").value_or(0);
-  if (type < 5120 || type > 5126 || type == 5124) fail("unknown componentType");
-  accessor.type = static_cast<Component>(type);
+  const auto type = component_type(find_number(json, "componentType").value_or(0));
+  if (!type) fail("unknown componentType");
+  accessor.type = *type;
   static constexpr std::pair<std::string_view, std::size_t> kTypes[] = {
       {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
   for (const auto& [name, components] : kTypes) {
@@ -258,16 +226,17 @@ GltfFile::Accessor GltfFile::open_accessor(std::uint64_t index) {
   if (accessor.components == 0) fail("unknown accessor type");
   const auto normalized = json.find("normalized");
   accessor.is_normalized = normalized != json.end() && *normalized == true;
-  accessor.stride = accessor.components * size_of(accessor.type);
+  accessor.stride = accessor.element_bytes();
   const std::uint64_t count = find_number(json, "count").value_or(0);
   const bool has_view = json.contains("bufferView");
   if (has_view) open_data(json, count, accessor);
   accessor.count = static_cast<std::size_t>(count);
-  if (has_view && !json.contains("sparse")) return accessor;
-  if (!has_view && !json.contains("sparse")) fail("an accessor has no data");
-  const std::size_t element_bytes = accessor.components * size_of(accessor.type);
+  if (!json.contains("sparse")) {
+    if (!has_view) fail("an accessor has no data");
+    return accessor;
+  }
   accessor.bytes = sparse_bytes(index, json, accessor);
-  accessor.stride = element_bytes;
+  accessor.stride = accessor.element_bytes();
   return accessor;
 }
 
@@ -288,34 +257,39 @@ void GltfFile::open_data(const Json& json, std::uint64_t count, Accessor& access
 
 /// Returns all elements of an accessor with sparse values, without gaps. `base` has the others,
 /// which are zero if it has no bytes.
-std::string_view GltfFile::sparse_bytes(std::uint64_t index, const Json& json, Accessor base) {
+std::string_view GltfFile::sparse_bytes(std::uint64_t index, const Json& json,
+                                        const Accessor& base) {
   const auto known = sparse_.find(index);
   if (known != sparse_.end()) return known->second;
-  const Json& sparse = json["sparse"];
+  const std::size_t element_bytes = base.element_bytes();
+  make_room(base.count, element_bytes);
+  std::string bytes(base.count * element_bytes, '\0');
+  for (std::size_t i = 0; i < base.count && !base.bytes.empty(); ++i)
+    std::memcpy(&bytes[i * element_bytes], base.bytes.data() + i * base.stride, element_bytes);
+  set_sparse(json["sparse"], base, bytes);
+  return sparse_.emplace(index, std::move(bytes)).first->second;
+}
+
+void GltfFile::set_sparse(const Json& sparse, const Accessor& base, std::string& bytes) {
   if (!sparse.is_object() || !sparse.contains("indices") || !sparse.contains("values") ||
       !sparse["indices"].is_object() || !sparse["values"].is_object()) {
     fail("a sparse accessor needs indices and values");
   }
-  const std::size_t element_bytes = base.components * size_of(base.type);
-  make_room(base.count, element_bytes);
   const std::uint64_t count = find_number(sparse, "count").value_or(0);
-  const std::uint64_t index_type = find_number(sparse["indices"], "componentType").value_or(0);
-  if (index_type != 5121 && index_type != 5123 && index_type != 5125) {
+  const auto type = component_type(find_number(sparse["indices"], "componentType").value_or(0));
+  if (type != ComponentType::u8 && type != ComponentType::u16 && type != ComponentType::u32) {
     fail("sparse indices are not unsigned integers");
   }
-  const std::size_t index_bytes = size_of(static_cast<Component>(index_type));
+  const std::size_t index_bytes = bytes_of(*type);
+  const std::size_t element_bytes = base.element_bytes();
   const std::string_view indices = part_bytes(sparse["indices"], index_bytes, count);
   const std::string_view values = part_bytes(sparse["values"], element_bytes, count);
-  std::string bytes(base.count * element_bytes, '\0');
-  for (std::size_t i = 0; i < base.count && !base.bytes.empty(); ++i)
-    std::memcpy(&bytes[i * element_bytes], base.bytes.data() + i * base.stride, element_bytes);
   for (std::size_t i = 0; i < count; ++i) {
     std::uint32_t at = 0;
     std::memcpy(&at, indices.data() + i * index_bytes, index_bytes);
     if (at >= base.count) fail("a sparse index is out of range");
     std::memcpy(&bytes[at * element_bytes], values.data() + i * element_bytes, element_bytes);
   }
-  return sparse_.emplace(index, std::move(bytes)).first->second;
 }
 
 std::string_view GltfFile::buffer_bytes(std::uint64_t index) {
@@ -367,7 +341,7 @@ Array<float> GltfFile::floats(std::uint64_t index, std::size_t components, std::
       float* const to = values.data() + i * components;
       for (std::size_t c = 0; c < shared; ++c) {
         to[c] =
-            load_float(from + c * size_of(accessor.type), accessor.type, accessor.is_normalized);
+            load_float(from + c * bytes_of(accessor.type), accessor.type, accessor.is_normalized);
       }
       std::fill(to + shared, to + components, 1.0F);
     }
@@ -382,19 +356,19 @@ Array<std::uint32_t> GltfFile::indices(std::uint64_t index) {
   const auto load = [&](std::size_t i) {
     const char* const from = accessor.bytes.data() + i * accessor.stride;
     switch (accessor.type) {
-      case Component::uint8:
+      case ComponentType::u8:
         values[i] = static_cast<unsigned char>(*from);
         break;
-      case Component::uint16:
+      case ComponentType::u16:
         values[i] = static_cast<unsigned char>(from[0]) |
                     static_cast<std::uint32_t>(static_cast<unsigned char>(from[1])) << 8;
         break;
-      case Component::uint32:
+      case ComponentType::u32:
         values[i] = load_uint32(from);
         break;
-      case Component::int8:
-      case Component::int16:
-      case Component::float32:
+      case ComponentType::s8:
+      case ComponentType::s16:
+      case ComponentType::f32:
         fail("indices are not unsigned integers");
     }
   };

@@ -13,6 +13,7 @@
 #include "engine/core/array.h"
 #include "engine/core/progress.h"
 #include "engine/io/mapped_file.h"
+#include "engine/mesh/attributes.h"
 
 namespace mesher::io {
 
@@ -54,6 +55,19 @@ class GltfFile {
   /// Returns an extension of an object, or null.
   const Json* extension(const Json& object, const char* name) const;
 
+  /// The elements of an accessor, all within a buffer.
+  struct Accessor {
+    std::string_view bytes;  ///< starts at the first element
+    std::size_t count = 0;
+    std::size_t stride = 0;  ///< from one element to the next, in bytes
+    std::size_t components = 0;
+    ComponentType type = ComponentType::f32;
+    bool is_normalized = false;
+
+    std::size_t element_bytes() const { return components * bytes_of(type); }
+  };
+  /// Returns an accessor with its sparse values in place. Valid as long as the document.
+  Accessor open_accessor(std::uint64_t index);
   /// Returns the number of elements of an accessor. All of them lie within the buffer.
   std::size_t element_count(std::uint64_t accessor);
   /// Returns elements [first, first + count) of an accessor, with `components` values per element.
@@ -72,14 +86,13 @@ class GltfFile {
   [[noreturn]] void fail(std::string_view reason) const;
 
  private:
-  struct Accessor;
   struct Buffer;
 
   void read_container();
   void parse_json(const char* begin, const char* end);
-  Accessor open_accessor(std::uint64_t index);
   void open_data(const Json& json, std::uint64_t count, Accessor& accessor);
-  std::string_view sparse_bytes(std::uint64_t index, const Json& json, Accessor base);
+  std::string_view sparse_bytes(std::uint64_t index, const Json& json, const Accessor& base);
+  void set_sparse(const Json& sparse, const Accessor& base, std::string& bytes);
   void make_room(std::uint64_t count, std::uint64_t element_bytes);
   std::string_view part_bytes(const Json& part, std::size_t element_bytes, std::uint64_t count);
   std::string_view view_bytes(std::uint64_t index, std::size_t& stride);

@@ -18,8 +18,10 @@
 #include "engine/io/format.h"
 #include "engine/io/gltf_contents.h"
 #include "engine/io/gltf_file.h"
+#include "engine/io/gltf_nodes.h"
 #include "engine/io/gltf_packed.h"
 #include "engine/io/gltf_pose.h"
+#include "engine/io/gltf_triangles.h"
 #include "engine/io/join.h"
 
 namespace mesher::io {
@@ -48,16 +50,9 @@ constexpr GltfWeights kGltfBinaryWeights{.document = 0.01, .join = 0.72, .decode
 /// Of adding a primitive, the part that reads it.
 constexpr double kReadPart = 0.85;
 
-enum Mode : std::uint64_t { kTriangles = 4, kStrip = 5, kFan = 6 };
-
 const GltfWeights& weights_of(const MappedFile& file) {
   return file.bytes().substr(0, 4) == "glTF" ? kGltfBinaryWeights : kGltfTextWeights;
 }
-
-struct PlacedNode {
-  std::uint64_t node;
-  glm::dmat4 to_world;
-};
 
 struct PlacedMesh {
   std::uint64_t mesh;
@@ -110,7 +105,11 @@ class GltfReader {
       for (std::uint64_t mesh = 0; mesh < gltf_.count("meshes"); ++mesh)
         placed_.push_back({mesh, glm::dmat4(1.0), ""});
     } else {
-      walk(roots());
+      for (const PlacedNode& placed : placed_nodes(gltf_, progress_)) {
+        const Json& node = gltf_.element("nodes", placed.node);
+        node_transforms_[placed.node] = placed.to_world;
+        if (const auto mesh = gltf_.find_number(node, "mesh")) place(node, *mesh, placed.to_world);
+      }
     }
     add_meshes();
     if (soup_.positions.empty()) gltf_.fail("no triangles");
@@ -119,49 +118,6 @@ class GltfReader {
   }
 
  private:
-  std::vector<std::uint64_t> roots() {
-    if (gltf_.count("scenes") > 0) {
-      const std::uint64_t scene = gltf_.find_number(gltf_.root(), "scene").value_or(0);
-      return gltf_.index_list(gltf_.element("scenes", scene), "nodes");
-    }
-    std::vector<bool> is_child(gltf_.count("nodes"), false);
-    for (std::uint64_t node = 0; node < is_child.size(); ++node) {
-      for (const std::uint64_t child : gltf_.index_list(gltf_.element("nodes", node), "children")) {
-        if (child < is_child.size()) is_child[child] = true;
-      }
-    }
-    std::vector<std::uint64_t> list;
-    for (std::uint64_t node = 0; node < is_child.size(); ++node) {
-      if (!is_child[node]) list.push_back(node);
-    }
-    return list;
-  }
-
-  /// Visits the nodes depth first, in file order. Not recursive, because files can nest to any
-  /// depth.
-  void walk(const std::vector<std::uint64_t>& roots) {
-    std::vector<bool> is_visited(gltf_.count("nodes"), false);
-    std::vector<PlacedNode> stack;
-    const auto push = [&](const std::vector<std::uint64_t>& nodes, const glm::dmat4& to_world) {
-      for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
-        stack.push_back({*node, to_world});
-      }
-    };
-    push(roots, glm::dmat4(1.0));
-    while (!stack.empty()) {
-      check_cancelled(progress_);
-      const PlacedNode placed = stack.back();
-      stack.pop_back();
-      const Json& node = gltf_.element("nodes", placed.node);
-      if (is_visited[placed.node]) gltf_.fail("the nodes do not form a tree");
-      is_visited[placed.node] = true;
-      const glm::dmat4 to_world = placed.to_world * local_transform(gltf_, node);
-      node_transforms_[placed.node] = to_world;
-      if (const auto mesh = gltf_.find_number(node, "mesh")) place(node, *mesh, to_world);
-      push(gltf_.index_list(node, "children"), to_world);
-    }
-  }
-
   /// Adds the mesh of a node, once for each instance.
   void place(const Json& node, std::uint64_t mesh, const glm::dmat4& to_world) {
     PlacedMesh placed{.mesh = mesh,
@@ -263,9 +219,9 @@ class GltfReader {
   Primitive read_primitive(const Json& json, const std::vector<double>& weights,
                            const std::vector<glm::dmat4>& joints) {
     Primitive primitive;
-    const std::uint64_t mode = gltf_.find_number(json, "mode").value_or(kTriangles);
+    const auto mode = triangle_mode(gltf_, json);
     const auto attributes = json.find("attributes");
-    if (mode < kTriangles || mode > kFan) return primitive;
+    if (!mode) return primitive;
     if (attributes == json.end() || !attributes->contains("POSITION")) return primitive;
     const auto position = gltf_.find_number(*attributes, "POSITION");
     const PackedPrimitive* const packed = packed_.find(gltf_, json, progress_);
@@ -277,7 +233,7 @@ class GltfReader {
         packed != nullptr ? packed->mesh.points : gltf_.element_count(*position);
     stages.next();
     primitive.triangles =
-        packed != nullptr ? packed->mesh.indices : triangles(json, mode, vertices);
+        packed != nullptr ? packed->mesh.indices : triangle_indices(gltf_, json, *mode, vertices);
     if (primitive.triangles.empty()) return primitive;
     // Many primitives may share one long accessor and each use a part of it.
     const auto [low, high] =
@@ -310,32 +266,6 @@ class GltfReader {
     for (std::uint32_t& index : primitive.triangles)
       index -= first;
     return primitive;
-  }
-
-  Array<std::uint32_t> triangles(const Json& json, std::uint64_t mode, std::size_t vertices) {
-    Array<std::uint32_t> list;
-    if (const auto accessor = gltf_.find_number(json, "indices")) {
-      list = gltf_.indices(*accessor);
-    } else {
-      if (vertices >= kNone) gltf_.fail("more elements than 32-bit indices can address");
-      list.resize(vertices);
-      for (std::size_t i = 0; i < vertices; ++i)
-        list[i] = static_cast<std::uint32_t>(i);
-    }
-    for (const std::uint32_t index : list) {
-      if (index >= vertices) gltf_.fail("vertex index out of range");
-    }
-    if (mode == kTriangles) {
-      list.resize(list.size() / 3 * 3);
-      return list;
-    }
-    Array<std::uint32_t> unrolled;
-    for (std::size_t i = 2; i < list.size(); ++i) {
-      const std::size_t turn = mode == kStrip ? i % 2 : 0;
-      const std::size_t first = mode == kStrip ? i - 2 + turn : 0;
-      unrolled.insert(unrolled.end(), {list[first], list[i - 1 - turn], list[i]});
-    }
-    return unrolled;
   }
 
   void transform(Primitive& primitive, const glm::dmat4& to_world) {

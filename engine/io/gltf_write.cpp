@@ -12,6 +12,7 @@
 #include "engine/core/progress.h"
 #include "engine/io/base64.h"
 #include "engine/io/block_writer.h"
+#include "engine/io/gltf_types.h"
 #include "engine/mesh/statistics.h"
 
 namespace mesher::io {
@@ -24,7 +25,7 @@ constexpr std::uint64_t kMostBytes = std::numeric_limits<std::uint32_t>::max();
 /// An array of the file with its own buffer view.
 struct Accessor {
   const char* type;
-  int component_type;
+  std::uint32_t component_type;
   std::size_t count;
   std::size_t element_bytes;
   int target;
@@ -35,30 +36,6 @@ struct Accessor {
 /// Bytes of a value in the file, where each begins at a multiple of 4.
 std::size_t aligned_bytes(const AttributeType& type) {
   return (type.value_bytes() + 3) / 4 * 4;
-}
-
-/// Returns the number by which glTF knows the type of a component.
-int gltf_number(ComponentType type) {
-  switch (type) {
-    case ComponentType::s8:
-      return 5120;
-    case ComponentType::u8:
-      return 5121;
-    case ComponentType::s16:
-      return 5122;
-    case ComponentType::u16:
-      return 5123;
-    case ComponentType::u32:
-      return 5125;
-    case ComponentType::f32:
-      break;
-  }
-  return 5126;
-}
-
-const char* gltf_shape(std::size_t components) {
-  constexpr const char* kShapes[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
-  return kShapes[components - 1];
 }
 
 /// Returns whether a layer can be written: glTF has no value for a corner without a normal.
@@ -85,8 +62,8 @@ class LevelWriter {
   /// Returns the primitive.
   template <class AddAccessor>
   OrderedJson describe(AddAccessor&& add_accessor) const {
-    constexpr int kFloat = 5126;
-    constexpr int kUint = 5125;
+    constexpr std::uint32_t kFloat = gltf_number(ComponentType::f32);
+    constexpr std::uint32_t kUint = gltf_number(ComponentType::u32);
     constexpr int kVertexData = 34962;
     constexpr int kIndexData = 34963;
     const Box box = bounding_box(mesh_);
