@@ -6,6 +6,8 @@
 #include <iostream>
 
 #include "app/cli/progress_line.h"
+#include "app/cli/scene.h"
+#include "app/cli/scene_commands.h"
 #include "app/files/paths.h"
 #include "engine/analysis/self_intersections.h"
 #include "engine/core/error.h"
@@ -219,9 +221,10 @@ void run_info(const InputOptions& input, const CommonOptions& common) {
   if (loaded.model.report.is_clean()) print("repairs", "none needed");
 }
 
-void run_convert(const InputOptions& input, const std::string& output, bool ascii,
+void run_convert(const InputOptions& input, const std::string& output, bool ascii, bool repairs,
                  const CommonOptions& common) {
   check_output(output);
+  if (keeps_scene(input, output)) return convert_scene(input, output, repairs, common);
   const LoadedModel loaded = load(input, common);
   const Mesh& mesh = loaded.model.mesh;
   // Most formats cannot represent an empty mesh, and their readers would reject one.

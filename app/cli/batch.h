@@ -14,8 +14,9 @@ namespace mesher::app {
 /// Prints counts, topology, measures and repairs of a model.
 void run_info(const InputOptions& input, const CommonOptions& common);
 
-/// Reads one format and writes another; reports what was repaired.
-void run_convert(const InputOptions& input, const std::string& output, bool ascii,
+/// Reads one format and writes another; reports what was repaired. glTF is copied to glTF as it is,
+/// with all that it holds, unless `repairs` asks for meshes that are built as for an edit.
+void run_convert(const InputOptions& input, const std::string& output, bool ascii, bool repairs,
                  const CommonOptions& common);
 
 /// Prints the distance between two surfaces, in both directions, in model units and in percent of

@@ -192,11 +192,16 @@ class CommandLine {
   }
 
   void add_convert() {
-    CLI::App* command = add_command("convert", "convert a model to another format",
-                                    [this] { run_convert(input_, output_, ascii_, common_); });
+    CLI::App* command = add_command("convert", "convert a model to another format", [this] {
+      run_convert(input_, output_, ascii_, repairs_, common_);
+    });
     add_input(command)->required();
     command->add_option("OUT,-o,--output", output_, "file to write")->required();
     command->add_flag("--ascii", ascii_, "write PLY and STL as text");
+    command->add_flag(
+        "--repair", repairs_,
+        "glTF to glTF: join vertices and repair the meshes, which are otherwise copied "
+        "as they are; other formats are always repaired");
   }
 
   CLI::Option* add_detail(CLI::App* command, const char* faces, const char* lod) {
@@ -337,6 +342,7 @@ class CommandLine {
   std::string script_;
   std::vector<std::string> suggestions_;  ///< for a command line that cannot be parsed
   bool ascii_ = false;
+  bool repairs_ = false;
   std::function<void()> action_;
 };
 

@@ -8,7 +8,8 @@
 
 #include "app/cli/batch.h"
 #include "app/cli/progress_line.h"
-#include "app/document/json.h"
+#include "app/cli/scene.h"
+#include "app/cli/scene_commands.h"
 #include "engine/analysis/distance.h"
 #include "engine/analysis/hausdorff.h"
 #include "engine/analysis/self_intersections.h"
@@ -46,38 +47,6 @@ double parse_max_error(const std::string& text, double diagonal) {
 std::string with_percent(const SimplifyOutcome& outcome, double error) {
   return fmt::format("{} ({} of the diagonal)", number_text(error),
                      percent_text(outcome.percent(error)));
-}
-
-void say_outcome(const SimplifyOutcome& outcome, bool prunes) {
-  const simplify::SimplifyReport& r = outcome.report;
-  say(fmt::format(
-      "{}reached {} of {} in {}: {}{}",
-      r.faces_asked > 0 ? fmt::format("asked for {}, ", count_text(r.faces_asked, "face")) : "",
-      count_text(r.faces_reached), count_text(r.faces_before), seconds_text(r.seconds.total()),
-      describe(r.reason),
-      r.faces_reached < r.faces_asked && r.collapses > 0
-          ? " (an interior collapse removes two faces)"
-          : ""));
-  std::string refused;
-  for (std::size_t i = 0; i < simplify::kRejections.size(); ++i) {
-    const auto cause = static_cast<simplify::Rejection>(i);
-    if (r[cause] == 0) continue;
-    refused += fmt::format("{}{} by {}", refused.empty() ? "" : ", ", count_text(r[cause]),
-                           describe(cause));
-  }
-  if (!refused.empty()) say("collapses refused: " + refused);
-  if (prunes) say(pruned_words(outcome));
-  say("estimated error (RMS): " + with_percent(outcome, r.estimated_error));
-  if (outcome.is_far()) {
-    say("warning: the result is far from the input; ask for more faces to keep its shape");
-  }
-  if (r.measured_error >= 0.0) {
-    say("measured error (max): " + with_percent(outcome, r.measured_error));
-  }
-  if (r.certified_bound >= 0.0) {
-    say("certified bound (max): " + with_percent(outcome, r.certified_bound));
-  }
-  if (outcome.crosses_seams) say(kCrossesSeams);
 }
 
 /// The result of `--measure`.
@@ -120,6 +89,55 @@ std::optional<std::uint64_t> counted(const Mesh& mesh, const SimplifyArguments& 
 }
 
 }  // namespace
+
+void say_outcome(const SimplifyOutcome& outcome, bool prunes) {
+  const simplify::SimplifyReport& r = outcome.report;
+  say(fmt::format(
+      "{}reached {} of {} in {}: {}{}",
+      r.faces_asked > 0 ? fmt::format("asked for {}, ", count_text(r.faces_asked, "face")) : "",
+      count_text(r.faces_reached), count_text(r.faces_before), seconds_text(r.seconds.total()),
+      describe(r.reason),
+      r.faces_reached < r.faces_asked && r.collapses > 0
+          ? " (an interior collapse removes two faces)"
+          : ""));
+  std::string refused;
+  for (std::size_t i = 0; i < simplify::kRejections.size(); ++i) {
+    const auto cause = static_cast<simplify::Rejection>(i);
+    if (r[cause] == 0) continue;
+    refused += fmt::format("{}{} by {}", refused.empty() ? "" : ", ", count_text(r[cause]),
+                           describe(cause));
+  }
+  if (!refused.empty()) say("collapses refused: " + refused);
+  if (prunes) say(pruned_words(outcome));
+  say("estimated error (RMS): " + with_percent(outcome, r.estimated_error));
+  if (outcome.is_far()) {
+    say("warning: the result is far from the input; ask for more faces to keep its shape");
+  }
+  if (r.measured_error >= 0.0) {
+    say("measured error (max): " + with_percent(outcome, r.measured_error));
+  }
+  if (r.certified_bound >= 0.0) {
+    say("certified bound (max): " + with_percent(outcome, r.certified_bound));
+  }
+  if (outcome.crosses_seams) say(kCrossesSeams);
+}
+
+Json measures_json(const Mesh& before, const Mesh& after, const SimplifyArguments& arguments,
+                   const CommonOptions& common) {
+  const auto distance = measured(before, after, common);
+  const auto intersections_before = counted(before, arguments, common);
+  const auto intersections_after = counted(after, arguments, common);
+  if (distance && !common.quiet) say_distance(*distance);
+  if (intersections_before && !common.quiet) {
+    say(fmt::format("self-intersections (pairs of faces): {} before, {} after",
+                    count_text(*intersections_before), count_text(*intersections_after)));
+  }
+  Json json;
+  json["distance"] = distance ? to_json(distance->sampled, distance->certified) : Json();
+  json["self_intersections_before"] = intersections_before ? Json(*intersections_before) : Json();
+  json["self_intersections_after"] = intersections_after ? Json(*intersections_after) : Json();
+  return json;
+}
 
 simplify::SimplifyOptions simplify_options(const SimplifyArguments& arguments, std::uint32_t faces,
                                            double diagonal) {
@@ -186,6 +204,7 @@ void run_simplify(const InputOptions& input, const std::string& output,
                   const SimplifyArguments& arguments, const CommonOptions& common) {
   simplify_options(arguments, 1, 1.0);  // reject bad arguments before the work starts
   check_output(output);
+  if (keeps_scene(input, output)) return simplify_scene(input, output, arguments, common);
   LoadedModel loaded = load(input, common);
   Mesh& mesh = loaded.model.mesh;
   if (mesh.face_count() == 0) throw InputError(loaded.file.string(), 0, "has no faces to simplify");
@@ -194,20 +213,11 @@ void run_simplify(const InputOptions& input, const std::string& output,
       simplify_options(arguments, mesh.face_count(), loaded.statistics.box.diagonal());
   const SimplifyOutcome outcome = simplify_model(loaded, options, common, arguments.prune);
   const std::vector<std::string> losses = write_result(output, loaded.model, common);
-  const auto distance = measured(before, mesh, common);
-  const auto intersections_before = counted(before, arguments, common);
-  const auto intersections_after = counted(mesh, arguments, common);
-  if (distance && !common.quiet) say_distance(*distance);
-  if (intersections_before && !common.quiet) {
-    say(fmt::format("self-intersections (pairs of faces): {} before, {} after",
-                    count_text(*intersections_before), count_text(*intersections_after)));
-  }
+  const Json measures = measures_json(before, mesh, arguments, common);
   if (!common.json) return;
   Json json{{"input", loaded.file.string()}, {"output", output}};
   json.update(to_json(outcome));
-  json["distance"] = distance ? to_json(distance->sampled, distance->certified) : Json();
-  json["self_intersections_before"] = intersections_before ? Json(*intersections_before) : Json();
-  json["self_intersections_after"] = intersections_after ? Json(*intersections_after) : Json();
+  json.update(measures);
   json["lost"] = losses;
   json["repairs"] = to_json(loaded.model.report);
   add_pm(json, loaded.pm);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/cli/options.h"
+#include "app/document/json.h"
 #include "app/document/simplification.h"
 #include "app/files/load_job.h"
 
@@ -31,6 +32,14 @@ simplify::SimplifyOptions simplify_options(const SimplifyArguments& arguments, s
 /// unless `common.quiet`. `prunes`: uses `simplify_pruned`.
 SimplifyOutcome simplify_model(LoadedModel& loaded, simplify::SimplifyOptions options,
                                const CommonOptions& common, bool prunes = false);
+
+/// Prints on stderr what a simplification did.
+void say_outcome(const SimplifyOutcome& outcome, bool prunes);
+
+/// With `--measure`, measures the distance between two meshes and counts intersections in both, and
+/// prints them on stderr. Returns the members of the JSON, which are null without it.
+Json measures_json(const Mesh& before, const Mesh& after, const SimplifyArguments& arguments,
+                   const CommonOptions& common);
 
 /// "pruned 14 parts (312 faces), the largest 0.25 % of the diagonal in size; ...".
 std::string pruned_words(const SimplifyOutcome& outcome);

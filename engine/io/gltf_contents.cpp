@@ -15,15 +15,6 @@ bool starts_with_any(std::string_view name, std::initializer_list<std::string_vi
                      [&](std::string_view start) { return name.starts_with(start); });
 }
 
-/// Returns whether the shape is right without regard to the extension, or mesher reads it.
-bool is_shape_known(std::string_view name) {
-  return starts_with_any(
-      name, {"KHR_materials_", "ADOBE_materials_", "KHR_texture_", "KHR_lights_", "EXT_lights_",
-             "EXT_texture_", "MSFT_texture_", "MSFT_packing_", "KHR_xmp", "MSFT_lod",
-             "KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "EXT_meshopt_compression",
-             "KHR_draco_mesh_compression", "KHR_animation_pointer"});
-}
-
 const Json* array_of(const Json& object, const char* key) {
   if (!object.is_object()) return nullptr;
   const auto found = object.find(key);
@@ -167,6 +158,14 @@ class ContentsNoter {
 };
 
 }  // namespace
+
+bool is_shape_known(std::string_view name) {
+  return starts_with_any(
+      name, {"KHR_materials_", "ADOBE_materials_", "KHR_texture_", "KHR_lights_", "EXT_lights_",
+             "EXT_texture_", "MSFT_texture_", "MSFT_packing_", "KHR_xmp", "MSFT_lod",
+             "KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "EXT_meshopt_compression",
+             "KHR_draco_mesh_compression", "KHR_animation_pointer"});
+}
 
 void check_required_extensions(const GltfFile& gltf) {
   const Json* required = array_of(gltf.root(), "extensionsRequired");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "engine/io/gltf_file.h"
 #include "engine/mesh/contents.h"
@@ -11,6 +12,10 @@ namespace mesher::io {
 /// Extensions of materials, textures, lights and metadata do not change it. Throws InputError with
 /// the extension's name.
 void check_required_extensions(const GltfFile& gltf);
+
+/// Returns whether the shape is right without regard to the extension, or mesher reads it. Such an
+/// extension refers to no accessor or buffer view that mesher does not know of.
+bool is_shape_known(std::string_view extension);
 
 /// Counts what a document holds, by its JSON alone. Does not judge it. Contents that are read as
 /// the shape itself (positions, triangles) are not counted.

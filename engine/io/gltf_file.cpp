@@ -305,12 +305,8 @@ std::unique_ptr<GltfFile::Buffer> GltfFile::open_buffer(std::uint64_t index) {
   if (uri.empty()) {
     if (index != 0 || !has_binary_chunk_) fail("a buffer has no data");
     buffer->bytes = binary_chunk_;
-  } else if (uri.substr(0, 5) == "data:") {
-    const std::size_t comma = uri.find(";base64,");
-    if (comma == std::string_view::npos) fail("a buffer's data is not base64");
-    std::optional<std::string> decoded = decode_base64(uri.substr(comma + 8), progress_);
-    if (!decoded) fail("a buffer's data is not base64");
-    buffer->decoded = std::move(*decoded);
+  } else if (uri.starts_with("data:")) {
+    buffer->decoded = decoded_uri(uri);
     buffer->bytes = buffer->decoded;
   } else {
     const std::filesystem::path full = find_beside(uri);
@@ -321,6 +317,21 @@ std::unique_ptr<GltfFile::Buffer> GltfFile::open_buffer(std::uint64_t index) {
   if (length > buffer->bytes.size()) fail("a buffer is shorter than its byteLength");
   buffer->bytes = buffer->bytes.substr(0, length);
   return buffer;
+}
+
+/// Returns the bytes of a data URI.
+std::string GltfFile::decoded_uri(std::string_view uri) const {
+  constexpr std::string_view kMark = ";base64,";
+  const std::size_t mark = uri.find(kMark);
+  if (mark == std::string_view::npos) fail("a buffer's data is not base64");
+  std::optional<std::string> decoded = decode_base64(uri.substr(mark + kMark.size()), progress_);
+  if (!decoded) fail("a buffer's data is not base64");
+  return std::move(*decoded);
+}
+
+std::string GltfFile::resource(std::string_view uri) const {
+  if (uri.starts_with("data:")) return decoded_uri(uri);
+  return std::string(MappedFile(find_beside(uri)).bytes());
 }
 
 std::size_t GltfFile::element_count(std::uint64_t index) {

@@ -16,6 +16,7 @@
 #include "engine/io/color_byte.h"
 #include "engine/io/far_origin.h"
 #include "engine/io/format.h"
+#include "engine/io/gltf_budget.h"
 #include "engine/io/gltf_contents.h"
 #include "engine/io/gltf_file.h"
 #include "engine/io/gltf_nodes.h"
@@ -30,14 +31,6 @@ namespace {
 using Json = GltfFile::Json;
 
 constexpr float kAbsent = std::numeric_limits<float>::quiet_NaN();
-/// Number of corners and vertices that every file may have, however often its meshes are repeated.
-constexpr std::size_t kAlwaysAllowed = std::size_t{1} << 25;
-/// Beyond that, the limit per byte of the file. An unrepeated corner or vertex takes at least one
-/// byte.
-constexpr std::size_t kMostPerByte = 8;
-/// Cost of visiting a primitive, in corners.
-constexpr std::size_t kPrimitiveCost = 64;
-
 constexpr std::size_t kCornersBetweenReports = std::size_t{1} << 16;
 /// Shares of the time of the two containers, measured with 0.1, 1.4 and 13 million faces.
 struct GltfWeights {
@@ -125,7 +118,8 @@ class GltfReader {
                       .node_name = gltf_.text(node, "name"),
                       .skin = gltf_.find_number(node, "skin"),
                       .weights = morph_weights(gltf_, node)};
-    const auto instances = instance_transforms(gltf_, node, kAlwaysAllowed / kPrimitiveCost);
+    const auto instances =
+        instance_transforms(gltf_, node, GltfBudget::kAlwaysAllowed / GltfBudget::kPrimitiveCost);
     if (!instances) {
       placed_.push_back(std::move(placed));
       return;
@@ -134,7 +128,7 @@ class GltfReader {
     for (const glm::dmat4& instance : *instances) {
       placed.to_world = to_world * instance;
       placed_.push_back(placed);
-      spend(kPrimitiveCost);
+      budget_.spend(gltf_, GltfBudget::kPrimitiveCost);
     }
   }
 
@@ -145,7 +139,7 @@ class GltfReader {
       double weight = 0.0;
       if (placed.mesh < of_mesh.size()) {
         double& known = of_mesh[placed.mesh];
-        if (known == 0.0) known = mesh_weight(placed.mesh);
+        if (known == 0.0) known = mesh_work(gltf_, placed.mesh);
         weight = known;
       }
       weights.push_back(weight);
@@ -155,21 +149,6 @@ class GltfReader {
       stages.next();
       add_mesh(placed);
     }
-  }
-
-  /// Returns about how much work a mesh is: its number of indices. Does not judge the document.
-  double mesh_weight(std::uint64_t index) const {
-    double weight = 1.0;
-    const Json& mesh = gltf_.element("meshes", index);
-    const auto primitives = mesh.find("primitives");
-    if (primitives == mesh.end() || !primitives->is_array()) return weight;
-    for (const Json& json : *primitives)
-      weight += primitive_weight(json);
-    return weight;
-  }
-
-  double primitive_weight(const Json& json) const {
-    return kPrimitiveCost + static_cast<double>(claimed_elements(gltf_, json));
   }
 
   void add_mesh(const PlacedMesh& placed) {
@@ -193,7 +172,7 @@ class GltfReader {
     if (placed.skin) joints = joint_transforms(gltf_, *placed.skin, node_transforms_);
     std::vector<double> weights;
     for (const Json& json : primitives)
-      weights.push_back(primitive_weight(json));
+      weights.push_back(primitive_work(gltf_, json));
     Stages stages(progress_, weights);
     for (const Json& json : primitives) {
       stages.next();
@@ -202,7 +181,8 @@ class GltfReader {
       parts.next();
       Primitive primitive = read_primitive(json, placed.weights, joints);
       parts.next();
-      spend(kPrimitiveCost + primitive.positions.size() + primitive.triangles.size());
+      budget_.spend(gltf_, GltfBudget::kPrimitiveCost + primitive.positions.size() +
+                               primitive.triangles.size());
       if (primitive.triangles.empty()) continue;
       // The transform of the node of a skinned mesh does not count.
       if (primitive.transforms.empty()) {
@@ -344,15 +324,6 @@ class GltfReader {
                    });
   }
 
-  /// Adds to the count of values read. Fails if the file repeats its meshes too often.
-  void spend(std::size_t values) {
-    spent_ += values;
-    if (spent_ > kAlwaysAllowed && spent_ / kMostPerByte > gltf_.byte_count()) {
-      gltf_.fail("its meshes are instanced too often for the size of the file");
-    }
-    if (spent_ >= kNone) gltf_.fail("more elements than 32-bit indices can address");
-  }
-
   /// Adds the distinct positions of a mesh and sets its corners to them.
   void join(const Array<glm::vec3>& positions, std::size_t first_corner) {
     const auto first_vertex = static_cast<std::uint32_t>(soup_.positions.size());
@@ -405,7 +376,7 @@ class GltfReader {
   GltfFile gltf_;
   std::vector<PlacedMesh> placed_;
   Soup soup_;
-  std::size_t spent_ = 0;
+  GltfBudget budget_;
   std::unordered_map<std::string, std::uint32_t> group_ids_;
 };
 

@@ -84,7 +84,6 @@ std::string_view GltfFile::plain_view(std::uint64_t index) {
   return range_of(view);
 }
 
-/// Returns the bytes that a buffer view, or the extension of one, refers to.
 std::string_view GltfFile::range_of(const Json& view) {
   const std::string_view bytes =
       buffer_bytes(find_number(view, "buffer").value_or(~std::uint64_t{0}));

@@ -24,6 +24,7 @@ enum class AttributeKind : std::uint8_t {
   color,
   joints,   ///< indices of bones: never blended
   weights,  ///< of the bones
+  delta,    ///< what a morph target adds to another attribute
   custom,
 };
 

@@ -1,0 +1,130 @@
+#include "app/cli/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/trigonometric.hpp>
+#include <string_view>
+
+#include "app/cli/batch.h"
+#include "app/cli/progress_line.h"
+#include "app/files/paths.h"
+#include "engine/core/error.h"
+#include "engine/core/text.h"
+#include "engine/io/atomic_file.h"
+#include "engine/io/format.h"
+#include "engine/mesh/creases.h"
+
+namespace mesher::app {
+namespace {
+
+/// Times of reading the document, and of building its meshes.
+constexpr double kSceneWeights[] = {0.2, 0.8};
+/// Times of arranging a file, and of writing it.
+constexpr double kWriteSceneWeights[] = {0.4, 0.6};
+
+bool is_gltf(const std::filesystem::path& file) {
+  const io::FormatInfo* format = io::format_of(file);
+  return format != nullptr && format->write_levels != nullptr;
+}
+
+void add(BuildReport& to, const BuildReport& report) {
+  for (std::size_t i = 0; i < kRepairs.size(); ++i) {
+    const auto repair = static_cast<Repair>(i);
+    to[repair] += report[repair];
+  }
+}
+
+}  // namespace
+
+std::uint64_t LoadedScene::weight(const io::GltfSceneMesh& mesh) const {
+  const bool shows_any =
+      std::ranges::any_of(meshes, [](const io::GltfSceneMesh& m) { return m.placements > 0; });
+  return shows_any ? mesh.placements : 1;
+}
+
+std::uint64_t LoadedScene::face_count() const {
+  std::uint64_t faces = 0;
+  for (const io::GltfSceneMesh& mesh : meshes)
+    faces += weight(mesh) * mesh.model.mesh.face_count();
+  return faces;
+}
+
+std::uint64_t LoadedScene::vertex_count() const {
+  std::uint64_t vertices = 0;
+  for (const io::GltfSceneMesh& mesh : meshes)
+    vertices += weight(mesh) * mesh.model.mesh.vertex_count();
+  return vertices;
+}
+
+bool keeps_scene(const InputOptions& input, const std::string& output) {
+  return is_gltf(output) && is_gltf(find_model(input.model));
+}
+
+LoadedScene load_scene(const InputOptions& input, const CommonOptions& common) {
+  LoadedScene loaded;
+  loaded.file = find_model(input.model);
+  {
+    ProgressLine line(!common.quiet, loaded.file.filename().string());
+    Stages stages(line.progress(), kSceneWeights);
+    io::ReadOptions options = read_options(input);
+    options.progress = line.progress();
+    stages.next("reading");
+    loaded.scene = std::make_unique<io::GltfScene>(loaded.file, options);
+    stages.next();
+    loaded.meshes = loaded.scene->read_meshes(options);
+  }
+  for (io::GltfSceneMesh& mesh : loaded.meshes) {
+    add(loaded.report, mesh.model.report);
+    if (input.tag_creases_deg)
+      tag_creases_by_angle(mesh.model.mesh, glm::radians(*input.tag_creases_deg));
+  }
+  loaded.diagonal = loaded.scene->bounds(loaded.meshes).diagonal();
+  if (!common.quiet) say_repairs(loaded.report);
+  return loaded;
+}
+
+LoadedScene load_scene_with_faces(const InputOptions& input, const CommonOptions& common,
+                                  const char* what) {
+  LoadedScene loaded = load_scene(input, common);
+  if (loaded.meshes.empty())
+    throw InputError(loaded.file.string(), 0, std::string("has no faces to ") + what);
+  return loaded;
+}
+
+io::GltfMeshEdit edit_of(const io::GltfSceneMesh& mesh) {
+  return {.mesh = mesh.index, .levels = {{&mesh.model.mesh, &mesh.model.attributes}}};
+}
+
+std::vector<std::string> write_scene(const std::string& output, LoadedScene& scene,
+                                     const std::vector<io::GltfMeshEdit>& edits,
+                                     const CommonOptions& common) {
+  std::vector<std::string> losses;
+  {
+    ProgressLine line(!common.quiet, std::filesystem::path(output).filename().string());
+    Stages stages(line.progress(), kWriteSceneWeights);
+    stages.next("writing");
+    const io::GltfRewriter rewriter(scene.scene->document(), edits, line.progress());
+    losses = rewriter.losses();
+    stages.next();
+    io::AtomicFile file(output);
+    rewriter.write(file, std::string_view(io::format_of(output)->extension) == ".glb",
+                   line.progress());
+    file.commit();
+  }
+  if (!common.quiet) say_losses(output, losses);
+  return losses;
+}
+
+void say_scene(const std::string& output, const LoadedScene& scene) {
+  const auto number = [](std::uint64_t count) { return static_cast<std::int64_t>(count); };
+  say(fmt::format("{}: {} vertices, {} in {}", output, count_text(number(scene.vertex_count())),
+                  count_text(number(scene.face_count()), "face"),
+                  count_phrase(number(scene.meshes.size()), "{mesh|meshes}")));
+}
+
+std::string name_of(const io::GltfSceneMesh& mesh) {
+  return mesh.model.name.empty() ? fmt::format("mesh {}", mesh.index) : mesh.model.name;
+}
+
+}  // namespace mesher::app

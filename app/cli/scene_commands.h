@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include "app/cli/lods_command.h"
+#include "app/cli/options.h"
+#include "app/cli/simplify_command.h"
+#include "engine/subdivide/options.h"
+
+namespace mesher::app {
+
+// The commands on a glTF file that is written as glTF again: mesh by mesh, and everything else as
+// it was. keeps_scene (app/cli/scene.h) tells.
+
+/// Copies a scene: every vertex in its order, nothing repaired. `repairs`: builds each mesh instead
+/// and writes what came out.
+void convert_scene(const InputOptions& input, const std::string& output, bool repairs,
+                   const CommonOptions& common);
+
+/// Simplifies each mesh to the same share of its faces, or within the same distance in the scene.
+/// A number of faces is that of the scene, where a mesh counts as often as it is shown.
+void simplify_scene(const InputOptions& input, const std::string& output,
+                    const SimplifyArguments& arguments, const CommonOptions& common);
+
+void subdivide_scene(const InputOptions& input, const std::string& output,
+                     const subdivide::SubdivideOptions& options, const CommonOptions& common);
+
+/// Writes levels of each mesh; each node that shows it lists them by MSFT_lod.
+void write_scene_lods(const InputOptions& input, const std::string& output,
+                      const LodArguments& arguments, const CommonOptions& common);
+
+}  // namespace mesher::app

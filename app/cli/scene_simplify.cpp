@@ -1,0 +1,179 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/cli/batch.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/scene.h"
+#include "app/cli/scene_commands.h"
+#include "engine/core/error.h"
+#include "engine/mesh/statistics.h"
+#include "engine/simplify/attributes.h"
+
+namespace mesher::app {
+namespace {
+
+/// A mesh of the scene and what became of it.
+struct MeshOutcome {
+  const io::GltfSceneMesh* mesh;
+  std::uint64_t weight = 1;  ///< how often it counts
+  double area = 0.0;         ///< in the scene
+  SimplifyOutcome outcome;   ///< lengths are those of the scene
+};
+
+/// Returns the rules for one mesh: the same share of faces for all, and the same distance.
+simplify::SimplifyOptions options_for(const io::GltfSceneMesh& mesh, const LoadedScene& scene,
+                                      SimplifyArguments arguments) {
+  if (arguments.faces) {
+    arguments.ratio =
+        std::min(1.0, double(*arguments.faces) / std::max(1.0, double(scene.face_count())));
+    arguments.faces.reset();
+  }
+  simplify::SimplifyOptions options =
+      simplify_options(arguments, mesh.model.mesh.face_count(), scene.diagonal);
+  if (!arguments.max_error.empty()) options.max_error /= mesh.scale;
+  return options;
+}
+
+void scale_lengths(simplify::SimplifyReport& report, double scale) {
+  for (double* length : {&report.estimated_error, &report.measured_error, &report.certified_bound,
+                         &report.largest_pruned, &report.error_unpruned}) {
+    if (*length > 0.0) *length *= scale;
+  }
+}
+
+MeshOutcome simplify_mesh(io::GltfSceneMesh& mesh, const simplify::SimplifyOptions& options,
+                          bool prunes) {
+  const double area = statistics(mesh.model.mesh).area * mesh.scale * mesh.scale;
+  auto [simplified, carried, crosses_seams] =
+      simplify::simplify_model(std::move(mesh.model.mesh), mesh.model.attributes, options, prunes);
+  mesh.model.mesh = std::move(simplified.mesh);
+  mesh.model.attributes = std::move(carried);
+  MeshOutcome result{.mesh = &mesh, .area = area};
+  result.outcome.report = simplified.report;
+  result.outcome.crosses_seams = crosses_seams;
+  scale_lengths(result.outcome.report, mesh.scale);
+  return result;
+}
+
+void add(simplify::SimplifyReport& sum, const MeshOutcome& part) {
+  const simplify::SimplifyReport& r = part.outcome.report;
+  const auto times = [&](std::uint32_t count) {
+    return static_cast<std::uint32_t>(part.weight * count);
+  };
+  sum.faces_before += times(r.faces_before);
+  sum.faces_asked += times(r.faces_asked);
+  sum.faces_reached += times(r.faces_reached);
+  sum.vertices_before += times(r.vertices_before);
+  sum.vertices_reached += times(r.vertices_reached);
+  sum.collapses += r.collapses;
+  for (std::size_t i = 0; i < sum.rejected.size(); ++i)
+    sum.rejected[i] += r.rejected[i];
+  sum.measured_error = std::max(sum.measured_error, r.measured_error);
+  sum.certified_bound = std::max(sum.certified_bound, r.certified_bound);
+  sum.pruned_parts += r.pruned_parts;
+  sum.pruned_faces += r.pruned_faces;
+  sum.largest_pruned = std::max(sum.largest_pruned, r.largest_pruned);
+  sum.seconds += r.seconds;
+}
+
+/// Returns the report of the whole scene. Its reason is that of the mesh that missed its target by
+/// most; errors are the root mean square over the area of the scene, bounds the largest.
+SimplifyOutcome total_of(const std::vector<MeshOutcome>& parts, double diagonal) {
+  SimplifyOutcome total;
+  total.diagonal = diagonal;
+  simplify::SimplifyReport& sum = total.report;
+  sum.reason = simplify::StopReason::already_there;
+  double area = 0.0;
+  double squares = 0.0;
+  double squares_unpruned = 0.0;
+  std::uint32_t missed = 0;
+  for (const MeshOutcome& part : parts) {
+    const simplify::SimplifyReport& r = part.outcome.report;
+    add(sum, part);
+    total.crosses_seams |= part.outcome.crosses_seams;
+    const double weight = part.area * double(part.weight);
+    area += weight;
+    squares += weight * r.estimated_error * r.estimated_error;
+    squares_unpruned += weight * r.error_unpruned * r.error_unpruned;
+    const std::uint32_t by = r.faces_reached - std::min(r.faces_asked, r.faces_reached);
+    const bool is_worse = by > missed;
+    const bool is_first = missed == 0 && sum.reason == simplify::StopReason::already_there;
+    if (is_worse || is_first) sum.reason = r.reason;
+    missed = std::max(missed, by);
+  }
+  if (area > 0.0) {
+    sum.estimated_error = std::sqrt(squares / area);
+    sum.error_unpruned = std::sqrt(squares_unpruned / area);
+  }
+  return total;
+}
+
+Json meshes_json(const std::vector<MeshOutcome>& parts) {
+  Json json = Json::array();
+  for (const MeshOutcome& part : parts) {
+    const simplify::SimplifyReport& r = part.outcome.report;
+    json.push_back({{"name", name_of(*part.mesh)},
+                    {"index", part.mesh->index},
+                    {"placements", part.mesh->placements},
+                    {"asked_faces", r.faces_asked > 0 ? Json(r.faces_asked) : Json()},
+                    {"faces_before", r.faces_before},
+                    {"faces_reached", r.faces_reached},
+                    {"stop_reason", key(r.reason)},
+                    {"estimated_error", r.estimated_error},
+                    {"crosses_seams", part.outcome.crosses_seams}});
+  }
+  return json;
+}
+
+}  // namespace
+
+void simplify_scene(const InputOptions& input, const std::string& output,
+                    const SimplifyArguments& arguments, const CommonOptions& common) {
+  LoadedScene scene = load_scene_with_faces(input, common, "simplify");
+  std::vector<simplify::SimplifyOptions> options;
+  for (const io::GltfSceneMesh& mesh : scene.meshes)
+    options.push_back(options_for(mesh, scene, arguments));
+  std::vector<MeshOutcome> parts;
+  std::vector<io::GltfMeshEdit> edits;
+  {
+    ProgressLine line(!common.quiet);
+    std::vector<double> sizes;
+    for (const io::GltfSceneMesh& mesh : scene.meshes)
+      sizes.push_back(mesh.model.mesh.face_count());
+    Stages stages(line.progress(), sizes);
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+      stages.next("simplifying");
+      options[i].progress = line.progress();
+      parts.push_back(simplify_mesh(scene.meshes[i], options[i], arguments.prune));
+      parts.back().weight = scene.weight(scene.meshes[i]);
+      const simplify::SimplifyReport& report = parts.back().outcome.report;
+      const bool is_edited = report.collapses > 0 || report.pruned_parts > 0;
+      if (is_edited) edits.push_back(edit_of(scene.meshes[i]));
+    }
+  }
+  const SimplifyOutcome total = total_of(parts, scene.diagonal);
+  if (!common.quiet) say_outcome(total, arguments.prune);
+  const std::vector<std::string> losses = write_scene(output, scene, edits, common);
+  if (!common.quiet) say_scene(output, scene);
+  Json measures = measures_json({}, {}, {}, common);
+  if (arguments.measure) {
+    CommonOptions quiet = common;
+    quiet.quiet = true;
+    const Mesh before = load(input, quiet).model.mesh;
+    const Mesh after = load({.model = output}, quiet).model.mesh;
+    measures = measures_json(before, after, arguments, common);
+  }
+  if (!common.json) return;
+  Json json{{"input", scene.file.string()}, {"output", output}};
+  json.update(to_json(total));
+  json.update(measures);
+  json["meshes"] = meshes_json(parts);
+  json["lost"] = losses;
+  json["repairs"] = to_json(scene.report);
+  print_json(json);
+}
+
+}  // namespace mesher::app

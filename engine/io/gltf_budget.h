@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/io/gltf_file.h"
+
+namespace mesher::io {
+
+/// Limits what a small file that refers to its data again and again can ask for.
+class GltfBudget {
+ public:
+  /// Cost of visiting a primitive, in values.
+  static constexpr std::size_t kPrimitiveCost = 64;
+  /// Values that every file may have, however often its meshes are repeated.
+  static constexpr std::size_t kAlwaysAllowed = std::size_t{1} << 25;
+
+  /// Adds to the count of values read: corners, vertices, or vertices of a further attribute.
+  /// Throws InputError if there are too many for the size of the file, or to count in 32 bits.
+  void spend(const GltfFile& gltf, std::size_t values);
+
+ private:
+  std::size_t spent_ = 0;
+};
+
+/// Returns about how much work it is to read a primitive: its number of indices. Does not judge the
+/// document.
+double primitive_work(const GltfFile& gltf, const GltfFile::Json& primitive);
+/// As above for all primitives of a mesh.
+double mesh_work(const GltfFile& gltf, std::uint64_t mesh);
+
+}  // namespace mesher::io

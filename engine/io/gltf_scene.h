@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/mat4x4.hpp>
+#include <vector>
+
+#include "engine/io/gltf_file.h"
+#include "engine/io/mapped_file.h"
+#include "engine/io/read.h"
+#include "engine/mesh/contents.h"
+#include "engine/mesh/model.h"
+#include "engine/mesh/statistics.h"
+
+namespace mesher::io {
+
+/// A mesh of a scene with triangles, in its own coordinates.
+struct GltfSceneMesh {
+  std::uint64_t index = 0;  ///< in the document
+  Model model;
+  std::uint64_t placements = 0;  ///< how often the default scene shows it, with instances
+  /// Factor of lengths from the mesh to the scene, the largest of all placements; 1 if there is
+  /// none.
+  double scale = 1.0;
+};
+
+/// A glTF file with each of its meshes as a model that can be edited.
+class GltfScene {
+ public:
+  /// Reads the document and notes its contents. Throws InputError; Cancelled.
+  GltfScene(const std::filesystem::path& file, const ReadOptions& options = {});
+
+  /// The document. Non-const, because buffers are opened when they are needed.
+  GltfFile& document() { return gltf_; }
+  const FileContents& contents() const { return contents_; }
+
+  /// Reads all meshes that have triangles, each once, however often it is shown. Their sizes have
+  /// the limits of read_gltf. O(size). Throws InputError; Cancelled.
+  std::vector<GltfSceneMesh> read_meshes(const ReadOptions& options = {});
+
+  /// Returns a box around the meshes as the default scene shows them: around their boxes, of which
+  /// that of a skinned mesh follows its first joint. Without placements, around the meshes.
+  Box bounds(const std::vector<GltfSceneMesh>& meshes) const;
+
+ private:
+  struct Placement {
+    std::uint64_t mesh;
+    glm::dmat4 to_world;
+  };
+  /// The placements of one mesh.
+  struct Use {
+    std::uint64_t count = 0;
+    double scale = 0.0;
+  };
+  void find_placements(const Progress* progress);
+  void place(std::uint64_t mesh, const glm::dmat4& to_world);
+
+  MappedFile file_;
+  GltfFile gltf_;
+  FileContents contents_;
+  std::vector<Placement> placements_;
+  std::vector<Use> uses_;  ///< of each mesh
+};
+
+}  // namespace mesher::io
