@@ -8,6 +8,8 @@
 
 #include "app/cli/batch.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/scene.h"
+#include "app/cli/scene_commands.h"
 #include "app/document/json.h"
 #include "app/document/words.h"
 #include "app/edit/distance_from_input.h"
@@ -299,6 +301,8 @@ void run_lods(const InputOptions& input, const std::string& output, const LodArg
   const std::vector<fs::path> files = files_for(output, ratios.size());
   for (const fs::path& file : files)
     io::AtomicFile::check(file);
+  if (keeps_scene(input, output))
+    return write_scene_lods(input, output, ratios, coverage, arguments, common);
   Source source = read_source(input, ratios.back(), arguments, common);
   std::vector<Level> levels = arguments.simplify.prune
                                   ? make_pruned_levels(source, ratios, coverage, arguments, common)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/cli/lods_command.h"
 #include "app/cli/options.h"
@@ -25,8 +26,10 @@ void simplify_scene(const InputOptions& input, const std::string& output,
 void subdivide_scene(const InputOptions& input, const std::string& output,
                      const subdivide::SubdivideOptions& options, const CommonOptions& common);
 
-/// Writes levels of each mesh; each node that shows it lists them by MSFT_lod.
+/// Writes levels of each mesh; each node that shows it lists them by MSFT_lod. `coverage` has the
+/// least coverage of each level.
 void write_scene_lods(const InputOptions& input, const std::string& output,
+                      const std::vector<double>& ratios, const std::vector<double>& coverage,
                       const LodArguments& arguments, const CommonOptions& common);
 
 }  // namespace mesher::app

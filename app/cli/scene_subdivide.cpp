@@ -15,7 +15,7 @@ void check_memory_of_all(const LoadedScene& scene, const subdivide::SubdivideOpt
     held += check_memory(mesh.model, options, held);
 }
 
-/// Subdivides all meshes. Returns whether any of them lost normals.
+/// Subdivides all meshes. Returns whether any of them lost tangents.
 bool subdivide_all(LoadedScene& scene, subdivide::SubdivideOptions options, bool shows_progress) {
   ProgressLine line(shows_progress);
   options.progress = line.progress();
@@ -23,12 +23,12 @@ bool subdivide_all(LoadedScene& scene, subdivide::SubdivideOptions options, bool
   for (const io::GltfSceneMesh& mesh : scene.meshes)
     sizes.push_back(mesh.model.mesh.face_count());
   Stages stages(line.progress(), sizes);
-  bool drops_normals = false;
+  bool drops_tangents = false;
   for (io::GltfSceneMesh& mesh : scene.meshes) {
     stages.next("subdividing");
-    drops_normals |= subdivide_model(mesh.model, options);
+    drops_tangents |= subdivide_model(mesh.model, options);
   }
-  return drops_normals;
+  return drops_tangents;
 }
 
 Json counts_of(const LoadedScene& scene) {
@@ -43,10 +43,10 @@ void subdivide_scene(const InputOptions& input, const std::string& output,
   check_memory_of_all(scene, options);
   const Json before = counts_of(scene);
   const auto start = std::chrono::steady_clock::now();
-  const bool drops_normals = subdivide_all(scene, options, !common.quiet);
+  const bool drops_tangents = subdivide_all(scene, options, !common.quiet);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (!common.quiet) say_subdivided(options, seconds, drops_normals);
+  if (!common.quiet) say_subdivided(options, seconds, drops_tangents);
   std::vector<io::GltfMeshEdit> edits;
   for (const io::GltfSceneMesh& mesh : scene.meshes)
     edits.push_back(edit_of(mesh));
@@ -58,7 +58,7 @@ void subdivide_scene(const InputOptions& input, const std::string& output,
   json.update({{"before", before},
                {"after", counts_of(scene)},
                {"seconds", seconds},
-               {"dropped", drops_normals ? Json{"normals"} : Json::array()},
+               {"dropped", drops_tangents ? Json{"tangents"} : Json::array()},
                {"lost", losses},
                {"repairs", to_json(scene.report)}});
   print_json(json);

@@ -42,7 +42,7 @@ std::uint64_t check_memory(const Model& model, const subdivide::SubdivideOptions
 }
 
 bool subdivide_model(Model& model, const subdivide::SubdivideOptions& options) {
-  const bool had_normals = model.attributes.find(AttributeKind::normal) != nullptr;
+  const bool had_tangents = model.attributes.find(AttributeKind::tangent) != nullptr;
   Stages stages(options.progress, model.attributes.is_empty() ? kMeshWeights : kBothWeights);
   stages.next();
   subdivide::Subdivided result = subdivide::subdivide(model.mesh, options);
@@ -51,14 +51,14 @@ bool subdivide_model(Model& model, const subdivide::SubdivideOptions& options) {
                                                      options.levels, options.progress);
   model.mesh = std::move(result.mesh);
   set_normals(model.mesh, model.attributes, result.limit_normal);
-  return had_normals && model.attributes.find(AttributeKind::normal) == nullptr;
+  return had_tangents && model.attributes.find(AttributeKind::tangent) == nullptr;
 }
 
 void say_subdivided(const subdivide::SubdivideOptions& options, double seconds,
-                    bool drops_normals) {
+                    bool drops_tangents) {
   say(fmt::format("subdivided {}x ({}) in {}", options.levels, key(options.scheme),
                   seconds_text(seconds)));
-  if (drops_normals) say("dropped normals (they belong to the coarse surface)");
+  if (drops_tangents) say("dropped tangents (they belong to the coarse surface)");
   if (options.limit && !subdivide::traits(options.scheme).has_limit) {
     say("--limit has no effect: the vertices of this scheme are on their limit surface");
   }
@@ -75,17 +75,17 @@ void run_subdivide(const InputOptions& input, const std::string& output,
   }
   check_memory(model, options);
   const Json before = counts(model.mesh);
-  bool drops_normals = false;
+  bool drops_tangents = false;
   const auto start = std::chrono::steady_clock::now();
   {
     ProgressLine line(!common.quiet);
     subdivide::SubdivideOptions watched = options;
     watched.progress = line.progress();
-    drops_normals = subdivide_model(model, watched);
+    drops_tangents = subdivide_model(model, watched);
   }
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (!common.quiet) say_subdivided(options, seconds, drops_normals);
+  if (!common.quiet) say_subdivided(options, seconds, drops_tangents);
   const std::vector<std::string> losses = write_result(output, model, common);
   if (!common.json) return;
   Json json{{"input", loaded.file.string()}, {"output", output}, {"levels", options.levels}};
@@ -93,7 +93,7 @@ void run_subdivide(const InputOptions& input, const std::string& output,
   json.update({{"before", before},
                {"after", counts(model.mesh)},
                {"seconds", seconds},
-               {"dropped", drops_normals ? Json{"normals"} : Json::array()},
+               {"dropped", drops_tangents ? Json{"tangents"} : Json::array()},
                {"lost", losses},
                {"repairs", to_json(loaded.model.report)}});
   add_pm(json, loaded.pm);

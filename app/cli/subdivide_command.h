@@ -14,12 +14,13 @@ namespace mesher::app {
 std::uint64_t check_memory(const Model& model, const subdivide::SubdivideOptions& options,
                            std::uint64_t held = 0);
 
-/// Subdivides a model and its attributes in place. Returns whether it lost normals. Throws
+/// Subdivides a model and its attributes in place. Returns whether it lost tangents. Throws
 /// Cancelled.
 bool subdivide_model(Model& model, const subdivide::SubdivideOptions& options);
 
 /// Prints on stderr what was done.
-void say_subdivided(const subdivide::SubdivideOptions& options, double seconds, bool drops_normals);
+void say_subdivided(const subdivide::SubdivideOptions& options, double seconds,
+                    bool drops_tangents);
 
 /// Reads a model, subdivides it and its attributes, writes it, and reports. Throws DeviceError if
 /// the result needs more memory than is free.

@@ -162,7 +162,9 @@ void GltfPrimitiveMaker::add_targets(const Json& original, GltfPrimitiveArrays& 
     std::vector<GltfArray>& target = arrays.targets.emplace_back();
     for (const auto& [key, accessor] : (*targets)[t].items()) {
       const AttributeLayer* layer = attributes_.find(morph_layer(t, key));
-      if (layer == nullptr || !has_all_values(*layer)) {
+      const bool has_base = std::any_of(arrays.attributes.begin(), arrays.attributes.end(),
+                                        [&](const GltfArray& a) { return a.name == key; });
+      if (layer == nullptr || !has_base || !has_all_values(*layer)) {
         arrays.missing.push_back(morph_layer(t, key));
         continue;
       }

@@ -93,6 +93,7 @@ class CornerFan {
     const Halfedge h = corners_[i].h;
     if (mesh.is_boundary(h)) return true;
     if (options.split_at_creases && mesh.sharpness(h) > 0.0F) return true;
+    if (!options.splits.empty() && options.splits[h.index()] != 0) return true;
     const glm::dvec3& before = corners_[i == 0 ? corners_.size() - 1 : i - 1].unit;
     // A face without area has no angle to its neighbors: a sliver must not split the shading.
     if (before == glm::dvec3(0.0) || corners_[i].unit == glm::dvec3(0.0)) return false;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "engine/core/array.h"
 #include "engine/core/choice.h"
@@ -50,6 +52,8 @@ struct CornerNormalOptions {
   /// pi: at creases only).
   float crease_angle_rad = 3.14159265F;
   bool split_at_creases = true;  ///< also at edges with sharpness > 0
+  /// Empty, or for each half-edge whether normals are split at its edge; the same for both halves.
+  std::span<const std::uint8_t> splits{};
 };
 
 /// Returns one unit normal per half-edge (for its corner). The faces around each vertex are grouped

@@ -79,11 +79,30 @@ double normal_cosine(const SeamTest& test, const AttributeLayer& normals, const 
                   glm::dot(normal(Mesh::next(h)), normal(t)));
 }
 
+/// Returns whether the faces of an edge differ in material, or belong to different primitives.
+bool is_material_border(const Mesh& mesh, const Attributes& attributes, Halfedge h) {
+  const Halfedge t = mesh.twin(h);
+  if (attributes.group.empty() || !t.is_valid()) return false;
+  const std::uint32_t a = attributes.group[Mesh::face(h).index()];
+  const std::uint32_t b = attributes.group[Mesh::face(t).index()];
+  if (a == b) return false;
+  return attributes.groups[a].material != attributes.groups[b].material ||
+         attributes.groups[a].primitive != attributes.groups[b].primitive;
+}
+
+/// Morph targets that only shade.
+bool is_shading_delta(const AttributeType& type) {
+  return type.kind == AttributeKind::delta &&
+         (type.name.ends_with("NORMAL") || type.name.ends_with("TANGENT"));
+}
+
 bool is_line(const SeamTest& test, const Mesh& mesh, const Attributes& attributes, Halfedge h) {
+  if (is_material_border(mesh, attributes, h)) return true;
   if (!test.is_seam(h)) return false;
   for (const AttributeLayer& layer : attributes.layers) {
     // A tangent follows from the normal and the texture coordinates.
-    if (layer.type().kind == AttributeKind::tangent || !test.is_seam(h, layer)) continue;
+    if (layer.type().kind == AttributeKind::tangent || is_shading_delta(layer.type())) continue;
+    if (!test.is_seam(h, layer)) continue;
     if (layer.type().kind != AttributeKind::normal) return true;
     if (normal_cosine(test, layer, mesh, h) < std::cos(kHardEdgeDegrees * std::numbers::pi / 180.0))
       return true;
@@ -376,7 +395,7 @@ class Carrier {
 }  // namespace
 
 void mark_seams(Mesh& mesh, const Attributes& attributes) {
-  if (!attributes.has_seams()) return;
+  if (!attributes.has_seams() && attributes.groups.size() < 2) return;
   const SeamTest test(mesh, attributes);
   const MeshArrays::InPlace arrays = MeshArrays::open(mesh);
   parallel_for_each(mesh.halfedge_count(), kCarryGrain, [&](std::uint32_t h) {
@@ -410,7 +429,8 @@ SimplifiedModel simplify_model(Mesh&& mesh, const Attributes& attributes,
   result.simplified = run(std::move(marked));
   const bool is_stuck = result.simplified.report.reason == StopReason::no_legal_collapse &&
                         result.simplified.report.faces_reached > options.target_faces;
-  if (attributes.has_seams() && options.target_faces > 0 && is_stuck) {
+  const bool has_lines = attributes.has_seams() || attributes.groups.size() > 1;
+  if (has_lines && options.target_faces > 0 && is_stuck) {
     Simplified across = run(Mesh(mesh));
     result.crosses_seams = across.report.faces_reached < result.simplified.report.faces_reached;
     if (result.crosses_seams) result.simplified = std::move(across);

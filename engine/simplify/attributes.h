@@ -13,9 +13,9 @@ namespace mesher::simplify {
 /// The sharpness that `mark_seams` gives to edges: the largest finite one, which no file means.
 inline constexpr float kSeamSharpness = std::numeric_limits<float>::max();
 
-/// Marks the edges along which values differ, so that they simplify as creases: only along
-/// themselves. Edges that are creases stay so. Where only normals differ, the edge is marked if
-/// they differ by more than kHardEdgeDegrees, since a model with a normal per face has no other
+/// Marks the edges along which values or materials differ, so that they simplify as creases: only
+/// along themselves. Edges that are creases stay so. Where only normals differ, the edge is marked
+/// if they differ by more than kHardEdgeDegrees, since a model with a normal per face has no other
 /// edges. O(F). Notes nothing in the change log.
 void mark_seams(Mesh& mesh, const Attributes& attributes);
 /// Makes marked edges smooth again. O(F).

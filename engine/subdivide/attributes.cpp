@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/core/parallel.h"
+#include "engine/mesh/normals.h"
 #include "engine/mesh/wedges.h"
 
 namespace mesher::subdivide {
@@ -67,7 +68,28 @@ Array<std::uint32_t> split_groups(const Array<std::uint32_t>& group, Progress* p
 }
 
 bool is_dropped(const AttributeLayer& layer) {
-  return layer.type().kind == AttributeKind::normal || layer.type().kind == AttributeKind::tangent;
+  return layer.type().kind == AttributeKind::tangent;
+}
+
+/// Sets interpolated normals, one per corner, to those of the surface. They are split where the
+/// interpolated ones are, and at creases. Corners without a normal stay so.
+void compute_normals(const Mesh& mesh, AttributeLayer& layer) {
+  const auto differ = [&](Halfedge a, Halfedge b) {
+    return !std::ranges::equal(layer.value(a.index()), layer.value(b.index()));
+  };
+  Array<std::uint8_t> splits(mesh.halfedge_count());
+  parallel_for_each(mesh.halfedge_count(), kAttributeGrain, [&](std::uint32_t i) {
+    const Halfedge h(i);
+    const Halfedge t = mesh.twin(h);
+    const bool is_split = t.is_valid() && (differ(h, Mesh::next(t)) || differ(Mesh::next(h), t));
+    splits[i] = is_split ? 1 : 0;
+  });
+  const Array<glm::vec3> normals = corner_normals(mesh, {.splits = splits});
+  parallel_for_each(mesh.halfedge_count(), kAttributeGrain, [&](std::uint32_t h) {
+    const glm::dvec3 normal(normals[h]);
+    if (!is_absent(layer, h) && normal != glm::dvec3(0.0))
+      store(layer, h, {normal.x, normal.y, normal.z, 0.0});
+  });
 }
 
 /// Attributes of one level with values per corner.
@@ -152,6 +174,9 @@ Attributes subdivide_attributes(const Mesh& coarse, const Attributes& attributes
     level = refined(level, progress);
   }
   stages.next();
+  for (AttributeLayer& layer : level.blended) {
+    if (layer.type().kind == AttributeKind::normal) compute_normals(fine, layer);
+  }
   Array<std::uint32_t> group = std::move(level.group);
   Attributes result =
       make_wedges(fine, to_streams(attributes, std::move(level), fine.halfedge_count()), progress);
