@@ -7,10 +7,21 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/io/gltf_rewrite.h"
+#include "engine/io/gltf_scene.h"
 #include "engine/io/read.h"
 #include "engine/mesh/validate.h"
 
 namespace mesher::test {
+namespace {
+
+void expect_one_line(const std::string& message, const std::filesystem::path& file) {
+  EXPECT_EQ(message.rfind(file.string(), 0), 0U) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  EXPECT_LT(message.size(), file.string().size() + 200) << message;
+}
+
+}  // namespace
 
 Watchdog::Watchdog(std::string what, std::chrono::seconds limit)
     : thread_([this, what = std::move(what), limit] {
@@ -42,12 +53,30 @@ std::optional<Model> read_or_refuse(const std::filesystem::path& file, std::stri
     return model;
   } catch (const InputError& error) {
     const std::string message = error.what();
-    EXPECT_EQ(message.rfind(file.string(), 0), 0U) << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    EXPECT_LT(message.size(), file.string().size() + 200) << message;
+    expect_one_line(message, file);
     if (refusal != nullptr) *refusal = message;
     return std::nullopt;
   }
+}
+
+void rewrite_or_refuse(const std::filesystem::path& file) {
+  const std::filesystem::path output = file.parent_path() / "rewritten.glb";
+  try {
+    io::GltfScene scene(file);
+    const std::vector<io::GltfSceneMesh> meshes = scene.read_meshes();
+    std::vector<io::GltfMeshEdit> edits;
+    for (const io::GltfSceneMesh& mesh : meshes)
+      edits.push_back({mesh.index, {{&mesh.model.mesh, &mesh.model.attributes}}});
+    const io::GltfRewriter rewriter(scene.document(), edits);
+    io::AtomicFile written(output);
+    rewriter.write(written, true);
+    written.commit();
+    io::GltfScene again(output);
+    EXPECT_EQ(again.read_meshes().size(), meshes.size());
+  } catch (const InputError& error) {
+    expect_one_line(error.what(), file);
+  }
+  std::filesystem::remove(output);
 }
 
 }  // namespace mesher::test

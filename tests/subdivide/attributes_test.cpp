@@ -107,8 +107,32 @@ TEST(SubdivideAttributes, ChildrenInheritTheirGroup) {
   EXPECT_EQ(fine.groups, two_faces().groups);
 }
 
-TEST(SubdivideAttributes, NormalsAreDroppedUnlessNothingIsSubdivided) {
-  EXPECT_TRUE(subdivided(two_triangles(), two_faces(), 1).normal.empty());
+// A roof of two faces. The old normals are made up: only where they are split matters.
+TEST(SubdivideAttributes, NormalsAreThoseOfTheSurfaceAndSplitAsBefore) {
+  const Mesh roof =
+      built(soup_of({{0, 0, 0}, {0, 1, 0}, {-1, 0, -1}, {1, 0, -1}}, {0, 1, 2, 1, 0, 3})).mesh;
+  const float s = std::sqrt(0.5F);
+  for (const bool is_split : {true, false}) {
+    CornerAttributes attributes;
+    attributes.normal.assign(6, glm::vec3(0, 1, 0));
+    for (std::size_t corner = 3; is_split && corner < 6; ++corner)
+      attributes.normal[corner] = glm::vec3(1, 0, 0);
+    const Mesh fine =
+        subdivide::subdivide(roof, {.levels = 1, .scheme = subdivide::Scheme::midpoint}).mesh;
+    const CornerAttributes result = to_corners(
+        fine,
+        subdivide::subdivide_attributes(roof, to_wedges(roof, std::move(attributes)), fine, 1));
+    for (std::uint32_t h = 0; h < fine.halfedge_count(); ++h) {
+      const glm::vec3 p = fine.position(fine.origin(Halfedge(h)));
+      const float side = h < 12 ? -s : s;
+      const bool is_on_ridge = p.x == 0.0F && !is_split;
+      const glm::vec3 expected = is_on_ridge ? glm::vec3(0, 0, 1) : glm::vec3(side, 0, s);
+      EXPECT_NEAR(glm::distance(result.normal[h], expected), 0.0F, 1e-6F) << h << is_split;
+    }
+  }
+}
+
+TEST(SubdivideAttributes, NothingIsComputedWithoutALevel) {
   const CornerAttributes same = subdivided(two_triangles(), two_faces(), 0);
   EXPECT_TRUE(same.normal == two_faces().normal);
   EXPECT_TRUE(same.texcoord == two_faces().texcoord);

@@ -1,0 +1,151 @@
+// Tests the commands on glTF files that are written as glTF again.
+#include "app/cli/scene_commands.h"
+
+#include "engine/io/gltf_scene.h"
+#include "tests/app/program_test.h"
+#include "tests/support/gltf_scene_file.h"
+
+namespace mesher::test {
+namespace {
+
+using nlohmann::json;
+
+class SceneCommands : public ProgramTest {
+ protected:
+  json document(const std::string& file) {
+    return json::parse(read_bytes(folder_ / file), nullptr, false);
+  }
+  /// Writes a scene that shows the bunny twice, once twice as large, and a small cube of its own.
+  void write_bunnies(const std::string& file) {
+    ASSERT_EQ(mesher({"convert", "bunny", "-o", "b.gltf"}).exit_code, 0);
+    json scene = document("b.gltf");
+    scene["nodes"] = json::parse(R"([{"name":"big","mesh":0,"scale":[2,2,2]},
+      {"name":"small","mesh":0,"translation":[9,0,0]}])");
+    scene["scenes"][0]["nodes"] = {0, 1};
+    scene["materials"] = json::parse(R"([{"name":"fur"}])");
+    scene["meshes"][0]["primitives"][0]["material"] = 0;
+    scene["extras"]["author"] = "somebody";
+    folder_.write(file, scene.dump());
+  }
+};
+
+TEST_F(SceneCommands, ConvertCopies) {
+  folder_.write("in.gltf", scene_file());
+  const json report = mesher_json({"convert", "in.gltf", "-o", "out.gltf"});
+  EXPECT_EQ(report["lost"], json::array());
+  EXPECT_EQ(report["faces"], 8);  // the sheet is shown twice
+  EXPECT_EQ(report["meshes"], 1);
+  EXPECT_EQ(report["repairs"]["vertices_joined"], 0);
+  const json in = document("in.gltf");
+  const json out = document("out.gltf");
+  for (const char* part : {"nodes", "meshes", "materials", "animations", "accessors", "extras"})
+    EXPECT_EQ(out[part], in[part]) << part;
+}
+
+TEST_F(SceneCommands, ConvertRepairsOnRequest) {
+  folder_.write("in.gltf", scene_file());
+  const json report = mesher_json({"convert", "in.gltf", "-o", "out.glb", "--repair"});
+  EXPECT_EQ(report["repairs"]["vertices_joined"], 2);
+  EXPECT_EQ(mesher_json({"info", "out.glb"})["statistics"]["faces"], 8);
+}
+
+TEST_F(SceneCommands, ConvertKeepsFilesWithoutFaces) {
+  folder_.write("in.gltf", R"({"asset":{"version":"2.0"},"nodes":[{"name":"n"}]})");
+  const json report = mesher_json({"convert", "in.gltf", "-o", "out.gltf"});
+  EXPECT_EQ(report["faces"], 0);
+  EXPECT_EQ(document("out.gltf"), document("in.gltf"));
+  const Finished run = mesher({"simplify", "in.gltf", "-o", "x.gltf", "--ratio", "0.5"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_TRUE(holds(run.err, "has no faces to simplify")) << run.err;
+}
+
+TEST_F(SceneCommands, SimplifyKeepsTheScene) {
+  write_bunnies("in.gltf");
+  const json report = mesher_json({"simplify", "in.gltf", "-o", "out.gltf", "--ratio", "0.25"});
+  EXPECT_EQ(report["lost"], json::array());
+  const json& mesh = report["meshes"][0];
+  EXPECT_EQ(mesh["placements"], 2);
+  EXPECT_EQ(mesh["faces_before"], 3674);
+  EXPECT_NEAR(mesh["faces_reached"].get<double>(), 918, 2);
+  EXPECT_EQ(report["faces_reached"], 2 * mesh["faces_reached"].get<int>());
+  const json in = document("in.gltf");
+  const json out = document("out.gltf");
+  for (const char* part : {"nodes", "materials", "scenes", "extras"})
+    EXPECT_EQ(out[part], in[part]) << part;
+  EXPECT_EQ(mesher_json({"info", "out.gltf"})["statistics"]["faces"], report["faces_reached"]);
+}
+
+// A mesh counts as often as it is shown, and lengths are those of the scene.
+TEST_F(SceneCommands, TargetsAreThoseOfTheScene) {
+  write_bunnies("in.gltf");
+  const json faces = mesher_json({"simplify", "in.gltf", "-o", "out.gltf", "--faces", "1000"});
+  EXPECT_NEAR(faces["faces_reached"].get<double>(), 1000, 4);
+  EXPECT_NEAR(faces["meshes"][0]["faces_reached"].get<double>(), 500, 2);
+  const json bound =
+      mesher_json({"simplify", "in.gltf", "-o", "out.gltf", "--max-error", "0.02", "--measure"});
+  EXPECT_LE(bound["measured_error"].get<double>(), 0.02);
+  EXPECT_GT(bound["measured_error"].get<double>(), 0.005);
+  EXPECT_LE(bound["distance"]["two_sided"]["max"].get<double>(), 0.02);
+}
+
+TEST_F(SceneCommands, WhatNeedsNoEditStaysAsItIs) {
+  write_bunnies("in.gltf");
+  const json report = mesher_json({"simplify", "in.gltf", "-o", "out.gltf", "--ratio", "1"});
+  EXPECT_EQ(report["stop_reason"], "already_there");
+  EXPECT_EQ(document("out.gltf")["accessors"], document("in.gltf")["accessors"]);
+}
+
+TEST_F(SceneCommands, SubdivideKeepsTheScene) {
+  folder_.write("in.gltf", scene_file());
+  const json report =
+      mesher_json({"subdivide", "in.gltf", "-o", "out.gltf", "--scheme", "midpoint"});
+  EXPECT_EQ(report["after"]["faces"], 32);
+  EXPECT_EQ(report["lost"], json::array());
+  const json out = document("out.gltf");
+  EXPECT_EQ(out["nodes"], document("in.gltf")["nodes"]);
+  const auto& primitives = out["meshes"][0]["primitives"];
+  EXPECT_TRUE(primitives[0]["attributes"].contains("TEXCOORD_0"));
+  EXPECT_FALSE(primitives[1]["attributes"].contains("TEXCOORD_0"));
+  EXPECT_EQ(out["accessors"][primitives[1]["indices"].get<std::size_t>()]["count"], 24);
+}
+
+TEST_F(SceneCommands, LodsKeepTheScene) {
+  write_bunnies("in.gltf");
+  const json report = mesher_json({"lods", "in.gltf", "-o", "out.gltf", "--ratios", "1,0.1"});
+  ASSERT_EQ(report["levels"].size(), 2U);
+  EXPECT_EQ(report["levels"][0]["faces"], 7348);
+  EXPECT_NEAR(report["levels"][1]["faces"].get<double>(), 735, 5);
+  const json in = document("in.gltf");
+  const json out = document("out.gltf");
+  EXPECT_EQ(out["materials"], in["materials"]);
+  EXPECT_EQ(out["meshes"][0], in["meshes"][0]);
+  ASSERT_EQ(out["meshes"].size(), 2U);
+  for (const std::size_t node : {0U, 1U}) {
+    const std::size_t level = out["nodes"][node]["extensions"]["MSFT_lod"]["ids"][0];
+    EXPECT_EQ(out["nodes"][level]["mesh"], 1);
+    for (const char* key : {"scale", "translation"})
+      EXPECT_EQ(out["nodes"][level].value(key, json()), in["nodes"][node].value(key, json()));
+  }
+}
+
+TEST_F(SceneCommands, LodsMayPruneEachLevel) {
+  write_bunnies("in.gltf");
+  const json report =
+      mesher_json({"lods", "in.gltf", "-o", "out.gltf", "--ratios", "0.5,0.1", "--prune"});
+  EXPECT_NEAR(report["levels"][1]["faces"].get<double>(), 735, 5);
+}
+
+// The same bytes, whatever the number of threads.
+TEST_F(SceneCommands, OutputIsIndependentOfThreadCount) {
+  write_bunnies("in.gltf");
+  for (const char* threads : {"1", "2", "7"}) {
+    const std::string out = std::string("out") + threads + ".glb";
+    ASSERT_EQ(mesher({"simplify", "in.gltf", "-o", out, "--ratio", "0.1", "--threads", threads})
+                  .exit_code,
+              0);
+    EXPECT_EQ(read_bytes(folder_ / out), read_bytes(folder_ / "out1.glb")) << threads;
+  }
+}
+
+}  // namespace
+}  // namespace mesher::test
