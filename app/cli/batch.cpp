@@ -224,7 +224,7 @@ void run_info(const InputOptions& input, const CommonOptions& common) {
 void run_convert(const InputOptions& input, const std::string& output, bool ascii, bool repairs,
                  const CommonOptions& common) {
   check_output(output);
-  if (keeps_scene(input, output)) return convert_scene(input, output, repairs, common);
+  if (keeps_scene(input, output, common)) return convert_scene(input, output, repairs, common);
   const LoadedModel loaded = load(input, common);
   const Mesh& mesh = loaded.model.mesh;
   // Most formats cannot represent an empty mesh, and their readers would reject one.

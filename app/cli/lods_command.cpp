@@ -301,7 +301,7 @@ void run_lods(const InputOptions& input, const std::string& output, const LodArg
   const std::vector<fs::path> files = files_for(output, ratios.size());
   for (const fs::path& file : files)
     io::AtomicFile::check(file);
-  if (keeps_scene(input, output))
+  if (keeps_scene(input, output, common))
     return write_scene_lods(input, output, ratios, coverage, arguments, common);
   Source source = read_source(input, ratios.back(), arguments, common);
   std::vector<Level> levels = arguments.simplify.prune

@@ -20,7 +20,8 @@ struct Size {
 struct CommonOptions {
   bool json = false;
   bool quiet = false;
-  unsigned threads = 0;  ///< 0: one per core
+  unsigned threads = 0;     ///< 0: one per core
+  bool compresses = false;  ///< of commands that write scenes: meshes by EXT_meshopt_compression
 };
 
 /// How a model is opened.

@@ -197,6 +197,7 @@ class CommandLine {
     });
     add_input(command)->required();
     command->add_option("OUT,-o,--output", output_, "file to write")->required();
+    add_compress(command);
     command->add_flag("--ascii", ascii_, "write PLY and STL as text");
     command->add_flag(
         "--repair", repairs_,
@@ -232,6 +233,7 @@ class CommandLine {
         "diagonal (0.5%); with --faces or --ratio, stop at the first limit reached");
     add_options(*command, simplify::kSimplifyRules, simplify_.rules);
     add_prune(command, simplify_);
+    add_compress(command);
     command->add_flag("--bound", simplify_.bound,
                       "print a certified upper bound on the distance between input and result");
     command->add_flag("--measure", simplify_.measure,
@@ -243,6 +245,11 @@ class CommandLine {
     command->add_flag("--prune", words.prune,
                       "remove parts that are smaller than the error, so that the others keep their "
                       "shape");
+  }
+
+  void add_compress(CLI::App* command) {
+    command->add_flag("--compress", common_.compresses,
+                      "glTF to glTF: compress the meshes (EXT_meshopt_compression)");
   }
 
   void add_progressive() {
@@ -287,6 +294,7 @@ class CommandLine {
         "ratio; 0 for the last)");
     add_options(*command, simplify::kSimplifyRules, lods_.simplify.rules);
     add_prune(command, lods_.simplify);
+    add_compress(command);
   }
 
   void add_subdivide() {
@@ -298,6 +306,7 @@ class CommandLine {
     command->add_option("--levels", subdivide_.levels, "number of subdivision levels (default: 1)")
         ->check(CLI::Range(0U, 16U));
     add_options(*command, subdivide::kSubdivideRules, subdivide_);
+    add_compress(command);
   }
 
   void add_compare() {

@@ -35,6 +35,17 @@ void add(BuildReport& to, const BuildReport& report) {
   }
 }
 
+/// Makes each mesh one that is written anew.
+void replace_all(std::vector<io::GltfMeshEdit>& edits, const LoadedScene& scene) {
+  for (const io::GltfSceneMesh& mesh : scene.meshes) {
+    const auto edit = std::ranges::find(edits, mesh.index, &io::GltfMeshEdit::mesh);
+    if (edit == edits.end())
+      edits.push_back(edit_of(mesh));
+    else
+      edit->replaces = true;
+  }
+}
+
 }  // namespace
 
 std::uint64_t LoadedScene::weight(const io::GltfSceneMesh& mesh) const {
@@ -57,8 +68,12 @@ std::uint64_t LoadedScene::vertex_count() const {
   return vertices;
 }
 
-bool keeps_scene(const InputOptions& input, const std::string& output) {
-  return is_gltf(output) && is_gltf(find_model(input.model));
+bool keeps_scene(const InputOptions& input, const std::string& output,
+                 const CommonOptions& common) {
+  const bool keeps = is_gltf(output) && is_gltf(find_model(input.model));
+  if (!keeps && common.compresses)
+    throw UsageError("--compress: works from glTF to glTF only; convert the model to .glb first");
+  return keeps;
 }
 
 LoadedScene load_scene(const InputOptions& input, const CommonOptions& common) {
@@ -97,14 +112,16 @@ io::GltfMeshEdit edit_of(const io::GltfSceneMesh& mesh) {
 }
 
 std::vector<std::string> write_scene(const std::string& output, LoadedScene& scene,
-                                     const std::vector<io::GltfMeshEdit>& edits,
+                                     std::vector<io::GltfMeshEdit> edits,
                                      const CommonOptions& common) {
+  if (common.compresses) replace_all(edits, scene);
   std::vector<std::string> losses;
   {
     ProgressLine line(!common.quiet, std::filesystem::path(output).filename().string());
     Stages stages(line.progress(), kWriteSceneWeights);
     stages.next("writing");
-    const io::GltfRewriter rewriter(scene.scene->document(), edits, line.progress());
+    const io::GltfRewriter rewriter(scene.scene->document(), edits, common.compresses,
+                                    line.progress());
     losses = rewriter.losses();
     stages.next();
     io::AtomicFile file(output);

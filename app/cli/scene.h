@@ -29,7 +29,8 @@ struct LoadedScene {
 };
 
 /// Returns whether input and output are glTF, so that everything but the edited meshes is kept.
-bool keeps_scene(const InputOptions& input, const std::string& output);
+/// Throws UsageError if they are not and the output should be compressed.
+bool keeps_scene(const InputOptions& input, const std::string& output, const CommonOptions& common);
 
 /// Reads a scene with all its meshes, as the options say, and tags creases. Shows progress on a
 /// terminal. Prints what was repaired, unless `common.quiet`. Throws InputError.
@@ -42,10 +43,11 @@ LoadedScene load_scene_with_faces(const InputOptions& input, const CommonOptions
 /// Returns an edit that replaces a mesh by what its model is now.
 io::GltfMeshEdit edit_of(const io::GltfSceneMesh& mesh);
 
-/// Writes the scene with some meshes edited. Returns what the file does not hold of the input.
+/// Writes the scene with some meshes edited. With `common.compresses` all meshes are
+/// compressed, also those without an edit. Returns what the file does not hold of the input.
 /// Unless `common.quiet`, also prints that on stderr. Throws OutputError.
 std::vector<std::string> write_scene(const std::string& output, LoadedScene& scene,
-                                     const std::vector<io::GltfMeshEdit>& edits,
+                                     std::vector<io::GltfMeshEdit> edits,
                                      const CommonOptions& common);
 
 /// Prints the size of what was written.

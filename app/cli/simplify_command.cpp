@@ -204,7 +204,7 @@ void run_simplify(const InputOptions& input, const std::string& output,
                   const SimplifyArguments& arguments, const CommonOptions& common) {
   simplify_options(arguments, 1, 1.0);  // reject bad arguments before the work starts
   check_output(output);
-  if (keeps_scene(input, output)) return simplify_scene(input, output, arguments, common);
+  if (keeps_scene(input, output, common)) return simplify_scene(input, output, arguments, common);
   LoadedModel loaded = load(input, common);
   Mesh& mesh = loaded.model.mesh;
   if (mesh.face_count() == 0) throw InputError(loaded.file.string(), 0, "has no faces to simplify");

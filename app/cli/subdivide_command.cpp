@@ -67,7 +67,7 @@ void say_subdivided(const subdivide::SubdivideOptions& options, double seconds,
 void run_subdivide(const InputOptions& input, const std::string& output,
                    const subdivide::SubdivideOptions& options, const CommonOptions& common) {
   check_output(output);
-  if (keeps_scene(input, output)) return subdivide_scene(input, output, options, common);
+  if (keeps_scene(input, output, common)) return subdivide_scene(input, output, options, common);
   LoadedModel loaded = load(input, common);
   Model& model = loaded.model;
   if (model.mesh.face_count() == 0) {

@@ -53,9 +53,16 @@ GltfPrimitiveMaker::GltfPrimitiveMaker(const GltfLevel& level)
   number_.resize(mesh_.vertex_count() + attributes_.further.size(), kNone);
 }
 
-GltfPrimitiveArrays GltfPrimitiveMaker::make(std::uint32_t group, const Json& original) {
+std::size_t GltfPrimitiveMaker::group_of(std::size_t primitive) const {
+  const auto found =
+      std::find_if(attributes_.groups.begin(), attributes_.groups.end(),
+                   [&](const FaceGroup& group) { return group.primitive == primitive; });
+  return static_cast<std::size_t>(found - attributes_.groups.begin());
+}
+
+GltfPrimitiveArrays GltfPrimitiveMaker::make(std::size_t primitive, const Json& original) {
   GltfPrimitiveArrays arrays;
-  find_vertices(group);
+  find_vertices(group_of(primitive));
   if (corners_.empty()) return arrays;
   arrays.indices = indices();
   arrays.attributes.push_back(positions());
@@ -64,7 +71,7 @@ GltfPrimitiveArrays GltfPrimitiveMaker::make(std::uint32_t group, const Json& or
   return arrays;
 }
 
-void GltfPrimitiveMaker::find_vertices(std::uint32_t group) {
+void GltfPrimitiveMaker::find_vertices(std::size_t group) {
   for (const std::uint32_t w : wedges_)
     number_[w] = kNone;
   wedges_.clear();

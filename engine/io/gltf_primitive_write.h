@@ -32,12 +32,15 @@ class GltfPrimitiveMaker {
   /// Pre: the mesh has groups, as read_gltf_mesh makes them. O(F).
   explicit GltfPrimitiveMaker(const GltfLevel& level);
 
-  /// Returns the arrays of the primitive of a group; no indices if no face is left. `original` is
-  /// the primitive in the document that was read. O(its faces times layers).
-  GltfPrimitiveArrays make(std::uint32_t group, const nlohmann::json& original);
+  /// Returns whether the mesh has the faces of a primitive of the document.
+  bool makes(std::size_t primitive) const { return group_of(primitive) < faces_.size(); }
+  /// Returns the arrays of a primitive; no attributes if no face is left. `original` is the
+  /// primitive in the document that was read. O(its faces times layers). Pre: makes(primitive).
+  GltfPrimitiveArrays make(std::size_t primitive, const nlohmann::json& original);
 
  private:
-  void find_vertices(std::uint32_t group);
+  std::size_t group_of(std::size_t primitive) const;
+  void find_vertices(std::size_t group);
   GltfArray positions() const;
   GltfArray indices() const;
   GltfArray array_of(const AttributeLayer& layer, const std::string& name) const;

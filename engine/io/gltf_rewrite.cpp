@@ -11,6 +11,7 @@
 #include "engine/core/text.h"
 #include "engine/io/base64.h"
 #include "engine/io/gltf_container.h"
+#include "engine/io/gltf_mesh.h"
 #include "engine/io/gltf_types.h"
 #include "engine/mesh/contents.h"
 
@@ -52,7 +53,8 @@ bool is_virtual(const Json& buffer) {
   if (!buffer.is_object() || buffer.contains("uri") || !buffer.contains("extensions")) return false;
   const Json& extensions = buffer["extensions"];
   return extensions.is_object() && extensions.contains(kMeshopt) &&
-         extensions[kMeshopt].is_object() && extensions[kMeshopt].value("fallback", false);
+         extensions[kMeshopt].is_object() && extensions[kMeshopt].contains("fallback") &&
+         extensions[kMeshopt]["fallback"] == true;
 }
 
 /// Returns the elements of a list that are true in `all` and not in `kept`, the last one first.
@@ -63,13 +65,6 @@ std::vector<std::size_t> difference_of(const std::vector<bool>& all,
     if (all[i] && !kept[i]) list.push_back(i);
   }
   return list;
-}
-
-std::vector<std::size_t> groups_by_primitive(const Attributes& attributes, std::size_t primitives) {
-  std::vector<std::size_t> group(primitives, attributes.groups.size());
-  for (std::size_t g = 0; g < attributes.groups.size(); ++g)
-    group[attributes.groups[g].primitive] = g;
-  return group;
 }
 
 void remove_names(Json& document, const char* list, const std::function<bool(const Json&)>& is) {
@@ -99,20 +94,30 @@ std::size_t GltfRewriter::Slots::take(Json& array) {
   return slot;
 }
 
-GltfRewriter::GltfRewriter(GltfFile& gltf, std::span<const GltfMeshEdit> edits, Progress* progress)
-    : gltf_(gltf), progress_(progress), document_(gltf.root()) {
+GltfRewriter::GltfRewriter(GltfFile& gltf, std::span<const GltfMeshEdit> edits, bool compresses,
+                           Progress* progress)
+    : gltf_(gltf), progress_(progress), document_(gltf.root()), compresses_(compresses) {
+  try {
+    plan(edits);
+  } catch (const Json::exception&) {
+    gltf.fail("a member of the document has the wrong type");
+  }
+}
+
+void GltfRewriter::plan(std::span<const GltfMeshEdit> edits) {
   find_free_slots(edits);
   keep_data();
   embed_images();
   bool has_levels = false;
   for (const GltfMeshEdit& edit : edits) {
-    check_cancelled(progress);
+    check_cancelled(progress_);
     if (edit.replaces) replace(edit);
     if (edit.levels.size() < 2) continue;
     add_levels(edit);
     has_levels = true;
   }
   clear_free_slots();
+  document_.erase("buffers");  // write() adds those of the new file
   data_.arrange();
   set_offsets();
   set_extension_lists(has_levels);
@@ -135,17 +140,27 @@ void GltfRewriter::find_free_slots(std::span<const GltfMeshEdit> edits) {
 }
 
 void GltfRewriter::keep_data() {
-  for (std::uint64_t i = 0; i < gltf_.count("buffers"); ++i) {
-    if (is_virtual(gltf_.element("buffers", i))) virtual_buffers_.push_back(i);
-  }
   is_new_view_.resize(gltf_.count("bufferViews"), false);
   for (const std::size_t view : views_.free)
     is_new_view_[view] = true;
+  find_virtual_buffers();
   for (std::size_t i = 0; i < is_new_view_.size(); ++i) {
     if (is_new_view_[i]) continue;
     const Json& view = gltf_.element("bufferViews", i);
     keep_range(view);
     if (const Json* packed = gltf_.extension(view, kMeshopt)) keep_range(*packed);
+  }
+}
+
+/// Finds the buffers without data that views still refer to.
+void GltfRewriter::find_virtual_buffers() {
+  std::set<std::uint64_t> used;
+  for (std::size_t i = 0; i < is_new_view_.size(); ++i) {
+    if (!is_new_view_[i])
+      used.insert(gltf_.find_number(gltf_.element("bufferViews", i), "buffer").value_or(0));
+  }
+  for (const std::uint64_t buffer : used) {
+    if (is_virtual(gltf_.element("buffers", buffer))) virtual_buffers_.push_back(buffer);
   }
 }
 
@@ -216,27 +231,27 @@ std::size_t GltfRewriter::add_view(std::string&& bytes) {
 }
 
 void GltfRewriter::replace(const GltfMeshEdit& edit) {
-  const GltfLevel& level = edit.levels.front();
   Json& primitives = document_["meshes"][edit.mesh]["primitives"];
-  const Json& originals = gltf_.element("meshes", edit.mesh)["primitives"];
-  const auto groups = groups_by_primitive(*level.attributes, originals.size());
+  note_missing(edit.mesh, set_primitives(primitives, edit.levels.front()));
+}
+
+std::vector<std::string> GltfRewriter::set_primitives(Json& primitives, const GltfLevel& level) {
   GltfPrimitiveMaker maker(level);
   std::vector<std::string> missing;
-  for (std::size_t p = originals.size(); p-- > 0;) {
-    if (groups[p] == level.attributes->groups.size()) continue;
-    const GltfPrimitiveArrays arrays =
-        maker.make(static_cast<std::uint32_t>(groups[p]), originals[p]);
+  for (std::size_t p = primitives.size(); p-- > 0;) {
+    if (!maker.makes(p)) continue;
+    GltfPrimitiveArrays arrays = maker.make(p, primitives[p]);
     if (arrays.attributes.empty()) {
       primitives.erase(p);
       continue;
     }
-    set_primitive(primitives[p], arrays);
     missing.insert(missing.end(), arrays.missing.begin(), arrays.missing.end());
+    set_primitive(primitives[p], std::move(arrays));
   }
-  note_missing(edit.mesh, missing);
+  return missing;
 }
 
-void GltfRewriter::set_primitive(Json& primitive, const GltfPrimitiveArrays& arrays) {
+void GltfRewriter::set_primitive(Json& primitive, GltfPrimitiveArrays&& arrays) {
   const Json original = primitive;
   const auto old = [](const Json& object, const std::string& key) -> std::optional<std::uint64_t> {
     if (!object.contains(key) || !object[key].is_number_unsigned()) return std::nullopt;
@@ -244,24 +259,35 @@ void GltfRewriter::set_primitive(Json& primitive, const GltfPrimitiveArrays& arr
   };
   primitive.erase("mode");
   primitive["attributes"] = Json::object();
-  for (const GltfArray& array : arrays.attributes) {
-    primitive["attributes"][array.name] =
-        add_array(array, old(original["attributes"], array.name), kVertexTarget);
+  for (GltfArray& array : arrays.attributes) {
+    const std::string name = array.name;
+    primitive["attributes"][name] =
+        add_array(std::move(array), old(original["attributes"], name), attribute_kind(name));
   }
   for (std::size_t t = 0; t < arrays.targets.size(); ++t) {
     primitive["targets"][t] = Json::object();
-    for (const GltfArray& array : arrays.targets[t]) {
-      primitive["targets"][t][array.name] =
-          add_array(array, old(original["targets"][t], array.name), kVertexTarget);
+    for (GltfArray& array : arrays.targets[t]) {
+      const std::string name = array.name;
+      primitive["targets"][t][name] =
+          add_array(std::move(array), old(original["targets"][t], name), AttributeKind::delta);
     }
   }
-  primitive["indices"] = add_array(arrays.indices, old(original, "indices"), kIndexTarget);
+  primitive["indices"] =
+      add_array(std::move(arrays.indices), old(original, "indices"), AttributeKind::custom, true);
   drop_extensions(primitive);
 }
 
 /// Adds an accessor with its own view. It keeps the name and extras of the one it replaces.
-std::uint64_t GltfRewriter::add_array(const GltfArray& array, std::optional<std::uint64_t> old,
-                                      int target) {
+std::uint64_t GltfRewriter::add_array(GltfArray&& array, std::optional<std::uint64_t> old,
+                                      AttributeKind kind, bool is_index) {
+  std::size_t view = 0;
+  if (compresses_) {
+    view = add_compressed(is_index ? compress_indices(array) : compress(array, kind));
+  } else {
+    view = add_view(std::move(array.bytes));
+    if (array.stride > 0) document_["bufferViews"][view]["byteStride"] = array.stride;
+  }
+  document_["bufferViews"][view]["target"] = is_index ? kIndexTarget : kVertexTarget;
   Json json = array.json;
   if (old && *old < gltf_.count("accessors")) {
     for (const char* key : {"name", "extras"}) {
@@ -269,14 +295,27 @@ std::uint64_t GltfRewriter::add_array(const GltfArray& array, std::optional<std:
       if (before.contains(key)) json[key] = before[key];
     }
   }
-  const std::size_t view = add_view(std::string(array.bytes));
   json["bufferView"] = view;
-  Json& view_json = document_["bufferViews"][view];
-  view_json["target"] = target;
-  if (array.stride > 0) view_json["byteStride"] = array.stride;
   const std::size_t slot = accessors_.take(document_["accessors"]);
   document_["accessors"][slot] = std::move(json);
   return slot;
+}
+
+/// Adds a view whose decoded bytes lie in a buffer without data.
+std::size_t GltfRewriter::add_compressed(CompressedArray&& array) {
+  const std::size_t view = views_.take(document_["bufferViews"]);
+  is_new_view_.resize(document_["bufferViews"].size(), true);
+  const std::size_t decoded = array.count * array.stride;
+  Json extension{{"count", array.count}, {"byteStride", array.stride}, {"mode", array.mode}};
+  if (!array.filter.empty()) extension["filter"] = array.filter;
+  Json& json = document_["bufferViews"][view];
+  json = {{"byteOffset", decoded_bytes_}, {"byteLength", decoded}};
+  if (array.mode == "ATTRIBUTES") json["byteStride"] = array.stride;
+  json["extensions"][kMeshopt] = std::move(extension);
+  constexpr std::size_t kWord = 4;
+  decoded_bytes_ += (decoded + kWord - 1) / kWord * kWord;
+  view_pieces_.emplace_back(view, data_.add(std::move(array.bytes)));
+  return view;
 }
 
 void GltfRewriter::drop_extensions(Json& primitive) {
@@ -295,82 +334,6 @@ void GltfRewriter::drop_extensions(Json& primitive) {
   } else {
     *found = std::move(left);
   }
-}
-
-/// Adds a mesh for each further level, and nodes that show it. A node with children shows its mesh
-/// by a child of its own, because a level stands for the node with all below it.
-void GltfRewriter::add_levels(const GltfMeshEdit& edit) {
-  const Json original = gltf_.element("meshes", edit.mesh);
-  std::vector<std::size_t> meshes;
-  for (std::size_t i = 1; i < edit.levels.size(); ++i) {
-    Json mesh = original;
-    if (mesh.contains("name") && mesh["name"].is_string())
-      mesh["name"] = mesh["name"].get<std::string>() + "_lod" + std::to_string(i);
-    const auto groups =
-        groups_by_primitive(*edit.levels[i].attributes, original["primitives"].size());
-    GltfPrimitiveMaker maker(edit.levels[i]);
-    for (std::size_t p = groups.size(); p-- > 0;) {
-      if (groups[p] == edit.levels[i].attributes->groups.size()) continue;
-      const auto arrays =
-          maker.make(static_cast<std::uint32_t>(groups[p]), original["primitives"][p]);
-      if (arrays.attributes.empty()) {
-        mesh["primitives"].erase(p);
-      } else {
-        set_primitive(mesh["primitives"][p], arrays);
-      }
-    }
-    document_["meshes"].push_back(std::move(mesh));
-    meshes.push_back(document_["meshes"].size() - 1);
-  }
-  const std::size_t nodes = gltf_.count("nodes");
-  for (std::size_t n = 0; n < nodes; ++n) {
-    if (document_["nodes"][n].value("mesh", ~std::uint64_t{0}) != edit.mesh) continue;
-    if (gltf_.extension(gltf_.element("nodes", n), "MSFT_lod") != nullptr) {
-      losses_.emplace_back("new levels of a node that has levels already");
-      continue;
-    }
-    add_node_levels(n, edit, meshes);
-  }
-}
-
-void GltfRewriter::add_node_levels(std::size_t node, const GltfMeshEdit& edit,
-                                   const std::vector<std::size_t>& meshes) {
-  Json& nodes = document_["nodes"];
-  Json shown = Json::object();  // what a node needs to show a mesh
-  for (const char* key : {"mesh", "skin", "weights"}) {
-    if (nodes[node].contains(key)) shown[key] = nodes[node][key];
-  }
-  constexpr const char* kInstances = "EXT_mesh_gpu_instancing";
-  if (gltf_.extension(gltf_.element("nodes", node), kInstances) != nullptr)
-    shown["extensions"][kInstances] = nodes[node]["extensions"][kInstances];
-  std::size_t at = node;
-  if (nodes[node].contains("children")) {
-    nodes.push_back(shown);
-    at = nodes.size() - 1;
-    nodes[node]["children"].push_back(at);
-    for (const char* key : {"mesh", "skin", "weights"})
-      nodes[node].erase(key);
-    if (shown.contains("extensions")) nodes[node]["extensions"].erase(kInstances);
-  }
-  Json coverage = Json::array({edit.levels.front().least_coverage});
-  Json ids = Json::array();
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    shown["mesh"] = meshes[i];
-    if (nodes[node].contains("name") && nodes[node]["name"].is_string())
-      shown["name"] = nodes[node]["name"].get<std::string>() + "_lod" + std::to_string(i + 1);
-    // A level takes the place of the node, which may stand anywhere.
-    if (at == node) {
-      for (const char* key : {"matrix", "translation", "rotation", "scale"}) {
-        if (nodes[node].contains(key)) shown[key] = nodes[node][key];
-      }
-    }
-    nodes.push_back(shown);
-    ids.push_back(nodes.size() - 1);
-    coverage.push_back(edit.levels[i + 1].least_coverage);
-  }
-  nodes[at]["extensions"]["MSFT_lod"]["ids"] = std::move(ids);
-  if (!nodes[at].contains("extras") || nodes[at]["extras"].is_object())
-    nodes[at]["extras"]["MSFT_screencoverage"] = std::move(coverage);
 }
 
 /// What an edit left unused at the end of a list is removed; elsewhere, an empty element keeps the
@@ -417,9 +380,12 @@ void GltfRewriter::set_offsets() {
   }
   for (const auto& [view, piece] : view_pieces_) {
     Json& json = document_["bufferViews"][view];
-    json["buffer"] = 0;
-    json["byteOffset"] = data_.piece_offset(piece);
-    json["byteLength"] = data_.piece_bytes(piece);
+    const bool is_compressed = json.contains("extensions");
+    if (is_compressed) json["buffer"] = virtual_buffers_.size() + 1;
+    Json& place = is_compressed ? json["extensions"][kMeshopt] : json;
+    place["buffer"] = 0;
+    place["byteOffset"] = data_.piece_offset(piece);
+    place["byteLength"] = data_.piece_bytes(piece);
   }
 }
 
@@ -431,8 +397,15 @@ void GltfRewriter::set_extension_lists(bool has_levels) {
              !has_extension(document_, name.get<std::string>());
     });
   }
-  if (has_levels && !std::ranges::count(document_["extensionsUsed"], Json("MSFT_lod")))
-    document_["extensionsUsed"].push_back("MSFT_lod");
+  const auto add = [&](const char* list, const char* name) {
+    if (!std::ranges::count(document_[list], Json(name))) document_[list].push_back(name);
+  };
+  if (has_levels) add("extensionsUsed", "MSFT_lod");
+  if (decoded_bytes_ == 0) return;
+  for (const char* name : {kMeshopt, "KHR_mesh_quantization"}) {
+    add("extensionsUsed", name);
+    add("extensionsRequired", name);
+  }
 }
 
 void GltfRewriter::note_missing(std::uint64_t mesh, const std::vector<std::string>& names) {
@@ -442,8 +415,6 @@ void GltfRewriter::note_missing(std::uint64_t mesh, const std::vector<std::strin
 }
 
 void GltfRewriter::write(AtomicFile& file, bool binary, Progress* progress) const {
-  Json document = document_;
-  document.erase("buffers");
   GltfParts parts;
   parts.bytes = data_.size();
   if (parts.bytes > 0 || !virtual_buffers_.empty()) {
@@ -454,8 +425,13 @@ void GltfRewriter::write(AtomicFile& file, bool binary, Progress* progress) cons
     parts.buffers.push_back(first.dump());
     for (const std::uint64_t buffer : virtual_buffers_)
       parts.buffers.push_back(gltf_.element("buffers", buffer).dump());
+    if (decoded_bytes_ > 0) {
+      Json fallback{{"byteLength", decoded_bytes_}};
+      fallback["extensions"][kMeshopt]["fallback"] = true;
+      parts.buffers.push_back(fallback.dump());
+    }
   }
-  parts.document = document.dump();
+  parts.document = document_.dump();
   write_container(file, parts, binary, [&](auto& sink) { data_.write(sink, progress); });
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/io/atomic_file.h"
+#include "engine/io/gltf_compress.h"
 #include "engine/io/gltf_data.h"
 #include "engine/io/gltf_file.h"
 #include "engine/io/gltf_primitive_write.h"
@@ -36,8 +37,11 @@ class GltfRewriter {
  public:
   /// Plans the file. Keeps the new arrays in memory, and refers to the buffers of `gltf`.
   /// O(document + faces of the edits). Pre: each mesh occurs once, with groups as read_gltf_mesh
-  /// makes them. Throws InputError if a buffer that is needed is missing; Cancelled.
-  GltfRewriter(GltfFile& gltf, std::span<const GltfMeshEdit> edits, Progress* progress = nullptr);
+  /// makes them. Throws InputError if a buffer that is needed is missing, or a member of the
+  /// document has the wrong type; Cancelled. `compresses`: the edited meshes by
+  /// EXT_meshopt_compression, as `compress` describes.
+  GltfRewriter(GltfFile& gltf, std::span<const GltfMeshEdit> edits, bool compresses = false,
+               Progress* progress = nullptr);
 
   /// Returns what the file does not hold of the document, as phrases for the user.
   const std::vector<std::string>& losses() const { return losses_; }
@@ -52,15 +56,20 @@ class GltfRewriter {
     std::size_t take(Json& array);
   };
 
+  void plan(std::span<const GltfMeshEdit> edits);
   void find_free_slots(std::span<const GltfMeshEdit> edits);
   void keep_data();
+  void find_virtual_buffers();
   void keep_range(const Json& range);
   void embed_images();
   void embed(Json& image);
   void replace(const GltfMeshEdit& edit);
-  void set_primitive(Json& primitive, const GltfPrimitiveArrays& arrays);
-  std::uint64_t add_array(const GltfArray& array, std::optional<std::uint64_t> old, int target);
+  std::vector<std::string> set_primitives(Json& primitives, const GltfLevel& level);
+  void set_primitive(Json& primitive, GltfPrimitiveArrays&& arrays);
+  std::uint64_t add_array(GltfArray&& array, std::optional<std::uint64_t> old, AttributeKind kind,
+                          bool is_index = false);
   std::size_t add_view(std::string&& bytes);
+  std::size_t add_compressed(CompressedArray&& array);
   void drop_extensions(Json& primitive);
   void add_levels(const GltfMeshEdit& edit);
   void add_node_levels(std::size_t node, const GltfMeshEdit& edit,
@@ -79,6 +88,8 @@ class GltfRewriter {
   Slots accessors_;
   Slots views_;
   std::vector<std::uint64_t> virtual_buffers_;  ///< without data: fallbacks of compressed views
+  bool compresses_;
+  std::uint64_t decoded_bytes_ = 0;  ///< of all views that this class has compressed
   std::set<std::string> dropped_extensions_;
   std::vector<std::string> losses_;
 };

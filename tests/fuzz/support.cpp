@@ -66,13 +66,13 @@ void rewrite_or_refuse(const std::filesystem::path& file) {
     const std::vector<io::GltfSceneMesh> meshes = scene.read_meshes();
     std::vector<io::GltfMeshEdit> edits;
     for (const io::GltfSceneMesh& mesh : meshes)
-      edits.push_back({mesh.index, {{&mesh.model.mesh, &mesh.model.attributes}}});
+      edits.push_back({mesh.index, {2, {&mesh.model.mesh, &mesh.model.attributes}}});
     const io::GltfRewriter rewriter(scene.document(), edits);
     io::AtomicFile written(output);
     rewriter.write(written, true);
     written.commit();
     io::GltfScene again(output);
-    EXPECT_EQ(again.read_meshes().size(), meshes.size());
+    EXPECT_EQ(again.read_meshes().size(), 2 * meshes.size());
   } catch (const InputError& error) {
     expect_one_line(error.what(), file);
   }

@@ -34,8 +34,8 @@ class Watchdog {
 std::optional<Model> read_or_refuse(const std::filesystem::path& file,
                                     std::string* refusal = nullptr);
 
-/// Rewrites a glTF file with each mesh replaced, and reads the result: it must be readable, or the
-/// file must be refused as above.
+/// Rewrites a glTF file with each mesh replaced by two levels, and reads the result: it must be
+/// readable, or the file must be refused as above.
 void rewrite_or_refuse(const std::filesystem::path& file);
 
 }  // namespace mesher::test

@@ -194,6 +194,38 @@ TEST_F(GltfRewrite, ExtensionsOfEditedPrimitivesAreNamed) {
   EXPECT_EQ(losses_, std::vector<std::string>{"the extension VENDOR_x of edited meshes"});
 }
 
+// A mesh that is read again from compressed data is the same within the promised bounds.
+TEST_F(GltfRewrite, CompressesEditedMeshes) {
+  open(test::scene_file());
+  const Model before = meshes_[0].model;
+  {
+    const GltfRewriter rewriter(scene_->document(), std::vector{edit_of(meshes_[0])}, true);
+    AtomicFile file(folder_ / "out.glb");
+    rewriter.write(file, true);
+    file.commit();
+  }
+  GltfScene again(folder_ / "out.glb");
+  const json document = again.document().root();
+  EXPECT_EQ(document["extensionsRequired"],
+            json({"EXT_meshopt_compression", "KHR_mesh_quantization"}));
+  EXPECT_EQ(document["buffers"].size(), 2U);
+  EXPECT_EQ(document["animations"], json::parse(test::scene_file())["animations"]);
+  const Model after = again.read_meshes().at(0).model;
+  ASSERT_EQ(after.mesh.face_count(), before.mesh.face_count());
+  ASSERT_EQ(after.mesh.vertex_count(), before.mesh.vertex_count());
+  for (std::uint32_t v = 0; v < after.mesh.vertex_count(); ++v)
+    EXPECT_LT(glm::distance(after.mesh.position(Vertex(v)), before.mesh.position(Vertex(v))),
+              2e-4F);
+  // Written again without --compress, it is stored plainly.
+  const std::vector<GltfSceneMesh> meshes = again.read_meshes();
+  const GltfRewriter plain(again.document(), std::vector{edit_of(meshes[0])});
+  AtomicFile file(folder_ / "plain.glb");
+  plain.write(file, true);
+  file.commit();
+  GltfScene last(folder_ / "plain.glb");
+  EXPECT_FALSE(has_extension(last.document().root(), "EXT_meshopt_compression"));
+}
+
 TEST_F(GltfRewrite, DeepDocumentsAreRefused) {
   std::string deep;
   for (int i = 0; i < 100000; ++i)
@@ -201,6 +233,17 @@ TEST_F(GltfRewrite, DeepDocumentsAreRefused) {
   deep += std::string(100000, ']');
   open(R"({"asset":{"version":"2.0"},"extras":)" + deep + "}");
   EXPECT_THROW(rewrite({}), InputError);
+}
+
+TEST_F(GltfRewrite, WrongTypesAreRefused) {
+  std::string text = test::scene_file();
+  const std::string dust = R"({"name":"dust","mesh":1})";
+  text.replace(text.find(dust), dust.size(), R"({"mesh":0,"extensions":7,"children":5})");
+  // The node is in no scene, so nothing has looked at it before.
+  open(text);
+  const GltfLevel level{&meshes_[0].model.mesh, &meshes_[0].model.attributes};
+  const GltfMeshEdit edit{.mesh = 0, .levels = {level, level}};
+  EXPECT_THROW(rewrite(std::span(&edit, 1)), InputError);
 }
 
 TEST_F(GltfRewrite, MissingBuffersAreRefused) {
@@ -220,7 +263,7 @@ TEST_F(GltfRewrite, CancelsWithoutAFile) {
   open(test::scene_file());
   Progress canceled;
   canceled.cancel();
-  EXPECT_THROW(GltfRewriter(scene_->document(), std::vector{edit_of(meshes_[0])}, &canceled),
+  EXPECT_THROW(GltfRewriter(scene_->document(), std::vector{edit_of(meshes_[0])}, false, &canceled),
                Cancelled);
 }
 

@@ -10,6 +10,9 @@ import draco3d from 'draco3dgltf';
 import validator from 'gltf-validator';
 import { MeshoptDecoder } from 'meshoptimizer';
 
+/// Extensions that say how vertices are stored, which an edit may change.
+const STORAGE = ['KHR_draco_mesh_compression', 'EXT_meshopt_compression', 'KHR_mesh_quantization'];
+
 const io = new NodeIO()
   .setLogger(new Logger(Logger.Verbosity.SILENT))
   .registerExtensions(ALL_EXTENSIONS)
@@ -72,7 +75,7 @@ function differencesOf(a, b, mode) {
     for (const document of [a, b]) {
       for (const key of ['extensionsUsed', 'extensionsRequired']) {
         const kept = (document[key] ?? []).filter(
-          (name) => !['KHR_draco_mesh_compression', 'EXT_meshopt_compression'].includes(name));
+          (name) => !STORAGE.includes(name));
         if (kept.length > 0) document[key] = kept;
         else delete document[key];
       }
@@ -156,9 +159,8 @@ function contentDifferences(a, b, mode) {
       equalAccessors(sampler.getInput(), y.listSamplers()[i].getInput()) &&
       equalAccessors(sampler.getOutput(), y.listSamplers()[i].getOutput())));
   check('morph targets', (root) => root.listMeshes().flatMap((m) => m.listPrimitives().map((p) => p.listTargets().length)), same);
-  const compression = ['KHR_draco_mesh_compression', 'EXT_meshopt_compression'];
   check('extensions', (root) => root.listExtensionsUsed().map((e) => e.extensionName)
-    .filter((name) => mode === 'copy' || !compression.includes(name)).sort(), same);
+    .filter((name) => mode === 'copy' || !STORAGE.includes(name)).sort(), same);
   check('cameras', (root) => root.listCameras(), (x, y) => x.equals(y));
   return differ;
 }

@@ -135,6 +135,20 @@ TEST_F(SceneCommands, LodsMayPruneEachLevel) {
   EXPECT_NEAR(report["levels"][1]["faces"].get<double>(), 735, 5);
 }
 
+TEST_F(SceneCommands, CompressedFilesAreSmallerAndTheSame) {
+  write_bunnies("in.gltf");
+  const json report = mesher_json({"convert", "in.gltf", "-o", "small.glb", "--compress"});
+  EXPECT_EQ(report["lost"], json::array());
+  ASSERT_EQ(mesher({"convert", "in.gltf", "-o", "plain.glb"}).exit_code, 0);
+  EXPECT_LT(5 * read_bytes(folder_ / "small.glb").size(),
+            3 * read_bytes(folder_ / "plain.glb").size());
+  const json distance = mesher_json({"compare", "in.gltf", "small.glb"})["two_sided"];
+  EXPECT_LT(distance["max_percent"].get<double>(), 0.005);
+  const Finished refused = mesher({"convert", "bunny", "-o", "x.glb", "--compress"});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_TRUE(holds(refused.err, "--compress: works from glTF to glTF only")) << refused.err;
+}
+
 // The same bytes, whatever the number of threads.
 TEST_F(SceneCommands, OutputIsIndependentOfThreadCount) {
   write_bunnies("in.gltf");
