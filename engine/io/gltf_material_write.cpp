@@ -59,9 +59,11 @@ class MaterialsWriter {
       : document_(document), materials_(materials), add_bytes_(add_bytes) {}
 
   void run() {
-    document_["materials"] = MaterialJson::array();
+    // Put together apart, because textures add members to the document.
+    MaterialJson list = MaterialJson::array();
     for (const Material& material : materials_.materials)
-      document_["materials"].push_back(json_of_material(material));
+      list.push_back(json_of_material(material));
+    document_["materials"] = std::move(list);
     for (const std::string& name : extensions_)
       document_["extensionsUsed"].push_back(name);
     for (const std::string& name : required_)
