@@ -14,6 +14,7 @@
 #include "engine/io/base64.h"
 #include "engine/io/block_writer.h"
 #include "engine/io/gltf_material_write.h"
+#include "engine/io/material_losses.h"
 #include "engine/mesh/statistics.h"
 
 namespace mesher::io {
@@ -223,7 +224,10 @@ class GltfWriter {
     }
     describe();
     if (materials_ != nullptr && !materials_->materials.empty()) {
-      add_gltf_materials(document_, *materials_,
+      std::uint32_t uv_sets = kNone;
+      for (const GltfLevel& level : levels)
+        uv_sets = std::min(uv_sets, count_uv_sets(*level.attributes));
+      add_gltf_materials(document_, *materials_, uv_sets,
                          [&](const std::string& bytes) { return add_image(bytes); });
     }
     if (levels.size() > 1) describe_chain(levels);

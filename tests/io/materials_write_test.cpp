@@ -169,6 +169,17 @@ TEST(MaterialsWrite, TermsOfGltfComeBackFromGlbAndObj) {
   EXPECT_TRUE(fs::exists(folder / "x_y.png"));
 }
 
+TEST(MaterialsWrite, GltfHasNoTexturesWithoutCoordinates) {
+  const TempFolder folder;
+  folder.write("a.png", kPng);
+  folder.write("in.mtl", "newmtl a\nmap_Kd a.png\n");
+  const Model model = read_model(
+      folder.write("in.obj", "mtllib in.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n"));
+  EXPECT_EQ(write(folder / "o.gltf", model),
+            std::vector<std::string>{"1 texture without texture coordinates"});
+  EXPECT_FALSE(json_of(folder / "o.gltf").contains("textures"));
+}
+
 TEST(MaterialsWrite, NamesWhatMtlDoesNotHold) {
   const TempFolder folder;
   Model model = two_materials(folder);
