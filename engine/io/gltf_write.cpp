@@ -235,7 +235,8 @@ class GltfWriter {
   }
 
   void run() {
-    std::string json = document_.dump();
+    // Names of other formats need not be UTF-8, and JSON has to be.
+    std::string json = document_.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
     if (!binary_) {
       // The data is written before the rest of the document, which is complete by now, so that the
       // document need not hold it as well.

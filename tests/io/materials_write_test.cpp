@@ -180,6 +180,14 @@ TEST(MaterialsWrite, GltfHasNoTexturesWithoutCoordinates) {
   EXPECT_FALSE(json_of(folder / "o.gltf").contains("textures"));
 }
 
+TEST(MaterialsWrite, NamesOutsideOfUtf8AreWrittenToJson) {
+  const TempFolder folder;
+  const Model model =
+      read_model(folder.write("in.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl caf\xE9\nf 1 2 3\n"));
+  EXPECT_TRUE(write(folder / "o.glb", model).empty());
+  EXPECT_EQ(read_model(folder / "o.glb").materials->materials.at(0).name, "caf\xEF\xBF\xBD");
+}
+
 TEST(MaterialsWrite, NamesWhatMtlDoesNotHold) {
   const TempFolder folder;
   Model model = two_materials(folder);
