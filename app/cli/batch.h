@@ -28,6 +28,8 @@ void run_compare(const InputOptions& first, const InputOptions& second, std::uin
 void say(const std::string& words);
 /// Prints on stderr what was repaired, if anything was.
 void say_repairs(const BuildReport& report);
+/// As above; also prints the warnings of the reader.
+void say_findings(const Model& model);
 /// Says what `output` does not hold of the model's file.
 void say_losses(const std::string& output, const std::vector<std::string>& losses);
 

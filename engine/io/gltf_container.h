@@ -48,8 +48,10 @@ void write_container(AtomicFile& file, const GltfParts& parts, bool binary,
     return;
   }
   std::string json = parts.document;
-  if (!parts.buffers.empty())
-    json = "{\"buffers\":[" + parts.buffers.front() + rest + "]," + json.substr(1);
+  if (!parts.buffers.empty()) {
+    json.pop_back();
+    json += ",\"buffers\":[" + parts.buffers.front() + rest + "]}";
+  }
   json.resize((json.size() + 3) / 4 * 4, ' ');
   const std::uint64_t data_chunk = parts.bytes > 0 ? 8 + parts.bytes : 0;
   const std::uint64_t total = 12 + 8 + json.size() + data_chunk;

@@ -13,6 +13,7 @@
 #include "engine/core/parallel.h"
 #include "engine/core/progress.h"
 #include "engine/io/base64.h"
+#include "engine/io/beside.h"
 #include "engine/io/gltf_types.h"
 #include "engine/io/text_cursor.h"
 
@@ -309,8 +310,7 @@ std::unique_ptr<GltfFile::Buffer> GltfFile::open_buffer(std::uint64_t index) {
     buffer->decoded = decoded_uri(uri);
     buffer->bytes = buffer->decoded;
   } else {
-    const std::filesystem::path full = find_beside(uri);
-    buffer->file = std::make_unique<MappedFile>(full);
+    buffer->file = std::make_unique<MappedFile>(file_of(uri));
     buffer->bytes = buffer->file->bytes();
   }
   const std::uint64_t length = find_number(json, "byteLength").value_or(0);
@@ -329,9 +329,19 @@ std::string GltfFile::decoded_uri(std::string_view uri) const {
   return std::move(*decoded);
 }
 
+/// Returns the file of a URI.
+std::filesystem::path GltfFile::file_of(std::string_view uri) const {
+  const Beside found = find_uri_beside(folder(), uri);
+  if (found.file.empty()) {
+    fail(found.is_outside ? "a buffer is outside the document's folder"
+                          : "a buffer's file is missing");
+  }
+  return found.file;
+}
+
 std::string GltfFile::resource(std::string_view uri) const {
   if (uri.starts_with("data:")) return decoded_uri(uri);
-  return std::string(MappedFile(find_beside(uri)).bytes());
+  return std::string(MappedFile(file_of(uri)).bytes());
 }
 
 std::size_t GltfFile::element_count(std::uint64_t index) {

@@ -84,6 +84,8 @@ class GltfFile {
   std::string_view range_of(const Json& view);
   /// Returns the bytes of a data URI, or of a regular file in or below the document's own folder.
   std::string resource(std::string_view uri) const;
+  /// Returns the folder that URIs are relative to.
+  std::filesystem::path folder() const;
   /// Returns the size in bytes of the document and of the external buffers opened so far.
   std::size_t byte_count() const;
 
@@ -101,10 +103,10 @@ class GltfFile {
   std::string_view part_bytes(const Json& part, std::size_t element_bytes, std::uint64_t count);
   std::string_view view_bytes(std::uint64_t index, std::size_t& stride);
   std::string_view decoded_view(std::uint64_t index, const Json& view, const Json& compression);
-  std::filesystem::path find_beside(std::string_view uri) const;
   std::string_view buffer_bytes(std::uint64_t index);
   std::unique_ptr<Buffer> open_buffer(std::uint64_t index);
   std::string decoded_uri(std::string_view uri) const;
+  std::filesystem::path file_of(std::string_view uri) const;
 
   const MappedFile& file_;
   Progress* progress_;

@@ -13,6 +13,7 @@
 #include "engine/io/gltf_container.h"
 #include "engine/io/gltf_mesh.h"
 #include "engine/io/gltf_types.h"
+#include "engine/io/image_files.h"
 #include "engine/mesh/contents.h"
 
 namespace mesher::io {
@@ -26,16 +27,6 @@ constexpr const char* kDraco = "KHR_draco_mesh_compression";
 constexpr const char* kMeshopt = "EXT_meshopt_compression";
 /// Extensions of a primitive that hold for whatever triangles it has.
 constexpr const char* kVariants = "KHR_materials_variants";
-
-/// Returns the media type of an image by how its file begins; empty: not known.
-std::string_view image_type(std::string_view bytes) {
-  if (bytes.starts_with("\x89PNG")) return "image/png";
-  if (bytes.starts_with("\xFF\xD8\xFF")) return "image/jpeg";
-  if (bytes.starts_with("RIFF") && bytes.substr(0, 12).ends_with("WEBP")) return "image/webp";
-  if (bytes.starts_with("\xABKTX 20\xBB")) return "image/ktx2";
-  if (bytes.starts_with("DDS ")) return "image/vnd-ms.dds";
-  return {};
-}
 
 std::string to_base64(std::string_view bytes) {
   struct Text {

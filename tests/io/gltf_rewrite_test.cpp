@@ -156,7 +156,7 @@ std::string with_images(const std::vector<std::string>& uris) {
 }
 
 TEST_F(GltfRewrite, ImagesAreEmbeddedOnce) {
-  const std::string png = "\x89PNG and more";
+  const std::string png = "\x89PNG\r\n\x1A\n and more";
   folder_.write("a.png", png);
   open(with_images({"a.png", "a.png"}));
   const json after = rewrite({}, true);

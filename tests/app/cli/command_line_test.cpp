@@ -1,6 +1,7 @@
 // Tests the whole program from the command line: output, files and exit codes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "engine/io/png.h"
@@ -351,11 +352,11 @@ TEST_F(CommandLine, EveryCommandNamesWhatItDoesNotKeep) {
       "mtllib a.mtl\no Box\nusemtl brick\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n"
       "l 1 2\nf 1 2 3 4\nf 2 5 6 3\n");
   const std::vector<std::vector<std::string>> commands = {
-      {"convert", "in.obj", "o.obj"},
-      {"simplify", "in.obj", "-o", "o.obj", "--faces", "2"},
-      {"subdivide", "in.obj", "-o", "o.obj"},
-      {"edit", "in.obj", "-o", "o.obj", "--do", "subdivide"},
-      {"lods", "in.obj", "-o", "o.glb", "--ratios", "1,0.5"}};
+      {"convert", "in.obj", "o.ply"},
+      {"simplify", "in.obj", "-o", "o.ply", "--faces", "2"},
+      {"subdivide", "in.obj", "-o", "o.ply"},
+      {"edit", "in.obj", "-o", "o.ply", "--do", "subdivide"},
+      {"lods", "in.obj", "-o", "o.ply", "--ratios", "1,0.5"}};
   for (std::vector<std::string> command : commands) {
     SCOPED_TRACE(command[0]);
     command.emplace_back("--json");
@@ -365,6 +366,18 @@ TEST_F(CommandLine, EveryCommandNamesWhatItDoesNotKeep) {
     for (const char* loss :
          {"1 line", "1 object: Box", "1 material: brick", "1 material file: a.mtl"})
       EXPECT_EQ(std::count(lost.begin(), lost.end(), loss), 1) << loss;
+  }
+  // OBJ keeps the rest, and every command hands it on.
+  for (std::vector<std::string> command : commands) {
+    SCOPED_TRACE(command[0]);
+    std::ranges::replace(command, "o.ply", "o.obj");
+    command.emplace_back("--json");
+    EXPECT_EQ(nlohmann::json::parse(mesher(command).out)["lost"],
+              nlohmann::json::array({"1 line"}));
+    const std::string text =
+        test::read_bytes(folder_ / (command[0] == "lods" ? "o_lod1.obj" : "o.obj"));
+    EXPECT_NE(text.find("mtllib a.mtl\n"), std::string::npos);
+    EXPECT_NE(text.find("o Box\nusemtl brick\n"), std::string::npos);
   }
   const Finished pm = mesher({"progressive", "in.obj", "-o", "o.pm"});
   EXPECT_NE(pm.err.find("not preserved: 1 material: brick"), std::string::npos) << pm.err;

@@ -75,6 +75,22 @@ TEST_F(SaveTest, SavedFileRestoresEverySharpness) {
   EXPECT_TRUE(back.report.is_clean());
 }
 
+TEST_F(SaveTest, MaterialsAreSavedBesideTheModel) {
+  Model& model = s_.document.model;
+  model.materials = std::make_shared<const Materials>(Materials{.materials = {{.name = "paint"}}});
+  model.contents.add(Content::materials, "paint");
+  model.attributes.group.assign(model.mesh.face_count(), 0);
+  model.attributes.groups = {{.material = 0}};
+  save(folder_ / "out.obj");
+  EXPECT_EQ(s_.document.notice, "saved " + (folder_ / "out.obj").string() + ": 12 faces");
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out.mtl"));
+  const Model back = io::read_model(folder_ / "out.obj");
+  EXPECT_EQ(back.materials->materials.at(0).name, "paint");
+  EXPECT_EQ(back.attributes.groups, model.attributes.groups);
+  save(folder_ / "out.ply");
+  EXPECT_NE(s_.document.notice.find("1 material: paint"), std::string::npos);
+}
+
 TEST_F(SaveTest, ReportsWhatFormatCannotHold) {
   run(s_, "tag_creases");
   run_waiting_edits(s_.document);
