@@ -58,6 +58,27 @@ std::vector<std::size_t> difference_of(const std::vector<bool>& all,
   return list;
 }
 
+/// What users call an attribute, or a layer of a morph target.
+const char* attribute_words(std::string_view name) {
+  switch (attribute_kind(name)) {
+    case AttributeKind::texcoord:
+      return "texture coordinates";
+    case AttributeKind::normal:
+      return "normals";
+    case AttributeKind::tangent:
+      return "tangents";
+    case AttributeKind::color:
+      return "colors";
+    case AttributeKind::joints:
+    case AttributeKind::weights:
+      return "joints and weights";
+    case AttributeKind::delta:
+    case AttributeKind::custom:
+      break;
+  }
+  return name.starts_with("target ") ? "part of a morph target" : "own property";
+}
+
 void remove_names(Json& document, const char* list, const std::function<bool(const Json&)>& is) {
   const auto found = document.find(list);
   if (found == document.end() || !found->is_array()) return;
@@ -401,7 +422,7 @@ void GltfRewriter::set_extension_lists(bool has_levels) {
 
 void GltfRewriter::note_missing(std::uint64_t mesh, const std::vector<std::string>& names) {
   for (const std::string& name : std::set<std::string>(names.begin(), names.end())) {
-    losses_.push_back(fmt::format("{} of mesh {}", name, mesh));
+    losses_.push_back(fmt::format("{} ({}) of mesh {}", attribute_words(name), name, mesh));
   }
 }
 

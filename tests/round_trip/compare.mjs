@@ -57,9 +57,9 @@ function canonical(value) {
 
 const same = (a, b) => JSON.stringify(canonical(a)) === JSON.stringify(canonical(b));
 
-/// Removes what `lost` says that the output does not hold: "TANGENT of mesh 0".
+/// Removes what `lost` says that the output does not hold: "tangents (TANGENT) of mesh 0".
 function removeLost(document, lost) {
-  for (const [, name, index] of lost.matchAll(/(?:^|; )(\S+|target \d+ \S+) of mesh (\d+)/g)) {
+  for (const [, name, index] of lost.matchAll(/\((target \d+ \S+|\S+)\) of mesh (\d+)/g)) {
     for (const primitive of document.meshes?.[Number(index)]?.primitives ?? []) {
       const [, target, attribute] = name.match(/^target (\d+) (\S+)$/) ?? [];
       if (target === undefined) delete primitive.attributes[name];
