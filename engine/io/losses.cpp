@@ -54,7 +54,8 @@ std::size_t count_creases(const Mesh& mesh) {
 struct Keeper {
   const FormatContents& can;
   const Attributes& attributes;
-  const Materials* materials;  ///< null if there are none, or the format has none
+  std::vector<FaceGroup> groups;  ///< those with faces
+  const Materials* materials;     ///< null if there are none, or the format has none
   const FileContents& contents;
 };
 
@@ -100,7 +101,7 @@ template <std::string FaceGroup::*name>
 FileContents all_but_groups(const Keeper& keeper, Content kind) {
   std::set<std::string, std::less<>> kept;
   if (!keeper.can.groups) return keeper.contents;
-  for (const FaceGroup& group : keeper.attributes.groups) {
+  for (const FaceGroup& group : keeper.groups) {
     const bool is_off = name == &FaceGroup::smoothing && is_smoothing_off(group.smoothing);
     if (!(group.*name).empty() && !is_off) kept.insert(FileContents::readable(group.*name));
   }
@@ -189,6 +190,18 @@ void add_contents(std::vector<std::string>& losses, const Keeper& keeper) {
   }
 }
 
+/// A simplification may leave a group without faces.
+std::vector<FaceGroup> groups_with_faces(const Attributes& attributes) {
+  std::vector<bool> has_faces(attributes.groups.size(), false);
+  for (const std::uint32_t group : attributes.group)
+    has_faces[group] = true;
+  std::vector<FaceGroup> groups;
+  for (std::size_t g = 0; g < attributes.groups.size(); ++g) {
+    if (has_faces[g]) groups.push_back(attributes.groups[g]);
+  }
+  return groups;
+}
+
 std::string far_text(const glm::dvec3& origin) {
   return "digits of coordinates (they are about " + number_text(origin.x) + ", " +
          number_text(origin.y) + ", " + number_text(origin.z) + ")";
@@ -219,7 +232,7 @@ std::vector<std::string> losses_in_format(const std::filesystem::path& file, con
   }
   if (!can.far_positions && origin != glm::dvec3(0.0)) losses.push_back(far_text(origin));
   if (can.materials == HoldsMaterials::nothing) materials = nullptr;
-  add_contents(losses, {can, attributes, materials, contents});
+  add_contents(losses, {can, attributes, groups_with_faces(attributes), materials, contents});
   if (materials != nullptr)
     std::ranges::copy(material_losses(*materials, can.materials, count_uv_sets(attributes)),
                       std::back_inserter(losses));
