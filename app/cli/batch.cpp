@@ -105,7 +105,10 @@ void write_model(const std::string& output, const Model& model, bool ascii,
                  const CommonOptions& common) {
   ProgressLine line(!common.quiet, std::filesystem::path(output).filename().string());
   io::write_model(output, model.mesh, model.attributes,
-                  {.ascii = ascii, .origin = model.origin, .progress = line.progress()});
+                  {.ascii = ascii,
+                   .origin = model.origin,
+                   .materials = model.materials,
+                   .progress = line.progress()});
 }
 
 Json model_json(const LoadedModel& loaded) {
@@ -128,12 +131,15 @@ void say(const std::string& words) {
   std::cerr << "mesher: " << words << '\n';
 }
 
-void say_repairs(const BuildReport& report) {
+void say_findings(const Model& model) {
+  const BuildReport& report = model.report;
   for (std::size_t i = 0; i < kRepairs.size(); ++i) {
     const auto repair = static_cast<Repair>(i);
     if (report[repair] == 0) continue;
     say(count_phrase(static_cast<std::int64_t>(report[repair]), describe(repair)));
   }
+  for (const std::string& warning : model.contents.warnings())
+    say(warning);
 }
 
 void say_losses(const std::string& output, const std::vector<std::string>& losses) {
@@ -159,8 +165,8 @@ void check_output(const std::string& output) {
 
 std::vector<std::string> write_result(const std::string& output, const Model& model,
                                       const CommonOptions& common) {
-  const std::vector<std::string> losses =
-      io::losses_in_format(output, model.mesh, model.attributes, model.contents, model.origin);
+  const std::vector<std::string> losses = io::losses_in_format(
+      output, model.mesh, model.attributes, model.materials.get(), model.contents, model.origin);
   write_model(output, model, false, common);
   if (!common.quiet) {
     say_losses(output, losses);
@@ -185,7 +191,7 @@ LoadedModel load(const InputOptions& input, const CommonOptions& common) {
     stages.next("counting");
     loaded.statistics = statistics(loaded.model.mesh, line.progress());
   }
-  if (!common.quiet) say_repairs(loaded.model.report);
+  if (!common.quiet) say_findings(loaded.model);
   if (loaded.pm) say_damage(loaded);
   return loaded;
 }
@@ -226,8 +232,9 @@ void run_convert(const InputOptions& input, const std::string& output, bool asci
   const Mesh& mesh = loaded.model.mesh;
   // Most formats cannot represent an empty mesh, and their readers would reject one.
   if (mesh.face_count() == 0) throw InputError(loaded.file.string(), 0, "has no faces to convert");
-  const std::vector<std::string> losses = io::losses_in_format(
-      output, mesh, loaded.model.attributes, loaded.model.contents, loaded.model.origin);
+  const std::vector<std::string> losses =
+      io::losses_in_format(output, mesh, loaded.model.attributes, loaded.model.materials.get(),
+                           loaded.model.contents, loaded.model.origin);
   write_model(output, loaded.model, ascii, common);
   if (!common.quiet) {
     say_losses(output, losses);

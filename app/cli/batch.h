@@ -26,7 +26,7 @@ void run_compare(const InputOptions& first, const InputOptions& second, std::uin
 /// Prints one line on stderr.
 void say(const std::string& words);
 /// Prints on stderr what was repaired, if anything was.
-void say_repairs(const BuildReport& report);
+void say_findings(const Model& model);
 /// Says what `output` does not hold of the model's file.
 void say_losses(const std::string& output, const std::vector<std::string>& losses);
 

@@ -95,6 +95,7 @@ void run_edit(const InputOptions& input, const std::string& output, const std::s
   Model model;
   model.mesh = std::move(shape.mesh);
   model.attributes = std::move(shape.attributes);
+  model.materials = session.document.model.materials;
   model.contents = session.document.model.contents;
   model.origin = session.document.model.origin;
   const std::vector<std::string> losses = write_result(output, model, common);

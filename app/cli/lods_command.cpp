@@ -305,9 +305,9 @@ void run_lods(const InputOptions& input, const std::string& output, const LodArg
                                   : make_levels(source, ratios, coverage);
   measure_coarse_levels(source, levels);
   write_levels(files, levels, source.loaded.model.origin);
-  const std::vector<std::string> losses =
-      io::losses_in_format(output, levels.front().mesh, levels.front().attributes,
-                           source.loaded.model.contents, source.loaded.model.origin);
+  const std::vector<std::string> losses = io::losses_in_format(
+      output, levels.front().mesh, levels.front().attributes, source.loaded.model.materials.get(),
+      source.loaded.model.contents, source.loaded.model.origin);
   if (!common.quiet) {
     say_losses(output, losses);
     say_levels(source, levels, files);

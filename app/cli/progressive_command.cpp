@@ -73,7 +73,8 @@ Written make_and_write(const LoadedModel& loaded, const std::string& output,
   Written written;
   written.outcome = {made.report, loaded.statistics.box.diagonal(), false,
                      io::losses_in_format("x.pm", loaded.model.mesh, loaded.model.attributes,
-                                          loaded.model.contents, loaded.model.origin)};
+                                          loaded.model.materials.get(), loaded.model.contents,
+                                          loaded.model.origin)};
   written.build_s = std::max(0.0, watch.lap() - made.report.seconds.total());
   stages.next();
   const progressive::PmWriteOptions options{.coordinate_bits = coordinate_bits,

@@ -131,7 +131,7 @@ RestOfModel begin_to_open(Session& session, const InputOptions& input,
   if (!rest.load->wait_for(kMomentSeconds)) return rest;
   LoadedModel loaded = rest.load->take();
   rest.load.reset();
-  if (!common.quiet) say_repairs(loaded.model.report);
+  if (!common.quiet) say_findings(loaded.model);
   show(session, std::move(loaded));
   return rest;
 }

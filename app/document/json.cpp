@@ -132,12 +132,14 @@ Json to_json(const Model& model, const Statistics& statistics, const std::filesy
     figures["box"] = {{"min", to_json(model.origin + glm::dvec3(statistics.box.min))},
                       {"max", to_json(model.origin + glm::dvec3(statistics.box.max))}};
   }
-  return {{"file", file.string()},
-          {"name", model.name},
-          {"origin", to_json(model.origin)},
-          {"statistics", std::move(figures)},
-          {"contents", to_json(model.contents)},
-          {"repairs", to_json(model.report)}};
+  Json json{{"file", file.string()},
+            {"name", model.name},
+            {"origin", to_json(model.origin)},
+            {"statistics", std::move(figures)},
+            {"contents", to_json(model.contents)},
+            {"repairs", to_json(model.report)}};
+  if (!model.contents.warnings().empty()) json["warnings"] = model.contents.warnings();
+  return json;
 }
 
 Json to_json(const io::PmSummary& s) {

@@ -149,8 +149,8 @@ std::vector<std::string> always_lost(const Document& document, const std::string
 
 std::vector<std::string> losses_of(const Document& document, const fs::path& file) {
   const auto [mesh, attributes] = written_shape(document, file);
-  return io::losses_in_format(file, mesh, attributes, document.model.contents,
-                              document.model.origin);
+  return io::losses_in_format(file, mesh, attributes, document.model.materials.get(),
+                              document.model.contents, document.model.origin);
 }
 
 void submit_save(Saving& saving, const Document& document,
@@ -171,6 +171,7 @@ std::optional<SaveTask> begin_save(Saving& saving, const Document& document) {
   const bool is_pm = io::has_pm_ending(*saving.waiting);
   SaveTask task{.file = *saving.waiting,
                 .shape = std::make_shared<const Shape>(written_shape(document, *saving.waiting)),
+                .materials = document.model.materials,
                 .contents = document.model.contents,
                 .origin = document.model.origin,
                 .levels = nullptr,
@@ -195,11 +196,15 @@ Saved perform(const SaveTask& task, Progress* progress) {
   } else {
     // Once it is saved, the journal of its edits is removed.
     io::write_model(task.file, mesh, attributes,
-                    {.origin = task.origin, .progress = progress, .flush = io::Flush::now});
+                    {.origin = task.origin,
+                     .materials = task.materials,
+                     .progress = progress,
+                     .flush = io::Flush::now});
   }
   return {.file = task.file,
           .faces = mesh.face_count(),
-          .losses = io::losses_in_format(task.file, mesh, attributes, task.contents, task.origin),
+          .losses = io::losses_in_format(task.file, mesh, attributes, task.materials.get(),
+                                         task.contents, task.origin),
           .opening = task.opening,
           .state = task.state,
           .then = task.then};

@@ -11,6 +11,7 @@
 #include "app/files/folder.h"
 #include "engine/core/progress.h"
 #include "engine/mesh/contents.h"
+#include "engine/mesh/material.h"
 #include "engine/progressive/progressive_mesh.h"
 #include "engine/simplify/options.h"
 
@@ -48,7 +49,8 @@ void submit_save(Saving& saving, const Document& document,
 struct SaveTask {
   std::filesystem::path file;
   std::shared_ptr<const Shape> shape;
-  FileContents contents;  ///< this and the next as in Model
+  std::shared_ptr<const Materials> materials;  ///< this and the next two as in Model
+  FileContents contents;
   glm::dvec3 origin{0.0};
   /// The progressive mesh to write into a .pm file; null: it is built by `rules` first.
   std::shared_ptr<progressive::ProgressiveMesh> levels;

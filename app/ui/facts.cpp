@@ -101,6 +101,8 @@ void draw_health(const Document& document) {
         count_phrase(static_cast<std::int64_t>(report[repair]), describe(repair));
     ImGui::TextWrapped("%s", text.c_str());
   }
+  for (const std::string& warning : document.model.contents.warnings())
+    ImGui::TextWrapped("%s", warning.c_str());
 }
 
 void draw_gpu(const PanelFacts& facts) {

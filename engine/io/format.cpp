@@ -16,7 +16,8 @@
 namespace mesher::io {
 namespace {
 
-constexpr FormatContents kGltfContents{.any_attribute = true,
+constexpr FormatContents kGltfContents{.materials = HoldsMaterials::as_gltf,
+                                       .any_attribute = true,
                                        .far_positions = true,
                                        .texcoord = Holds::all_or_none,
                                        .normal = Holds::all_or_none,
@@ -27,6 +28,7 @@ constexpr FormatInfo kFormats[] = {
      .extension = ".obj",
      .holds = {.creases = true,
                .groups = true,
+               .materials = HoldsMaterials::as_mtl,
                .far_positions = true,
                .texcoord = Holds::each_corner,
                .normal = Holds::each_corner,

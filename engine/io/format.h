@@ -8,6 +8,7 @@
 #include "engine/io/atomic_file.h"
 #include "engine/io/gltf_write.h"
 #include "engine/io/mapped_file.h"
+#include "engine/io/material_losses.h"
 #include "engine/io/read.h"
 #include "engine/io/write.h"
 #include "engine/mesh/attributes.h"
@@ -27,7 +28,8 @@ enum class Holds {
 /// What a format can store besides positions and faces.
 struct FormatContents {
   bool creases = false;
-  bool groups = false;
+  bool groups = false;  ///< with the names of objects and smoothing groups
+  HoldsMaterials materials = HoldsMaterials::nothing;
   bool any_attribute = false;  ///< besides the three below, which every format could have
   bool far_positions = false;  ///< with all digits, also far from zero
   Holds texcoord = Holds::nothing;

@@ -13,6 +13,7 @@
 #include "engine/core/parallel.h"
 #include "engine/core/progress.h"
 #include "engine/io/base64.h"
+#include "engine/io/beside.h"
 #include "engine/io/text_cursor.h"
 
 namespace mesher::io {
@@ -339,8 +340,12 @@ std::unique_ptr<GltfFile::Buffer> GltfFile::open_buffer(std::uint64_t index) {
     buffer->decoded = std::move(*decoded);
     buffer->bytes = buffer->decoded;
   } else {
-    const std::filesystem::path full = find_beside(uri);
-    buffer->file = std::make_unique<MappedFile>(full);
+    const Beside found = find_uri_beside(folder(), uri);
+    if (found.file.empty()) {
+      fail(found.is_outside ? "a buffer is outside the document's folder"
+                            : "a buffer's file is missing");
+    }
+    buffer->file = std::make_unique<MappedFile>(found.file);
     buffer->bytes = buffer->file->bytes();
   }
   const std::uint64_t length = find_number(json, "byteLength").value_or(0);

@@ -66,6 +66,8 @@ class GltfFile {
   Array<std::uint32_t> indices(std::uint64_t accessor);
   /// Returns the bytes of a buffer view that is not compressed.
   std::string_view plain_view(std::uint64_t index);
+  /// Returns the folder that URIs are relative to.
+  std::filesystem::path folder() const;
   /// Returns the size in bytes of the document and of the external buffers opened so far.
   std::size_t byte_count() const;
 
@@ -85,7 +87,6 @@ class GltfFile {
   std::string_view view_bytes(std::uint64_t index, std::size_t& stride);
   std::string_view decoded_view(std::uint64_t index, const Json& view, const Json& compression);
   std::string_view range_of(const Json& view);
-  std::filesystem::path find_beside(std::string_view uri) const;
   std::string_view buffer_bytes(std::uint64_t index);
   std::unique_ptr<Buffer> open_buffer(std::uint64_t index);
 

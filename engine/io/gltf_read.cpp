@@ -5,10 +5,11 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <unordered_map>
+#include <utility>
 
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
@@ -18,6 +19,7 @@
 #include "engine/io/format.h"
 #include "engine/io/gltf_contents.h"
 #include "engine/io/gltf_file.h"
+#include "engine/io/gltf_materials.h"
 #include "engine/io/gltf_packed.h"
 #include "engine/io/gltf_pose.h"
 #include "engine/io/join.h"
@@ -115,6 +117,7 @@ class GltfReader {
     add_meshes();
     if (soup_.positions.empty()) gltf_.fail("no triangles");
     keep_groups();
+    soup_.materials = read_gltf_materials(gltf_, soup_.contents);
     return std::move(soup_);
   }
 
@@ -446,21 +449,21 @@ class GltfReader {
   }
 
   void begin_group(const Json& primitive, std::string_view name, std::size_t faces) {
-    std::string group(name.substr(0, kMaxNameBytes));
+    FaceGroup group{.object = std::string(name.substr(0, kMaxNameBytes))};
     if (const auto material = gltf_.find_number(primitive, "material")) {
-      const std::string_view material_name =
-          gltf_.text(gltf_.element("materials", *material), "name").substr(0, kMaxNameBytes);
-      if (!group.empty() && !material_name.empty()) group += '/';
-      group += material_name;
+      gltf_.element("materials", *material);
+      if (*material < kMostGltfMaterials) group.material = static_cast<std::uint32_t>(*material);
     }
-    const auto [entry, is_new] =
-        group_ids_.try_emplace(group, static_cast<std::uint32_t>(group_ids_.size()));
-    if (is_new) soup_.attributes.groups.push_back({.name = group});
+    const auto [entry, is_new] = group_ids_.try_emplace(
+        {group.object, group.material}, static_cast<std::uint32_t>(group_ids_.size()));
+    if (is_new) soup_.attributes.groups.push_back(std::move(group));
     soup_.attributes.group.resize(soup_.attributes.group.size() + faces, entry->second);
   }
 
+  /// Drops a single group that says nothing.
   void keep_groups() {
-    if (soup_.attributes.groups.size() > 1) return;
+    const std::vector<FaceGroup>& groups = soup_.attributes.groups;
+    if (groups.size() > 1 || (groups.size() == 1 && groups.front() != FaceGroup())) return;
     soup_.attributes.group = {};
     soup_.attributes.groups.clear();
   }
@@ -476,7 +479,7 @@ class GltfReader {
   std::vector<PlacedMesh> placed_;
   Soup soup_;
   std::size_t spent_ = 0;
-  std::unordered_map<std::string, std::uint32_t> group_ids_;
+  std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> group_ids_;
 };
 
 }  // namespace

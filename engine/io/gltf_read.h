@@ -11,8 +11,9 @@ namespace mesher::io {
 /// Returns the triangles of the default scene with normals, texture coordinates and colors. Each
 /// mesh is transformed by its nodes. Texture coordinates are flipped to count from the bottom, as
 /// in OBJ. Vertices of one mesh at bitwise equal positions are merged: glTF splits vertices where
-/// attributes differ, and the surface would fall apart otherwise. The names of the node and the
-/// material form the group of a face. Points, lines, skins and morph targets are ignored.
+/// attributes differ, and the surface would fall apart otherwise. The group of a face holds the
+/// name of its node or mesh and its material (engine/io/gltf_materials.h). Points, lines, skins and
+/// morph targets are ignored.
 ///
 /// This reader is our own because the library that Debian ships is known to crash on hostile files;
 /// here every value comes from checked bytes. Cycles and nodes with two parents are refused. So are

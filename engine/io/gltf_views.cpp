@@ -1,8 +1,5 @@
 #include <algorithm>
-#include <cctype>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <utility>
 
 #include "engine/io/gltf_file.h"
@@ -10,34 +7,6 @@
 
 namespace mesher::io {
 namespace {
-
-/// Returns a relative reference with its %XX escapes decoded, or nothing if it is malformed.
-std::optional<std::string> decode_uri(std::string_view uri) {
-  std::string path;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    if (uri[i] != '%') {
-      path += uri[i];
-      continue;
-    }
-    const std::string digits(uri.substr(i + 1, 2));
-    char* end = nullptr;
-    const long value = std::strtol(digits.c_str(), &end, 16);
-    if (digits.size() != 2 || std::isxdigit(static_cast<unsigned char>(digits[0])) == 0 ||
-        end != digits.c_str() + 2 || value <= 0) {
-      return std::nullopt;
-    }
-    path += static_cast<char>(value);
-    i += 2;
-  }
-  return path;
-}
-
-/// Returns whether a path stays in or below the folder it is relative to.
-bool stays_below(const std::filesystem::path& path) {
-  if (path.empty() || path.is_absolute()) return false;
-  return std::none_of(path.begin(), path.end(),
-                      [](const std::filesystem::path& part) { return part == ".."; });
-}
 
 /// Bytes that sparse accessors and compressed views may take together, and how many more they may
 /// take per byte of the file. A sparse accessor may be long and have few values; a file of some
@@ -123,22 +92,8 @@ const GltfFile::Json* GltfFile::extension(const Json& object, const char* name) 
   return found == extensions->end() || !found->is_object() ? nullptr : &*found;
 }
 
-/// Returns the file of a URI. Programs that do not escape names write "10%.bin": where the decoded
-/// name is malformed or names no file, the URI is tried as it is.
-std::filesystem::path GltfFile::find_beside(std::string_view uri) const {
-  const std::optional<std::string> decoded = decode_uri(uri);
-  bool is_outside = false;
-  for (const std::string& name : {decoded.value_or(std::string()), std::string(uri)}) {
-    if (name.empty() || name.find('\0') != std::string::npos) continue;
-    if (!stays_below(name)) {
-      is_outside = true;
-      continue;
-    }
-    const auto full = std::filesystem::path(file_.name()).parent_path() / name;
-    std::error_code error;
-    if (std::filesystem::is_regular_file(full, error)) return full;
-  }
-  fail(is_outside ? "a buffer is outside the document's folder" : "a buffer's file is missing");
+std::filesystem::path GltfFile::folder() const {
+  return std::filesystem::path(file_.name()).parent_path();
 }
 
 double GltfFile::full_value(std::uint64_t index) const {

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
+#include <set>
 
 #include "engine/core/text.h"
 #include "engine/io/format.h"
+#include "engine/io/material_losses.h"
+#include "engine/io/obj_groups.h"
 #include "engine/io/vertex_attributes.h"
 #include "engine/mesh/corner_attributes.h"
 
@@ -46,51 +50,123 @@ std::size_t count_creases(const Mesh& mesh) {
   return count;
 }
 
-/// How many of a kind of content the mesh carries to a writer.
-enum class CarriedSets {
-  none,        ///< readers only count it
-  first,       ///< one set, if the mesh has it; whether a format holds it says FormatContents
-  all_if_any,  ///< all, if the mesh has them; as above
+/// What a format keeps, and of what.
+struct Keeper {
+  const FormatContents& can;
+  const Attributes& attributes;
+  const Materials* materials;  ///< null if there are none, or the format has none
+  const FileContents& contents;
 };
 
-/// The table of kinds: a kind that mesher begins to carry over gets another entry here, and a
+/// Returns what is not kept of the contents of one kind. The names and counts of another kind do
+/// not matter.
+using LostOf = FileContents (*)(const Keeper& keeper, Content kind);
+
+FileContents all_but(const FileContents& contents, Content kind, std::uint64_t kept) {
+  FileContents lost;
+  if (contents[kind] <= kept) return lost;
+  if (kept == 0) return contents;
+  lost[kind] = contents[kind] - kept;
+  return lost;
+}
+
+FileContents all(const Keeper& keeper, Content) {
+  return keeper.contents;
+}
+
+/// One set is kept, if the mesh has it. Whether the format holds it says FormatContents.
+template <AttributeKind attribute>
+FileContents all_but_first(const Keeper& keeper, Content kind) {
+  const bool is_kept = keeper.attributes.find(attribute) != nullptr;
+  return all_but(keeper.contents, kind, is_kept ? 1 : 0);
+}
+
+/// Returns the contents without those that are named.
+FileContents all_but_named(const FileContents& contents, Content kind,
+                           const std::set<std::string, std::less<>>& kept) {
+  FileContents lost;
+  for (const std::string& name : contents.names(kind)) {
+    if (!kept.contains(name)) lost.add(kind, name);
+  }
+  const std::uint64_t known = contents.names(kind).size();
+  const std::uint64_t matched = known - lost[kind];
+  const std::uint64_t unknown = contents[kind] - known;
+  lost[kind] += unknown - std::min<std::uint64_t>(unknown, kept.size() - matched);
+  return lost;
+}
+
+/// The names of a kind that the groups have.
+template <std::string FaceGroup::*name>
+FileContents all_but_groups(const Keeper& keeper, Content kind) {
+  std::set<std::string, std::less<>> kept;
+  if (!keeper.can.groups) return keeper.contents;
+  for (const FaceGroup& group : keeper.attributes.groups) {
+    const bool is_off = name == &FaceGroup::smoothing && is_smoothing_off(group.smoothing);
+    if (!(group.*name).empty() && !is_off) kept.insert(FileContents::readable(group.*name));
+  }
+  return all_but_named(keeper.contents, kind, kept);
+}
+
+FileContents lost_materials(const Keeper& keeper, Content) {
+  return keeper.materials == nullptr ? keeper.contents : FileContents();
+}
+
+/// Other formats take over what the files say, but a missing file says nothing.
+FileContents lost_material_files(const Keeper& keeper, Content kind) {
+  if (keeper.materials == nullptr) return keeper.contents;
+  FileContents lost;
+  if (keeper.can.materials == HoldsMaterials::as_mtl) return lost;
+  for (const std::string& name : keeper.materials->missing_files)
+    lost.add(kind, name);
+  return lost;
+}
+
+FileContents lost_textures(const Keeper& keeper, Content kind) {
+  const std::uint64_t kept = keeper.materials == nullptr ? 0 : keeper.materials->texture_count;
+  return all_but(keeper.contents, kind, kept);
+}
+
+/// Extensions of materials that struct Material has terms for.
+FileContents lost_extensions(const Keeper& keeper, Content kind) {
+  if (keeper.materials == nullptr) return keeper.contents;
+  return all_but_named(
+      keeper.contents, kind,
+      {"EXT_texture_webp", "KHR_materials_emissive_strength", "KHR_materials_unlit",
+       "KHR_texture_basisu", "KHR_texture_transform", "MSFT_texture_dds"});
+}
+
+/// The table of kinds: a kind that mesher begins to carry over gets another function here, and a
 /// member of FormatContents.
 struct ContentRow {
   Content kind;
-  CarriedSets carried;
-  /// Returns whether the mesh has it. Null: never.
-  bool (*has)(const Attributes& attributes) = nullptr;
+  LostOf lost = all;
 };
 constexpr ContentRow kRows[] = {
-    {Content::points, CarriedSets::none},
-    {Content::lines, CarriedSets::none},
-    {Content::curves, CarriedSets::none},
-    {Content::uv_sets, CarriedSets::first,
-     [](const Attributes& a) { return a.find(AttributeKind::texcoord) != nullptr; }},
-    {Content::normals, CarriedSets::first,
-     [](const Attributes& a) { return a.find(AttributeKind::normal) != nullptr; }},
-    {Content::tangents, CarriedSets::none},
-    {Content::color_sets, CarriedSets::first,
-     [](const Attributes& a) { return a.find(AttributeKind::color) != nullptr; }},
-    {Content::joint_sets, CarriedSets::none},
-    {Content::groups, CarriedSets::all_if_any,
-     [](const Attributes& a) { return !a.group.empty(); }},
-    {Content::objects, CarriedSets::none},
-    {Content::smoothing_groups, CarriedSets::none},
-    {Content::materials, CarriedSets::none},
-    {Content::material_files, CarriedSets::none},
-    {Content::textures, CarriedSets::none},
-    {Content::nodes, CarriedSets::none},
-    {Content::instances, CarriedSets::none},
-    {Content::skins, CarriedSets::none},
-    {Content::animations, CarriedSets::none},
-    {Content::morph_targets, CarriedSets::none},
-    {Content::cameras, CarriedSets::none},
-    {Content::lights, CarriedSets::none},
-    {Content::variants, CarriedSets::none},
-    {Content::extensions, CarriedSets::none},
-    {Content::extras, CarriedSets::none},
-    {Content::own_properties, CarriedSets::none},
+    {Content::points},
+    {Content::lines},
+    {Content::curves},
+    {Content::uv_sets, all_but_first<AttributeKind::texcoord>},
+    {Content::normals, all_but_first<AttributeKind::normal>},
+    {Content::tangents},
+    {Content::color_sets, all_but_first<AttributeKind::color>},
+    {Content::joint_sets},
+    {Content::groups, all_but_groups<&FaceGroup::name>},
+    {Content::objects, all_but_groups<&FaceGroup::object>},
+    {Content::smoothing_groups, all_but_groups<&FaceGroup::smoothing>},
+    {Content::materials, lost_materials},
+    {Content::material_files, lost_material_files},
+    {Content::textures, lost_textures},
+    {Content::nodes},
+    {Content::instances},
+    {Content::skins},
+    {Content::animations},
+    {Content::morph_targets},
+    {Content::cameras},
+    {Content::lights},
+    {Content::variants},
+    {Content::extensions, lost_extensions},
+    {Content::extras},
+    {Content::own_properties},
 };
 
 constexpr bool has_all_rows() {
@@ -101,16 +177,15 @@ constexpr bool has_all_rows() {
 }
 static_assert(has_all_rows());
 
-void add_contents(std::vector<std::string>& losses, const Attributes& attributes,
-                  const FileContents& contents) {
+void add_contents(std::vector<std::string>& losses, const Keeper& keeper) {
   for (const ContentRow& row : kRows) {
-    const std::uint64_t count = contents[row.kind];
-    const bool is_carried = row.has != nullptr && row.has(attributes);
-    std::uint64_t carried = 0;
-    if (is_carried)
-      carried = row.carried == CarriedSets::first ? std::min<std::uint64_t>(1, count) : count;
-    if (count == carried) continue;
-    losses.push_back((carried > 0 ? "all but one of " : "") + contents.phrase(row.kind));
+    if (keeper.contents[row.kind] == 0) continue;
+    const FileContents lost = row.lost(keeper, row.kind);
+    if (lost[row.kind] == 0) continue;
+    const bool is_one_kept = keeper.contents[row.kind] == lost[row.kind] + 1;
+    losses.push_back(is_one_kept && lost.names(row.kind).empty()
+                         ? "all but one of " + keeper.contents.phrase(row.kind)
+                         : lost.phrase(row.kind));
   }
 }
 
@@ -122,7 +197,7 @@ std::string far_text(const glm::dvec3& origin) {
 }  // namespace
 
 std::vector<std::string> losses_in_format(const std::filesystem::path& file, const Mesh& mesh,
-                                          const Attributes& attributes,
+                                          const Attributes& attributes, const Materials* materials,
                                           const FileContents& contents, const glm::dvec3& origin) {
   std::vector<std::string> losses;
   const FormatInfo* format = format_of(file);
@@ -142,9 +217,11 @@ std::vector<std::string> losses_in_format(const std::filesystem::path& file, con
     const bool is_common = name == "TEXCOORD_0" || name == "NORMAL" || name == "COLOR_0";
     if (!is_common && !can.any_attribute) losses.push_back("attribute " + name);
   }
-  if (!can.groups && !attributes.group.empty()) losses.emplace_back("groups");
   if (!can.far_positions && origin != glm::dvec3(0.0)) losses.push_back(far_text(origin));
-  add_contents(losses, attributes, contents);
+  if (can.materials == HoldsMaterials::nothing) materials = nullptr;
+  add_contents(losses, {can, attributes, materials, contents});
+  if (materials != nullptr)
+    std::ranges::copy(material_losses(*materials, can.materials), std::back_inserter(losses));
   return losses;
 }
 

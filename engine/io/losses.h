@@ -7,6 +7,7 @@
 
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/contents.h"
+#include "engine/mesh/material.h"
 #include "engine/mesh/mesh.h"
 
 namespace mesher::io {
@@ -16,9 +17,11 @@ namespace mesher::io {
 /// the mesh, and what the model's own file held but mesher does not carry over. Empty: the file
 /// preserves everything. O(F).
 ///
-/// `contents` and `origin` are those of the Model that the mesh comes from.
+/// `materials` (may be null), `contents` and `origin` are those of the Model that the mesh comes
+/// from.
 std::vector<std::string> losses_in_format(const std::filesystem::path& file, const Mesh& mesh,
                                           const Attributes& attributes,
+                                          const Materials* materials = nullptr,
                                           const FileContents& contents = {},
                                           const glm::dvec3& origin = glm::dvec3(0.0));
 

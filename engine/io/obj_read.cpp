@@ -14,6 +14,8 @@
 #include "engine/io/format.h"
 #include "engine/io/obj_chunk.h"
 #include "engine/io/obj_creases.h"
+#include "engine/io/obj_groups.h"
+#include "engine/io/obj_materials.h"
 #include "engine/io/text_cursor.h"
 
 namespace mesher::io {
@@ -77,6 +79,7 @@ class ObjAssembly {
 
   /// Returns the largest distance of a coordinate from its number in the text. Pre: origin is 0.
   double coordinate_error() const { return coordinate_error_; }
+  const ObjGroups& groups() const { return groups_; }
 
  private:
   void parse_all() {
@@ -135,8 +138,7 @@ class ObjAssembly {
   void count(const ObjChunk& chunk, const ChunkRange& range) {
     for (const ObjName& name : chunk.names) {
       note(name);
-      if (name.kind == 's' || name.kind == 'm') continue;
-      rename(name, static_cast<std::uint32_t>(face_count_ + name.face));
+      groups_.add(name, static_cast<std::uint32_t>(face_count_ + name.face));
     }
     note_rest(chunk);
     tags_.insert(tags_.end(), chunk.tags.begin(), chunk.tags.end());
@@ -239,24 +241,19 @@ class ObjAssembly {
   }
 
   void note(const ObjName& name) {
-    FileContents& contents = soup_.contents;
-    if (name.name.empty() || (name.kind == 's' && (name.name == "off" || name.name == "0"))) return;
+    if (name.name.empty() || (name.kind == 's' && is_smoothing_off(name.name))) return;
     if (!seen_[static_cast<unsigned char>(name.kind)].insert(name.name).second) return;
     switch (name.kind) {
       case 's':
-        contents.add(Content::smoothing_groups, name.name);
-        break;
-      case 'm':
-        contents.add(Content::material_files, name.name);
+        soup_.contents.add(Content::smoothing_groups, name.name);
         break;
       case 'o':
-        contents.add(Content::objects, name.name);
+        soup_.contents.add(Content::objects, name.name);
         break;
       case 'g':
-        contents.add(Content::groups, name.name);
+        soup_.contents.add(Content::groups, name.name);
         break;
-      default:
-        contents.add(Content::materials, name.name);
+      default:  // materials are noted with their files
         break;
     }
   }
@@ -277,22 +274,6 @@ class ObjAssembly {
     coordinate_error_ = std::max(coordinate_error_, chunk.coordinate_error);
   }
 
-  void rename(const ObjName& name, std::uint32_t face) {
-    (name.kind == 'o'   ? object_
-     : name.kind == 'g' ? group_
-                        : material_) = name.name.substr(0, kMaxNameBytes);
-    std::string joined(object_);
-    for (const std::string_view part : {group_, material_}) {
-      if (part.empty()) continue;
-      if (!joined.empty()) joined += '/';
-      joined += part;
-    }
-    const auto [entry, is_new] =
-        group_ids_.try_emplace(joined, static_cast<std::uint32_t>(group_ids_.size()));
-    if (is_new) group_names_.push_back(joined);
-    group_changes_.push_back({face, entry->second});
-  }
-
   Soup finish() {
     if (largest_ > count_[kObjVertex]) fail_in(largest_at_, true);
     if (soup_.positions.empty()) throw InputError(file_.name(), 0, "no vertices");
@@ -304,7 +285,7 @@ class ObjAssembly {
     stages.next();
     gather_colors();
     stages.next();
-    gather_groups();
+    groups_.finish(face_count_, soup_.attributes);
     soup_.contents[Content::uv_sets] = has_[kObjTexcoord] ? 1 : 0;
     soup_.contents[Content::normals] = has_[kObjNormal] ? 1 : 0;
     soup_.contents[Content::color_sets] = has_colors_ ? 1 : 0;
@@ -360,35 +341,6 @@ class ObjAssembly {
                     });
   }
 
-  /// Keeps groups if the faces are in more than one. Numbers names by first face.
-  void gather_groups() {
-    group_changes_.insert(group_changes_.begin(), GroupChange{0, kNone});
-    group_changes_.push_back({static_cast<std::uint32_t>(face_count_), kNone});
-    Array<std::uint32_t> group(face_count_);
-    std::vector<std::uint32_t> renumbered(group_names_.size() + 1, kNone);
-    std::vector<FaceGroup> groups;
-    for (std::size_t i = 0; i + 1 < group_changes_.size(); ++i) {
-      const std::uint32_t begin = group_changes_[i].face;
-      const std::uint32_t end = group_changes_[i + 1].face;
-      if (begin == end) continue;
-      const std::uint32_t id = group_changes_[i].group;
-      std::uint32_t& number = renumbered[id == kNone ? group_names_.size() : id];
-      if (number == kNone) {
-        number = static_cast<std::uint32_t>(groups.size());
-        groups.push_back({.name = id == kNone ? std::string() : group_names_[id]});
-      }
-      std::fill(group.begin() + begin, group.begin() + end, number);
-    }
-    if (groups.size() < 2) return;
-    soup_.attributes.group = std::move(group);
-    soup_.attributes.groups = std::move(groups);
-  }
-
-  struct GroupChange {
-    std::uint32_t face;
-    std::uint32_t group;  ///< kNone until the first name
-  };
-
   const MappedFile& file_;
   const ReadOptions& options_;
   glm::dvec3 origin_;
@@ -410,10 +362,7 @@ class ObjAssembly {
   Array<glm::vec3> normals_;
   Array<glm::u8vec4> colors_;
   std::vector<ObjTag> tags_;
-  std::string_view object_, group_, material_;
-  std::unordered_map<std::string, std::uint32_t> group_ids_;
-  std::vector<std::string> group_names_;
-  std::vector<GroupChange> group_changes_;
+  ObjGroups groups_;
 };
 
 }  // namespace
@@ -422,9 +371,12 @@ Soup read_obj(const MappedFile& file, const ReadOptions& options) {
   ObjAssembly assembly(file, options);
   Soup soup = assembly.run();
   const glm::dvec3 origin = choose_origin(soup.positions, assembly.coordinate_error());
-  if (origin == glm::dvec3(0.0)) return soup;
-  soup = {};
-  return ObjAssembly(file, options, origin).run();
+  if (origin != glm::dvec3(0.0)) {
+    soup = {};
+    soup = ObjAssembly(file, options, origin).run();
+  }
+  add_materials(file, assembly.groups(), soup);
+  return soup;
 }
 
 }  // namespace mesher::io

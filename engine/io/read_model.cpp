@@ -19,6 +19,7 @@ Model read_model(const std::filesystem::path& file, const ReadOptions& options) 
   stages.next();
   Soup soup = read_soup(file, options);
   FileContents contents = std::move(soup.contents);
+  const std::shared_ptr<const Materials> materials = soup.materials;
   const glm::dvec3 origin = soup.origin;
   try {
     stages.next();
@@ -28,6 +29,7 @@ Model read_model(const std::filesystem::path& file, const ReadOptions& options) 
     return {.name = file.filename().string(),
             .mesh = std::move(built.mesh),
             .attributes = std::move(built.attributes),
+            .materials = materials,
             .report = built.report,
             .contents = std::move(contents),
             .origin = origin};

@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <memory>
 
 #include "engine/core/progress.h"
 #include "engine/io/atomic_file.h"
 #include "engine/mesh/attributes.h"
+#include "engine/mesh/material.h"
 #include "engine/mesh/mesh.h"
 
 namespace mesher::io {
@@ -16,6 +18,8 @@ struct WriteOptions {
   bool ascii = false;  ///< PLY and STL as text rather than little-endian binary
   /// Added to every position.
   glm::dvec3 origin{0.0};
+  /// What the groups refer to; null: there are no materials.
+  std::shared_ptr<const Materials> materials = nullptr;
   Progress* progress = nullptr;
   Flush flush = Flush::later;  ///< as for AtomicFile::commit
 };

@@ -3,16 +3,32 @@
 #include "engine/core/text.h"
 
 namespace mesher {
+namespace {
+
+std::string readable_line(std::string_view text, std::size_t most_bytes) {
+  std::string line(text.substr(0, most_bytes));
+  for (char& c : line) {
+    if (static_cast<unsigned char>(c) < ' ') c = '_';
+  }
+  return line;
+}
+
+}  // namespace
+
+std::string FileContents::readable(std::string_view name) {
+  return readable_line(name, kMostNameBytes);
+}
 
 void FileContents::add(Content kind, std::string_view name) {
   ++(*this)[kind];
   std::vector<std::string>& names = names_[static_cast<std::size_t>(kind)];
   if (name.empty() || names.size() >= kMostNames) return;
-  std::string kept(name.substr(0, kMostNameBytes));
-  for (char& c : kept) {
-    if (static_cast<unsigned char>(c) < ' ') c = '_';
-  }
-  names.push_back(std::move(kept));
+  names.push_back(readable(name));
+}
+
+void FileContents::warn(std::string_view line) {
+  // Room for a path and a name.
+  if (warnings_.size() < kMostNames) warnings_.push_back(readable_line(line, 4 * kMostNameBytes));
 }
 
 std::string FileContents::phrase(Content kind, std::uint64_t count) const {

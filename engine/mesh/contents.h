@@ -83,7 +83,9 @@ class FileContents {
   std::uint64_t& operator[](Content kind) { return counts_[static_cast<std::size_t>(kind)]; }
   std::uint64_t operator[](Content kind) const { return counts_[static_cast<std::size_t>(kind)]; }
 
-  /// Counts one and keeps its name, truncated and with control characters replaced. O(length).
+  /// Returns a name as it is kept: truncated, and with control characters replaced.
+  static std::string readable(std::string_view name);
+  /// Counts one and keeps its name. O(length).
   void add(Content kind, std::string_view name);
   /// Returns the names of a kind in the order of the file; there may be fewer than its count.
   const std::vector<std::string>& names(Content kind) const {
@@ -94,9 +96,15 @@ class FileContents {
   /// As above with another count.
   std::string phrase(Content kind, std::uint64_t count) const;
 
+  /// Adds a line about a file beside this one that could not be used as it should, made readable
+  /// like a name. Keeps kMostNames of them.
+  void warn(std::string_view line);
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
  private:
   std::array<std::uint64_t, kContents.size()> counts_{};
   std::array<std::vector<std::string>, kContents.size()> names_;
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace mesher

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,13 +67,19 @@ struct Material {
   AlphaMode alpha = AlphaMode::opaque;
   float alpha_cutoff = 0.5F;
   bool is_two_sided = false;
-  bool is_unlit = false;  ///< KHR_materials_unlit: shown in its base color
+  bool is_unlit = false;      ///< KHR_materials_unlit: shown in its base color
+  bool is_name_only = false;  ///< the file that describes it is missing; the look is a default
+  /// The lines of an MTL file after `newmtl`, as written. OBJ gets them back, because the terms
+  /// above cannot express all of them. None: the material comes from another format.
+  std::optional<std::vector<std::string>> mtl_statements;
 };
 
 /// The materials of a model with their images. A FaceGroup refers to them.
 struct Materials {
   std::vector<Material> materials;
   std::vector<EncodedImage> images;
+  std::uint32_t texture_count = 0;         ///< textures of the file that the materials hold
+  std::vector<std::string> missing_files;  ///< MTL files that the model names but were not found
 };
 
 }  // namespace mesher

@@ -131,11 +131,12 @@ TEST(FarOrigin, EveryFormatThatCanKeepsTheDigits) {
       const Model again = read_model(folder / name);
       EXPECT_LE(error_of(again, data), 1.5 * data.extent * kBound);
       EXPECT_TRUE(
-          losses_in_format(folder / name, model.mesh, model.attributes, {}, model.origin).empty());
+          losses_in_format(folder / name, model.mesh, model.attributes, nullptr, {}, model.origin)
+              .empty());
     }
     for (const char* name : {"o.stl", "o.pm"}) {
       const auto lost =
-          losses_in_format(folder / name, model.mesh, model.attributes, {}, model.origin);
+          losses_in_format(folder / name, model.mesh, model.attributes, nullptr, {}, model.origin);
       ASSERT_EQ(lost.size(), model.origin == glm::dvec3(0.0) ? 0U : 1U);
       if (lost.empty()) continue;
       EXPECT_TRUE(lost[0].starts_with("digits of coordinates")) << lost[0];

@@ -142,8 +142,8 @@ TEST(Losses, EveryKindIsKeptOrNamedInEveryFormat) {
     for (const FormatInfo& format : formats()) {
       SCOPED_TRACE(format.extension);
       const auto file = folder / (std::string("out") + format.extension);
-      const std::vector<std::string> losses =
-          losses_in_format(file, model.mesh, model.attributes, model.contents, model.origin);
+      const std::vector<std::string> losses = losses_in_format(
+          file, model.mesh, model.attributes, model.materials.get(), model.contents, model.origin);
       const bool is_named = names_any(losses, sample.words);
       if (format.write == nullptr) {
         EXPECT_TRUE(is_named);
@@ -172,8 +172,9 @@ TEST(Losses, PlainFilesLoseNothing) {
   const Model model = read_model(folder.write("in.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
   for (const FormatInfo& format : formats()) {
     const auto file = folder / (std::string("out") + format.extension);
-    EXPECT_TRUE(
-        losses_in_format(file, model.mesh, model.attributes, model.contents, model.origin).empty());
+    EXPECT_TRUE(losses_in_format(file, model.mesh, model.attributes, model.materials.get(),
+                                 model.contents, model.origin)
+                    .empty());
     if (format.write == nullptr) continue;
     write_model(file, model.mesh, model.attributes);
     const Model again = read_model(file);

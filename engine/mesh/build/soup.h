@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <vector>
 
 #include "engine/core/array.h"
@@ -9,6 +10,7 @@
 #include "engine/mesh/contents.h"
 #include "engine/mesh/corner_attributes.h"
 #include "engine/mesh/ids.h"
+#include "engine/mesh/material.h"
 #include "engine/mesh/wedges.h"
 
 namespace mesher {
@@ -42,6 +44,8 @@ struct Soup {
   CornerAttributes attributes;
   /// Further attributes. `index` has an element for each of `corners`.
   std::vector<AttributeStream> streams;
+  /// What the groups of `attributes` refer to; null if the file has no materials.
+  std::shared_ptr<const Materials> materials;
   std::vector<CreaseTag> creases;
   std::vector<CornerTag> corner_tags;
   /// Added to every position, in the file's own coordinates; 0 unless single precision about zero

@@ -1,0 +1,42 @@
+#include "engine/io/image_files.h"
+
+#include <memory>
+#include <system_error>
+
+#include "engine/core/error.h"
+#include "engine/io/mapped_file.h"
+
+namespace mesher::io {
+
+std::string_view image_type(std::string_view bytes) {
+  if (bytes.starts_with("\x89PNG\r\n\x1A\n")) return "image/png";
+  if (bytes.starts_with("\xFF\xD8\xFF")) return "image/jpeg";
+  if (bytes.starts_with("RIFF") && bytes.substr(8).starts_with("WEBP")) return "image/webp";
+  if (bytes.starts_with("\xABKTX 20\xBB\r\n\x1A\n")) return "image/ktx2";
+  if (bytes.starts_with("DDS ")) return "image/vnd-ms.dds";
+  return {};
+}
+
+void ImageFiles::load(EncodedImage& image, const Beside& found, std::string_view text) {
+  const auto warn = [&](std::string_view reason) {
+    contents_.warn("texture " + std::string(text) + ": " + std::string(reason));
+  };
+  if (found.file.empty()) {
+    return warn(found.is_outside ? "not opened, because it is outside of the model's folder"
+                                 : "there is no such file");
+  }
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(found.file, error);
+  if (error) return warn(error.message());
+  if (size > kMostImageBytes || size > kMostBytesOfImages - bytes_) return warn("too large");
+  try {
+    const MappedFile file(found.file);
+    image.bytes = std::make_shared<const std::string>(file.bytes());
+    image.mime_type = image_type(file.bytes());
+    bytes_ += file.size();
+  } catch (const InputError& failure) {
+    warn(failure.reason());
+  }
+}
+
+}  // namespace mesher::io
