@@ -37,6 +37,8 @@ void GpuAttributes::update(const Attributes& attributes, UploadStats& stats) {
                        .format = format_of(source->type())};
   }
   has_seams_ = attributes.has_seams();
+  const AttributeLayer* color = attributes.find("COLOR_0");
+  has_linear_colors_ = color != nullptr && color->type().is_linear;
   upload_whole(device_, wedges_, std::as_bytes(std::span(attributes.corner_wedge)), 0, stats);
 }
 
@@ -48,6 +50,7 @@ shared::LayerConstants GpuAttributes::layer(const std::string& name) const {
 void GpuAttributes::describe(shared::SurfaceBlock& block) const {
   block.wedges = wedges_.address();
   block.flags |= has_seams_ ? shared::kHasSeams : 0;
+  block.flags |= has_linear_colors_ ? shared::kLinearColors : 0;
   block.normal = layer("NORMAL");
   block.tangent = layer("TANGENT");
   block.color = layer("COLOR_0");

@@ -34,6 +34,7 @@ class GpuAttributes {
   std::map<std::string, Layer> layers_;
   gpu::Buffer wedges_;
   bool has_seams_ = false;
+  bool has_linear_colors_ = false;
 };
 
 }  // namespace mesher::render

@@ -132,6 +132,16 @@ TEST_F(LookTest, VertexColorsAloneShowTheirBytes) {
   EXPECT_EQ(drawn_look({}, &model.attributes, nullptr), Look::material);
 }
 
+TEST_F(LookTest, LinearVertexColorsAreEncoded) {
+  PaintedModel model = quads({0.0F});
+  AttributeType type = color_type();
+  type.is_linear = true;
+  paint<glm::u8vec4>(model, type, [](auto&&...) { return glm::u8vec4(51, 128, 255, 255); });
+  expect_near(middle(draw(model, kBaseColor)),
+              {static_cast<std::uint8_t>(byte_of(51 / 255.0)),
+               static_cast<std::uint8_t>(byte_of(128 / 255.0)), 255, 255});
+}
+
 TEST_F(LookTest, TexturesThatCountUpAreFlipped) {
   PaintedModel model = quads({0.0F});
   model.materials.materials[0].base_color_texture =
