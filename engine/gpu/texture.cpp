@@ -10,7 +10,6 @@
 
 #include "engine/core/assert.h"
 #include "engine/core/error.h"
-#include "engine/gpu/buffer.h"
 #include "engine/gpu/device_image.h"
 #include "engine/gpu/result.h"
 
@@ -117,7 +116,7 @@ void record_upload(VkCommandBuffer commands, VkImage texture, const Buffer& pixe
 
 }  // namespace
 
-Texture::Texture(Device& device, const mesher::Image& image, bool is_srgb) {
+Texture::Texture(Device& device, const mesher::Image& image, bool is_srgb, Buffer& staging) {
   MESHER_ASSERT(image.width > 0 && image.height > 0);
   const VkFormat format = is_srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM;
   image_ = UniqueImage(device, create_texture_image(device, image, format));
@@ -138,10 +137,11 @@ Texture::Texture(Device& device, const mesher::Image& image, bool is_srgb) {
   VkImageView view = VK_NULL_HANDLE;
   check(vkCreateImageView(device.handle(), &info, nullptr, &view), "vkCreateImageView");
   view_ = UniqueImageView(device, view);
-  const Buffer pixels(device, image.rgba.size(), 0, MemoryIntent::dynamic);
-  std::memcpy(pixels.mapped(), image.rgba.data(), image.rgba.size());
+  if (staging.size() < image.rgba.size())
+    staging = Buffer(device, image.rgba.size(), 0, MemoryIntent::dynamic);
+  std::memcpy(staging.mapped(), image.rgba.data(), image.rgba.size());
   device.run_once(
-      [&](VkCommandBuffer commands) { record_upload(commands, image_.get(), pixels, image); });
+      [&](VkCommandBuffer commands) { record_upload(commands, image_.get(), staging, image); });
 }
 
 UniqueSampler create_sampler(Device& device, const SamplerOptions& options) {

@@ -79,25 +79,17 @@ std::optional<Image> decode_webp(std::string_view bytes) {
   return image;
 }
 
-std::optional<Image> decode(std::string_view bytes) {
-  switch (coding_of(bytes)) {
-    case Coding::png: {
-      Image image = decode_png(bytes, "", kMostImageSide);  // throws if it is damaged
-      return image;
-    }
-    case Coding::jpeg:
-      return decode_jpeg(bytes);
-    case Coding::webp:
-      return decode_webp(bytes);
-    case Coding::unknown:
-      break;
+std::optional<Image> decode_spng(std::string_view bytes) {
+  try {
+    return decode_png(bytes, "", {.side = kMostImageSide, .always_bytes = kAlwaysImageBytes});
+  } catch (const InputError&) {
+    return {};
   }
-  return {};
 }
 
 /// Writes width, height and pixels.
-bool write_decoded(std::string_view bytes, const ChildWriter& write) {
-  const std::optional<Image> image = decode(bytes);
+bool write_webp_pixels(std::string_view bytes, const ChildWriter& write) {
+  const std::optional<Image> image = decode_webp(bytes);
   if (!image) return false;
   const std::uint32_t size[2] = {image->width, image->height};
   return write({reinterpret_cast<const char*>(size), sizeof(size)}) &&
@@ -105,7 +97,7 @@ bool write_decoded(std::string_view bytes, const ChildWriter& write) {
 }
 
 /// The child decoded hostile data, so its output is checked like a file.
-std::optional<Image> read_decoded(std::string_view output) {
+std::optional<Image> read_pixels(std::string_view output) {
   std::uint32_t size[2] = {};
   if (output.size() < sizeof(size)) return {};
   std::memcpy(size, output.data(), sizeof(size));
@@ -115,6 +107,16 @@ std::optional<Image> read_decoded(std::string_view output) {
   Image image{.width = size[0], .height = size[1], .rgba = Array<std::uint8_t>(output.size())};
   std::memcpy(image.rgba.data(), output.data(), output.size());
   return image;
+}
+
+std::optional<Image> decode_webp_in_child(std::string_view bytes, Progress* progress) {
+  const ChildLimits limits{.memory = 4 * most_pixel_bytes(bytes) + (std::size_t{256} << 20U),
+                           .cpu_s = 60,
+                           .output = most_pixel_bytes(bytes) + 8};
+  const ChildResult result = run_in_child(
+      [&](const ChildWriter& write) { return write_webp_pixels(bytes, write); }, limits, progress);
+  if (result.outcome != ChildOutcome::done) return {};
+  return read_pixels(result.bytes);
 }
 
 std::string label_of(const Materials& materials, std::uint32_t index) {
@@ -136,23 +138,26 @@ DecodedImage decode_one(const Materials& materials, std::uint32_t index, Progres
 }  // namespace
 
 DecodedImage decode_image(std::string_view bytes, std::string_view mime_type, Progress* progress) {
-  if (coding_of(bytes) == Coding::unknown) {
-    const bool is_known = mime_type == "image/png" || mime_type == "image/jpeg" ||
-                          mime_type == "image/webp" || mime_type.empty();
-    return {{},
-            is_known ? "is not PNG, JPEG or WebP" : fmt::format("no decoder for {}", mime_type)};
+  std::optional<Image> image;
+  switch (coding_of(bytes)) {
+    case Coding::png:
+      image = decode_spng(bytes);
+      break;
+    case Coding::jpeg:
+      image = decode_jpeg(bytes);
+      break;
+    case Coding::webp:
+      image = decode_webp_in_child(bytes, progress);
+      break;
+    case Coding::unknown: {
+      const bool is_known = mime_type == "image/png" || mime_type == "image/jpeg" ||
+                            mime_type == "image/webp" || mime_type.empty();
+      return {{}, is_known ? "is not PNG, JPEG or WebP"
+                           : fmt::format("no decoder for {}", mime_type)};
+    }
   }
-  const ChildLimits limits{.memory = 4 * most_pixel_bytes(bytes) + (std::size_t{256} << 20U),
-                           .cpu_s = 60,
-                           .output = most_pixel_bytes(bytes) + 8};
-  const ChildResult result = run_in_child(
-      [&](const ChildWriter& write) { return write_decoded(bytes, write); }, limits, progress);
-  if (result.outcome == ChildOutcome::done) {
-    std::optional<Image> image = read_decoded(result.bytes);
-    if (image) return {std::move(*image), ""};
-  }
-  if (result.outcome == ChildOutcome::died) return {{}, "crashes its decoder"};
-  return {{}, fmt::format("is damaged or larger than {0} x {0} pixels", kMostImageSide)};
+  if (image) return {std::move(*image), ""};
+  return {{}, fmt::format("is damaged, or larger than {0} x {0} pixels", kMostImageSide)};
 }
 
 std::vector<Image> decode_images(const Materials& materials, std::span<const std::uint32_t> indices,

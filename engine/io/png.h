@@ -17,8 +17,13 @@ void write_png(const std::filesystem::path& file, const Image& image);
 /// or higher than 32,768 pixels.
 Image read_png(const std::filesystem::path& file);
 
-/// Reads a PNG from memory. `name` is for messages. Throws InputError as above, with another limit
-/// for a side.
-Image decode_png(std::string_view bytes, const std::string& name, std::uint32_t largest_side);
+/// Limits of the pixels of a PNG.
+struct PngLimits {
+  std::uint32_t side = 32'768;
+  std::size_t always_bytes = 0;  ///< of pixels, however few bytes the file has
+};
+
+/// Reads a PNG from memory. `name` is for messages. Throws InputError as above.
+Image decode_png(std::string_view bytes, const std::string& name, const PngLimits& limits = {});
 
 }  // namespace mesher::io

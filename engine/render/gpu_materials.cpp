@@ -55,8 +55,9 @@ void GpuMaterials::create_textures(const std::vector<PackedMaterial>& packed,
       if (!textures_.contains(key)) missing[key.image].insert(key);
     }
   }
+  gpu::Buffer staging;
   if (missing.erase(kNone) > 0)
-    textures_.emplace(TextureKey{}, gpu::Texture(device_, white_pixel(), false));
+    textures_.emplace(TextureKey{}, gpu::Texture(device_, white_pixel(), false, staging));
   std::vector<std::uint32_t> indices;
   for (const auto& [image, keys] : missing)
     indices.push_back(image);
@@ -66,7 +67,7 @@ void GpuMaterials::create_textures(const std::vector<PackedMaterial>& packed,
   for (std::size_t i = 0; i < indices.size(); ++i) {
     const Image image = images[i].rgba.empty() ? white_pixel() : std::move(images[i]);
     for (const TextureKey& key : missing.at(indices[i]))
-      textures_.emplace(key, gpu::Texture(device_, image, key.is_srgb));
+      textures_.emplace(key, gpu::Texture(device_, image, key.is_srgb, staging));
   }
 }
 
