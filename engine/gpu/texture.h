@@ -16,8 +16,8 @@ class Texture {
   /// Uploads an image and fills its mip levels, each the average of the one before. `is_srgb`: the
   /// image is color, so averages are taken in linear light; otherwise its bytes are numbers.
   /// `staging` is replaced if it is too small, so that several textures can share it. Waits for the
-  /// GPU. Pre: no side is 0. Throws DeviceError if a side exceeds the device's limit, or memory runs
-  /// out.
+  /// GPU. Pre: no side is 0. Throws DeviceError if a side exceeds the device's limit, or memory
+  /// runs out.
   Texture(Device& device, const mesher::Image& image, bool is_srgb, Buffer& staging);
 
   VkImageView view() const { return view_.get(); }

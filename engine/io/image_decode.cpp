@@ -152,8 +152,8 @@ DecodedImage decode_image(std::string_view bytes, std::string_view mime_type, Pr
     case Coding::unknown: {
       const bool is_known = mime_type == "image/png" || mime_type == "image/jpeg" ||
                             mime_type == "image/webp" || mime_type.empty();
-      return {{}, is_known ? "is not PNG, JPEG or WebP"
-                           : fmt::format("no decoder for {}", mime_type)};
+      return {{},
+              is_known ? "is not PNG, JPEG or WebP" : fmt::format("no decoder for {}", mime_type)};
     }
   }
   if (image) return {std::move(*image), ""};

@@ -47,7 +47,8 @@ Image decode_png(std::string_view bytes, const std::string& name, const PngLimit
   // Deflate shrinks data at most about a thousandfold, and RGBA has four times the bytes of 8-bit
   // gray. A file that claims more is truncated, hostile, or a nearly blank image of fewer than 8
   // bits per sample.
-  if (size > limits.always_bytes && size / 4096 > bytes.size()) throw InputError(name, 0, "too few bytes for its dimensions");
+  if (size > limits.always_bytes && size / 4096 > bytes.size())
+    throw InputError(name, 0, "too few bytes for its dimensions");
   Image image{.width = header.width, .height = header.height, .rgba = Array<std::uint8_t>(size)};
   check(
       spng_decode_image(context.get(), image.rgba.data(), size, SPNG_FMT_RGBA8, SPNG_DECODE_TRNS));

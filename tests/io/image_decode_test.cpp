@@ -45,10 +45,10 @@ std::string jpeg_of(const Image& image) {
   const tjhandle handle = tjInitCompress();
   unsigned char* bytes = nullptr;
   unsigned long size = 0;
-  EXPECT_EQ(tjCompress2(handle, image.rgba.data(), static_cast<int>(image.width), 0,
-                        static_cast<int>(image.height), TJPF_RGBA, &bytes, &size, TJSAMP_444, 95,
-                        0),
-            0);
+  EXPECT_EQ(
+      tjCompress2(handle, image.rgba.data(), static_cast<int>(image.width), 0,
+                  static_cast<int>(image.height), TJPF_RGBA, &bytes, &size, TJSAMP_444, 95, 0),
+      0);
   std::string result(reinterpret_cast<const char*>(bytes), size);
   tjFree(bytes);
   tjDestroy(handle);
@@ -148,8 +148,7 @@ TEST(ImageDecode, ProblemsNameTheirTextures) {
   EXPECT_TRUE(images[0].rgba.empty());
   EXPECT_EQ(images[1].rgba, image.rgba);
   ASSERT_EQ(problems.size(), 3U);
-  EXPECT_EQ(problems[0],
-            "texture 'maps/stone.ktx2' is drawn white: no decoder for image/ktx2");
+  EXPECT_EQ(problems[0], "texture 'maps/stone.ktx2' is drawn white: no decoder for image/ktx2");
   EXPECT_EQ(problems[1],
             "texture 'gone' is drawn white: its file is missing or outside the model's folder");
 }

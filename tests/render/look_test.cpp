@@ -399,6 +399,56 @@ TEST_F(LookTest, WireframeIsDrawnOnAllLooks) {
   }
 }
 
+TEST_F(LookTest, SlicesGiveTheSameBytes) {
+  PaintedModel model = quads({0.0F, 0.5F, 1.0F, 1.5F});
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    model.materials.materials[i].base_color = glm::vec4(0.2F * float(i), 0.8F, 0.3F, 0.5F);
+    model.materials.materials[i].alpha = AlphaMode::blend;
+  }
+  const Image whole = draw(model, kMaterial);
+  GpuMesh mirror(device());
+  mirror.apply(model.mesh, kMaterial, model.sources());
+  Renderer renderer(device());
+  const SceneTarget target(device(), {kSide, kSide}, 1);
+  for (std::uint64_t begin = 0; begin < Renderer::work(mirror, kMaterial); ++begin) {
+    device().run_once([&](VkCommandBuffer commands) {
+      renderer.draw_slice(commands, target, mirror, front_camera(), kMaterial, {begin, begin + 1});
+    });
+  }
+  EXPECT_EQ(gpu::read_image(device(), target.color(), gpu::kTransferSource).rgba, whole.rgba);
+}
+
+TEST_F(LookTest, EditsWithoutAttributesUploadNothingMore) {
+  const auto bytes_of_edit = [&](const Sources& sources) {
+    Mesh mesh = build_mesh(test::torus(20, 12)).mesh;
+    GpuMesh mirror(device());
+    mirror.apply(mesh, {}, sources);
+    mesh.set_position(Vertex(7), glm::vec3(0.1F, 0.2F, 0.3F));
+    return mirror.apply(mesh, {}, sources).uploaded_bytes;
+  };
+  const Attributes none;
+  Sources sources;
+  sources.appearance.attributes = &none;
+  EXPECT_GT(bytes_of_edit({}), 0U);
+  EXPECT_EQ(bytes_of_edit(sources), bytes_of_edit({}));
+}
+
+TEST_F(LookTest, EditsUploadTheChangedAttributes) {
+  PaintedModel model = quads({0.0F});
+  paint<glm::u8vec4>(model, color_type(), [](auto&&...) { return glm::u8vec4(200, 90, 13, 255); });
+  GpuMesh mirror(device());
+  const Sources sources = model.sources();
+  mirror.apply(model.mesh, kBaseColor, sources);
+  EXPECT_EQ(mirror.apply(model.mesh, kBaseColor, sources).uploaded_bytes, 0U);
+  model.mesh.set_position(Vertex(0), model.mesh.position(Vertex(0)));
+  paint<glm::u8vec4>(model, color_type(), [](auto&&...) { return glm::u8vec4(1, 2, 3, 255); });
+  EXPECT_GT(mirror.apply(model.mesh, kBaseColor, sources).uploaded_bytes, 16U);
+  Renderer renderer(device());
+  expect_near(
+      middle(render_image(device(), renderer, mirror, front_camera(), kBaseColor, kSide, kSide)),
+      {1, 2, 3, 255});
+}
+
 TEST_F(LookTest, ImagesThatCannotBeDecodedAreWhite) {
   PaintedModel model = quads({0.0F});
   model.materials.materials[0].base_color = {1.0F, 0.0F, 0.0F, 1.0F};
