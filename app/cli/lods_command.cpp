@@ -169,21 +169,22 @@ void measure_coarse_levels(const Source& source, std::vector<Level>& levels) {
 
 /// Writes either all files or none.
 void write_levels(const std::vector<fs::path>& files, const std::vector<Level>& levels,
-                  const glm::dvec3& origin) {
+                  const Model& model) {
   std::vector<std::unique_ptr<io::AtomicFile>> open;
   open.reserve(files.size());
   for (const fs::path& file : files)
     open.push_back(std::make_unique<io::AtomicFile>(file));
   const io::FormatInfo& format = io::writable_format(files.front());
+  const io::WriteOptions options{.origin = model.origin, .materials = model.materials};
   if (format.write_levels != nullptr) {
     std::vector<io::GltfLevel> chain;
     chain.reserve(levels.size());
     for (const Level& level : levels)
       chain.push_back({&level.mesh, &level.attributes, level.coverage});
-    format.write_levels(*open.front(), chain, origin);
+    format.write_levels(*open.front(), chain, options);
   } else {
     for (std::size_t i = 0; i < levels.size(); ++i)
-      format.write(*open[i], levels[i].mesh, levels[i].attributes, {.origin = origin});
+      format.write(*open[i], levels[i].mesh, levels[i].attributes, options);
   }
   for (const auto& file : open)
     file->commit();
@@ -304,7 +305,7 @@ void run_lods(const InputOptions& input, const std::string& output, const LodArg
                                   ? make_pruned_levels(source, ratios, coverage, arguments, common)
                                   : make_levels(source, ratios, coverage);
   measure_coarse_levels(source, levels);
-  write_levels(files, levels, source.loaded.model.origin);
+  write_levels(files, levels, source.loaded.model);
   const std::vector<std::string> losses = io::losses_in_format(
       output, levels.front().mesh, levels.front().attributes, source.loaded.model.materials.get(),
       source.loaded.model.contents, source.loaded.model.origin);

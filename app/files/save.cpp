@@ -144,6 +144,8 @@ std::vector<std::string> always_lost(const Document& document, const std::string
   add(has(AttributeKind::normal), holds.normal != io::Holds::nothing, "normals");
   add(has(AttributeKind::color), holds.color != io::Holds::nothing, "colors");
   add(!attributes.group.empty(), holds.groups, "groups");
+  add(document.model.materials != nullptr, holds.materials != io::HoldsMaterials::nothing,
+      "materials");
   return lost;
 }
 

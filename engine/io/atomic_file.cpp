@@ -149,13 +149,43 @@ void AtomicFile::flush_name() const noexcept {
   ::close(descriptor);
 }
 
+AtomicFile& AtomicFile::add_side(const std::filesystem::path& relative) {
+  const std::filesystem::path side = std::filesystem::path(name_).parent_path() / relative;
+  std::vector<std::filesystem::path> missing;
+  std::error_code error;
+  for (std::filesystem::path folder = side.parent_path();
+       !folder.empty() && !std::filesystem::exists(folder, error); folder = folder.parent_path()) {
+    missing.push_back(folder);
+  }
+  for (auto folder = missing.rbegin(); folder != missing.rend(); ++folder) {
+    if (!std::filesystem::create_directory(*folder, error) && error)
+      throw OutputError(folder->string(), "cannot make the folder: " + error.message());
+    made_folders_.push_back(*folder);
+  }
+  return *sides_.emplace_back(std::make_unique<AtomicFile>(side));
+}
+
 void AtomicFile::commit(Flush flush) {
+  for (const auto& side : sides_)
+    side->finish_data(flush);
+  finish_data(flush);
+  for (const auto& side : sides_)
+    side->take_name(flush);
+  made_folders_.clear();
+  take_name(flush);
+}
+
+/// Brings all data to the temporary file, which has a name then. What can fail mostly fails here.
+void AtomicFile::finish_data(Flush flush) {
   if (flush == Flush::now && !is_direct_) flush_bytes();
   if (!is_direct_ && temporary_.empty()) name_temporary();
   const int descriptor = descriptor_;
   descriptor_ = -1;
   // Network file systems report a full disk only on close.
   if (::close(descriptor) != 0) fail("cannot write");
+}
+
+void AtomicFile::take_name(Flush flush) {
   if (is_direct_) return;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot write");
   temporary_.clear();
@@ -167,6 +197,10 @@ void AtomicFile::discard() noexcept {
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
   descriptor_ = -1;
   temporary_.clear();
+  sides_.clear();
+  std::error_code error;  // a folder that is used by now stays
+  for (; !made_folders_.empty(); made_folders_.pop_back())
+    std::filesystem::remove(made_folders_.back(), error);
 }
 
 void AtomicFile::fail(const char* action) {

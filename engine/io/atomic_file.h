@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace mesher::io {
 
@@ -39,11 +41,18 @@ class AtomicFile {
   const std::string& name() const { return name_; }
   /// Bytes written so far.
   std::uint64_t size() const { return size_; }
+  /// Adds a file that belongs to this one, by its path from this one's folder, and returns it.
+  /// Missing folders are made. `commit` gives these files their names before this one has its own,
+  /// so that whatever refers to them finds them. Throws OutputError.
+  AtomicFile& add_side(const std::filesystem::path& relative);
   /// Closes the file and renames it to the target. With Flush::now, a power failure leaves the old
-  /// file or the new one. Throws OutputError, and then the temporary file has been removed.
+  /// file or the new one. Throws OutputError, and then the temporary file has been removed. Files
+  /// of add_side get no name unless the data of all files is written.
   void commit(Flush flush = Flush::later);
 
  private:
+  void finish_data(Flush flush);
+  void take_name(Flush flush);
   void open_temporary();
   void name_temporary();
   void flush_bytes();
@@ -59,6 +68,8 @@ class AtomicFile {
   bool is_direct_ = false;           ///< writes to the target itself
   int descriptor_ = -1;
   std::uint64_t size_ = 0;
+  std::vector<std::unique_ptr<AtomicFile>> sides_;
+  std::vector<std::filesystem::path> made_folders_;  ///< removed unless it comes to a commit
 };
 
 }  // namespace mesher::io

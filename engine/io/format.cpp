@@ -23,6 +23,13 @@ constexpr FormatContents kGltfContents{.materials = HoldsMaterials::as_gltf,
                                        .normal = Holds::all_or_none,
                                        .color = Holds::each_corner};
 
+GltfWriteOptions gltf_options(const WriteOptions& options, bool binary) {
+  return {.binary = binary,
+          .origin = options.origin,
+          .materials = options.materials.get(),
+          .progress = options.progress};
+}
+
 constexpr FormatInfo kFormats[] = {
     {.name = "Wavefront OBJ",
      .extension = ".obj",
@@ -35,9 +42,8 @@ constexpr FormatInfo kFormats[] = {
                .color = Holds::one_per_vertex},
      .read_weight = 0.65,
      .read = [](const MappedFile& file, const ReadOptions& o) { return read_obj(file, o); },
-     .write =
-         [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
-            const WriteOptions& o) { write_obj(file, mesh, attributes, o.origin, o.progress); }},
+     .write = [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
+                 const WriteOptions& o) { write_obj(file, mesh, attributes, o); }},
     {.name = "Stanford PLY",
      .extension = ".ply",
      .holds = {.far_positions = true,
@@ -77,11 +83,11 @@ constexpr FormatInfo kFormats[] = {
      .read = [](const MappedFile& file, const ReadOptions& o) { return read_gltf(file, o); },
      .write =
          [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
-            const WriteOptions& o) {
-           write_gltf(file, mesh, attributes, o.origin, false, o.progress);
-         },
-     .write_levels = [](AtomicFile& file, std::span<const GltfLevel> levels,
-                        const glm::dvec3& origin) { write_gltf(file, levels, origin, false); }},
+            const WriteOptions& o) { write_gltf(file, mesh, attributes, gltf_options(o, false)); },
+     .write_levels =
+         [](AtomicFile& file, std::span<const GltfLevel> levels, const WriteOptions& o) {
+           write_gltf(file, levels, gltf_options(o, false));
+         }},
     {.name = "binary glTF",
      .extension = ".glb",
      .holds = kGltfContents,
@@ -90,11 +96,11 @@ constexpr FormatInfo kFormats[] = {
      .read = [](const MappedFile& file, const ReadOptions& o) { return read_gltf(file, o); },
      .write =
          [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
-            const WriteOptions& o) {
-           write_gltf(file, mesh, attributes, o.origin, true, o.progress);
-         },
-     .write_levels = [](AtomicFile& file, std::span<const GltfLevel> levels,
-                        const glm::dvec3& origin) { write_gltf(file, levels, origin, true); }},
+            const WriteOptions& o) { write_gltf(file, mesh, attributes, gltf_options(o, true)); },
+     .write_levels =
+         [](AtomicFile& file, std::span<const GltfLevel> levels, const WriteOptions& o) {
+           write_gltf(file, levels, gltf_options(o, true));
+         }},
     {.name = "progressive mesh", .extension = ".pm", .holds = {.creases = true}},
 };
 

@@ -60,7 +60,7 @@ struct FormatInfo {
                 const WriteOptions& options) = nullptr;
   /// Writes several levels of detail into one file. Null: a file holds one level.
   void (*write_levels)(AtomicFile& file, std::span<const GltfLevel> levels,
-                       const glm::dvec3& origin) = nullptr;
+                       const WriteOptions& options) = nullptr;
 };
 
 /// Returns all formats, in the order in which messages list them.

@@ -54,14 +54,16 @@ int wrap_number(Wrap wrap) {
 
 class MaterialsWriter {
  public:
-  MaterialsWriter(MaterialJson& document, const Materials& materials,
+  MaterialsWriter(MaterialJson& document, const Materials& materials, std::uint32_t uv_sets,
                   const std::function<std::size_t(const std::string&)>& add_bytes)
-      : document_(document), materials_(materials), add_bytes_(add_bytes) {}
+      : document_(document), materials_(materials), uv_sets_(uv_sets), add_bytes_(add_bytes) {}
 
   void run() {
-    document_["materials"] = MaterialJson::array();
+    // Put together apart, because textures add members to the document.
+    MaterialJson list = MaterialJson::array();
     for (const Material& material : materials_.materials)
-      document_["materials"].push_back(json_of_material(material));
+      list.push_back(json_of_material(material));
+    document_["materials"] = std::move(list);
     for (const std::string& name : extensions_)
       document_["extensionsUsed"].push_back(name);
     for (const std::string& name : required_)
@@ -113,6 +115,7 @@ class MaterialsWriter {
   void add_texture(MaterialJson& json, const char* key, const Texture& texture,
                    const char* strength_key = nullptr) {
     if (!texture.is_there() || !can_embed(materials_.images[texture.image])) return;
+    if (texture.set >= uv_sets_) return;
     MaterialJson info{{"index", texture_index(texture)}};
     if (texture.set != 0) info["texCoord"] = texture.set;
     if (strength_key != nullptr && texture.strength != 1.0F) info[strength_key] = texture.strength;
@@ -177,6 +180,7 @@ class MaterialsWriter {
 
   MaterialJson& document_;
   const Materials& materials_;
+  std::uint32_t uv_sets_;
   const std::function<std::size_t(const std::string&)>& add_bytes_;
   std::map<std::uint32_t, std::size_t> images_;
   std::map<SamplerKey, std::size_t> samplers_;
@@ -191,8 +195,9 @@ bool can_embed(const EncodedImage& image) {
 }
 
 void add_gltf_materials(nlohmann::ordered_json& document, const Materials& materials,
+                        std::uint32_t uv_sets,
                         const std::function<std::size_t(const std::string&)>& add_bytes) {
-  MaterialsWriter(document, materials, add_bytes).run();
+  MaterialsWriter(document, materials, uv_sets, add_bytes).run();
 }
 
 }  // namespace mesher::io

@@ -29,6 +29,12 @@ const Json* member(const Json& object, const char* key) {
   return found == object.end() ? nullptr : &*found;
 }
 
+/// Returns the length of a top-level array; 0 if there is none.
+std::size_t length_of(const GltfFile& gltf, const char* array) {
+  const Json* list = member(gltf.root(), array);
+  return list == nullptr || !list->is_array() ? 0 : list->size();
+}
+
 double number_of(const Json& object, const char* key, double fallback) {
   const Json* value = member(object, key);
   if (value == nullptr || !value->is_number()) return fallback;
@@ -94,10 +100,10 @@ class MaterialReader {
       : gltf_(gltf), contents_(contents), files_(contents) {}
 
   std::shared_ptr<const Materials> run() {
-    const std::size_t count = std::min(gltf_.count("materials"), kMostGltfMaterials);
+    const std::size_t count = std::min(length_of(gltf_, "materials"), kMostGltfMaterials);
     if (count == 0) return nullptr;
     for (std::size_t i = 0; i < count; ++i)
-      result_.materials.push_back(material(gltf_.element("materials", i)));
+      result_.materials.push_back(material(gltf_.root()["materials"][i]));
     result_.texture_count = static_cast<std::uint32_t>(textures_.size());
     return std::make_shared<const Materials>(std::move(result_));
   }
@@ -140,8 +146,8 @@ class MaterialReader {
     const Json* const info = member(object, key);
     if (info == nullptr) return {};
     const std::uint32_t index = index_of(*info, "index", kNone);
-    if (index >= gltf_.count("textures")) return {};
-    const Json& json = gltf_.element("textures", index);
+    if (index >= length_of(gltf_, "textures")) return {};
+    const Json& json = gltf_.root()["textures"][index];
     Texture texture;
     texture.image = image(source_of(json));
     if (!texture.is_there()) return {};
@@ -161,8 +167,8 @@ class MaterialReader {
 
   void read_sampler(std::uint32_t index, Texture& texture) {
     constexpr std::uint32_t kNearest = 9728;
-    if (index >= gltf_.count("samplers")) return;
-    const Json& sampler = gltf_.element("samplers", index);
+    if (index >= length_of(gltf_, "samplers")) return;
+    const Json& sampler = gltf_.root()["samplers"][index];
     texture.wrap_u = wrap_of(sampler, "wrapS");
     texture.wrap_v = wrap_of(sampler, "wrapT");
     texture.magnifies_to_pixels = index_of(sampler, "magFilter", 0) == kNearest;
@@ -184,11 +190,11 @@ class MaterialReader {
 
   /// Returns the index in the result of an image of the document, which is read on first use.
   std::uint32_t image(std::uint32_t index) {
-    if (index >= gltf_.count("images")) return kNone;
+    if (index >= length_of(gltf_, "images")) return kNone;
     const auto [known, is_new] =
         images_.try_emplace(index, static_cast<std::uint32_t>(result_.images.size()));
     if (!is_new) return known->second;
-    const Json& json = gltf_.element("images", index);
+    const Json& json = gltf_.root()["images"][index];
     EncodedImage image{.name = text_of(json, "name"), .mime_type = text_of(json, "mimeType")};
     const std::string label = image.name.empty() ? std::to_string(index) : image.name;
     try {

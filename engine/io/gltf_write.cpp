@@ -1,5 +1,6 @@
 #include "engine/io/gltf_write.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -12,6 +13,8 @@
 #include "engine/core/progress.h"
 #include "engine/io/base64.h"
 #include "engine/io/block_writer.h"
+#include "engine/io/gltf_material_write.h"
+#include "engine/io/material_losses.h"
 #include "engine/mesh/statistics.h"
 
 namespace mesher::io {
@@ -73,16 +76,18 @@ bool can_write(const AttributeLayer& layer) {
 /// Writes one level of detail.
 class LevelWriter {
  public:
-  explicit LevelWriter(const GltfLevel& level)
+  LevelWriter(const GltfLevel& level, const Materials* materials)
       : mesh_(*level.mesh), attributes_(*level.attributes) {
     for (const AttributeLayer& layer : attributes_.layers) {
       if (can_write(layer)) layers_.push_back(&layer);
     }
+    if (materials != nullptr && !attributes_.group.empty())
+      part_faces(static_cast<std::uint32_t>(materials->materials.size()));
   }
 
   /// Calls `add_accessor` for each accessor in the order of `write_data`, with type, component
   /// type, count, bytes per element and target. It returns the accessor's index and its JSON.
-  /// Returns the primitive.
+  /// Returns the primitives.
   template <class AddAccessor>
   OrderedJson describe(AddAccessor&& add_accessor) const {
     constexpr int kFloat = 5126;
@@ -106,9 +111,14 @@ class LevelWriter {
           Accessor{gltf_shape(type.components), gltf_number(type.component), vertex_count(),
                    aligned_bytes(type), kVertexData, std::move(more), type.value_bytes() % 4 != 0});
     }
-    const std::size_t indices = add_accessor(
-        Accessor{"SCALAR", kUint, mesh_.halfedge_count(), 4, kIndexData, OrderedJson::object()});
-    return {{"attributes", std::move(attributes)}, {"indices", indices}};
+    OrderedJson primitives = OrderedJson::array();
+    for (const Part& part : parts_) {
+      const std::size_t indices = add_accessor(
+          Accessor{"SCALAR", kUint, 3 * part.faces, 4, kIndexData, OrderedJson::object()});
+      primitives.push_back({{"attributes", attributes}, {"indices", indices}});
+      if (part.material != kNone) primitives.back()["material"] = part.material;
+    }
+    return primitives;
   }
 
   /// Number of corners, in proportion to the time.
@@ -134,12 +144,39 @@ class LevelWriter {
     }
     stages.next();
     write_elements(sink, mesh_.halfedge_count(), 4, progress, [&](Appender& out, std::size_t c) {
-      const Halfedge corner(static_cast<std::uint32_t>(c));
-      out.raw(attributes_.wedge(mesh_.origins(), corner).index());
+      const std::size_t corner = order_.empty() ? c : 3 * std::size_t{order_[c / 3]} + c % 3;
+      const Halfedge h(static_cast<std::uint32_t>(corner));
+      out.raw(attributes_.wedge(mesh_.origins(), h).index());
     });
   }
 
  private:
+  /// The faces of one material.
+  struct Part {
+    std::uint32_t material = kNone;
+    std::size_t faces = 0;
+  };
+
+  /// Orders the faces by material, and those of one as in the mesh. Faces without material are
+  /// last.
+  void part_faces(std::uint32_t materials) {
+    const auto material_of = [&](std::uint32_t face) {
+      return std::min(attributes_.groups[attributes_.group[face]].material, materials);
+    };
+    std::vector<std::uint32_t> start(materials + std::size_t{2}, 0);
+    for (std::uint32_t f = 0; f < mesh_.face_count(); ++f)
+      ++start[material_of(f) + std::size_t{1}];
+    parts_.clear();
+    for (std::uint32_t m = 0; m <= materials; ++m) {
+      if (start[m + 1] > 0) parts_.push_back({m == materials ? kNone : m, start[m + 1]});
+      start[m + 1] += start[m];
+    }
+    if (parts_.size() < 2) return;
+    order_.resize(mesh_.face_count());
+    for (std::uint32_t f = 0; f < mesh_.face_count(); ++f)
+      order_[start[material_of(f)]++] = f;
+  }
+
   /// One vertex per wedge.
   std::size_t vertex_count() const { return mesh_.vertex_count() + attributes_.further.size(); }
 
@@ -169,24 +206,37 @@ class LevelWriter {
   const Mesh& mesh_;
   const Attributes& attributes_;
   std::vector<const AttributeLayer*> layers_;
+  std::vector<Part> parts_ = {{kNone, mesh_.face_count()}};
+  Array<std::uint32_t> order_;  ///< faces in the order of the parts; empty: that of the mesh
 };
 
 class GltfWriter {
  public:
-  GltfWriter(AtomicFile& file, std::span<const GltfLevel> levels, const glm::dvec3& origin,
-             bool binary, Progress* progress)
-      : file_(file), origin_(origin), binary_(binary), progress_(progress) {
+  GltfWriter(AtomicFile& file, std::span<const GltfLevel> levels, const GltfWriteOptions& options)
+      : file_(file),
+        origin_(options.origin),
+        binary_(options.binary),
+        materials_(options.materials),
+        progress_(options.progress) {
     for (const GltfLevel& level : levels) {
-      check_cancelled(progress);
-      levels_.emplace_back(level);
+      check_cancelled(progress_);
+      levels_.emplace_back(level, materials_);
     }
     describe();
+    if (materials_ != nullptr && !materials_->materials.empty()) {
+      std::uint32_t uv_sets = kNone;
+      for (const GltfLevel& level : levels)
+        uv_sets = std::min(uv_sets, count_uv_sets(*level.attributes));
+      add_gltf_materials(document_, *materials_, uv_sets,
+                         [&](const std::string& bytes) { return add_image(bytes); });
+    }
     if (levels.size() > 1) describe_chain(levels);
     if (binary_) document_["buffers"] = OrderedJson::array({{{"byteLength", bytes_}}});
   }
 
   void run() {
-    std::string json = document_.dump();
+    // Names of other formats need not be UTF-8, and JSON has to be.
+    std::string json = document_.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
     if (!binary_) {
       // The data is written before the rest of the document, which is complete by now, so that the
       // document need not hold it as well.
@@ -234,14 +284,23 @@ class GltfWriter {
     return document_["accessors"].size() - 1;
   }
 
+  /// Adds a buffer view for an image and returns its index. The views after it stay aligned.
+  std::size_t add_image(const std::string& bytes) {
+    document_["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", bytes_}, {"byteLength", bytes.size()}});
+    bytes_ += (bytes.size() + 3) / 4 * 4;
+    images_.push_back(&bytes);
+    return document_["bufferViews"].size() - 1;
+  }
+
   void describe() {
     document_ = {{"asset", {{"version", "2.0"}, {"generator", "mesher"}}}};
     for (const char* array : {"bufferViews", "accessors", "meshes", "nodes"})
       document_[array] = OrderedJson::array();
     for (std::size_t i = 0; i < levels_.size(); ++i) {
-      OrderedJson primitive = levels_[i].describe(
+      OrderedJson primitives = levels_[i].describe(
           [&](Accessor&& accessor) { return add_accessor(std::move(accessor)); });
-      document_["meshes"].push_back({{"primitives", OrderedJson::array({std::move(primitive)})}});
+      document_["meshes"].push_back({{"primitives", std::move(primitives)}});
       document_["nodes"].push_back({{"mesh", i}});
       if (origin_ != glm::dvec3(0.0)) {
         document_["nodes"].back()["translation"] = {origin_.x, origin_.y, origin_.z};
@@ -261,7 +320,7 @@ class GltfWriter {
       coverage.push_back(levels[i].least_coverage);
       if (i > 0) ids.push_back(i);
     }
-    document_["extensionsUsed"] = OrderedJson::array({"MSFT_lod"});
+    document_["extensionsUsed"].push_back("MSFT_lod");
     document_["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = std::move(ids);
     document_["nodes"][0]["extras"]["MSFT_screencoverage"] = std::move(coverage);
   }
@@ -276,33 +335,39 @@ class GltfWriter {
       stages.next();
       level.write_data(sink, progress_);
     }
+    for (const std::string* image : images_) {
+      sink.write(*image);
+      sink.write(std::string_view("\0\0\0", (4 - image->size() % 4) % 4));
+    }
   }
 
   AtomicFile& file_;
   glm::dvec3 origin_;
   bool binary_;
+  const Materials* materials_;
   Progress* progress_;
   std::vector<LevelWriter> levels_;
   OrderedJson document_;
   std::uint64_t bytes_ = 0;
+  std::vector<const std::string*> images_;  ///< after the data of the levels
 };
 
 }  // namespace
 
-void write_gltf(AtomicFile& file, std::span<const GltfLevel> levels, const glm::dvec3& origin,
-                bool binary, Progress* progress) {
+void write_gltf(AtomicFile& file, std::span<const GltfLevel> levels,
+                const GltfWriteOptions& options) {
   for (const GltfLevel& level : levels) {
     if (level.mesh->vertex_count() == 0) {
       throw OutputError(file.name(), "glTF cannot hold an empty mesh");
     }
   }
-  GltfWriter(file, levels, origin, binary, progress).run();
+  GltfWriter(file, levels, options).run();
 }
 
 void write_gltf(AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
-                const glm::dvec3& origin, bool binary, Progress* progress) {
+                const GltfWriteOptions& options) {
   const GltfLevel level{&mesh, &attributes};
-  write_gltf(file, {&level, 1}, origin, binary, progress);
+  write_gltf(file, {&level, 1}, options);
 }
 
 }  // namespace mesher::io

@@ -5,6 +5,7 @@
 #include "engine/core/progress.h"
 #include "engine/io/atomic_file.h"
 #include "engine/mesh/attributes.h"
+#include "engine/mesh/material.h"
 #include "engine/mesh/mesh.h"
 
 namespace mesher::io {
@@ -18,6 +19,13 @@ struct GltfLevel {
   double least_coverage = 0.0;
 };
 
+struct GltfWriteOptions {
+  bool binary = false;
+  glm::dvec3 origin{0.0};
+  const Materials* materials = nullptr;  ///< null: there are none
+  Progress* progress = nullptr;
+};
+
 /// Writes glTF 2.0, binary (.glb) or as text with the data embedded (.gltf, a single file).
 ///
 /// Writes positions, normals if every corner has one, texture coordinates and colors. Texture
@@ -25,15 +33,18 @@ struct GltfLevel {
 /// repeated where the attributes of its corners differ. The node is translated by `origin`. Does
 /// not commit. O(F). Throws OutputError for an empty mesh, and for a .glb of more than 4 GB, the
 /// limit of the format.
+///
+/// If there are materials, the faces of each are a primitive, and all primitives have the same
+/// vertices. The images that glTF can hold are embedded.
 void write_gltf(AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
-                const glm::dvec3& origin, bool binary, Progress* progress = nullptr);
+                const GltfWriteOptions& options);
 
 /// Writes levels of detail, finest first, with one node per level.
 ///
 /// Only the first node is in the scene. It names the others with the extension MSFT_lod, and its
 /// extras.MSFT_screencoverage lists the coverages. A program that does not know the extension shows
 /// the finest level. Pre: `levels` is not empty.
-void write_gltf(AtomicFile& file, std::span<const GltfLevel> levels, const glm::dvec3& origin,
-                bool binary, Progress* progress = nullptr);
+void write_gltf(AtomicFile& file, std::span<const GltfLevel> levels,
+                const GltfWriteOptions& options);
 
 }  // namespace mesher::io

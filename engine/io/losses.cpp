@@ -221,7 +221,8 @@ std::vector<std::string> losses_in_format(const std::filesystem::path& file, con
   if (can.materials == HoldsMaterials::nothing) materials = nullptr;
   add_contents(losses, {can, attributes, materials, contents});
   if (materials != nullptr)
-    std::ranges::copy(material_losses(*materials, can.materials), std::back_inserter(losses));
+    std::ranges::copy(material_losses(*materials, can.materials, count_uv_sets(attributes)),
+                      std::back_inserter(losses));
   return losses;
 }
 

@@ -10,14 +10,17 @@
 namespace mesher::io {
 namespace {
 
-/// The textures of a material that glTF writes.
-std::set<std::uint32_t> used_images(const Materials& materials) {
+/// Collects the images that glTF writes, and counts textures without coordinates.
+std::set<std::uint32_t> used_images(const Materials& materials, std::uint32_t uv_sets,
+                                    std::int64_t& without_uv) {
   std::set<std::uint32_t> used;
   for (const Material& material : materials.materials) {
     for (const Texture* texture :
          {&material.base_color_texture, &material.metallic_roughness_texture,
           &material.normal_texture, &material.occlusion_texture, &material.emission_texture}) {
-      if (texture->is_there()) used.insert(texture->image);
+      if (!texture->is_there()) continue;
+      used.insert(texture->image);
+      without_uv += texture->set >= uv_sets ? 1 : 0;
     }
   }
   return used;
@@ -30,7 +33,15 @@ std::string image_label(const EncodedImage& image, std::uint32_t index) {
 
 }  // namespace
 
-std::vector<std::string> material_losses(const Materials& materials, HoldsMaterials holds) {
+std::uint32_t count_uv_sets(const Attributes& attributes) {
+  std::uint32_t sets = 0;
+  while (attributes.find("TEXCOORD_" + std::to_string(sets)) != nullptr)
+    ++sets;
+  return sets;
+}
+
+std::vector<std::string> material_losses(const Materials& materials, HoldsMaterials holds,
+                                         std::uint32_t uv_sets) {
   std::vector<std::string> losses;
   if (holds == HoldsMaterials::nothing) return losses;
   const bool is_mtl = holds == HoldsMaterials::as_mtl;
@@ -41,7 +52,11 @@ std::vector<std::string> material_losses(const Materials& materials, HoldsMateri
   }
   for (const auto& [name, count] : counts)
     losses.push_back(name + " of " + count_text(count, "material"));
-  for (const std::uint32_t i : used_images(materials)) {
+  std::int64_t without_uv = 0;
+  const std::set<std::uint32_t> used = used_images(materials, uv_sets, without_uv);
+  if (!is_mtl && without_uv > 0)
+    losses.push_back(count_text(without_uv, "texture") + " without texture coordinates");
+  for (const std::uint32_t i : used) {
     const EncodedImage& image = materials.images[i];
     const std::string label = "texture " + image_label(image, i);
     // OBJ keeps the name of a file that is missing.

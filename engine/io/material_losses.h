@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "engine/mesh/attributes.h"
 #include "engine/mesh/material.h"
 
 namespace mesher::io {
@@ -14,8 +16,13 @@ enum class HoldsMaterials {
   as_gltf,  ///< in the file, with the images
 };
 
+/// Returns the number of sets of texture coordinates: TEXCOORD_0, TEXCOORD_1, ... without gaps.
+std::uint32_t count_uv_sets(const Attributes& attributes);
+
 /// Returns what such a format does not hold of materials that it holds otherwise: "bump map of 2
-/// materials", "texture a.tga (glTF has no such images)". O(statements).
-std::vector<std::string> material_losses(const Materials& materials, HoldsMaterials holds);
+/// materials", "texture a.tga (glTF has no such images)". O(statements). `uv_sets` is the number of
+/// sets of texture coordinates.
+std::vector<std::string> material_losses(const Materials& materials, HoldsMaterials holds,
+                                         std::uint32_t uv_sets);
 
 }  // namespace mesher::io

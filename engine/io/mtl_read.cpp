@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/core/error.h"
 #include "engine/io/format.h"
 #include "engine/io/text_cursor.h"
 
@@ -13,7 +14,8 @@ namespace mesher::io {
 void MtlReader::read(const MappedFile& file) {
   file_ = std::filesystem::path(file.name()).filename().string();
   line_ = 0;
-  if (file.size() > kMostMtlBytes - bytes_) return warn("too large for a material file");
+  if (file.size() > kMostMtlBytes - bytes_)
+    throw InputError(file.name(), 0, "too large for a material file");
   bytes_ += file.size();
   std::string joined;  // of a line that a backslash continues
   std::uint64_t lines = 0;

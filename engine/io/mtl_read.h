@@ -28,7 +28,8 @@ class MtlReader {
   /// Adds the materials of a file, with all lines as written and with what they are in terms of
   /// glTF (engine/io/mtl_look.h). A malformed statement is kept but means nothing, and gives a
   /// warning with its line. The images have paths but no bytes yet. Comments before the first
-  /// material are dropped. O(bytes). Throws InputError if the text is UTF-16.
+  /// material are dropped. O(bytes). Throws InputError if the file is too large or
+  /// its text is UTF-16.
   void read(const MappedFile& file);
 
  private:

@@ -73,6 +73,7 @@ class ObjMaterials {
     try {
       reader_.read(MappedFile(found.file));
     } catch (const InputError& error) {
+      materials_.missing_files.push_back(name);
       soup_.contents.warn("material file " + name + ": " + error.reason());
     }
   }

@@ -2,9 +2,12 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "engine/core/progress.h"
 #include "engine/io/block_writer.h"
+#include "engine/io/mtl_write.h"
 #include "engine/io/vertex_attributes.h"
 #include "engine/io/weld.h"
 #include "engine/mesh/corner_attributes.h"
@@ -100,16 +103,36 @@ std::string one_line(std::string name) {
   return name;
 }
 
+/// Writes the statements by which the faces of a group differ from those before.
+void write_group(Appender& out, const FaceGroup& before, const FaceGroup& group,
+                 const std::vector<std::string>& materials) {
+  const auto write = [&](std::string_view keyword, const std::string& old, std::string_view usual,
+                         const std::string& text) {
+    if (text == old) return;
+    const std::string line =
+        std::string(keyword) + one_line(text.empty() ? std::string(usual) : text);
+    out.need(line.size() + 1);
+    out << line << '\n';
+  };
+  const auto name_of = [&](std::uint32_t material) {
+    return material < materials.size() ? materials[material] : std::string();
+  };
+  write("o ", before.object, "", group.object);
+  write("g ", before.name, "", group.name);
+  write("usemtl ", name_of(before.material), "", name_of(group.material));
+  write("s ", before.smoothing, "off", group.smoothing);
+}
+
 void write_faces(AtomicFile& file, const Mesh& mesh, const CornerAttributes& attributes,
                  const Values<glm::vec2>& texcoords, const Values<glm::vec3>& normals,
-                 Progress* progress) {
+                 const std::vector<std::string>& materials, Progress* progress) {
   const auto& group = attributes.group;
   write_elements(file, mesh.face_count(), 4 + 9 * kIndex, progress,
                  [&](Appender& out, std::size_t f) {
                    if (!group.empty() && (f == 0 || group[f] != group[f - 1])) {
-                     const std::string name = one_line(attributes.groups[group[f]].name);
-                     out.need(name.size() + 4 + 9 * kIndex);
-                     out << "g " << name << '\n';
+                     write_group(out, f == 0 ? FaceGroup() : attributes.groups[group[f - 1]],
+                                 attributes.groups[group[f]], materials);
+                     out.need(4 + 9 * kIndex);
                    }
                    out << 'f';
                    for (std::size_t h = 3 * f; h < 3 * f + 3; ++h) {
@@ -151,7 +174,8 @@ void write_creases(AtomicFile& file, const Mesh& mesh, const Progress* progress)
 }  // namespace
 
 void write_obj(AtomicFile& file, const Mesh& mesh, const Attributes& wedges,
-               const glm::dvec3& origin, Progress* progress) {
+               const WriteOptions& options) {
+  Progress* const progress = options.progress;
   const CornerAttributes attributes = to_corners(mesh, wedges);
   Stages stages(progress, {kPositionTime * mesh.vertex_count(),
                            kTexcoordTime * double(attributes.texcoord.size()),
@@ -160,13 +184,17 @@ void write_obj(AtomicFile& file, const Mesh& mesh, const Attributes& wedges,
   stages.next();
   file.write("# mesher: " + std::to_string(mesh.vertex_count()) + " vertices, " +
              std::to_string(mesh.face_count()) + " faces\n");
-  write_positions(file, mesh, attributes, origin, progress);
+  const MtlReference materials =
+      options.materials ? add_mtl(file, *options.materials) : MtlReference();
+  for (const std::string& library : materials.libraries)
+    file.write("mtllib " + one_line(library) + "\n");
+  write_positions(file, mesh, attributes, options.origin, progress);
   stages.next();
   const Values<glm::vec2> texcoords = write_values(file, "vt", attributes.texcoord, progress);
   stages.next();
   const Values<glm::vec3> normals = write_values(file, "vn", attributes.normal, progress);
   stages.next();
-  write_faces(file, mesh, attributes, texcoords, normals, progress);
+  write_faces(file, mesh, attributes, texcoords, normals, materials.names, progress);
   stages.next();
   write_creases(file, mesh, progress);
 }

@@ -79,7 +79,7 @@ struct Materials {
   std::vector<Material> materials;
   std::vector<EncodedImage> images;
   std::uint32_t texture_count = 0;         ///< textures of the file that the materials hold
-  std::vector<std::string> missing_files;  ///< MTL files that the model names but were not found
+  std::vector<std::string> missing_files;  ///< MTL files that could not be read; OBJ names them
 };
 
 }  // namespace mesher

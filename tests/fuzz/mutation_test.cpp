@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/core/parallel.h"
+#include "engine/io/write.h"
 #include "tests/fuzz/support.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/zoo.h"
@@ -119,6 +120,37 @@ TEST(Mutation, EveryMutantIsReadOrRejected) {
     // If all mutants were read, or none, the mutations would test nothing.
     EXPECT_GT(read, 0) << sound.name;
     EXPECT_LT(read, kMutants) << sound.name;
+  }
+}
+
+// The look of a file must not cost its shape.
+TEST(Mutation, NoMutantOfAMaterialFileCostsTheMesh) {
+  const ThreadLimit one(1);
+  const Watchdog watchdog("MTL", kFormatTimeLimit);
+  const TempFolder folder;
+  const auto obj = folder.write(
+      "m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nusemtl b\nf 3 2 1\n");
+  folder.write("a.png", "\x89PNG\r\n\x1A\n");
+  const std::string sound =
+      "newmtl a\nKd 1 .5 0\nNs 10\nd 0.5\nillum 2\nmap_Kd -s 2 2 1 -o 0 .5 -clamp on a.png\n"
+      "newmtl b\nTr 0.2\nKe 1 1 \\\n1\nnorm -bm 0.5 a.png\nmap_Pr -imfchan g a.png\n"
+      "map_Pm -imfchan b a.png\nbump \"b c.png\"\n";
+  Mutator mutator(20261130);
+  for (int i = 0; i < kMutants; ++i) {
+    const std::string bytes = mutator.mutate(sound);
+    SCOPED_TRACE("mutant " + std::to_string(i) + ":\n" + printable(bytes));
+    folder.write("m.mtl", bytes);
+    const auto model = read_or_refuse(obj);
+    ASSERT_TRUE(model);
+    EXPECT_EQ(model->mesh.face_count(), 2U);
+    for (const char* name : {"o/m.obj", "o/m.glb"}) {
+      std::filesystem::create_directory(folder / "o");
+      io::write_model(folder / name, model->mesh, model->attributes,
+                      {.materials = model->materials});
+      EXPECT_TRUE(read_or_refuse(folder / name));
+    }
+    std::filesystem::remove_all(folder / "o");
+    if (testing::Test::HasFailure()) return;
   }
 }
 

@@ -107,6 +107,24 @@ TEST(AtomicFile, WithoutCommitLeavesNoFile) {
   EXPECT_EQ(folder.count_files(), 1U);
 }
 
+TEST(AtomicFile, FilesBesideAppearWithIt) {
+  const TempFolder folder;
+  {
+    io::AtomicFile file(folder / "out");
+    file.add_side("a/b/side").write("text");
+    EXPECT_TRUE(std::filesystem::exists(folder / "a/b"));
+  }
+  EXPECT_EQ(folder.count_files(), 0U);
+  io::AtomicFile file(folder / "out");
+  file.add_side("a/b/side").write("text");
+  file.add_side("other").write("more");
+  EXPECT_FALSE(std::filesystem::exists(folder / "other"));
+  file.commit();
+  EXPECT_EQ(read_bytes(folder / "a/b/side"), "text");
+  EXPECT_EQ(folder.count_files(), 3U);
+  EXPECT_THROW(file.add_side("other/x"), OutputError);
+}
+
 TEST(AtomicFile, KeepsPermissionsAndFollowsLinks) {
   const TempFolder folder;
   folder.write("real", "old");

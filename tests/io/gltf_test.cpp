@@ -90,7 +90,8 @@ TEST(GltfRead, JoinsVerticesSplitByAttributes) {
   EXPECT_EQ(std::vector<std::uint32_t>(soup.corners.begin(), soup.corners.end()),
             (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
   EXPECT_EQ(soup.attributes.texcoord[3], glm::vec2(0.5F, 1.0F)) << "measured from the bottom";
-  EXPECT_TRUE(soup.attributes.group.empty());
+  ASSERT_EQ(soup.attributes.groups.size(), 1U);
+  EXPECT_EQ(soup.attributes.groups[0], (FaceGroup{.object = "m"}));
 }
 
 TEST(GltfRead, ReadsBinaryContainer) {
@@ -125,7 +126,7 @@ TEST(GltfRead, NodesTransformTheirMeshes) {
   EXPECT_EQ(soup.positions[1], glm::vec3(12, 0, 0));
   EXPECT_NEAR(soup.positions[5].x, 0.0F, 1e-6F);
   EXPECT_NEAR(soup.positions[5].y, 1.0F, 1e-6F);
-  EXPECT_EQ(soup.attributes.groups, test::named_groups({"a", "b"}));
+  EXPECT_EQ(soup.attributes.groups, (std::vector<FaceGroup>{{.object = "a"}, {.object = "b"}}));
   EXPECT_EQ(soup.attributes.group[3], 1U);
 }
 

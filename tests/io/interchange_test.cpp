@@ -90,7 +90,7 @@ TEST(Levels, AssimpReadsAndShowsTheFinestLevel) {
                                           {&meshes[2], &attributes[2], 0.0}};
   for (const char* name : {"l.glb", "l.gltf"}) {
     io::AtomicFile file(folder / name);
-    io::write_gltf(file, levels, glm::dvec3(0.0), std::string_view(name) == "l.glb");
+    io::write_gltf(file, levels, {.binary = std::string_view(name) == "l.glb"});
     file.commit();
     EXPECT_EQ(io::read_model(folder / name).mesh.face_count(), 8U);
     Assimp::Importer importer;
@@ -121,7 +121,7 @@ TEST(Levels, FirstNodeListsTheOtherLevels) {
   const Attributes none;
   const std::vector<io::GltfLevel> levels{{&mesh, &none, 0.5}, {&mesh, &none, 0.125}};
   io::AtomicFile file(folder / "l.gltf");
-  io::write_gltf(file, levels, glm::dvec3(0.0), false);
+  io::write_gltf(file, levels, {});
   file.commit();
   const auto json = nlohmann::json::parse(test::read_bytes(folder / "l.gltf"));
   EXPECT_EQ(json["extensionsUsed"], nlohmann::json::array({"MSFT_lod"}));
@@ -133,7 +133,7 @@ TEST(Levels, FirstNodeListsTheOtherLevels) {
   EXPECT_FALSE(json["nodes"][1].contains("extensions"));
   // A model with one level is written as before.
   io::AtomicFile single(folder / "s.gltf");
-  io::write_gltf(single, std::span(levels).first(1), glm::dvec3(0.0), false);
+  io::write_gltf(single, std::span(levels).first(1), {});
   single.commit();
   EXPECT_EQ(test::read_bytes(folder / "s.gltf").find("MSFT"), std::string::npos);
 }

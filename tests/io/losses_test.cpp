@@ -149,7 +149,8 @@ TEST(Losses, EveryKindIsKeptOrNamedInEveryFormat) {
         EXPECT_TRUE(is_named);
         continue;
       }
-      write_model(file, model.mesh, model.attributes, {.origin = model.origin});
+      write_model(file, model.mesh, model.attributes,
+                  {.origin = model.origin, .materials = model.materials});
       const bool is_kept = read_model(file).contents[sample.kind] >= model.contents[sample.kind];
       EXPECT_TRUE(is_kept || is_named);
     }

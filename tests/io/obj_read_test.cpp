@@ -146,13 +146,23 @@ TEST(ObjRead, ReadsColorsAndWeights) {
   EXPECT_EQ(soup.attributes.color[5], glm::u8vec4(255));
 }
 
-TEST(ObjRead, GroupsAreKeptIfThereIsMoreThanOne) {
-  EXPECT_TRUE(parse("g all\n" + kTriangle + "f 1 2 3\n").attributes.group.empty());
+TEST(ObjRead, GroupsKeepObjectNameSmoothingAndMaterialApart) {
+  EXPECT_TRUE(parse(kTriangle + "g\nf 1 2 3\n").attributes.group.empty());
+  EXPECT_EQ(parse("g all\n" + kTriangle + "f 1 2 3\n").attributes.groups,
+            test::named_groups({"all"}));
+  EXPECT_EQ(parse("s off\n" + kTriangle + "f 1 2 3\n").attributes.groups,
+            (std::vector<FaceGroup>{{.smoothing = "off"}}));
   const Soup soup = parse(kTriangle +
                           "f 1 2 3\no box\ng side\nf 1 2 3\nf 2 3 1\nusemtl red\nf 1 2 3\n"
                           "g empty\ng side\nf 1 2 3\ng\nf 1 2 3\n");
   EXPECT_EQ(soup.attributes.groups,
-            test::named_groups({"", "box/side", "box/side/red", "box/red"}));
+            (std::vector<FaceGroup>{{},
+                                    {.object = "box", .name = "side"},
+                                    {.object = "box", .name = "side", .material = 0},
+                                    {.object = "box", .material = 0}}));
+  ASSERT_EQ(soup.materials->materials.size(), 1U);
+  EXPECT_EQ(soup.materials->materials[0].name, "red");
+  EXPECT_TRUE(soup.materials->materials[0].is_name_only);
   EXPECT_EQ(std::vector<std::uint32_t>(soup.attributes.group.begin(), soup.attributes.group.end()),
             (std::vector<std::uint32_t>{0, 1, 1, 2, 2, 3}));
 }

@@ -99,15 +99,17 @@ std::string reference_page() {
   write_table(page, "Progressive mode",
               "The Progressive mesh panel sets these options; `progressive` takes `--base-faces`.",
               kProgressiveOptions);
-  page << "\n## Formats\n\n| format | extension | creases | groups | texture coordinates | normals "
+  page << "\n## Formats\n\n| format | extension | creases | groups | materials | texture "
+          "coordinates | normals "
           "| "
-          "colors |\n|---|---|---|---|---|---|---|\n";
+          "colors |\n|---|---|---|---|---|---|---|---|\n";
   for (const io::FormatInfo& format : io::formats()) {
     if (format.write == nullptr) continue;
     page << "| " << format.name << " | `" << format.extension << "` | "
          << (format.holds.creases ? "yes" : "no") << " | " << (format.holds.groups ? "yes" : "no")
-         << " | " << text_of(format.holds.texcoord) << " | " << text_of(format.holds.normal)
-         << " | " << text_of(format.holds.color) << " |\n";
+         << " | " << (format.holds.materials != io::HoldsMaterials::nothing ? "yes" : "no") << " | "
+         << text_of(format.holds.texcoord) << " | " << text_of(format.holds.normal) << " | "
+         << text_of(format.holds.color) << " |\n";
   }
   page << "\n## Keys\n\nThe sources refer to a command by its id.\n";
   for (const Choice<CommandGroup>& group : kCommandGroups) {
