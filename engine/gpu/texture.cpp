@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <cstring>
 #include <vector>
 
@@ -20,10 +18,6 @@ constexpr ImageState kSampled{VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
                               VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
                               VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
 
-std::uint32_t level_count(const mesher::Image& image) {
-  return static_cast<std::uint32_t>(std::bit_width(std::max(image.width, image.height)));
-}
-
 void check_texture_size(const Device& device, const mesher::Image& image) {
   const std::uint32_t limit = device.properties().limits.maxImageDimension2D;
   if (image.width <= limit && image.height <= limit) return;
@@ -32,15 +26,16 @@ void check_texture_size(const Device& device, const mesher::Image& image) {
                   image.height, device.name(), limit));
 }
 
-VkImage create_texture_image(Device& device, const mesher::Image& image, VkFormat format) {
-  check_texture_size(device, image);
+VkImage create_texture_image(Device& device, std::span<const mesher::Image> levels,
+                             VkFormat format) {
+  check_texture_size(device, levels.front());
   const VkImageCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
                                .pNext = nullptr,
                                .flags = 0,
                                .imageType = VK_IMAGE_TYPE_2D,
                                .format = format,
-                               .extent = {image.width, image.height, 1},
-                               .mipLevels = level_count(image),
+                               .extent = {levels.front().width, levels.front().height, 1},
+                               .mipLevels = static_cast<std::uint32_t>(levels.size()),
                                .arrayLayers = 1,
                                .samples = VK_SAMPLE_COUNT_1_BIT,
                                .tiling = VK_IMAGE_TILING_OPTIMAL,
@@ -56,9 +51,9 @@ VkImage create_texture_image(Device& device, const mesher::Image& image, VkForma
   return handle;
 }
 
-/// Records a barrier for some mip levels of a texture.
+/// Records a barrier for all mip levels of a texture.
 void transition_levels(VkCommandBuffer commands, VkImage image, const ImageState& from,
-                       const ImageState& to, std::uint32_t first, std::uint32_t count) {
+                       const ImageState& to) {
   const bool discards = from.layout == VK_IMAGE_LAYOUT_UNDEFINED;
   const VkImageMemoryBarrier2 barrier{
       .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
@@ -72,7 +67,7 @@ void transition_levels(VkCommandBuffer commands, VkImage image, const ImageState
       .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
       .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
       .image = image,
-      .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, first, count, 0, 1}};
+      .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, VK_REMAINING_MIP_LEVELS, 0, 1}};
   VkDependencyInfo dependency{};
   dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
   dependency.imageMemoryBarrierCount = 1;
@@ -80,46 +75,41 @@ void transition_levels(VkCommandBuffer commands, VkImage image, const ImageState
   vkCmdPipelineBarrier2(commands, &dependency);
 }
 
-VkImageBlit halving(std::uint32_t level, const mesher::Image& image) {
-  const auto end = [&](std::uint32_t at) {
-    return VkOffset3D{static_cast<std::int32_t>(std::max(image.width >> at, 1U)),
-                      static_cast<std::int32_t>(std::max(image.height >> at, 1U)), 1};
-  };
-  VkImageBlit blit{};
-  blit.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level - 1, 0, 1};
-  blit.srcOffsets[1] = end(level - 1);
-  blit.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, 0, 1};
-  blit.dstOffsets[1] = end(level);
-  return blit;
+/// Records the copy of all levels, which follow one another in `pixels`.
+void record_upload(VkCommandBuffer commands, VkImage texture, const Buffer& pixels,
+                   std::span<const mesher::Image> levels) {
+  transition_levels(commands, texture, kUndefined, kTransferTarget);
+  std::vector<VkBufferImageCopy> regions;
+  VkDeviceSize offset = 0;
+  for (const mesher::Image& level : levels) {
+    const auto number = static_cast<std::uint32_t>(regions.size());
+    regions.push_back({.bufferOffset = offset,
+                       .bufferRowLength = 0,
+                       .bufferImageHeight = 0,
+                       .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, number, 0, 1},
+                       .imageOffset = {0, 0, 0},
+                       .imageExtent = {level.width, level.height, 1}});
+    offset += level.rgba.size();
+  }
+  vkCmdCopyBufferToImage(commands, pixels.handle(), texture, kTransferTarget.layout,
+                         static_cast<std::uint32_t>(regions.size()), regions.data());
+  transition_levels(commands, texture, kTransferTarget, kSampled);
 }
 
-void record_upload(VkCommandBuffer commands, VkImage texture, const Buffer& pixels,
-                   const mesher::Image& image) {
-  const std::uint32_t levels = level_count(image);
-  transition_levels(commands, texture, kUndefined, kTransferTarget, 0, levels);
-  const VkBufferImageCopy region{.bufferOffset = 0,
-                                 .bufferRowLength = 0,
-                                 .bufferImageHeight = 0,
-                                 .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
-                                 .imageOffset = {0, 0, 0},
-                                 .imageExtent = {image.width, image.height, 1}};
-  vkCmdCopyBufferToImage(commands, pixels.handle(), texture, kTransferTarget.layout, 1, &region);
-  for (std::uint32_t level = 1; level < levels; ++level) {
-    transition_levels(commands, texture, kTransferTarget, kTransferSource, level - 1, 1);
-    const VkImageBlit blit = halving(level, image);
-    vkCmdBlitImage(commands, texture, kTransferSource.layout, texture, kTransferTarget.layout, 1,
-                   &blit, VK_FILTER_LINEAR);
-  }
-  if (levels > 1) transition_levels(commands, texture, kTransferSource, kSampled, 0, levels - 1);
-  transition_levels(commands, texture, kTransferTarget, kSampled, levels - 1, 1);
+VkDeviceSize level_bytes(std::span<const mesher::Image> levels) {
+  VkDeviceSize bytes = 0;
+  for (const mesher::Image& level : levels)
+    bytes += level.rgba.size();
+  return bytes;
 }
 
 }  // namespace
 
-Texture::Texture(Device& device, const mesher::Image& image, bool is_srgb, Buffer& staging) {
-  MESHER_ASSERT(image.width > 0 && image.height > 0);
+Texture::Texture(Device& device, std::span<const mesher::Image> levels, bool is_srgb,
+                 Buffer& staging) {
+  MESHER_ASSERT(!levels.empty() && levels.front().width > 0 && levels.front().height > 0);
   const VkFormat format = is_srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM;
-  image_ = UniqueImage(device, create_texture_image(device, image, format));
+  image_ = UniqueImage(device, create_texture_image(device, levels, format));
   VkMemoryRequirements requirements{};
   vkGetImageMemoryRequirements(device.handle(), image_.get(), &requirements);
   memory_ = allocate(device, requirements, MemoryIntent::fixed);
@@ -133,15 +123,22 @@ Texture::Texture(Device& device, const mesher::Image& image, bool is_srgb, Buffe
       .viewType = VK_IMAGE_VIEW_TYPE_2D,
       .format = format,
       .components = {},
-      .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, level_count(image), 0, 1}};
+      .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, VK_REMAINING_MIP_LEVELS, 0, 1}};
   VkImageView view = VK_NULL_HANDLE;
   check(vkCreateImageView(device.handle(), &info, nullptr, &view), "vkCreateImageView");
   view_ = UniqueImageView(device, view);
-  if (staging.size() < image.rgba.size())
-    staging = Buffer(device, image.rgba.size(), 0, MemoryIntent::dynamic);
-  std::memcpy(staging.mapped(), image.rgba.data(), image.rgba.size());
+  const VkDeviceSize bytes = level_bytes(levels);
+  if (staging.size() < bytes) {
+    staging = {};  // freed first, so that both never coexist
+    staging = Buffer(device, bytes, 0, MemoryIntent::dynamic);
+  }
+  std::byte* end = staging.mapped();
+  for (const mesher::Image& level : levels) {
+    std::memcpy(end, level.rgba.data(), level.rgba.size());
+    end += level.rgba.size();
+  }
   device.run_once(
-      [&](VkCommandBuffer commands) { record_upload(commands, image_.get(), staging, image); });
+      [&](VkCommandBuffer commands) { record_upload(commands, image_.get(), staging, levels); });
 }
 
 UniqueSampler create_sampler(Device& device, const SamplerOptions& options) {

@@ -9,16 +9,15 @@
 
 namespace mesher::gpu {
 
-/// An 8-bit RGBA image with all its mip levels, to be sampled by fragment shaders.
+/// An 8-bit RGBA image with its mip levels, to be sampled by fragment shaders.
 class Texture {
  public:
   Texture() = default;
-  /// Uploads an image and fills its mip levels, each the average of the one before. `is_srgb`: the
-  /// image is color, so averages are taken in linear light; otherwise its bytes are numbers.
-  /// `staging` is replaced if it is too small, so that several textures can share it. Waits for the
-  /// GPU. Pre: no side is 0. Throws DeviceError if a side exceeds the device's limit, or memory
-  /// runs out.
-  Texture(Device& device, const mesher::Image& image, bool is_srgb, Buffer& staging);
+  /// Uploads an image and its mip levels, each half as wide and as high as the one before, rounded
+  /// down, and at least 1. `is_srgb`: the bytes are color. `staging` is replaced if it is too
+  /// small, so that several textures can share it. Waits for the GPU. Pre: no side is 0. Throws
+  /// DeviceError if a side exceeds the device's limit, or memory runs out.
+  Texture(Device& device, std::span<const mesher::Image> levels, bool is_srgb, Buffer& staging);
 
   VkImageView view() const { return view_.get(); }
   explicit operator bool() const { return static_cast<bool>(image_); }

@@ -1,15 +1,43 @@
 #include "engine/render/gpu_materials.h"
 
+#include <algorithm>
 #include <set>
 #include <span>
+#include <utility>
 
-#include "engine/core/error.h"
+#include "engine/core/parallel.h"
+#include "engine/render/mip_levels.h"
 
 namespace mesher::render {
 namespace {
 
 Image white_pixel() {
   return {.width = 1, .height = 1, .rgba = Array<std::uint8_t>(4, 255)};
+}
+
+struct LeveledTexture {
+  TextureKey key;
+  std::vector<Image> levels;
+};
+
+/// Returns the textures with their first level.
+std::vector<LeveledTexture> decoded(const std::set<TextureKey>& keys, const DecodeImages& decode) {
+  std::vector<std::uint32_t> indices;
+  for (const TextureKey& key : keys) {
+    if (key.image != kNone && (indices.empty() || indices.back() != key.image))
+      indices.push_back(key.image);
+  }
+  std::vector<Image> images;
+  if (decode && !indices.empty()) images = decode(indices);
+  images.resize(indices.size());
+  std::vector<LeveledTexture> textures;
+  for (const TextureKey& key : keys) {
+    const auto i = std::lower_bound(indices.begin(), indices.end(), key.image) - indices.begin();
+    const auto at = static_cast<std::size_t>(i);
+    const bool is_decoded = at < images.size() && !images[at].rgba.empty();
+    textures.push_back({key, {is_decoded ? images[at] : white_pixel()}});
+  }
+  return textures;
 }
 
 std::vector<Material> with_plain(const Materials* materials) {
@@ -49,25 +77,23 @@ void GpuMaterials::update(const Appearance& appearance, Look look) {
 
 void GpuMaterials::create_textures(const std::vector<PackedMaterial>& packed,
                                    const DecodeImages& decode) {
-  std::map<std::uint32_t, std::set<TextureKey>> missing;  // by their images
+  std::set<TextureKey> missing;
   for (const PackedMaterial& material : packed) {
     for (const TextureKey& key : material.textures) {
-      if (!textures_.contains(key)) missing[key.image].insert(key);
+      if (!textures_.contains(key)) missing.insert(key);
     }
   }
+  std::vector<LeveledTexture> textures = decoded(missing, decode);
+  parallel_for(textures.size(), 1, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      auto& [key, levels] = textures[i];
+      levels = mip_levels(std::move(levels.front()), key.is_srgb);
+    }
+  });
   gpu::Buffer staging;
-  if (missing.erase(kNone) > 0)
-    textures_.emplace(TextureKey{}, gpu::Texture(device_, white_pixel(), false, staging));
-  std::vector<std::uint32_t> indices;
-  for (const auto& [image, keys] : missing)
-    indices.push_back(image);
-  std::vector<Image> images;
-  if (decode && !indices.empty()) images = decode(indices);
-  images.resize(indices.size());
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    const Image image = images[i].rgba.empty() ? white_pixel() : std::move(images[i]);
-    for (const TextureKey& key : missing.at(indices[i]))
-      textures_.emplace(key, gpu::Texture(device_, image, key.is_srgb, staging));
+  for (auto& [key, levels] : textures) {
+    textures_.emplace(key, gpu::Texture(device_, levels, key.is_srgb, staging));
+    levels.clear();
   }
 }
 
