@@ -171,8 +171,8 @@ std::vector<Image> decode_images(const Materials& materials, std::span<const std
     std::vector<DecodedImage> decoded(some.size());
     parallel_for(some.size(), 1, [&](IndexRange range) {
       for (std::size_t i = range.begin; i < range.end; ++i)
-        decoded[i] = bytes > kMostBytesOfImages ? DecodedImage{{}, "the others take 2 GB"}
-                                                : decode_one(materials, some[i], progress);
+        decoded[i] = bytes > kMostPixelBytesOfModel ? DecodedImage{{}, "the others take 2 GB"}
+                                                    : decode_one(materials, some[i], progress);
     });
     for (std::size_t i = 0; i < some.size(); ++i) {
       bytes += decoded[i].image.rgba.size();

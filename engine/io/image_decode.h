@@ -20,7 +20,7 @@ inline constexpr std::uint32_t kMostImageSide = 16'384;
 inline constexpr std::size_t kAlwaysImageBytes = std::size_t{64} << 20U;
 inline constexpr std::size_t kMostImageBytesPerByte = 4096;
 /// Bytes of pixels of all images of a model together.
-inline constexpr std::size_t kMostBytesOfImages = std::size_t{2} << 30U;
+inline constexpr std::size_t kMostPixelBytesOfModel = std::size_t{2} << 30U;
 
 /// The pixels of an image, or why there are none.
 struct DecodedImage {
