@@ -11,12 +11,13 @@ struct Softbox {
   vec3 radiance;
 };
 
-const uint kSoftboxes = 4;
-const Softbox softboxes[kSoftboxes] = Softbox[](
-    Softbox(vec3(-0.52, 0.57, 0.636), 14.0, vec3(4.70, 4.62, 4.45)),  // key: as in light.glsl
-    Softbox(vec3(0.85, -0.10, 0.517), 5.0, vec3(0.62, 0.66, 0.72)),   // fill
-    Softbox(vec3(0.42, 0.66, -0.624), 24.0, vec3(7.50, 7.50, 7.70)),  // rim, behind the model
-    Softbox(vec3(-0.93, 0.10, -0.35), 18.0, vec3(2.60, 2.70, 2.90))); // a strip at the side
+const Softbox kKey =  // as in light.glsl
+    Softbox(vec3(-0.52, 0.57, 0.636), 14.0, vec3(4.70, 4.62, 4.45));
+const Softbox kFill = Softbox(vec3(0.85, -0.10, 0.517), 5.0, vec3(0.62, 0.66, 0.72));
+const Softbox kRim =  // behind the model
+    Softbox(vec3(0.42, 0.66, -0.624), 24.0, vec3(7.50, 7.50, 7.70));
+const Softbox kStrip =  // at the side
+    Softbox(vec3(-0.93, 0.10, -0.35), 18.0, vec3(2.60, 2.70, 2.90));
 
 // Returns the light of ceiling and floor, blurred by `roughness`. At 1 it is that of diffuse
 // surfaces.
@@ -33,13 +34,16 @@ vec3 integral(Softbox box, vec3 axis, float sharpness) {
          (1.0 - exp(-2.0 * both)) / both;
 }
 
+// Returns the same of all softboxes.
+vec3 integral_of_all(vec3 axis, float sharpness) {
+  return integral(kKey, axis, sharpness) + integral(kFill, axis, sharpness) +
+         integral(kRim, axis, sharpness) + integral(kStrip, axis, sharpness);
+}
+
 // Returns the light that a white diffuse surface reflects. The cosine is nearly the Gaussian
 // 1.17 exp(2.133 (cosine - 1)) (Wang et al.).
 vec3 diffuse_light(vec3 n) {
-  vec3 light = room(n, 1.0);
-  for (uint i = 0; i < kSoftboxes; ++i)
-    light += 1.17 / kPi * integral(softboxes[i], n, 2.133);
-  return light;
+  return room(n, 1.0) + 1.17 / kPi * integral_of_all(n, 2.133);
 }
 
 // Returns the light around `direction`, weighted by the lobe of the microfacets: GGX is nearly a
@@ -49,8 +53,5 @@ vec3 specular_light(vec3 direction, float roughness, float n_dot_v) {
   const float alpha = max(roughness * roughness, 0.02);
   const float sharpness = 0.5 / (alpha * alpha * max(n_dot_v, 0.1));
   const float norm = sharpness / (2.0 * kPi * (1.0 - exp(-2.0 * sharpness)));
-  vec3 light = room(direction, roughness);
-  for (uint i = 0; i < kSoftboxes; ++i)
-    light += norm * integral(softboxes[i], direction, sharpness);
-  return light;
+  return room(direction, roughness) + norm * integral_of_all(direction, sharpness);
 }
