@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "light.glsl"
 #include "shared/constants.h"
+#include "wire.glsl"
 
 layout(push_constant) uniform Constants { SurfaceConstants constants; };
 
@@ -22,21 +23,8 @@ layout(location = 3) in vec3 in_tint;
 layout(location = 0) out vec4 out_color;
 
 #if defined(WIRE) || defined(WIRE_ALONE)
-// Returns how much of the pixel ordinary edges cover. Lines closer together than a few pixels of
-// the window fade to `least`; at full strength they would only look dark.
 float line_coverage(float least) {
-  const vec3 dx = dFdx(in_barycentric);
-  const vec3 dy = dFdy(in_barycentric);
-  const vec3 altitude = inversesqrt(max(dx * dx + dy * dy, 1e-12));  // pixels from edge to corner
-  const vec3 away = abs(in_barycentric) * altitude;
-  const vec3 covered = clamp(0.5 * constants.line_width + 0.5 - away, 0.0, 1.0);
-  // Side of a square with twice the triangle's area, computed from whichever two coordinates vary.
-  const vec3 inverse_area = abs(cross(dx, dy));
-  const float pixel_ratio = float(constants.front >> 24);
-  const float spacing =
-      inversesqrt(max(max(inverse_area.x, max(inverse_area.y, inverse_area.z)), 1e-12)) /
-      pixel_ratio;
-  return max(covered.x, max(covered.y, covered.z)) * clamp((spacing - 1.0) / 7.0, least, 1.0);
+  return line_coverage(in_barycentric, constants.line_width, float(constants.front >> 24), least);
 }
 #endif
 

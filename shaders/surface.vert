@@ -7,6 +7,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "view.glsl"
 #include "normal.glsl"
+#ifdef PULLED
+#include "barycentric.glsl"
+#endif
 #ifdef MORPH
 #include "geomorph.glsl"
 #include "light.glsl"
@@ -35,24 +38,6 @@ layout(location = 3) out vec3 out_tint;
 
 // The depth of a vertex must have the same bits in every pass.
 invariant gl_Position;
-
-#ifdef PULLED
-// Returns 1 at the corner and 0 along the opposite edge. If that edge is not ordinary, returns 1
-// everywhere, because the line pass draws it.
-vec3 barycentric(uint h) {
-  const uint corner = h % 3;
-  const uint first = h - corner;
-  const uint shift = 2 * (first & 15);
-  uint classes = Uints(constants.classes).at[first >> 4] >> shift;
-  if (shift > 26) classes |= Uints(constants.classes).at[(first + 2) >> 4] << (32 - shift);
-  vec3 b = vec3(0.0);
-  b[corner] = 1.0;
-  if ((classes & 3) != 0) b.z = 1.0;
-  if ((classes & 12) != 0) b.x = 1.0;
-  if ((classes & 48) != 0) b.y = 1.0;
-  return b;
-}
-#endif
 
 #ifdef MORPH
 GeomorphConstants geomorph() { return Geomorph(constants.positions).at; }
@@ -99,7 +84,7 @@ void main() {
   out_tint = split_order_color(geomorph(), vertex, decode_color(constants.front));
 #endif
 #ifdef PULLED
-  out_barycentric = barycentric(gl_VertexIndex);
+  out_barycentric = barycentric(constants.classes, gl_VertexIndex);
 #endif
   const vec3 in_view = to_view(constants.view, position);
 #ifdef GOURAUD

@@ -159,6 +159,8 @@ void draw(LoadedModel&& loaded, const std::string& output, const LookOptions& lo
   show(session, std::move(loaded), look);
   ScriptedSession script(session, {.device = look.device, .validation = look.validation});
   PictureScene scene = script.scene();
+  for (const std::string& line : script.not_drawn())
+    say(line);
   scene.legend = legend_of_picture(scene.settings, legend_facts(session.document), scene.window,
                                    picture.options);
   write(scene, output, picture, common);

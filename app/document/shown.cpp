@@ -43,7 +43,12 @@ render::Settings shown_settings(render::Settings settings, const Document& docum
 
 render::Sources shown_sources(const Document& document) {
   const ProgressiveView& view = document.progressive;
-  if (!view.is_on()) return {.corner_normals = shading_normals(document.edits)};
+  if (!view.is_on()) {
+    return {.corner_normals = shading_normals(document.edits),
+            .appearance = {.attributes = &document.model.attributes,
+                           .materials = document.model.materials,
+                           .decode = {}}};
+  }
   if (!view.has_geomorph()) return {};
   const progressive::Geomorph& geomorph = view.levels().geomorph;
   return {.vertex_normals = geomorph.normals(),

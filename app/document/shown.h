@@ -25,6 +25,8 @@ Shape level_shape(const Mesh& level, std::span<const Halfedge> face_source, cons
 /// The settings to draw with: those of the view, with the lines of crease editing and the state of
 /// the geomorph.
 render::Settings shown_settings(render::Settings settings, const Document& document);
+/// What the renderer needs besides the mesh. Levels of a progressive mesh have no attributes, so
+/// they are drawn as clay. The images of materials are still to be decoded.
 render::Sources shown_sources(const Document& document);
 /// The edges that the renderer highlights: the selection, and the edge under the cursor.
 render::MarkedEdges marked_edges(const CreaseMode& creases);

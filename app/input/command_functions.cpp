@@ -14,6 +14,7 @@
 #include "app/files/picture_requests.h"
 #include "app/files/save.h"
 #include "engine/core/text.h"
+#include "engine/render/look.h"
 
 namespace mesher::app {
 namespace {
@@ -76,6 +77,16 @@ void toggle_gouraud(View& view) {
   using render::Shading;
   Shading& shading = view.settings.shading;
   shading = shading == Shading::gouraud ? Shading::flat : Shading::gouraud;
+}
+
+void next_look(Session& session) {
+  using render::Look;
+  const Model& model = session.document.model;
+  render::Settings& settings = session.view.settings;
+  if (settings.shading == render::Shading::none) settings.shading = render::Shading::flat;
+  settings.look = next(render::drawn_look(settings, &model.attributes, model.materials.get()));
+  if (settings.look == Look::automatic) settings.look = next(Look::automatic);
+  session.document.notice = "look: " + std::string(describe(settings.look));
 }
 
 void toggle_background(View& view) {

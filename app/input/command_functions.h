@@ -11,6 +11,8 @@ void toggle_wireframe(View& view);
 /// Hides the surface, or shows it again. While it is hidden, the wireframe is shown.
 void toggle_surface(View& view);
 void toggle_gouraud(View& view);
+/// Chooses the look after the one that is drawn, and says so.
+void next_look(Session& session);
 void toggle_background(View& view);
 void next_normal_weight(View& view);
 template <render::View kView>

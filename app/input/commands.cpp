@@ -43,6 +43,8 @@ constexpr Command kCommands[] = {
      toggle_surface, nullptr, shows_surface},
     {"toggle_gouraud", "g", Group::look, "Gouraud shading", "Gouraud or flat shading",
      toggle_gouraud, nullptr, shows_gouraud},
+    {"next_look", "t", Group::look, "Next look",
+     "next look: material, clay, base color, normals, UV checker", next_look},
     {"toggle_background", "b", Group::look, "Dark background", "light or dark background",
      toggle_background, nullptr, is_dark},
     {"next_normal_weight", "n", Group::look, "Weights of normals",

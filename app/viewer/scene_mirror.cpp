@@ -1,6 +1,7 @@
 #include "app/viewer/scene_mirror.h"
 
 #include "app/document/shown.h"
+#include "engine/io/image_decode.h"
 
 namespace mesher::app {
 
@@ -22,12 +23,26 @@ bool SceneMirror::update(Document& document, const render::Settings& chosen) {
   generation_ = document.model_generation;
   const std::uint32_t faces_before = mesh_.face_count();
   const render::Settings settings = shown_settings(chosen, document);
-  const render::UploadStats upload =
-      mesh_.apply(shown_mesh(document), settings, shown_sources(document));
+  render::Sources sources = shown_sources(document);
+  std::vector<std::string> problems;
+  sources.appearance.decode = [&](std::span<const std::uint32_t> images) {
+    return io::decode_images(*sources.appearance.materials, images, problems);
+  };
+  const render::UploadStats upload = mesh_.apply(shown_mesh(document), settings, sources);
+  if (is_changed) not_decoded_.clear();
+  for (std::string& problem : problems)
+    document.notice = not_decoded_.emplace_back(std::move(problem));
   if (mesh_.mark(marked_edges(document.creases))) is_changed = true;
   if (upload.uploaded_bytes > 0) last_upload_ = upload;
   settings_ = settings;
   return is_changed || upload.uploaded_bytes > 0 || mesh_.face_count() != faces_before;
+}
+
+std::vector<std::string> SceneMirror::not_drawn() const {
+  std::vector<std::string> lines = not_decoded_;
+  for (std::string& line : mesh_.appearance().problems())
+    lines.push_back(std::move(line));
+  return lines;
 }
 
 }  // namespace mesher::app

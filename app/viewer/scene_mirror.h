@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/document/document.h"
 #include "app/document/view.h"
@@ -33,11 +35,14 @@ class SceneMirror {
   const render::Settings& settings() const { return *settings_; }
   /// The last upload that was not empty.
   const render::UploadStats& last_upload() const { return last_upload_; }
+  /// What cannot be drawn of the model, a line for each.
+  std::vector<std::string> not_drawn() const;
 
  private:
   render::GpuMesh mesh_;
   render::UploadStats last_upload_;
   std::optional<render::Settings> settings_;
+  std::vector<std::string> not_decoded_;  ///< of not_drawn()
   std::uint64_t generation_ = 0;
 };
 

@@ -133,6 +133,10 @@ const WidgetAreas* ScriptedSession::widgets() const {
   return panel_layer_ ? &panel_layer_->panels.widgets() : nullptr;
 }
 
+std::vector<std::string> ScriptedSession::not_drawn() const {
+  return gpu_ ? gpu_->mirror.not_drawn() : std::vector<std::string>{};
+}
+
 void ScriptedSession::expect_no_messages() const {
   if (!gpu_ || gpu_->instance.messages().count() == 0) return;
   throw DeviceError("validation: " + gpu_->instance.messages().list().front());

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/document/session.h"
 #include "app/files/picture.h"
@@ -41,6 +42,8 @@ class ScriptedSession {
   PictureScene scene();
   /// Where the widgets of the last picture with panels are; null: there was none.
   const WidgetAreas* widgets() const;
+  /// Returns what the pictures so far do not show of the model, a line for each.
+  std::vector<std::string> not_drawn() const;
   /// Throws DeviceError with the first validation message, if there is one.
   void expect_no_messages() const;
 

@@ -96,14 +96,15 @@ VkPipelineColorBlendAttachmentState blend_state(bool blends) {
 
 }  // namespace
 
-UniquePipelineLayout create_layout(Device& device, std::uint32_t push_constant_bytes) {
+UniquePipelineLayout create_layout(Device& device, std::uint32_t push_constant_bytes,
+                                   VkDescriptorSetLayout set) {
   const VkPushConstantRange range{VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
                                   push_constant_bytes};
   const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
                                         .pNext = nullptr,
                                         .flags = 0,
-                                        .setLayoutCount = 0,
-                                        .pSetLayouts = nullptr,
+                                        .setLayoutCount = set == VK_NULL_HANDLE ? 0U : 1U,
+                                        .pSetLayouts = &set,
                                         .pushConstantRangeCount = 1,
                                         .pPushConstantRanges = &range};
   VkPipelineLayout layout = VK_NULL_HANDLE;
@@ -141,10 +142,11 @@ UniquePipeline create_pipeline(Device& device, VkPipelineLayout layout,
   blending.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
   blending.attachmentCount = 1;
   blending.pAttachments = &blend;
-  constexpr std::array kDynamic{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+  constexpr std::array kDynamic{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
+                                VK_DYNAMIC_STATE_CULL_MODE};
   VkPipelineDynamicStateCreateInfo dynamic{};
   dynamic.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;
-  dynamic.dynamicStateCount = kDynamic.size();
+  dynamic.dynamicStateCount = options.may_cull ? 3 : 2;
   dynamic.pDynamicStates = kDynamic.data();
   VkPipelineRenderingCreateInfo rendering{};
   rendering.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO;

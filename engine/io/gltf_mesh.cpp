@@ -44,7 +44,8 @@ AttributeType kept_type(std::string name, AttributeKind kind, const GltfFile::Ac
                      .components = static_cast<std::uint8_t>(accessor.components),
                      .component = accessor.type,
                      .is_normalized = accessor.is_normalized,
-                     .counts_down = kind == AttributeKind::texcoord};
+                     .counts_down = kind == AttributeKind::texcoord,
+                     .is_linear = kind == AttributeKind::color};
   const bool is_free = kind == AttributeKind::joints || kind == AttributeKind::custom;
   if (kind == AttributeKind::delta || (!is_free && !accessor.is_normalized)) {
     type.component = ComponentType::f32;

@@ -314,10 +314,8 @@ class GltfReader {
                [](const glm::vec3& n) { return n; });
     add_values(attributes.texcoord, primitive.texcoords, primitive, glm::vec2(kAbsent),
                [](const glm::vec2& t) { return glm::vec2(t.x, 1.0F - t.y); });
-    add_values(
-        attributes.color, primitive.colors, primitive, glm::u8vec4(255), [](const glm::vec4& c) {
-          return glm::u8vec4(color_byte(c.r), color_byte(c.g), color_byte(c.b), color_byte(c.a));
-        });
+    attributes.has_linear_color = true;
+    add_values(attributes.color, primitive.colors, primitive, glm::u8vec4(255), color_bytes);
     const std::size_t before = soup_.corners.size();
     soup_.corners.resize(before + primitive.triangles.size());
     ordered_chunks(primitive.triangles.size(), kCornersBetweenReports, progress_,

@@ -12,8 +12,6 @@
 namespace mesher::io {
 namespace {
 
-constexpr std::uint32_t kLargestSide = 32768;
-
 struct FreeContext {
   void operator()(spng_ctx* context) const { spng_ctx_free(context); }
 };
@@ -31,13 +29,17 @@ void write_png(const std::filesystem::path& file, const Image& image) {
 
 Image read_png(const std::filesystem::path& file) {
   const MappedFile bytes(file);
+  return decode_png({bytes.begin(), bytes.size()}, bytes.name());
+}
+
+Image decode_png(std::string_view bytes, const std::string& name, const PngLimits& limits) {
   const Context context(spng_ctx_new(0));
   const auto check = [&](int error) {
-    if (error != 0) throw InputError(bytes.name(), 0, spng_strerror(error));
+    if (error != 0) throw InputError(name, 0, spng_strerror(error));
   };
-  if (!context) throw InputError(bytes.name(), 0, "out of memory");
-  check(spng_set_image_limits(context.get(), kLargestSide, kLargestSide));
-  check(spng_set_png_buffer(context.get(), bytes.begin(), bytes.size()));
+  if (!context) throw InputError(name, 0, "out of memory");
+  check(spng_set_image_limits(context.get(), limits.side, limits.side));
+  check(spng_set_png_buffer(context.get(), bytes.data(), bytes.size()));
   spng_ihdr header = {};
   check(spng_get_ihdr(context.get(), &header));
   std::size_t size = 0;
@@ -45,8 +47,8 @@ Image read_png(const std::filesystem::path& file) {
   // Deflate shrinks data at most about a thousandfold, and RGBA has four times the bytes of 8-bit
   // gray. A file that claims more is truncated, hostile, or a nearly blank image of fewer than 8
   // bits per sample.
-  if (size / 4096 > bytes.size())
-    throw InputError(bytes.name(), 0, "too few bytes for its dimensions");
+  if (size > limits.always_bytes && size / 4096 > bytes.size())
+    throw InputError(name, 0, "too few bytes for its dimensions");
   Image image{.width = header.width, .height = header.height, .rgba = Array<std::uint8_t>(size)};
   check(
       spng_decode_image(context.get(), image.rgba.data(), size, SPNG_FMT_RGBA8, SPNG_DECODE_TRNS));

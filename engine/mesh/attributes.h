@@ -57,6 +57,7 @@ struct AttributeType {
   ComponentType component = ComponentType::f32;
   bool is_normalized = false;  ///< integers are fractions of the largest one
   bool counts_down = false;    ///< texture coordinates: v is 0 at the top of the image, as in glTF
+  bool is_linear = false;      ///< colors: linear in light, as in glTF; otherwise sRGB
 
   std::size_t value_bytes() const { return components * bytes_of(component); }
   friend bool operator==(const AttributeType&, const AttributeType&) = default;

@@ -40,6 +40,10 @@ class ChangeLog {
   void clear();
 
   bool is_empty() const;
+  /// Returns whether nothing is noted of one array.
+  bool is_empty(GpuArray array) const {
+    return !whole_[index(array)] && ranges_[index(array)].empty();
+  }
   /// Returns whether the whole array must be copied.
   bool is_whole(GpuArray array) const { return whole_[index(array)]; }
   /// Returns the noted ranges, sorted and disjoint. Ranges with at most `gap` elements between them

@@ -50,6 +50,8 @@ CornerAttributes to_corners(const Mesh& mesh, const Attributes& attributes) {
                                        return glm::vec3(value[0], value[1], value[2]);
                                      });
   corners.color = spread<glm::u8vec4>(mesh, attributes, attributes.find("COLOR_0"), color_at);
+  const AttributeLayer* color = attributes.find("COLOR_0");
+  corners.has_linear_color = color != nullptr && color->type().is_linear;
   corners.group = attributes.group;
   corners.groups = attributes.groups;
   return corners;
@@ -62,7 +64,9 @@ Attributes to_wedges(const Mesh& mesh, CornerAttributes&& corners) {
   };
   take(texcoord_type(), corners.texcoord);
   take(normal_type(), corners.normal);
-  take(color_type(), corners.color);
+  AttributeType color = color_type();
+  color.is_linear = corners.has_linear_color;
+  take(color, corners.color);
   Attributes attributes;
   set_corner_layers(mesh, attributes, std::move(layers));
   attributes.group = std::move(corners.group);

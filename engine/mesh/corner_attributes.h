@@ -18,8 +18,9 @@ namespace mesher {
 struct CornerAttributes {
   Array<glm::vec2> texcoord;  ///< v counts from the bottom, as in OBJ
   Array<glm::vec3> normal;
-  Array<glm::u8vec4> color;    ///< RGBA, 255 is full intensity
-  Array<std::uint32_t> group;  ///< one per face (F, or empty): index into `groups`
+  Array<glm::u8vec4> color;       ///< RGBA, 255 is full intensity
+  bool has_linear_color = false;  ///< as AttributeType::is_linear
+  Array<std::uint32_t> group;     ///< one per face (F, or empty): index into `groups`
   std::vector<FaceGroup> groups;
 
   bool is_empty() const { return !has_values() && group.empty(); }

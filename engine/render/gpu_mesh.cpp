@@ -33,6 +33,11 @@ std::span<const std::byte> bytes_of(const Elements& elements) {
   return std::as_bytes(std::span(elements));
 }
 
+/// Returns whether vertices or faces have changed, and not just the sharpness of edges.
+bool has_changed_shape(const ChangeLog& changes) {
+  return !changes.is_empty(GpuArray::position) || !changes.is_empty(GpuArray::origin);
+}
+
 /// Returns the indices at which a list differs from its old version.
 ChangeLog differences(const std::vector<Line>& before, const std::vector<Line>& after) {
   ChangeLog log;
@@ -53,6 +58,7 @@ UploadStats GpuMesh::apply(Mesh& mesh, const Settings& settings, const Sources& 
     mesh.changes().note_all();
     make_room_for(mesh, sources.morph.splits_to_come());
   }
+  const bool is_smaller = mesh.face_count() < face_count_;  // which the log need not tell
   if (!mesh.changes().is_empty() || mesh.vertex_count() != vertex_count_ ||
       mesh.face_count() != face_count_) {
     box_.update(mesh, sources.morph, is_new);
@@ -65,6 +71,9 @@ UploadStats GpuMesh::apply(Mesh& mesh, const Settings& settings, const Sources& 
                    .can_split = !lines_.creases.empty()},
                   is_new, stats);
   morph_.update(mesh, sources, is_new, stats);
+  appearance_.update(mesh, settings, sources.appearance,
+                     is_new || is_smaller || has_changed_shape(mesh.changes()), stats);
+  appearance_.place(surface_block());
   is_valid_ = true;
   mesh.changes().clear();
   for (const Part& part : parts())
@@ -167,6 +176,17 @@ std::array<GpuMesh::Part, 8> GpuMesh::parts() const {
            {&normals_.buffer(), normals_.bytes()},
            {&morph_.heads(), morph_.head_bytes()},
            {&morph_.splits(), morph_.split_bytes()}}};
+}
+
+shared::SurfaceBlock GpuMesh::surface_block() const {
+  shared::SurfaceBlock block{};
+  block.positions = positions_.address();
+  block.indices = indices_.address();
+  block.classes = class_buffer_.address();
+  block.normals = normals_.buffer().address();
+  if (normals_.mode() == GpuNormals::Mode::vertex) block.flags |= shared::kVertexNormals;
+  if (normals_.mode() == GpuNormals::Mode::corner) block.flags |= shared::kCornerNormals;
+  return block;
 }
 
 std::vector<std::byte> GpuMesh::read_back() const {

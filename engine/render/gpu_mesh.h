@@ -7,6 +7,7 @@
 
 #include "engine/gpu/buffer.h"
 #include "engine/mesh/mesh.h"
+#include "engine/render/gpu_appearance.h"
 #include "engine/render/gpu_morph.h"
 #include "engine/render/gpu_normals.h"
 #include "engine/render/line_edges.h"
@@ -31,7 +32,8 @@ struct MarkedEdges {
 /// them. Shaders access all of it by address, so the range limit of descriptors does not apply.
 class GpuMesh {
  public:
-  explicit GpuMesh(gpu::Device& device) : device_(device), normals_(device), morph_(device) {}
+  explicit GpuMesh(gpu::Device& device)
+      : device_(device), normals_(device), morph_(device), appearance_(device) {}
 
   /// Updates the mirror from `mesh` and the normals that `settings` need, and clears
   /// `mesh.changes()`.
@@ -73,6 +75,7 @@ class GpuMesh {
   const gpu::Buffer& classes() const { return class_buffer_; }  ///< 16 half-edges per uint
   const GpuNormals& normals() const { return normals_; }
   const GpuMorph& morph() const { return morph_; }  ///< how vertices move during a geomorph
+  const GpuAppearance& appearance() const { return appearance_; }
   /// Edges drawn as lines of their own (Line: half-edge and weight, two words), in ascending order.
   /// So the image does not depend on the edits that led to the mesh.
   const gpu::Buffer& creases() const { return crease_buffer_; }
@@ -99,6 +102,7 @@ class GpuMesh {
   void copy_all_classes(const Mesh& mesh, UploadStats& stats);
   void copy_changed_classes(const Mesh& mesh, UploadStats& stats);
   std::array<Part, 8> parts() const;
+  shared::SurfaceBlock surface_block() const;
 
   gpu::Device& device_;
   bool is_valid_ = false;
@@ -116,6 +120,7 @@ class GpuMesh {
   gpu::Buffer mark_buffer_;
   GpuNormals normals_;
   GpuMorph morph_;
+  GpuAppearance appearance_;
 };
 
 }  // namespace mesher::render

@@ -7,6 +7,7 @@
 #include <glm/vec4.hpp>
 
 #include "engine/core/assert.h"
+#include "engine/render/look_pass.h"
 #include "shaders/shared/constants.h"
 
 namespace mesher::render {
@@ -89,11 +90,12 @@ struct FaceRange {
 /// Records the draws of one frame.
 class Recording {
  public:
-  Recording(VkCommandBuffer commands, ScenePipelines& pipelines, const SceneTarget& target,
-            const GpuMesh& mesh, const Camera& camera, const PicturePart& part,
-            const Section& section)
+  Recording(VkCommandBuffer commands, ScenePipelines& pipelines, LookPipelines& look_pipelines,
+            const SceneTarget& target, const GpuMesh& mesh, const Camera& camera,
+            const PicturePart& part, const Section& section)
       : commands_(commands),
         pipelines_(pipelines),
+        look_pipelines_(look_pipelines),
         target_(target),
         mesh_(mesh),
         part_(part),
@@ -113,6 +115,8 @@ class Recording {
   void scene(const Settings& settings, const WorkRange& range);
   void surface(Pass pass, const Settings& settings, const FaceRange& faces,
                float line_strength = kEdgeStrength);
+  /// Draws faces with their materials.
+  void look(const Settings& settings, const FaceRange& faces);
   void edges(Pass pass, const Settings& settings, float strength);
   /// Draws marked edges, and creases and boundaries on top of them.
   void lines(Pass pass, const Settings& settings, float strength);
@@ -141,6 +145,7 @@ class Recording {
 
   VkCommandBuffer commands_;
   ScenePipelines& pipelines_;
+  LookPipelines& look_pipelines_;
   const SceneTarget& target_;
   const GpuMesh& mesh_;
   const PicturePart& part_;
@@ -220,6 +225,22 @@ void Recording::surface(Pass pass, const Settings& settings, const FaceRange& fa
   vkCmdDrawIndexed(commands_, 3 * faces.count, 1, 3 * faces.first, 0, section_.code);
 }
 
+void Recording::look(const Settings& settings, const FaceRange& faces) {
+  shared::LookConstants constants{};
+  constants.view = view_;
+  constants.line = pack(edge_color(settings), kEdgeStrength);
+  constants.line_width = kEdgeWidth * line_scale(part_);
+  constants.front = pack(settings.front, static_cast<float>(part_.pixel_ratio) / 255.0F);
+  draw_look(look_pipelines_,
+            {.commands = commands_,
+             .target = target_,
+             .appearance = mesh_.appearance(),
+             .constants = constants,
+             .has_wire = settings.wireframe,
+             .section = section_.code},
+            faces.first, faces.count);
+}
+
 void Recording::edges(Pass pass, const Settings& settings, float strength) {
   bind(pass);
   draw_lines({.lines = 0, .count = mesh_.halfedge_count()}, edge_color(settings), kEdgeWidth,
@@ -285,7 +306,12 @@ void Recording::lone_edges(Pass by_quads, Pass by_faces, const Settings& setting
 void Recording::pass(std::uint32_t number, const Settings& settings, const FaceRange& faces) {
   const bool is_end = faces.first + faces.count == mesh_.face_count();
   if (settings.shading != Shading::none) {
-    surface(surface_pass(mesh_, settings), settings, faces);
+    const bool is_clay = vertices_ == Vertices::morphed || mesh_.appearance().look() == Look::clay;
+    if (is_clay) {
+      surface(surface_pass(mesh_, settings), settings, faces);
+    } else {
+      look(settings, faces);
+    }
     if (is_end && (settings.wireframe || settings.line_edges))
       lines(Pass::line_visible, settings, 1.0F);
     return;
@@ -336,7 +362,7 @@ void Renderer::draw_slice(VkCommandBuffer commands, const SceneTarget& target, c
                           const PicturePart& part) {
   MESHER_ASSERT(slice.begin < slice.end);
   const Section section = section_of(part, target.extent(), largest_viewport_);
-  Recording recording(commands, pipelines_, target, mesh, camera, part, section);
+  Recording recording(commands, pipelines_, look_pipelines_, target, mesh, camera, part, section);
   if (mesh.face_count() > 0 && needs_geomorph(mesh, settings)) {
     recording.morph(geomorph_.write(commands, mesh, settings));
   }
@@ -355,7 +381,7 @@ void Renderer::draw_bare(VkCommandBuffer commands, const SceneTarget& target, co
                          const Camera& camera, const Settings& settings) {
   const PicturePart whole{.picture = target.extent()};
   const Section section = section_of(whole, target.extent(), largest_viewport_);
-  Recording recording(commands, pipelines_, target, mesh, camera, whole, section);
+  Recording recording(commands, pipelines_, look_pipelines_, target, mesh, camera, whole, section);
   recording.begin(background_color(settings.background));
   if (mesh.face_count() > 0) recording.surface(Pass::bare, settings, {0, mesh.face_count()});
   recording.end();

@@ -5,6 +5,7 @@
 #include "engine/render/camera.h"
 #include "engine/render/geomorph_block.h"
 #include "engine/render/gpu_mesh.h"
+#include "engine/render/look_pipelines.h"
 #include "engine/render/scene_pipelines.h"
 #include "engine/render/scene_target.h"
 #include "engine/render/section.h"
@@ -28,6 +29,7 @@ class Renderer {
       : largest_viewport_{device.properties().limits.maxViewportDimensions[0],
                           device.properties().limits.maxViewportDimensions[1]},
         pipelines_(device),
+        look_pipelines_(device),
         geomorph_(device) {}
 
   /// Records the whole scene into `target`. Pre: `mesh` has been applied with these settings.
@@ -58,6 +60,7 @@ class Renderer {
  private:
   VkExtent2D largest_viewport_;
   ScenePipelines pipelines_;
+  LookPipelines look_pipelines_;
   GeomorphBlock geomorph_;
 };
 

@@ -27,6 +27,34 @@ constexpr const auto& choices(Shading) {
   return kShadings;
 }
 
+/// What the surface shows.
+enum class Look {
+  automatic,
+  material,
+  clay,
+  base_color,
+  normals,
+  uv_checker,
+};
+
+inline constexpr Choices<Look, 6> kLooks{{
+    {Look::automatic,
+     {"auto", "automatic", "Materials if the model has any, or colors; otherwise clay."}},
+    {Look::material,
+     {"material", "material", "Materials and textures, under the light of a studio."}},
+    {Look::clay, {"clay", "clay", "One color; blue at the back."}},
+    {Look::base_color,
+     {"base-color", "base color", "Base colors and their textures, without light."}},
+    {Look::normals, {"normals", "normals", "Normals as colors: red is x, green y, blue z."}},
+    {Look::uv_checker,
+     {"uv-checker", "UV checker",
+      "A checkerboard on the texture coordinates, eight squares per unit."}},
+}};
+static_assert(is_complete(kLooks));
+constexpr const auto& choices(Look) {
+  return kLooks;
+}
+
 enum class Background { light, dark };
 inline constexpr Choices<Background, 2> kBackgrounds{{
     {Background::light, {"light", "light"}},
@@ -43,6 +71,8 @@ using Color = glm::vec3;
 /// How to draw a scene. A plain value: compare it, copy it, save it to a file.
 struct Settings {
   Shading shading = Shading::flat;
+  /// Meshes without Sources::appearance are drawn as clay.
+  Look look = Look::automatic;
   /// Draw edges: ordinary ones thin and faded where dense, creases yellow (semi-sharp ones thinner
   /// and paler), boundaries thick and red.
   bool wireframe = false;
@@ -82,6 +112,11 @@ inline constexpr std::array kRenderOptions{
                      .label = "shading",
                      .help = "how faces are shaded",
                      .member = enum_member<&Settings::shading>()},
+    Option<Settings>{.key = "look",
+                     .label = "look",
+                     .help = "what the surface shows",
+                     .member = enum_member<&Settings::look>(),
+                     .applies = [](const Settings& s) { return s.shading != Shading::none; }},
     Option<Settings>{.key = "wireframe",
                      .label = "wireframe",
                      .help = "draw the edges",

@@ -33,6 +33,17 @@ extern const Words kEdgeMorphVert;
 extern const Words kLineVert;  ///< listed edges as quads
 extern const Words kEdgeVert;  ///< every ordinary edge as a quad
 extern const Words kLineFrag;
+// Surfaces with materials, in each look. The Wire variants have ordinary edges.
+extern const Words kLookVert;  ///< by half-edge, with attributes by wedge
+extern const Words kLookWireVert;
+extern const Words kMaterialFrag;
+extern const Words kMaterialWireFrag;
+extern const Words kBaseColorFrag;
+extern const Words kBaseColorWireFrag;
+extern const Words kNormalsFrag;
+extern const Words kNormalsWireFrag;
+extern const Words kCheckerFrag;
+extern const Words kCheckerWireFrag;
 extern const Words kBareVert;
 extern const Words kBareFrag;
 

@@ -1,10 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
+#include <vector>
 
+#include "engine/core/image.h"
+#include "engine/mesh/attributes.h"
 #include "engine/mesh/geomorph.h"
+#include "engine/mesh/material.h"
 
 namespace mesher::render {
 
@@ -28,6 +34,18 @@ struct MorphSource {
   }
 };
 
+/// Returns the decoded images with these indices into Materials::images. Images that cannot be
+/// decoded are empty: they are drawn white.
+using DecodeImages = std::function<std::vector<Image>(std::span<const std::uint32_t> indices)>;
+
+/// What the surface of a mesh looks like.
+struct Appearance {
+  /// May change only with the positions or origins of the mesh; null: the mesh is drawn as clay.
+  const Attributes* attributes = nullptr;
+  std::shared_ptr<const Materials> materials;  ///< may be null; must not change behind the pointer
+  DecodeImages decode;                         ///< called for the images that the look needs
+};
+
 /// Inputs of a mirror besides the mesh. Each may be empty.
 struct Sources {
   /// One per half-edge: used for Gouraud shading instead of the faces' normals. They may change
@@ -37,6 +55,7 @@ struct Sources {
   /// whatever creases there are. They may change like the heads.
   std::span<const std::uint32_t> vertex_normals;
   MorphSource morph;
+  Appearance appearance;
 };
 
 }  // namespace mesher::render

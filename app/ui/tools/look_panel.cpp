@@ -26,6 +26,7 @@ void draw_shading_choice(render::Settings& settings) {
 void draw_surface(render::Settings& settings) {
   heading("Surface");
   draw_shading_choice(settings);
+  edit_option(option_named(render::kRenderOptions, "look"), settings);
   constexpr const auto& kAngle = option_named(render::kRenderOptions, "crease-angle");
   edit_option(kAngle, settings);
   edit_option(option_named(render::kRenderOptions, "normal-weight"), settings);

@@ -16,7 +16,9 @@ void to_streams(Soup& soup) {
   };
   take(texcoord_type(), attributes.texcoord);
   take(normal_type(), attributes.normal);
-  take(color_type(), attributes.color);
+  AttributeType color = color_type();
+  color.is_linear = attributes.has_linear_color;
+  take(color, attributes.color);
   stream.index.resize(soup.corners.size());
   std::iota(stream.index.begin(), stream.index.end(), 0U);
 }

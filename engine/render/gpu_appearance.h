@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/render/draw_order.h"
+#include "engine/render/gpu_attributes.h"
+#include "engine/render/gpu_materials.h"
+#include "engine/render/look.h"
+
+namespace mesher::render {
+
+/// What the GPU needs to draw a mesh in another look than clay. For clay there is nothing.
+class GpuAppearance {
+ public:
+  explicit GpuAppearance(gpu::Device& device) : device_(device) {}
+
+  /// Updates all from the model. `is_changed`: positions, origins or attributes may differ from
+  /// those of the last call. Throws DeviceError.
+  void update(const Mesh& mesh, const Settings& settings, const Appearance& appearance,
+              bool is_changed, UploadStats& stats);
+  /// Writes where the arrays of the mesh are, unless the last call did. Call it after `update`.
+  void place(shared::SurfaceBlock block);
+
+  /// The look of the last update. Clay: there is nothing else here, and only `problems` may be
+  /// called.
+  Look look() const { return look_; }
+  VkDeviceAddress surface() const { return model_->surface.address(); }
+  /// The faces in their order; 0: as in the mesh.
+  VkDeviceAddress faces() const { return model_->has_order ? model_->faces.address() : 0; }
+  const std::vector<Batch>& batches() const { return model_->batches; }
+  const GpuMaterials& materials() const { return model_->materials; }
+  /// What is not drawn of the model, a line for each.
+  std::vector<std::string> problems() const {
+    return look_ == Look::clay ? std::vector<std::string>{} : model_->materials.problems();
+  }
+
+ private:
+  struct ModelParts {
+    explicit ModelParts(gpu::Device& device) : attributes(device), materials(device) {}
+    GpuAttributes attributes;
+    GpuMaterials materials;
+    bool has_order = false;
+    gpu::Buffer faces;
+    std::vector<Batch> batches;
+    gpu::Buffer surface;
+    std::optional<shared::SurfaceBlock> placed;  ///< content of `surface`
+  };
+
+  gpu::Device& device_;
+  Look look_ = Look::clay;
+  std::optional<ModelParts> model_;  ///< none until it is drawn
+};
+
+}  // namespace mesher::render

@@ -1,0 +1,115 @@
+#include "engine/render/gpu_materials.h"
+
+#include <algorithm>
+#include <set>
+#include <span>
+#include <utility>
+
+#include "engine/core/parallel.h"
+#include "engine/render/mip_levels.h"
+
+namespace mesher::render {
+namespace {
+
+Image white_pixel() {
+  return {.width = 1, .height = 1, .rgba = Array<std::uint8_t>(4, 255)};
+}
+
+struct LeveledTexture {
+  TextureKey key;
+  std::vector<Image> levels;
+};
+
+/// Returns the textures with their first level.
+std::vector<LeveledTexture> decoded(const std::set<TextureKey>& keys, const DecodeImages& decode) {
+  std::vector<std::uint32_t> indices;
+  for (const TextureKey& key : keys) {
+    if (key.image != kNone && (indices.empty() || indices.back() != key.image))
+      indices.push_back(key.image);
+  }
+  std::vector<Image> images;
+  if (decode && !indices.empty()) images = decode(indices);
+  images.resize(indices.size());
+  std::vector<LeveledTexture> textures;
+  for (const TextureKey& key : keys) {
+    const auto i = std::lower_bound(indices.begin(), indices.end(), key.image) - indices.begin();
+    const auto at = static_cast<std::size_t>(i);
+    const bool is_decoded = at < images.size() && !images[at].rgba.empty();
+    textures.push_back({key, {is_decoded ? images[at] : white_pixel()}});
+  }
+  return textures;
+}
+
+std::vector<Material> with_plain(const Materials* materials) {
+  std::vector<Material> all;
+  if (materials != nullptr) all = materials->materials;
+  all.push_back(plain_material());
+  return all;
+}
+
+}  // namespace
+
+void GpuMaterials::update(const Appearance& appearance, Look look) {
+  const TexcoordSets texcoords = texcoord_sets(*appearance.attributes);
+  const bool is_same_model = blocks_ && materials_ == appearance.materials;
+  if (is_same_model && texcoords == texcoords_ && look == look_) return;
+  look_ = Look::clay;  // until everything has succeeded
+  if (!is_same_model) textures_.clear();
+  problems_.clear();
+  is_two_sided_.clear();
+  std::vector<PackedMaterial> packed;
+  std::vector<shared::MaterialBlock> blocks;
+  for (const Material& material : with_plain(appearance.materials.get())) {
+    packed.push_back(pack(material, texcoords, look, problems_));
+    blocks.push_back(packed.back().block);
+    is_two_sided_.push_back(material.is_two_sided);
+  }
+  materials_ = appearance.materials;
+  texcoords_ = texcoords;
+  create_textures(packed, appearance.decode);
+  const auto bytes = std::as_bytes(std::span(blocks));
+  blocks_ = gpu::Buffer(device_, bytes.size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+                        gpu::MemoryIntent::fixed);
+  gpu::upload(device_, blocks_, bytes);
+  create_sets(packed);
+  look_ = look;
+}
+
+void GpuMaterials::create_textures(const std::vector<PackedMaterial>& packed,
+                                   const DecodeImages& decode) {
+  std::set<TextureKey> missing;
+  for (const PackedMaterial& material : packed) {
+    for (const TextureKey& key : material.textures) {
+      if (!textures_.contains(key)) missing.insert(key);
+    }
+  }
+  std::vector<LeveledTexture> textures = decoded(missing, decode);
+  parallel_for(textures.size(), 1, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      auto& [key, levels] = textures[i];
+      levels = mip_levels(std::move(levels.front()), key.is_srgb);
+    }
+  });
+  gpu::Buffer staging;
+  for (auto& [key, levels] : textures) {
+    textures_.emplace(key, gpu::Texture(device_, levels, key.is_srgb, staging));
+    levels.clear();
+  }
+}
+
+void GpuMaterials::create_sets(const std::vector<PackedMaterial>& packed) {
+  std::vector<gpu::TextureBinding> bindings;
+  for (const PackedMaterial& material : packed) {
+    for (std::uint32_t i = 0; i < shared::kTextureCount; ++i) {
+      gpu::UniqueSampler& sampler = samplers_[material.samplers[i]];
+      if (!sampler) sampler = gpu::create_sampler(device_, material.samplers[i]);
+      bindings.push_back({textures_.at(material.textures[i]).view(), sampler.get()});
+    }
+  }
+  sets_ = gpu::TextureSets(device_, layout_.get(), static_cast<std::uint32_t>(packed.size()),
+                           {.textures = bindings,
+                            .blocks = blocks_.handle(),
+                            .block_bytes = sizeof(shared::MaterialBlock)});
+}
+
+}  // namespace mesher::render

@@ -1,0 +1,157 @@
+#include "engine/io/image_decode.h"
+
+#include <gtest/gtest.h>
+#include <turbojpeg.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "engine/io/png.h"
+#include "engine/io/webp.h"
+#include "tests/support/temp_folder.h"
+
+namespace mesher::io {
+namespace {
+
+using test::read_bytes;
+using test::TempFolder;
+
+Image smooth_image(std::uint32_t width, std::uint32_t height) {
+  Image image{.width = width, .height = height, .rgba = {}};
+  for (std::uint32_t y = 0; y < height; ++y) {
+    for (std::uint32_t x = 0; x < width; ++x) {
+      for (const std::uint32_t value : {4 * x, 4 * y, 128U, 255U})
+        image.rgba.push_back(static_cast<std::uint8_t>(value));
+    }
+  }
+  return image;
+}
+
+std::string png_of(const Image& image) {
+  const TempFolder folder;
+  write_png(folder / "a.png", image);
+  return read_bytes(folder / "a.png");
+}
+
+std::string webp_of(const Image& image) {
+  const TempFolder folder;
+  write_webp(folder / "a.webp", image);
+  return read_bytes(folder / "a.webp");
+}
+
+std::string jpeg_of(const Image& image) {
+  const tjhandle handle = tjInitCompress();
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
+  EXPECT_EQ(
+      tjCompress2(handle, image.rgba.data(), static_cast<int>(image.width), 0,
+                  static_cast<int>(image.height), TJPF_RGBA, &bytes, &size, TJSAMP_444, 95, 0),
+      0);
+  std::string result(reinterpret_cast<const char*>(bytes), size);
+  tjFree(bytes);
+  tjDestroy(handle);
+  return result;
+}
+
+TEST(ImageDecode, PngAndLosslessWebpAreExact) {
+  const Image image = smooth_image(37, 21);
+  for (const std::string& bytes : {png_of(image), webp_of(image)}) {
+    // The bytes tell what it is, whatever the file says.
+    const DecodedImage decoded = decode_image(bytes, "image/jpeg");
+    EXPECT_EQ(decoded.problem, "");
+    EXPECT_EQ(decoded.image.width, 37U);
+    EXPECT_EQ(decoded.image.height, 21U);
+    EXPECT_EQ(decoded.image.rgba, image.rgba);
+  }
+}
+
+TEST(ImageDecode, JpegIsNearlyTheSame) {
+  const Image image = smooth_image(64, 48);
+  const DecodedImage decoded = decode_image(jpeg_of(image), "image/jpeg");
+  ASSERT_EQ(decoded.problem, "");
+  ASSERT_EQ(decoded.image.rgba.size(), image.rgba.size());
+  for (std::size_t i = 0; i < image.rgba.size(); ++i)
+    EXPECT_NEAR(decoded.image.rgba[i], image.rgba[i], 8);
+}
+
+TEST(ImageDecode, OtherFormatsAreNamed) {
+  EXPECT_EQ(decode_image("\xabKTX 20\xbb", "image/ktx2").problem, "no decoder for image/ktx2");
+  EXPECT_EQ(decode_image("DDS ", "image/vnd-ms.dds").problem, "no decoder for image/vnd-ms.dds");
+  EXPECT_EQ(decode_image("", "image/png").problem, "is not PNG, JPEG or WebP");
+  EXPECT_EQ(decode_image("GIF89a", "").problem, "is not PNG, JPEG or WebP");
+}
+
+void set_big_endian(std::string& bytes, std::size_t at, std::uint32_t value, std::size_t size) {
+  for (std::size_t i = 0; i < size; ++i)
+    bytes[at + i] = static_cast<char>(value >> 8 * (size - 1 - i));
+}
+
+/// Claims other sides in a JPEG's frame header.
+std::string with_jpeg_size(std::string bytes, std::uint32_t width, std::uint32_t height) {
+  const std::size_t frame = bytes.find("\xff\xc0");
+  set_big_endian(bytes, frame + 5, height, 2);
+  set_big_endian(bytes, frame + 7, width, 2);
+  return bytes;
+}
+
+TEST(ImageDecode, HugeClaimsAreRefused) {
+  const Image image = smooth_image(16, 16);
+  std::string png = png_of(image);
+  set_big_endian(png, 16, 0x7fffffff, 4);
+  EXPECT_NE(decode_image(png, "").problem, "");
+  const std::string jpeg = jpeg_of(image);
+  EXPECT_NE(decode_image(with_jpeg_size(jpeg, 65500, 65500), "").problem, "");
+  EXPECT_NE(decode_image(with_jpeg_size(jpeg, 16384, 16384), "").problem, "")
+      << "within the sides, but the bytes are far too few";
+  EXPECT_NE(decode_image(with_jpeg_size(jpeg, 0, 16), "").problem, "");
+  // Extended WebP: the canvas has 24 bits a side.
+  std::string webp = "RIFF....WEBPVP8X";
+  webp += std::string("\x0a\0\0\0\0\0\0\0", 8) + "\xff\xff\xff\xff\xff\xff";
+  EXPECT_NE(decode_image(webp, "").problem, "");
+}
+
+TEST(ImageDecode, DamagedFilesNeverCrash) {
+  const Image image = smooth_image(24, 24);
+  std::mt19937 random(1);
+  for (const std::string& whole : {png_of(image), jpeg_of(image), webp_of(image)}) {
+    for (int i = 0; i < 60; ++i) {
+      std::string bytes = whole;
+      if (i % 3 == 0) {
+        bytes.resize(random() % bytes.size());
+      } else {
+        for (int changes = 0; changes < 3; ++changes)
+          bytes[12 + random() % (bytes.size() - 12)] = static_cast<char>(random());
+      }
+      const DecodedImage decoded = decode_image(bytes, "");
+      EXPECT_EQ(decoded.problem.empty(), !decoded.image.rgba.empty());
+      EXPECT_EQ(decoded.image.rgba.size(),
+                std::size_t{4} * decoded.image.width * decoded.image.height);
+    }
+  }
+}
+
+TEST(ImageDecode, ProblemsNameTheirTextures) {
+  const auto shared = [](std::string bytes) {
+    return std::make_shared<const std::string>(std::move(bytes));
+  };
+  Materials materials;
+  const Image image = smooth_image(8, 8);
+  materials.images = {{"wood", "image/png", "", shared(png_of(image))},
+                      {"", "image/ktx2", "maps/stone.ktx2", shared("\xabKTX 20\xbb")},
+                      {"gone", "", "", nullptr}};
+  const std::vector<std::uint32_t> indices{1, 0, 2, 9};
+  std::vector<std::string> problems;
+  const std::vector<Image> images = decode_images(materials, indices, problems);
+  ASSERT_EQ(images.size(), 4U);
+  EXPECT_TRUE(images[0].rgba.empty());
+  EXPECT_EQ(images[1].rgba, image.rgba);
+  ASSERT_EQ(problems.size(), 3U);
+  EXPECT_EQ(problems[0], "texture 'maps/stone.ktx2' is drawn white: no decoder for image/ktx2");
+  EXPECT_EQ(problems[1],
+            "texture 'gone' is drawn white: its file is missing or outside the model's folder");
+}
+
+}  // namespace
+}  // namespace mesher::io
