@@ -146,13 +146,13 @@ UniqueSampler create_sampler(Device& device, const SamplerOptions& options) {
   info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
   info.magFilter = options.magnifies_to_pixels ? VK_FILTER_NEAREST : VK_FILTER_LINEAR;
   info.minFilter = options.minifies_to_pixels ? VK_FILTER_NEAREST : VK_FILTER_LINEAR;
-  info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_LINEAR;
+  info.mipmapMode = options.has_mipmaps && options.blends_mipmaps ? VK_SAMPLER_MIPMAP_MODE_LINEAR
+                                                                  : VK_SAMPLER_MIPMAP_MODE_NEAREST;
   info.addressModeU = options.wrap_u;
   info.addressModeV = options.wrap_v;
   info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
   // 0.25 rather than 0, so that magnification is still told from minification.
-  info.maxLod = options.minifies_to_pixels ? 0.25F : VK_LOD_CLAMP_NONE;
-  if (options.minifies_to_pixels) info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_NEAREST;
+  info.maxLod = options.has_mipmaps ? VK_LOD_CLAMP_NONE : 0.25F;
   VkSampler sampler = VK_NULL_HANDLE;
   check(vkCreateSampler(device.handle(), &info, nullptr, &sampler), "vkCreateSampler");
   return {device, sampler};

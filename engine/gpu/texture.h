@@ -33,7 +33,9 @@ struct SamplerOptions {
   VkSamplerAddressMode wrap_u = VK_SAMPLER_ADDRESS_MODE_REPEAT;
   VkSamplerAddressMode wrap_v = VK_SAMPLER_ADDRESS_MODE_REPEAT;
   bool magnifies_to_pixels = false;  ///< nearest rather than linear
-  bool minifies_to_pixels = false;   ///< nearest, without mipmaps
+  bool minifies_to_pixels = false;   ///< nearest rather than linear, within a level
+  bool has_mipmaps = true;
+  bool blends_mipmaps = true;
   friend auto operator<=>(const SamplerOptions&, const SamplerOptions&) = default;
 };
 

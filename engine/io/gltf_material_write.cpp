@@ -1,5 +1,5 @@
-#include "engine/io/gltf_material_write.h"
 
+#include "engine/io/gltf_material_write.h"
 #include <algorithm>
 #include <glm/common.hpp>
 #include <iterator>
@@ -8,6 +8,7 @@
 #include <set>
 #include <string_view>
 #include <tuple>
+#include "engine/io/gltf_types.h"
 
 namespace mesher::io {
 namespace {
@@ -162,21 +163,20 @@ class MaterialsWriter {
 
   std::size_t sampler_index(const Texture& texture) {
     const SamplerKey key{texture.wrap_u, texture.wrap_v, texture.magnifies_to_pixels,
-                         texture.minifies_to_pixels};
+                         texture.minifies_to_pixels, texture.mipmaps};
     const auto [entry, is_new] = samplers_.try_emplace(key, document_["samplers"].size());
     if (!is_new) return entry->second;
     constexpr int kNearest = 9728;
     constexpr int kLinear = 9729;
-    constexpr int kMipmapped = 9987;
     document_["samplers"].push_back(
         {{"magFilter", texture.magnifies_to_pixels ? kNearest : kLinear},
-         {"minFilter", texture.minifies_to_pixels ? kNearest : kMipmapped},
+         {"minFilter", min_filter_number({texture.minifies_to_pixels, texture.mipmaps})},
          {"wrapS", wrap_number(texture.wrap_u)},
          {"wrapT", wrap_number(texture.wrap_v)}});
     return entry->second;
   }
 
-  using SamplerKey = std::tuple<Wrap, Wrap, bool, bool>;
+  using SamplerKey = std::tuple<Wrap, Wrap, bool, bool, Mipmaps>;
 
   MaterialJson& document_;
   const Materials& materials_;

@@ -1,5 +1,6 @@
-#include "engine/io/gltf_materials.h"
 
+
+#include "engine/io/gltf_materials.h"
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -7,10 +8,10 @@
 #include <string>
 #include <unordered_map>
 #include <utility>
-
 #include "engine/core/error.h"
 #include "engine/io/base64.h"
 #include "engine/io/format.h"
+#include "engine/io/gltf_types.h"
 #include "engine/io/image_files.h"
 
 namespace mesher::io {
@@ -172,7 +173,9 @@ class MaterialReader {
     texture.wrap_u = wrap_of(sampler, "wrapS");
     texture.wrap_v = wrap_of(sampler, "wrapT");
     texture.magnifies_to_pixels = index_of(sampler, "magFilter", 0) == kNearest;
-    texture.minifies_to_pixels = index_of(sampler, "minFilter", 0) == kNearest;
+    const GltfMinFilter minification = min_filter(index_of(sampler, "minFilter", 0));
+    texture.minifies_to_pixels = minification.is_nearest;
+    texture.mipmaps = minification.mipmaps;
   }
 
   static std::uint32_t source_of(const Json& texture) {

@@ -39,6 +39,10 @@ void add_range(GltfArray& array) {
   array.json["max"] = largest;
 }
 
+bool has_array(const std::vector<GltfArray>& arrays, const std::string& name) {
+  return std::ranges::find(arrays, name, &GltfArray::name) != arrays.end();
+}
+
 bool is_of_target(const AttributeLayer& layer) {
   return layer.type().kind == AttributeKind::delta;
 }
@@ -156,9 +160,7 @@ void GltfPrimitiveMaker::add_attributes(const Json& original, GltfPrimitiveArray
   if (!has_normals)
     std::erase_if(arrays.attributes, [](const GltfArray& a) { return a.name == "TANGENT"; });
   for (const auto& [name, accessor] : names.items()) {
-    const bool is_there = std::any_of(arrays.attributes.begin(), arrays.attributes.end(),
-                                      [&](const GltfArray& a) { return a.name == name; });
-    if (!is_there) arrays.missing.push_back(name);
+    if (!has_array(arrays.attributes, name)) arrays.missing.push_back(name);
   }
 }
 
@@ -169,8 +171,7 @@ void GltfPrimitiveMaker::add_targets(const Json& original, GltfPrimitiveArrays& 
     std::vector<GltfArray>& target = arrays.targets.emplace_back();
     for (const auto& [key, accessor] : (*targets)[t].items()) {
       const AttributeLayer* layer = attributes_.find(morph_layer(t, key));
-      const bool has_base = std::any_of(arrays.attributes.begin(), arrays.attributes.end(),
-                                        [&](const GltfArray& a) { return a.name == key; });
+      const bool has_base = has_array(arrays.attributes, key);
       if (layer == nullptr || !has_base || !has_all_values(*layer)) {
         arrays.missing.push_back(morph_layer(t, key));
         continue;

@@ -298,7 +298,8 @@ std::vector<std::string> lost_in_mtl(const Material& material) {
     const bool is_mirrored =
         texture->wrap_u == Wrap::mirrored_repeat || texture->wrap_v == Wrap::mirrored_repeat;
     if (is_mirrored || texture->wrap_u != texture->wrap_v) lost.insert("wrapping of textures");
-    if (texture->magnifies_to_pixels || texture->minifies_to_pixels)
+    if (texture->magnifies_to_pixels || texture->minifies_to_pixels ||
+        texture->mipmaps != Mipmaps::blended)
       lost.insert("unfiltered texture");
   }
   return {lost.begin(), lost.end()};

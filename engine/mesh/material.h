@@ -26,6 +26,13 @@ struct EncodedImage {
 /// What a texture returns beyond its edges.
 enum class Wrap : std::uint8_t { repeat, mirrored_repeat, clamp };
 
+/// Which smaller versions of an image a texture uses where the image is minified.
+enum class Mipmaps : std::uint8_t {
+  none,
+  nearest,  ///< the one of the nearest size
+  blended,  ///< the two of the nearest sizes
+};
+
 /// How a material uses an image.
 struct Texture {
   std::uint32_t image = kNone;  ///< index into Materials::images; kNone: there is no texture
@@ -33,7 +40,8 @@ struct Texture {
   Wrap wrap_u = Wrap::repeat;
   Wrap wrap_v = Wrap::repeat;
   bool magnifies_to_pixels = false;  ///< nearest rather than linear
-  bool minifies_to_pixels = false;   ///< nearest, without mipmaps
+  bool minifies_to_pixels = false;   ///< nearest rather than linear, within a level
+  Mipmaps mipmaps = Mipmaps::blended;
   /// The transform of texture coordinates that count v from the top (KHR_texture_transform):
   /// offset + rotation(-angle_rad) * (scale * uv).
   glm::vec2 offset{0.0F};

@@ -24,7 +24,9 @@ gpu::SamplerOptions sampler_of(const Texture& texture) {
   return {.wrap_u = address_mode(texture.wrap_u),
           .wrap_v = address_mode(texture.wrap_v),
           .magnifies_to_pixels = texture.magnifies_to_pixels,
-          .minifies_to_pixels = texture.minifies_to_pixels};
+          .minifies_to_pixels = texture.minifies_to_pixels,
+          .has_mipmaps = texture.mipmaps != Mipmaps::none,
+          .blends_mipmaps = texture.mipmaps == Mipmaps::blended};
 }
 
 /// Returns the transform of a texture's coordinates, from those of the mesh. Images have v = 0 at

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "engine/io/gltf_types.h"
 #include "engine/io/read.h"
 #include "tests/support/gltf_document.h"
 #include "tests/support/temp_folder.h"
@@ -63,8 +64,16 @@ TEST(GltfMaterials, ReadsEveryTerm) {
   EXPECT_EQ(t.wrap_u, Wrap::clamp);
   EXPECT_EQ(t.wrap_v, Wrap::mirrored_repeat);
   EXPECT_TRUE(t.magnifies_to_pixels && t.minifies_to_pixels);
+  EXPECT_EQ(t.mipmaps, Mipmaps::none);
   EXPECT_EQ(*model.materials->images.at(0).bytes, kImageBytes);
   EXPECT_EQ(model.materials->texture_count, 1U);
+}
+
+TEST(GltfMaterials, FiltersOfMinificationAreNumbersAndBack) {
+  for (const std::uint32_t number : {9728U, 9729U, 9984U, 9985U, 9986U, 9987U})
+    EXPECT_EQ(min_filter_number(min_filter(number)), number);
+  EXPECT_EQ(min_filter(9986), (GltfMinFilter{.is_nearest = true, .mipmaps = Mipmaps::blended}));
+  EXPECT_EQ(min_filter(0), GltfMinFilter());
 }
 
 TEST(GltfMaterials, PrefersWebpAndFallsBack) {
