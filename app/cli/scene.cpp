@@ -48,12 +48,6 @@ void replace_all(std::vector<io::GltfMeshEdit>& edits, const LoadedScene& scene)
 
 }  // namespace
 
-std::uint64_t LoadedScene::weight(const io::GltfSceneMesh& mesh) const {
-  const bool shows_any =
-      std::ranges::any_of(meshes, [](const io::GltfSceneMesh& m) { return m.placements > 0; });
-  return shows_any ? mesh.placements : 1;
-}
-
 std::uint64_t LoadedScene::face_count() const {
   std::uint64_t faces = 0;
   for (const io::GltfSceneMesh& mesh : meshes)
@@ -91,6 +85,7 @@ LoadedScene load_scene(const InputOptions& input, const CommonOptions& common) {
   }
   for (io::GltfSceneMesh& mesh : loaded.meshes) {
     add(loaded.report, mesh.model.report);
+    loaded.shows_any |= mesh.placements > 0;
     if (input.tag_creases_deg)
       tag_creases_by_angle(mesh.model.mesh, glm::radians(*input.tag_creases_deg));
   }

@@ -20,9 +20,12 @@ struct LoadedScene {
   std::vector<io::GltfSceneMesh> meshes;  ///< those with triangles
   BuildReport report;                     ///< of all meshes
   double diagonal = 0.0;                  ///< of the scene
+  bool shows_any = false;                 ///< the scene shows a mesh with triangles
 
   /// How often a mesh counts: as often as the scene shows it, or once if it shows none.
-  std::uint64_t weight(const io::GltfSceneMesh& mesh) const;
+  std::uint64_t weight(const io::GltfSceneMesh& mesh) const {
+    return shows_any ? mesh.placements : 1;
+  }
   /// Number of faces that the scene shows.
   std::uint64_t face_count() const;
   std::uint64_t vertex_count() const;

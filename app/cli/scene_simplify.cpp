@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "app/cli/batch.h"
@@ -60,14 +61,18 @@ MeshOutcome simplify_mesh(io::GltfSceneMesh& mesh, const simplify::SimplifyOptio
 
 void add(simplify::SimplifyReport& sum, const MeshOutcome& part) {
   const simplify::SimplifyReport& r = part.outcome.report;
-  const auto times = [&](std::uint32_t count) {
-    return static_cast<std::uint32_t>(part.weight * count);
+  // Instances may show more faces than 32 bits count.
+  const auto add_times = [&](std::uint32_t& total, std::uint32_t count) {
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+    const bool is_too_many = count > 0 && part.weight > (kMost - total) / count;
+    total = is_too_many ? std::uint32_t{kMost}
+                        : static_cast<std::uint32_t>(total + part.weight * count);
   };
-  sum.faces_before += times(r.faces_before);
-  sum.faces_asked += times(r.faces_asked);
-  sum.faces_reached += times(r.faces_reached);
-  sum.vertices_before += times(r.vertices_before);
-  sum.vertices_reached += times(r.vertices_reached);
+  add_times(sum.faces_before, r.faces_before);
+  add_times(sum.faces_asked, r.faces_asked);
+  add_times(sum.faces_reached, r.faces_reached);
+  add_times(sum.vertices_before, r.vertices_before);
+  add_times(sum.vertices_reached, r.vertices_reached);
   sum.collapses += r.collapses;
   for (std::size_t i = 0; i < sum.rejected.size(); ++i)
     sum.rejected[i] += r.rejected[i];

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -219,14 +221,9 @@ class GltfMeshReader {
   }
 
   void gather(AttributeLayer&& values) {
-    const auto same = [&](const GatheredLayer& layer) {
-      return layer.values.type().name == values.type().name;
-    };
-    auto layer = std::find_if(layers_.begin(), layers_.end(), same);
-    if (layer == layers_.end()) {
-      layers_.push_back({AttributeLayer(values.type(), 0), {}});
-      layer = std::prev(layers_.end());
-    }
+    const auto [found, is_new] = layer_of_name_.try_emplace(values.type().name, layers_.size());
+    if (is_new) layers_.push_back({AttributeLayer(values.type(), 0), {}});
+    GatheredLayer* const layer = &layers_[found->second];
     const AttributeType type = common_type(layer->values.type(), values.type());
     if (type != layer->values.type()) {
       AttributeLayer converted(type, 0);
@@ -250,16 +247,11 @@ class GltfMeshReader {
 
   /// Layers of the same primitives share a stream. Corners still have the indices of the file.
   void make_streams() {
-    std::vector<bool> is_done(layers_.size(), false);
-    for (std::size_t i = 0; i < layers_.size(); ++i) {
-      if (is_done[i]) continue;
-      AttributeStream& stream = soup_.streams.emplace_back();
-      stream.index = indices_of(layers_[i].parts);
-      for (std::size_t j = i; j < layers_.size(); ++j) {
-        if (is_done[j] || layers_[j].parts != layers_[i].parts) continue;
-        stream.layers.push_back(std::move(layers_[j].values));
-        is_done[j] = true;
-      }
+    std::map<std::vector<std::pair<std::uint32_t, std::uint32_t>>, std::size_t> stream_of;
+    for (GatheredLayer& layer : layers_) {
+      const auto [found, is_new] = stream_of.try_emplace(layer.parts, soup_.streams.size());
+      if (is_new) soup_.streams.emplace_back().index = indices_of(layer.parts);
+      soup_.streams[found->second].layers.push_back(std::move(layer.values));
     }
   }
 
@@ -282,6 +274,7 @@ class GltfMeshReader {
   std::vector<Part> parts_;
   std::uint32_t part_ = 0;  ///< the one being read
   std::vector<GatheredLayer> layers_;
+  std::unordered_map<std::string, std::size_t> layer_of_name_;
 };
 
 }  // namespace

@@ -58,10 +58,10 @@ GltfPrimitiveMaker::GltfPrimitiveMaker(const GltfLevel& level)
 }
 
 std::size_t GltfPrimitiveMaker::group_of(std::size_t primitive) const {
-  const auto found =
-      std::find_if(attributes_.groups.begin(), attributes_.groups.end(),
-                   [&](const FaceGroup& group) { return group.primitive == primitive; });
-  return static_cast<std::size_t>(found - attributes_.groups.begin());
+  const auto& groups = attributes_.groups;
+  const auto found = std::ranges::lower_bound(groups, primitive, {}, &FaceGroup::primitive);
+  const bool is_there = found != groups.end() && found->primitive == primitive;
+  return static_cast<std::size_t>((is_there ? found : groups.end()) - groups.begin());
 }
 
 GltfPrimitiveArrays GltfPrimitiveMaker::make(std::size_t primitive, const Json& original) {

@@ -120,6 +120,7 @@ void GltfRewriter::plan(std::span<const GltfMeshEdit> edits) {
   find_free_slots(edits);
   keep_data();
   embed_images();
+  find_nodes_of_meshes();
   bool has_levels = false;
   for (const GltfMeshEdit& edit : edits) {
     check_cancelled(progress_);
@@ -352,12 +353,13 @@ void GltfRewriter::drop_extensions(Json& primitive) {
 /// indices of the others.
 void GltfRewriter::clear_free_slots() {
   const auto clear = [](Json& array, std::vector<std::size_t>& free, const Json& empty) {
-    while (!free.empty() && free.front() + 1 == array.size()) {
-      array.erase(free.front());
-      free.erase(free.begin());
+    for (const std::size_t slot : free) {
+      if (slot + 1 == array.size()) {
+        array.erase(slot);
+      } else {
+        array[slot] = empty;
+      }
     }
-    for (const std::size_t slot : free)
-      array[slot] = empty;
   };
   clear(document_["accessors"], accessors_.free,
         {{"componentType", gltf_number(ComponentType::u8)}, {"count", 1}, {"type", "SCALAR"}});

@@ -6,6 +6,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "engine/io/atomic_file.h"
@@ -71,6 +72,7 @@ class GltfRewriter {
   std::size_t add_view(std::string&& bytes);
   std::size_t add_compressed(CompressedArray&& array);
   void drop_extensions(Json& primitive);
+  void find_nodes_of_meshes();
   void add_levels(const GltfMeshEdit& edit);
   void add_node_levels(std::size_t node, const GltfMeshEdit& edit,
                        const std::vector<std::size_t>& meshes);
@@ -90,6 +92,7 @@ class GltfRewriter {
   std::vector<std::uint64_t> virtual_buffers_;  ///< without data: fallbacks of compressed views
   bool compresses_;
   std::uint64_t decoded_bytes_ = 0;  ///< of all views that this class has compressed
+  std::unordered_map<std::uint64_t, std::vector<std::size_t>> nodes_of_mesh_;
   std::set<std::string> dropped_extensions_;
   std::vector<std::string> losses_;
 };

@@ -6,6 +6,13 @@
 
 namespace mesher::io {
 
+void GltfRewriter::find_nodes_of_meshes() {
+  for (std::size_t n = 0; n < gltf_.count("nodes"); ++n) {
+    if (const auto mesh = gltf_.find_number(gltf_.element("nodes", n), "mesh"))
+      nodes_of_mesh_[*mesh].push_back(n);
+  }
+}
+
 /// Adds a mesh for each further level, and nodes that show it. A node with children shows its mesh
 /// by a child of its own, because a level stands for the node with all below it.
 void GltfRewriter::add_levels(const GltfMeshEdit& edit) {
@@ -19,9 +26,7 @@ void GltfRewriter::add_levels(const GltfMeshEdit& edit) {
     document_["meshes"].push_back(std::move(mesh));
     meshes.push_back(document_["meshes"].size() - 1);
   }
-  const std::size_t nodes = gltf_.count("nodes");
-  for (std::size_t n = 0; n < nodes; ++n) {
-    if (gltf_.find_number(gltf_.element("nodes", n), "mesh") != edit.mesh) continue;
+  for (const std::size_t n : nodes_of_mesh_[edit.mesh]) {
     if (gltf_.extension(gltf_.element("nodes", n), "MSFT_lod") != nullptr) {
       losses_.emplace_back("new levels of a node that has levels already");
       continue;
