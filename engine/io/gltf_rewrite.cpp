@@ -93,6 +93,11 @@ void remove_names(Json& document, const char* list, const std::function<bool(con
   }
 }
 
+Json copy_of(const GltfFile& gltf) {
+  check_depth(gltf);
+  return gltf.root();
+}
+
 }  // namespace
 
 std::size_t GltfRewriter::Slots::take(Json& array) {
@@ -108,7 +113,7 @@ std::size_t GltfRewriter::Slots::take(Json& array) {
 
 GltfRewriter::GltfRewriter(GltfFile& gltf, std::span<const GltfMeshEdit> edits, bool compresses,
                            Progress* progress)
-    : gltf_(gltf), progress_(progress), document_(gltf.root()), compresses_(compresses) {
+    : gltf_(gltf), progress_(progress), document_(copy_of(gltf)), compresses_(compresses) {
   try {
     plan(edits);
   } catch (const Json::exception&) {

@@ -10,7 +10,7 @@ namespace {
 
 using Json = GltfFile::Json;
 
-/// Writing a document takes stack for each level.
+/// Copying and writing a document take stack for each level.
 constexpr int kDeepest = 512;
 
 /// Calls `visit(object, depth)` for a value and all values inside it.
@@ -147,6 +147,11 @@ class UseFinder {
 GltfUses find_uses(const GltfFile& gltf,
                    const std::function<bool(std::size_t, std::size_t)>& is_replaced) {
   return UseFinder(gltf, is_replaced).run();
+}
+
+void check_depth(const GltfFile& gltf) {
+  if (!visit_all(gltf.root(), 0, [](const Json&) { return true; }))
+    gltf.fail("the document is nested too deeply");
 }
 
 bool has_extension(const Json& root, std::string_view name) {

@@ -19,6 +19,10 @@ struct GltfUses {
 GltfUses find_uses(const GltfFile& gltf,
                    const std::function<bool(std::size_t, std::size_t)>& is_replaced);
 
+/// Refuses a document that is nested so deeply that copying or writing it could exhaust the stack.
+/// O(document). Throws InputError.
+void check_depth(const GltfFile& gltf);
+
 /// Returns whether objects of the document have an extension of this name.
 bool has_extension(const GltfFile::Json& root, std::string_view name);
 
