@@ -31,8 +31,8 @@ struct SrgbTables {
 };
 
 const SrgbTables& srgb_tables() {
-  static const SrgbTables tables;
-  return tables;
+  static const SrgbTables kTables;
+  return kTables;
 }
 
 struct NumberAverage {
