@@ -90,6 +90,15 @@ bool is_material_border(const Mesh& mesh, const Attributes& attributes, Halfedge
          attributes.groups[a].primitive != attributes.groups[b].primitive;
 }
 
+/// Returns false if no edge can separate values or materials.
+bool may_have_lines(const Attributes& attributes) {
+  const auto is_like_first = [&](const FaceGroup& group) {
+    return group.material == attributes.groups.front().material &&
+           group.primitive == attributes.groups.front().primitive;
+  };
+  return attributes.has_seams() || !std::ranges::all_of(attributes.groups, is_like_first);
+}
+
 /// Morph targets that only shade.
 bool is_shading_delta(const AttributeType& type) {
   return type.kind == AttributeKind::delta &&
@@ -281,6 +290,17 @@ class Blend {
   AttributeLayer& to_;
 };
 
+/// Returns the groups of faces that were those of the input.
+Attributes carried_groups(const Attributes& attributes, std::span<const Face> face_source) {
+  Attributes carried;
+  carried.groups = attributes.groups;
+  if (attributes.group.empty()) return carried;
+  carried.group.resize(face_source.size());
+  for (std::size_t f = 0; f < face_source.size(); ++f)
+    carried.group[f] = attributes.group[face_source[f].index()];
+  return carried;
+}
+
 class Carrier {
  public:
   Carrier(const Attributed& input, const Mesh& result, std::span<const Face> face_source,
@@ -297,7 +317,9 @@ class Carrier {
     find_points();
     stages.next();
     Attributes carried = make_wedges(result_, {streams()}, progress_);
-    carry_groups(carried);
+    Attributes groups = carried_groups(input_.attributes, face_source_);
+    carried.group = std::move(groups.group);
+    carried.groups = std::move(groups.groups);
     return carried;
   }
 
@@ -376,14 +398,6 @@ class Carrier {
     });
   }
 
-  void carry_groups(Attributes& carried) const {
-    carried.groups = input_.attributes.groups;
-    if (input_.attributes.group.empty()) return;
-    carried.group.resize(face_source_.size());
-    for (std::size_t f = 0; f < face_source_.size(); ++f)
-      carried.group[f] = input_.attributes.group[face_source_[f].index()];
-  }
-
   const Attributed& input_;
   SeamTest seams_;
   const Mesh& result_;
@@ -395,7 +409,7 @@ class Carrier {
 }  // namespace
 
 void mark_seams(Mesh& mesh, const Attributes& attributes) {
-  if (!attributes.has_seams() && attributes.groups.size() < 2) return;
+  if (!may_have_lines(attributes)) return;
   const SeamTest test(mesh, attributes);
   const MeshArrays::InPlace arrays = MeshArrays::open(mesh);
   parallel_for_each(mesh.halfedge_count(), kCarryGrain, [&](std::uint32_t h) {
@@ -418,8 +432,10 @@ SimplifiedModel simplify_model(Mesh&& mesh, const Attributes& attributes,
                   : simplify(std::move(input), options);
   };
   SimplifiedModel result;
-  if (attributes.is_empty()) {
+  const bool has_lines = may_have_lines(attributes);
+  if (attributes.layers.empty() && !has_lines) {
     result.simplified = run(std::move(mesh));
+    result.attributes = carried_groups(attributes, result.simplified.face_source);
     return result;
   }
   Stages stages(options.progress, kModelWeights);
@@ -429,7 +445,6 @@ SimplifiedModel simplify_model(Mesh&& mesh, const Attributes& attributes,
   result.simplified = run(std::move(marked));
   const bool is_stuck = result.simplified.report.reason == StopReason::no_legal_collapse &&
                         result.simplified.report.faces_reached > options.target_faces;
-  const bool has_lines = attributes.has_seams() || attributes.groups.size() > 1;
   if (has_lines && options.target_faces > 0 && is_stuck) {
     Simplified across = run(Mesh(mesh));
     result.crosses_seams = across.report.faces_reached < result.simplified.report.faces_reached;
@@ -446,13 +461,7 @@ Attributes carry_attributes(const Attributed& input, const Mesh& result,
                             std::span<const Face> face_source, Progress* progress) {
   if (input.attributes.is_empty()) return {};
   if (input.attributes.layers.empty() || result.face_count() == 0) {
-    Attributes carried;
-    carried.groups = input.attributes.groups;
-    if (!input.attributes.group.empty()) {
-      for (const Face f : face_source)
-        carried.group.push_back(input.attributes.group[f.index()]);
-    }
-    return carried;
+    return carried_groups(input.attributes, face_source);
   }
   return Carrier(input, result, face_source, progress).run();
 }
