@@ -102,18 +102,19 @@ DeviceImage::DeviceImage(Device& device, const DeviceImageOptions& options)
 void transition(VkCommandBuffer commands, VkImage image, ImageState from, ImageState to,
                 VkImageAspectFlags aspect) {
   const bool discards = from.layout == VK_IMAGE_LAYOUT_UNDEFINED;
-  const VkImageMemoryBarrier2 barrier{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-                                      .pNext = nullptr,
-                                      .srcStageMask = discards ? to.stage : from.stage,
-                                      .srcAccessMask = discards ? to.access : from.access,
-                                      .dstStageMask = to.stage,
-                                      .dstAccessMask = to.access,
-                                      .oldLayout = from.layout,
-                                      .newLayout = to.layout,
-                                      .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                                      .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                                      .image = image,
-                                      .subresourceRange = {aspect, 0, 1, 0, 1}};
+  const VkImageMemoryBarrier2 barrier{
+      .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+      .pNext = nullptr,
+      .srcStageMask = discards ? to.stage : from.stage,
+      .srcAccessMask = discards ? to.access : from.access,
+      .dstStageMask = to.stage,
+      .dstAccessMask = to.access,
+      .oldLayout = from.layout,
+      .newLayout = to.layout,
+      .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+      .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+      .image = image,
+      .subresourceRange = {aspect, 0, VK_REMAINING_MIP_LEVELS, 0, 1}};
   VkDependencyInfo dependency{};
   dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
   dependency.imageMemoryBarrierCount = 1;

@@ -57,8 +57,8 @@ inline constexpr ImageState kTransferTarget{VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL
                                             VK_ACCESS_2_TRANSFER_WRITE_BIT};
 inline constexpr ImageState kPresent{VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, VK_PIPELINE_STAGE_2_NONE, 0};
 
-/// Records a barrier between two uses of an image. From kUndefined, the content is lost, and the
-/// barrier waits for earlier work at the stages of `to`.
+/// Records a barrier between two uses of an image, with all its mip levels. From kUndefined, the
+/// content is lost, and the barrier waits for earlier work at the stages of `to`.
 void transition(VkCommandBuffer commands, VkImage image, ImageState from, ImageState to,
                 VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT);
 

@@ -51,34 +51,10 @@ VkImage create_texture_image(Device& device, std::span<const mesher::Image> leve
   return handle;
 }
 
-/// Records a barrier for all mip levels of a texture.
-void transition_levels(VkCommandBuffer commands, VkImage image, const ImageState& from,
-                       const ImageState& to) {
-  const bool discards = from.layout == VK_IMAGE_LAYOUT_UNDEFINED;
-  const VkImageMemoryBarrier2 barrier{
-      .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-      .pNext = nullptr,
-      .srcStageMask = discards ? to.stage : from.stage,
-      .srcAccessMask = discards ? VkAccessFlags2{0} : from.access,
-      .dstStageMask = to.stage,
-      .dstAccessMask = to.access,
-      .oldLayout = from.layout,
-      .newLayout = to.layout,
-      .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-      .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-      .image = image,
-      .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, VK_REMAINING_MIP_LEVELS, 0, 1}};
-  VkDependencyInfo dependency{};
-  dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
-  dependency.imageMemoryBarrierCount = 1;
-  dependency.pImageMemoryBarriers = &barrier;
-  vkCmdPipelineBarrier2(commands, &dependency);
-}
-
 /// Records the copy of all levels, which follow one another in `pixels`.
 void record_upload(VkCommandBuffer commands, VkImage texture, const Buffer& pixels,
                    std::span<const mesher::Image> levels) {
-  transition_levels(commands, texture, kUndefined, kTransferTarget);
+  transition(commands, texture, kUndefined, kTransferTarget);
   std::vector<VkBufferImageCopy> regions;
   VkDeviceSize offset = 0;
   for (const mesher::Image& level : levels) {
@@ -93,7 +69,7 @@ void record_upload(VkCommandBuffer commands, VkImage texture, const Buffer& pixe
   }
   vkCmdCopyBufferToImage(commands, pixels.handle(), texture, kTransferTarget.layout,
                          static_cast<std::uint32_t>(regions.size()), regions.data());
-  transition_levels(commands, texture, kTransferTarget, kSampled);
+  transition(commands, texture, kTransferTarget, kSampled);
 }
 
 VkDeviceSize level_bytes(std::span<const mesher::Image> levels) {

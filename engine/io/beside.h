@@ -17,8 +17,8 @@ struct Beside {
   bool is_outside = false;         ///< not found, and the name leads out of the folder
 };
 
-/// Looks for a regular file in or below `folder` under several spellings of its name. Files name
-/// others on the disk of whoever opens them, so nothing else is ever opened.
+/// Looks for a regular file in or below `folder` under several spellings of its name. Other files
+/// are not opened: a stranger wrote the names, and the disk is the user's.
 Beside find_beside(const std::filesystem::path& folder,
                    std::initializer_list<std::string> spellings);
 
