@@ -127,6 +127,7 @@ TEST(Layering, CheckRejectsForbiddenIncludes) {
   EXPECT_TRUE(objection("engine/mesh/mesh.h", "  #  include \"engine/render/camera.h\""));
   EXPECT_TRUE(objection("engine/io/read.cpp", "#include \"engine/subdivide/masks.h\""));
   EXPECT_TRUE(objection("engine/render/camera.h", "#include \"app/cli.h\""));
+  EXPECT_TRUE(objection("engine/scene/animation.h", "#include \"engine/io/read.h\""));
   EXPECT_TRUE(objection("engine/mesh/mesh.h", "#include \"../core/error.h\""));
   EXPECT_TRUE(objection("engine/mesh/mesh.h", "#include \"mesh.h\""));
   EXPECT_TRUE(objection("engine/mesh/mesh.h", "#include \"shaders/shared/scene.h\""));
@@ -138,6 +139,7 @@ TEST(Layering, CheckAcceptsAllowedIncludes) {
   EXPECT_FALSE(objection("engine/mesh/mesh.h", "#include \"engine/core/error.h\""));
   EXPECT_FALSE(objection("engine/mesh/mesh.h", "#include \"engine/mesh/ids.h\""));
   EXPECT_FALSE(objection("engine/mesh/mesh.h", "#include <vector>"));
+  EXPECT_FALSE(objection("engine/io/read.h", "#include \"engine/scene/animation.h\""));
   EXPECT_FALSE(objection("engine/render/surface.cpp", "#include \"shaders/shared/scene.h\""));
   EXPECT_FALSE(objection("app/main.cpp", "#include \"engine/io/read.h\""));
 }
