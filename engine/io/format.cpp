@@ -80,6 +80,7 @@ constexpr FormatInfo kFormats[] = {
      .holds = kGltfContents,
      .read_weight = 2.8,
      .joins_itself = true,
+     .has_animations = true,
      .read = [](const MappedFile& file, const ReadOptions& o) { return read_gltf(file, o); },
      .write =
          [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
@@ -93,6 +94,7 @@ constexpr FormatInfo kFormats[] = {
      .holds = kGltfContents,
      .read_weight = 0.45,
      .joins_itself = true,
+     .has_animations = true,
      .read = [](const MappedFile& file, const ReadOptions& o) { return read_gltf(file, o); },
      .write =
          [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,

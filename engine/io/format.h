@@ -53,6 +53,8 @@ struct FormatInfo {
   /// The reader joins vertices itself: those of each part of the file, not those of different
   /// parts.
   bool joins_itself = false;
+  /// The reader takes ReadOptions::pose.
+  bool has_animations = false;
   /// Reads the polygons of a file. Pre: the file is not empty. Null for progressive meshes, which
   /// engine/io/pm_file.h reads and writes.
   Soup (*read)(const MappedFile& file, const ReadOptions& options) = nullptr;

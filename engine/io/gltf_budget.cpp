@@ -17,7 +17,7 @@ constexpr std::size_t kMostPerByte = 8;
 void GltfBudget::spend(const GltfFile& gltf, std::size_t values) {
   spent_ += values;
   if (spent_ > kAlwaysAllowed && spent_ / kMostPerByte > gltf.byte_count()) {
-    gltf.fail("its meshes are instanced too often for the size of the file");
+    gltf.fail(refusal_);
   }
   if (spent_ >= kNone) gltf.fail("more elements than 32-bit indices can address");
 }

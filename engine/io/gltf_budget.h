@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "engine/io/gltf_file.h"
 
@@ -15,11 +16,17 @@ class GltfBudget {
   /// Values that every file may have, however often its meshes are repeated.
   static constexpr std::size_t kAlwaysAllowed = std::size_t{1} << 25;
 
+  /// `refusal`: why a file that asks for too much is refused.
+  explicit GltfBudget(
+      std::string_view refusal = "its meshes are instanced too often for the size of the file")
+      : refusal_(refusal) {}
+
   /// Adds to the count of values read: corners, vertices, or vertices of a further attribute.
   /// Throws InputError if there are too many for the size of the file, or to count in 32 bits.
   void spend(const GltfFile& gltf, std::size_t values);
 
  private:
+  std::string_view refusal_;
   std::size_t spent_ = 0;
 };
 

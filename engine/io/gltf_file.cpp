@@ -172,6 +172,11 @@ const GltfFile::Json& GltfFile::element(const char* array, std::uint64_t index) 
   return found;
 }
 
+GltfFile::Json& GltfFile::mutable_node(std::uint64_t index) {
+  element("nodes", index);
+  return (*json_)["nodes"][index];
+}
+
 std::optional<std::uint64_t> GltfFile::find_number(const Json& object, const char* key) const {
   const auto found = object.find(key);
   if (found == object.end()) return std::nullopt;

@@ -40,6 +40,8 @@ class GltfFile {
   std::size_t count(const char* array) const;
   /// Returns an element of a top-level array.
   const Json& element(const char* array, std::uint64_t index) const;
+  /// Returns a node, to be changed in memory. The file stays as it is.
+  Json& mutable_node(std::uint64_t index);
   /// Returns the unsigned integer at a key of an object, or nothing if the key is absent.
   std::optional<std::uint64_t> find_number(const Json& object, const char* key) const;
   /// Returns the array of numbers at a key of an object, or nothing if the key is absent. Throws

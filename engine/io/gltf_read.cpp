@@ -17,6 +17,7 @@
 #include "engine/io/color_byte.h"
 #include "engine/io/far_origin.h"
 #include "engine/io/format.h"
+#include "engine/io/gltf_animation.h"
 #include "engine/io/gltf_budget.h"
 #include "engine/io/gltf_contents.h"
 #include "engine/io/gltf_file.h"
@@ -96,6 +97,7 @@ class GltfReader {
   Soup run() {
     check_required_extensions(gltf_);
     note_contents(gltf_, soup_.contents);
+    if (options_.pose) pose_gltf(gltf_, *options_.pose);
     if (gltf_.count("nodes") == 0) {
       for (std::uint64_t mesh = 0; mesh < gltf_.count("meshes"); ++mesh)
         placed_.push_back({mesh, glm::dmat4(1.0), ""});

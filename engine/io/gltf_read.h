@@ -12,8 +12,9 @@ namespace mesher::io {
 /// mesh is transformed by its nodes. Texture coordinates are flipped to count from the bottom, as
 /// in OBJ. Vertices of one mesh at bitwise equal positions are merged: glTF splits vertices where
 /// attributes differ, and the surface would fall apart otherwise. The group of a face holds the
-/// name of its node or mesh and its material (engine/io/gltf_materials.h). Points, lines, skins and
-/// morph targets are ignored.
+/// name of its node or mesh and its material (engine/io/gltf_materials.h). Skinned meshes are
+/// posed by their joints, and morph targets count by their weights: in the pose that the options
+/// choose, or as the nodes are. Points and lines are ignored.
 ///
 /// This reader is our own because the library that Debian ships is known to crash on hostile files;
 /// here every value comes from checked bytes. Cycles and nodes with two parents are refused. So are

@@ -35,6 +35,7 @@ Soup read_soup(const std::filesystem::path& file, const ReadOptions& options) {
   if (format->read == nullptr) {
     throw InputError(name, 0, std::string("holds a ") + format->name + ", not polygons");
   }
+  if (options.pose && !format->has_animations) throw InputError(name, 0, "has no animations");
   begin_stage(options.progress, "reading");
   try {
     return read_polygons(*format, file, options);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "engine/core/progress.h"
 #include "engine/mesh/build/build.h"
@@ -9,6 +10,14 @@
 #include "engine/mesh/model.h"
 
 namespace mesher::io {
+
+/// A moment of an animation.
+struct PoseChoice {
+  /// The animation's name, or its index in the file, from 0. The name counts first; of several
+  /// animations with that name, the first one is meant.
+  std::string animation;
+  double time_s = 0.0;  ///< before its start and after its end, the first and last pose hold
+};
 
 struct ReadOptions {
   /// Base of the vertex numbers in the `e` lines of an OBJ, 0 or 1. Unset: the base for which more
@@ -18,6 +27,9 @@ struct ReadOptions {
   /// Vertices at most this far apart are joined, in model units. 0: those at equal positions.
   /// Unset: none.
   std::optional<double> weld = 0.0;
+  /// Unset: the nodes as the file has them. Only formats with animations have poses to choose
+  /// (FormatInfo::has_animations); others are refused.
+  std::optional<PoseChoice> pose = std::nullopt;
   Progress* progress = nullptr;
 };
 
