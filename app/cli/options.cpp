@@ -52,10 +52,11 @@ void apply_shading(render::Settings& settings, const LookOptions& look) {
 }  // namespace
 
 io::ReadOptions read_options(const InputOptions& input) {
-  return {.crease_index_base = input.crease_index_base,
-          .keep_isolated_vertices = input.keep_isolated,
-          .weld = input.no_weld ? std::optional<double>() : input.weld_distance,
-          .progress = nullptr};
+  io::ReadOptions options{.crease_index_base = input.crease_index_base,
+                          .keep_isolated_vertices = input.keep_isolated,
+                          .weld = input.no_weld ? std::optional<double>() : input.weld_distance};
+  if (input.animation) options.pose = {.animation = *input.animation, .time_s = input.time_s};
+  return options;
 }
 
 std::optional<std::vector<double>> parse_numbers(const std::string& text) {

@@ -4,10 +4,13 @@
 #include "app/cli/progress_line.h"
 #include "app/document/json.h"
 #include "app/document/progressive_view.h"
+#include "app/files/paths.h"
 #include "app/files/picture.h"
 #include "app/files/turntable.h"
 #include "app/viewer/scripted_session.h"
 #include "engine/core/error.h"
+#include "engine/io/format.h"
+#include "engine/io/pm_file.h"
 #include "engine/progressive/base.h"
 #include "engine/progressive/build.h"
 #include "engine/progressive/detail_range.h"
@@ -64,6 +67,16 @@ Detail open_detail(Session& session, LoadedLevels&& opened, double lod, const Lo
   session.view.settings.first_split_vertex = detail.mesh.base_vertex_count();
   session.document.statistics = statistics(detail.mesh.mesh());
   return detail;
+}
+
+/// Refuses a pose of a model whose format has none.
+void check_pose(const InputOptions& input) {
+  if (!input.animation) return;
+  const std::filesystem::path file = find_model(input.model);
+  const io::FormatInfo* const format = io::format_of(file);
+  if (io::is_pm_file(file) || (format != nullptr && !format->has_animations)) {
+    throw UsageError("--animation: " + file.filename().string() + " has no animations");
+  }
 }
 
 /// Refuses what cannot be drawn or written, before the work starts.
@@ -205,6 +218,7 @@ void run_render(const InputOptions& input, const std::string& output, const Look
                 const CommonOptions& common) {
   // Reject bad arguments before the work starts.
   if (!look.camera.empty()) parse_camera(look.camera);
+  check_pose(input);
   check(output, look, picture);
   if (!detail.faces && !detail.lod) {
     LoadedModel loaded = load(input, common);

@@ -175,6 +175,7 @@ class CommandLine {
         ->add_flag("--split-colors", look_.split_colors,
                    "with --lod: color faces by split order, from violet (first) to yellow")
         ->needs(lod);
+    add_pose(command);
     add_look(command);
     add_options(*command, kPictureOptions, picture_.options);
     CLI::Option* turntable =
@@ -182,6 +183,22 @@ class CommandLine {
                           "draw a full turn around the model instead of one picture");
     for (const Option<TurntableOptions>& option : kTurntableOptions)
       add_option(*command, option, picture_.turn)->needs(turntable);
+  }
+
+  void add_pose(CLI::App* command) {
+    CLI::Option* animation =
+        command
+            ->add_option_function<std::string>(
+                "--animation", [this](const std::string& name) { input_.animation = name; },
+                "draw a pose of this animation of a glTF: its name or index, from 0; without NAME, "
+                "an error lists the animations")
+            ->type_name("NAME")
+            ->expected(0, 1);
+    command
+        ->add_option("--time", input_.time_s,
+                     "time of that pose; the last pose holds after the end [s] (default: 0)")
+        ->check(number_between(0.0, 1e9))
+        ->needs(animation);
   }
 
   void add_info() {

@@ -6,6 +6,7 @@
 
 #include "engine/io/png.h"
 #include "tests/app/program_test.h"
+#include "tests/support/gltf_document.h"
 #include "tests/support/webp_file.h"
 
 namespace mesher::test {
@@ -215,6 +216,70 @@ TEST_F(RenderCommand, InvalidPictureIsRejected) {
   }
   EXPECT_EQ(mesher({"render", "cube", "-o", "no/x_#.png", "--turntable"}).exit_code, 4);
   EXPECT_EQ(folder_.count_files(), 0U);
+}
+
+/// A glTF of a square whose animation "Rise" scales it by 3 along y within a second. The second one
+/// has no name.
+std::string rising_square() {
+  GltfDocument document;
+  document.floats(kSquareCorners, "VEC3", 3);
+  document.indices(kSquareIndices);
+  document.floats({0, 1}, "SCALAR", 1);
+  document.floats({1, 1, 1, 1, 3, 1}, "VEC3", 3);
+  return document.text(
+      R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
+      "animations":[{"name":"Rise","channels":[{"sampler":0,"target":{"node":0,"path":"scale"}}],
+      "samplers":[{"input":2,"output":3}]},{"channels":[],"samplers":[]}])");
+}
+
+TEST_F(RenderCommand, AnimationPosesTheModel) {
+  folder_.write("m.gltf", rising_square());
+  const auto height = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"render", "m.gltf", "-o", "r.png", "--size", "20"});
+    // The camera looks at the center of the model, whose base is at 0.
+    return 2.0 * mesher_json(arguments)["camera"]["pivot"][1].get<double>();
+  };
+  EXPECT_EQ(height({}), 1.0);
+  EXPECT_EQ(height({"--animation", "Rise"}), 1.0);
+  EXPECT_EQ(height({"--animation", "Rise", "--time", "0.5"}), 2.0);
+  EXPECT_EQ(height({"--animation", "0", "--time", "99"}), 3.0);
+  EXPECT_EQ(height({"--animation", "1", "--time", "1"}), 1.0);
+  EXPECT_EQ(height({"--animation", "Rise", "--time", "1", "--lod", "1"}), 3.0);
+  EXPECT_EQ(height({"--animation", "Rise", "--time", "1", "--faces", "2"}), 3.0);
+  EXPECT_GT(difference(picture({"m.gltf", "--animation", "Rise", "--time", "1"}),
+                       picture({"m.gltf", "--animation", "Rise"})),
+            1.0);
+  EXPECT_EQ(mesher({"render", "m.gltf", "-o", "t.webp", "--size", "16", "--turntable", "--frames",
+                    "4", "--seconds", "1", "--animation", "Rise", "--time", "1"})
+                .exit_code,
+            0);
+}
+
+TEST_F(RenderCommand, InvalidAnimationIsRejected) {
+  folder_.write("m.gltf", rising_square());
+  const auto refusal = [&](std::vector<std::string> arguments, int exit_code) {
+    arguments.insert(arguments.begin(), "render");
+    arguments.insert(arguments.end(), {"-o", "x.png"});
+    const Finished run = mesher(arguments);
+    EXPECT_EQ(run.exit_code, exit_code);
+    return run.err;
+  };
+  EXPECT_EQ(refusal({"m.gltf", "--animation", "Jump"}, 2),
+            "mesher: m.gltf: has no animation \"Jump\"; its animations are 0 \"Rise\", 1 \"\"\n");
+  EXPECT_EQ(refusal({"m.gltf", "--animation"}, 2),
+            "mesher: m.gltf: its animations are 0 \"Rise\", 1 \"\"\n");
+  EXPECT_EQ(refusal({"bunny", "--animation", "Rise"}, 1),
+            "mesher: --animation: bunny.obj has no animations\n");
+  EXPECT_TRUE(holds(refusal({"missing.glb", "--animation", "Rise"}, 2), "missing.glb"));
+  ASSERT_EQ(mesher({"progressive", "cube", "-o", "c.pm"}).exit_code, 0);
+  for (const char* lod : {"0", "1"}) {
+    EXPECT_EQ(refusal({"c.pm", "--animation", "Rise", "--lod", lod}, 1),
+              "mesher: --animation: c.pm has no animations\n");
+  }
+  EXPECT_TRUE(holds(refusal({"m.gltf", "--time", "1"}, 1), "--animation"));
+  for (const char* time : {"-1", "nan", "inf", "x"})
+    EXPECT_TRUE(holds(refusal({"m.gltf", "--animation", "Rise", "--time", time}, 1), "--time"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "x.png"));
 }
 
 TEST_F(RenderCommand, InterruptLeavesNoFile) {
