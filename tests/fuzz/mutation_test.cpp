@@ -20,6 +20,8 @@ using test::TempFolder;
 using test::Watchdog;
 
 constexpr int kMutants = 1500;
+/// Half way through the animation of the sample that has one.
+const io::ReadOptions kPosed{.pose = io::PoseChoice{.animation = "0", .time_s = 0.5}};
 constexpr std::chrono::seconds kFormatTimeLimit(120);  // for all mutants of a format
 
 /// Numbers and words that are known to break parsers.
@@ -111,18 +113,24 @@ TEST(Mutation, EveryMutantIsReadOrRejected) {
     const Watchdog watchdog(sound.name, kFormatTimeLimit);
     const TempFolder folder;
     Mutator mutator(20240501);
+    const bool is_animated = sound.bytes.find("animations") != std::string::npos;
     int read = 0;
+    int posed = 0;
     for (int i = 0; i < kMutants; ++i) {
       const std::string bytes = mutator.mutate(sound.bytes);
       SCOPED_TRACE(sound.name + " mutant " + std::to_string(i) + ":\n" + printable(bytes));
       const auto file = folder.write("mutant" + sound.extension, bytes);
       if (read_or_refuse(file)) ++read;
       if (sound.extension.starts_with(".gl")) rewrite_or_refuse(file);
+      if (is_animated && read_or_refuse(file, nullptr, kPosed)) ++posed;
       if (testing::Test::HasFailure()) return;  // the first failure is enough
     }
     // If all mutants were read, or none, the mutations would test nothing.
     EXPECT_GT(read, 0) << sound.name;
     EXPECT_LT(read, kMutants) << sound.name;
+    if (!is_animated) continue;
+    EXPECT_GT(posed, 0) << sound.name;
+    EXPECT_LT(posed, read) << "no mutant broke the animation alone";
   }
 }
 

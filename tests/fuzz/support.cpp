@@ -9,7 +9,6 @@
 #include "engine/core/error.h"
 #include "engine/io/gltf_rewrite.h"
 #include "engine/io/gltf_scene.h"
-#include "engine/io/read.h"
 #include "engine/mesh/validate.h"
 
 namespace mesher::test {
@@ -41,9 +40,10 @@ Watchdog::~Watchdog() {
   thread_.join();
 }
 
-std::optional<Model> read_or_refuse(const std::filesystem::path& file, std::string* refusal) {
+std::optional<Model> read_or_refuse(const std::filesystem::path& file, std::string* refusal,
+                                    const io::ReadOptions& options) {
   try {
-    Model model = io::read_model(file);
+    Model model = io::read_model(file, options);
     for (const Violation& violation : validate(model.mesh)) {
       ADD_FAILURE() << "invariant " << violation.invariant << ": " << violation.what;
     }

@@ -8,6 +8,7 @@
 #include <string>
 #include <thread>
 
+#include "engine/io/read.h"
 #include "engine/mesh/model.h"
 
 namespace mesher::test {
@@ -32,7 +33,8 @@ class Watchdog {
 /// invariants, or an error of one line that names the file. Returns the model, or nothing if the
 /// file was rejected. Fails the current test in any other case.
 std::optional<Model> read_or_refuse(const std::filesystem::path& file,
-                                    std::string* refusal = nullptr);
+                                    std::string* refusal = nullptr,
+                                    const io::ReadOptions& options = {});
 
 /// Rewrites a glTF file with each mesh replaced by two levels, and reads the result: it must be
 /// readable, or the file must be refused as above.

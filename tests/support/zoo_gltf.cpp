@@ -51,7 +51,7 @@ std::string chain_of_nodes() {
 std::string sound_gltf() {
   return document();
 }
-/// Sparse positions, an instance, a skin with a bone, and a morph target.
+/// Sparse positions, an instance, a skin with a bone, a morph target, and an animation of both.
 std::string posed_gltf() {
   GltfDocument file;
   const auto view = [&](const std::string& bytes) { return std::to_string(file.view(bytes)); };
@@ -66,7 +66,18 @@ std::string posed_gltf() {
   file.floats({0, 0, 2, 0, 0, 2, 0, 0, 2, 0, 0, 2}, "VEC3", 3);
   file.floats({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 3, 0, 0, 1}, "MAT4", 16);
   file.floats({7, 0, 0}, "VEC3", 3);
+  file.floats({0, 1}, "SCALAR", 1);
+  file.accessor(R"("normalized":true,"bufferView":)" +
+                    view(bytes_of<std::int16_t>({0, 0, 0, 32767, 0, 0, 32767, 0})),
+                5122, "VEC4", 2);
+  file.floats({0, 0, 0, 0, 2, 0, 0, 1, 0, 0, 1, 0, 0, 4, 0, 0, 0, 0}, "VEC3", 3);
+  file.floats({0.5F, 1}, "SCALAR", 1);
   return file.text(
+      R"("animations":[{"name":"a","channels":[{"sampler":0,"target":{"node":1,"path":"rotation"}},
+      {"sampler":1,"target":{"node":1,"path":"translation"}},
+      {"sampler":2,"target":{"node":0,"path":"weights"}},{"sampler":9,"target":{"path":"pointer"}}],
+      "samplers":[{"input":7,"output":8},{"input":7,"output":9,"interpolation":"CUBICSPLINE"},
+      {"input":7,"output":10,"interpolation":"STEP"}]}],)"
       R"("nodes":[{"mesh":0,"skin":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":
       {"TRANSLATION":6}}}},{"translation":[0,2,0]}],"skins":[{"joints":[1],"inverseBindMatrices":5}],
       "meshes":[{"weights":[0.5],"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":2,"WEIGHTS_0":3},
