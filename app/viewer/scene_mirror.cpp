@@ -25,8 +25,8 @@ bool SceneMirror::update(Document& document, const render::Settings& chosen) {
   const render::Settings settings = shown_settings(chosen, document);
   render::Sources sources = shown_sources(document);
   std::vector<std::string> problems;
-  sources.appearance.decode = [&](std::span<const std::uint32_t> images) {
-    return io::decode_images(*sources.appearance.materials, images, problems);
+  sources.appearance.decode = [&](std::span<const std::uint32_t> images, const TakeImage& take) {
+    io::decode_images(*sources.appearance.materials, images, take, problems);
   };
   const render::UploadStats upload = mesh_.apply(shown_mesh(document), settings, sources);
   if (is_changed) not_decoded_.clear();

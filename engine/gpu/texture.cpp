@@ -18,7 +18,7 @@ constexpr ImageState kSampled{VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
                               VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
                               VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
 
-void check_texture_size(const Device& device, const mesher::Image& image) {
+void check_texture_size(const Device& device, const ImageView& image) {
   const std::uint32_t limit = device.properties().limits.maxImageDimension2D;
   if (image.width <= limit && image.height <= limit) return;
   throw DeviceError(
@@ -26,8 +26,7 @@ void check_texture_size(const Device& device, const mesher::Image& image) {
                   image.height, device.name(), limit));
 }
 
-VkImage create_texture_image(Device& device, std::span<const mesher::Image> levels,
-                             VkFormat format) {
+VkImage create_texture_image(Device& device, std::span<const ImageView> levels, VkFormat format) {
   check_texture_size(device, levels.front());
   const VkImageCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
                                .pNext = nullptr,
@@ -53,11 +52,11 @@ VkImage create_texture_image(Device& device, std::span<const mesher::Image> leve
 
 /// Records the copy of all levels, which follow one another in `pixels`.
 void record_upload(VkCommandBuffer commands, VkImage texture, const Buffer& pixels,
-                   std::span<const mesher::Image> levels) {
+                   std::span<const ImageView> levels) {
   transition(commands, texture, kUndefined, kTransferTarget);
   std::vector<VkBufferImageCopy> regions;
   VkDeviceSize offset = 0;
-  for (const mesher::Image& level : levels) {
+  for (const ImageView& level : levels) {
     const auto number = static_cast<std::uint32_t>(regions.size());
     regions.push_back({.bufferOffset = offset,
                        .bufferRowLength = 0,
@@ -65,24 +64,23 @@ void record_upload(VkCommandBuffer commands, VkImage texture, const Buffer& pixe
                        .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, number, 0, 1},
                        .imageOffset = {0, 0, 0},
                        .imageExtent = {level.width, level.height, 1}});
-    offset += level.rgba.size();
+    offset += level.bytes();
   }
   vkCmdCopyBufferToImage(commands, pixels.handle(), texture, kTransferTarget.layout,
                          static_cast<std::uint32_t>(regions.size()), regions.data());
   transition(commands, texture, kTransferTarget, kSampled);
 }
 
-VkDeviceSize level_bytes(std::span<const mesher::Image> levels) {
+VkDeviceSize level_bytes(std::span<const ImageView> levels) {
   VkDeviceSize bytes = 0;
-  for (const mesher::Image& level : levels)
-    bytes += level.rgba.size();
+  for (const ImageView& level : levels)
+    bytes += level.bytes();
   return bytes;
 }
 
 }  // namespace
 
-Texture::Texture(Device& device, std::span<const mesher::Image> levels, bool is_srgb,
-                 Buffer& staging) {
+Texture::Texture(Device& device, std::span<const ImageView> levels, bool is_srgb, Buffer& staging) {
   MESHER_ASSERT(!levels.empty() && levels.front().width > 0 && levels.front().height > 0);
   const VkFormat format = is_srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM;
   image_ = UniqueImage(device, create_texture_image(device, levels, format));
@@ -109,9 +107,9 @@ Texture::Texture(Device& device, std::span<const mesher::Image> levels, bool is_
     staging = Buffer(device, bytes, 0, MemoryIntent::dynamic);
   }
   std::byte* end = staging.mapped();
-  for (const mesher::Image& level : levels) {
-    std::memcpy(end, level.rgba.data(), level.rgba.size());
-    end += level.rgba.size();
+  for (const ImageView& level : levels) {
+    std::memcpy(end, level.rgba, level.bytes());
+    end += level.bytes();
   }
   device.run_once(
       [&](VkCommandBuffer commands) { record_upload(commands, image_.get(), staging, levels); });

@@ -17,7 +17,7 @@ class Texture {
   /// down, and at least 1. `is_srgb`: the bytes are color. `staging` is replaced if it is too
   /// small, so that several textures can share it. Waits for the GPU. Pre: no side is 0. Throws
   /// DeviceError if a side exceeds the device's limit, or memory runs out.
-  Texture(Device& device, std::span<const mesher::Image> levels, bool is_srgb, Buffer& staging);
+  Texture(Device& device, std::span<const ImageView> levels, bool is_srgb, Buffer& staging);
 
   VkImageView view() const { return view_.get(); }
   explicit operator bool() const { return static_cast<bool>(image_); }

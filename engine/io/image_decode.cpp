@@ -1,122 +1,44 @@
 #include "engine/io/image_decode.h"
 
 #include <fmt/format.h>
-#include <turbojpeg.h>
-#include <webp/decode.h>
 
 #include <algorithm>
-#include <cstring>
-#include <optional>
 
-#include "engine/core/error.h"
-#include "engine/core/parallel.h"
-#include "engine/io/child_process.h"
-#include "engine/io/png.h"
+#include "engine/io/child_batch.h"
+#include "engine/io/image_header.h"
+#include "engine/io/shared_memory.h"
 
 namespace mesher::io {
 namespace {
 
-enum class Coding { png, jpeg, webp, unknown };
+/// Memory of images that are decoded at the same time, unless a single one takes more.
+constexpr std::size_t kMostBytesAtOnce = std::size_t{256} << 20U;
 
-Coding coding_of(std::string_view bytes) {
-  if (bytes.starts_with("\x89PNG\r\n\x1a\n")) return Coding::png;
-  if (bytes.starts_with("\xff\xd8\xff")) return Coding::jpeg;
-  if (bytes.starts_with("RIFF") && bytes.substr(0, 12).ends_with("WEBP")) return Coding::webp;
-  return Coding::unknown;
-}
-
-const unsigned char* raw(std::string_view bytes) {
-  return reinterpret_cast<const unsigned char*>(bytes.data());
-}
-
-std::size_t most_pixel_bytes(std::string_view bytes) {
-  return kAlwaysImageBytes + kMostImageBytesPerByte * bytes.size();
-}
-
-/// Returns room for an image, or nothing if it is larger than the limits.
-std::optional<Image> room_for(std::int64_t width, std::int64_t height, std::string_view bytes) {
-  if (width < 1 || height < 1 || width > kMostImageSide || height > kMostImageSide) return {};
-  const std::size_t size = 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  if (size > most_pixel_bytes(bytes)) return {};
-  return Image{.width = static_cast<std::uint32_t>(width),
-               .height = static_cast<std::uint32_t>(height),
-               .rgba = Array<std::uint8_t>(size)};
-}
-
-struct FreeDecompressor {
-  void operator()(void* handle) const { tjDestroy(handle); }
+/// An image that is to be decoded.
+struct DecodeJob {
+  std::size_t number = 0;  ///< among those that were asked for
+  std::string_view bytes;
+  ImageHeader header;
+  std::size_t offset = 0;  ///< of its pixels in the memory of its batch
 };
 
-std::optional<Image> decode_jpeg(std::string_view bytes) {
-  const std::unique_ptr<void, FreeDecompressor> jpeg(tjInitDecompress());
-  int width = 0;
-  int height = 0;
-  int subsampling = 0;
-  int colors = 0;
-  if (!jpeg || tjDecompressHeader3(jpeg.get(), raw(bytes), bytes.size(), &width, &height,
-                                   &subsampling, &colors) != 0) {
-    return {};
+std::string size_problem() {
+  return fmt::format("is damaged, or larger than {0} x {0} pixels", kMostImageSide);
+}
+
+/// Returns why an image cannot be decoded, by its header; empty if it may.
+std::string problem_of(const EncodedImage& image, const ImageHeader& header) {
+  if (header.coding == ImageCoding::unknown) {
+    const std::string& type = image.mime_type;
+    const bool is_known =
+        type == "image/png" || type == "image/jpeg" || type == "image/webp" || type.empty();
+    return is_known ? "is not PNG, JPEG or WebP" : fmt::format("no decoder for {}", type);
   }
-  std::optional<Image> image = room_for(width, height, bytes);
-  if (!image) return {};
-  // A scan may be many times as long as its bytes; the library stops after some hundreds.
-  const int error = tjDecompress2(jpeg.get(), raw(bytes), bytes.size(), image->rgba.data(), width,
-                                  0, height, TJPF_RGBA, TJFLAG_LIMITSCANS);
-  // A warning is given for a file that ends early, of which browsers show the beginning.
-  if (error != 0 && tjGetErrorCode(jpeg.get()) != TJERR_WARNING) return {};
-  return image;
-}
-
-std::optional<Image> decode_webp(std::string_view bytes) {
-  WebPBitstreamFeatures features;
-  if (WebPGetFeatures(raw(bytes), bytes.size(), &features) != VP8_STATUS_OK) return {};
-  std::optional<Image> image = room_for(features.width, features.height, bytes);
-  if (!image || features.has_animation != 0) return {};
-  if (WebPDecodeRGBAInto(raw(bytes), bytes.size(), image->rgba.data(), image->rgba.size(),
-                         4 * features.width) == nullptr) {
-    return {};
-  }
-  return image;
-}
-
-std::optional<Image> decode_spng(std::string_view bytes) {
-  try {
-    return decode_png(bytes, "", {.side = kMostImageSide, .always_bytes = kAlwaysImageBytes});
-  } catch (const InputError&) {
-    return {};
-  }
-}
-
-/// Writes width, height and pixels.
-bool write_webp_pixels(std::string_view bytes, const ChildWriter& write) {
-  const std::optional<Image> image = decode_webp(bytes);
-  if (!image) return false;
-  const std::uint32_t size[2] = {image->width, image->height};
-  return write({reinterpret_cast<const char*>(size), sizeof(size)}) &&
-         write({reinterpret_cast<const char*>(image->rgba.data()), image->rgba.size()});
-}
-
-/// The child decoded hostile data, so its output is checked like a file.
-std::optional<Image> read_pixels(std::string_view output) {
-  std::uint32_t size[2] = {};
-  if (output.size() < sizeof(size)) return {};
-  std::memcpy(size, output.data(), sizeof(size));
-  output.remove_prefix(sizeof(size));
-  if (std::max(size[0], size[1]) > kMostImageSide) return {};
-  if (output.empty() || output.size() != std::size_t{4} * size[0] * size[1]) return {};
-  Image image{.width = size[0], .height = size[1], .rgba = Array<std::uint8_t>(output.size())};
-  std::memcpy(image.rgba.data(), output.data(), output.size());
-  return image;
-}
-
-std::optional<Image> decode_webp_in_child(std::string_view bytes, Progress* progress) {
-  const ChildLimits limits{.memory = 4 * most_pixel_bytes(bytes) + (std::size_t{256} << 20U),
-                           .cpu_s = 60,
-                           .output = most_pixel_bytes(bytes) + 8};
-  const ChildResult result = run_in_child(
-      [&](const ChildWriter& write) { return write_webp_pixels(bytes, write); }, limits, progress);
-  if (result.outcome != ChildOutcome::done) return {};
-  return read_pixels(result.bytes);
+  const auto [least, most] = std::minmax(header.width, header.height);
+  const bool fits =
+      least > 0 && most <= kMostImageSide &&
+      header.pixel_bytes() <= kAlwaysImageBytes + kMostImageBytesPerByte * image.bytes->size();
+  return fits ? "" : size_problem();
 }
 
 std::string label_of(const Materials& materials, std::uint32_t index) {
@@ -128,61 +50,120 @@ std::string label_of(const Materials& materials, std::uint32_t index) {
   return fmt::format("image {}", index);
 }
 
-DecodedImage decode_one(const Materials& materials, std::uint32_t index, Progress* progress) {
-  if (index >= materials.images.size()) return {{}, "there is no such image"};
-  const EncodedImage& image = materials.images[index];
-  if (!image.bytes) return {{}, "its file is missing or outside the model's folder"};
-  return decode_image(*image.bytes, image.mime_type, progress);
-}
+class ImageDecoder {
+ public:
+  ImageDecoder(const Materials& materials, std::span<const std::uint32_t> indices,
+               const TakeImage& take, const DecodePixels& decode)
+      : materials_(materials),
+        indices_(indices),
+        take_(take),
+        decode_(decode),
+        problems_(indices.size()) {}
+
+  void run(Progress* progress) {
+    std::vector<DecodeJob> batch;
+    std::size_t batch_bytes = 0;
+    for (const DecodeJob& job : jobs()) {
+      const std::size_t bytes = job.header.pixel_bytes();
+      if (!batch.empty() && batch_bytes + bytes > kMostBytesAtOnce) {
+        decode_batch(batch, batch_bytes, progress);
+        batch.clear();
+        batch_bytes = 0;
+      }
+      batch.push_back(job);
+      batch.back().offset = batch_bytes;
+      batch_bytes += bytes;
+    }
+    if (!batch.empty()) decode_batch(batch, batch_bytes, progress);
+  }
+
+  std::vector<std::string> problem_lines() const {
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < indices_.size(); ++i) {
+      if (problems_[i].empty()) continue;
+      lines.push_back(fmt::format("texture '{}' is drawn white: {}",
+                                  label_of(materials_, indices_[i]), problems_[i]));
+    }
+    return lines;
+  }
+
+ private:
+  /// Returns the images whose headers are good.
+  std::vector<DecodeJob> jobs() {
+    std::vector<DecodeJob> jobs;
+    std::size_t pixel_bytes = 0;
+    for (std::size_t i = 0; i < indices_.size(); ++i) {
+      if (indices_[i] >= materials_.images.size()) {
+        problems_[i] = "there is no such image";
+        continue;
+      }
+      const EncodedImage& image = materials_.images[indices_[i]];
+      if (!image.bytes) {
+        problems_[i] = "its file is missing or outside the model's folder";
+        continue;
+      }
+      const ImageHeader header = read_image_header(*image.bytes);
+      problems_[i] = problem_of(image, header);
+      if (!problems_[i].empty()) continue;
+      if (pixel_bytes + header.pixel_bytes() > kMostPixelBytesOfModel) {
+        problems_[i] = "the others take 2 GB";
+        continue;
+      }
+      pixel_bytes += header.pixel_bytes();
+      jobs.push_back({i, *image.bytes, header, 0});
+    }
+    return jobs;
+  }
+
+  void decode_batch(std::span<const DecodeJob> batch, std::size_t bytes, Progress* progress) {
+    const SharedMemory memory(bytes);
+    std::size_t largest = 0;
+    for (const DecodeJob& job : batch)
+      largest = std::max(largest, job.header.pixel_bytes());
+    // Progressive JPEG and WebP keep some bytes per pixel beside the picture.
+    const ChildLimits limits{.memory = 4 * largest + (std::size_t{256} << 20U), .cpu_s = 60};
+    const ChildTasks tasks{.count = batch.size(),
+                           .work =
+                               [&](std::size_t i) {
+                                 const DecodeJob& job = batch[i];
+                                 return decode_(
+                                     job.header, job.bytes,
+                                     {memory.data() + job.offset, job.header.pixel_bytes()});
+                               },
+                           .finished =
+                               [&](std::size_t i, ChildOutcome outcome) {
+                                 const DecodeJob& job = batch[i];
+                                 finish(job, outcome, memory.data() + job.offset);
+                               }};
+    run_in_children(tasks, limits, progress);
+  }
+
+  void finish(const DecodeJob& job, ChildOutcome outcome, const std::uint8_t* pixels) {
+    if (outcome == ChildOutcome::done) {
+      take_(job.number, {job.header.width, job.header.height, pixels});
+    } else {
+      problems_[job.number] = outcome == ChildOutcome::died
+                                  ? "it crashes its decoder, or takes too long"
+                                  : size_problem();
+    }
+  }
+
+  const Materials& materials_;
+  std::span<const std::uint32_t> indices_;
+  const TakeImage& take_;
+  const DecodePixels& decode_;
+  std::vector<std::string> problems_;  ///< of each image; empty: none
+};
 
 }  // namespace
 
-DecodedImage decode_image(std::string_view bytes, std::string_view mime_type, Progress* progress) {
-  std::optional<Image> image;
-  switch (coding_of(bytes)) {
-    case Coding::png:
-      image = decode_spng(bytes);
-      break;
-    case Coding::jpeg:
-      image = decode_jpeg(bytes);
-      break;
-    case Coding::webp:
-      image = decode_webp_in_child(bytes, progress);
-      break;
-    case Coding::unknown: {
-      const bool is_known = mime_type == "image/png" || mime_type == "image/jpeg" ||
-                            mime_type == "image/webp" || mime_type.empty();
-      return {{},
-              is_known ? "is not PNG, JPEG or WebP" : fmt::format("no decoder for {}", mime_type)};
-    }
-  }
-  if (image) return {std::move(*image), ""};
-  return {{}, fmt::format("is damaged, or larger than {0} x {0} pixels", kMostImageSide)};
-}
-
-std::vector<Image> decode_images(const Materials& materials, std::span<const std::uint32_t> indices,
-                                 std::vector<std::string>& problems, Progress* progress) {
-  // Few at a time, so that they exceed the limit of all by little before it is checked.
-  constexpr std::size_t kAtOnce = 8;
-  std::vector<Image> images(indices.size());
-  std::size_t bytes = 0;
-  for (std::size_t first = 0; first < images.size(); first += kAtOnce) {
-    const auto some = indices.subspan(first, std::min(kAtOnce, images.size() - first));
-    std::vector<DecodedImage> decoded(some.size());
-    parallel_for(some.size(), 1, [&](IndexRange range) {
-      for (std::size_t i = range.begin; i < range.end; ++i)
-        decoded[i] = bytes > kMostPixelBytesOfModel ? DecodedImage{{}, "the others take 2 GB"}
-                                                    : decode_one(materials, some[i], progress);
-    });
-    for (std::size_t i = 0; i < some.size(); ++i) {
-      bytes += decoded[i].image.rgba.size();
-      if (!decoded[i].problem.empty())
-        problems.push_back(fmt::format("texture '{}' is drawn white: {}",
-                                       label_of(materials, some[i]), decoded[i].problem));
-      images[first + i] = std::move(decoded[i].image);
-    }
-  }
-  return images;
+void decode_images(const Materials& materials, std::span<const std::uint32_t> indices,
+                   const TakeImage& take, std::vector<std::string>& problems, Progress* progress,
+                   const DecodePixels& decode) {
+  ImageDecoder decoder(materials, indices, take, decode);
+  decoder.run(progress);
+  for (std::string& line : decoder.problem_lines())
+    problems.push_back(std::move(line));
 }
 
 }  // namespace mesher::io

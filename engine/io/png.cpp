@@ -28,18 +28,15 @@ void write_png(const std::filesystem::path& file, const Image& image) {
 }
 
 Image read_png(const std::filesystem::path& file) {
+  constexpr std::uint32_t kMostSide = 32'768;
   const MappedFile bytes(file);
-  return decode_png({bytes.begin(), bytes.size()}, bytes.name());
-}
-
-Image decode_png(std::string_view bytes, const std::string& name, const PngLimits& limits) {
   const Context context(spng_ctx_new(0));
   const auto check = [&](int error) {
-    if (error != 0) throw InputError(name, 0, spng_strerror(error));
+    if (error != 0) throw InputError(bytes.name(), 0, spng_strerror(error));
   };
-  if (!context) throw InputError(name, 0, "out of memory");
-  check(spng_set_image_limits(context.get(), limits.side, limits.side));
-  check(spng_set_png_buffer(context.get(), bytes.data(), bytes.size()));
+  if (!context) throw InputError(bytes.name(), 0, "out of memory");
+  check(spng_set_image_limits(context.get(), kMostSide, kMostSide));
+  check(spng_set_png_buffer(context.get(), bytes.begin(), bytes.size()));
   spng_ihdr header = {};
   check(spng_get_ihdr(context.get(), &header));
   std::size_t size = 0;
@@ -47,12 +44,21 @@ Image decode_png(std::string_view bytes, const std::string& name, const PngLimit
   // Deflate shrinks data at most about a thousandfold, and RGBA has four times the bytes of 8-bit
   // gray. A file that claims more is truncated, hostile, or a nearly blank image of fewer than 8
   // bits per sample.
-  if (size > limits.always_bytes && size / 4096 > bytes.size())
-    throw InputError(name, 0, "too few bytes for its dimensions");
+  if (size / 4096 > bytes.size())
+    throw InputError(bytes.name(), 0, "too few bytes for its dimensions");
   Image image{.width = header.width, .height = header.height, .rgba = Array<std::uint8_t>(size)};
   check(
       spng_decode_image(context.get(), image.rgba.data(), size, SPNG_FMT_RGBA8, SPNG_DECODE_TRNS));
   return image;
+}
+
+bool decode_png(std::string_view bytes, std::span<std::uint8_t> rgba) {
+  const Context context(spng_ctx_new(0));
+  std::size_t size = 0;
+  return context && spng_set_png_buffer(context.get(), bytes.data(), bytes.size()) == 0 &&
+         spng_decoded_image_size(context.get(), SPNG_FMT_RGBA8, &size) == 0 &&
+         size == rgba.size() &&
+         spng_decode_image(context.get(), rgba.data(), size, SPNG_FMT_RGBA8, SPNG_DECODE_TRNS) == 0;
 }
 
 }  // namespace mesher::io

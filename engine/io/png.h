@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <string>
+#include <span>
 #include <string_view>
 
 #include "engine/core/image.h"
@@ -17,13 +17,8 @@ void write_png(const std::filesystem::path& file, const Image& image);
 /// or higher than 32,768 pixels.
 Image read_png(const std::filesystem::path& file);
 
-/// Limits of the pixels of a PNG.
-struct PngLimits {
-  std::uint32_t side = 32'768;
-  std::size_t always_bytes = 0;  ///< of pixels, however few bytes the file has
-};
-
-/// Reads a PNG from memory. `name` is for messages. Throws InputError as above.
-Image decode_png(std::string_view bytes, const std::string& name, const PngLimits& limits = {});
+/// Decodes a PNG of any kind as 8-bit RGBA, into memory of exactly its size. Returns false if the
+/// PNG is damaged or of another size.
+bool decode_png(std::string_view bytes, std::span<std::uint8_t> rgba);
 
 }  // namespace mesher::io

@@ -1,11 +1,8 @@
 #include "engine/render/gpu_materials.h"
 
-#include <algorithm>
 #include <set>
 #include <span>
-#include <utility>
 
-#include "engine/core/parallel.h"
 #include "engine/render/mip_levels.h"
 
 namespace mesher::render {
@@ -15,29 +12,14 @@ Image white_pixel() {
   return {.width = 1, .height = 1, .rgba = Array<std::uint8_t>(4, 255)};
 }
 
-struct LeveledTexture {
-  TextureKey key;
-  std::vector<Image> levels;
-};
-
-/// Returns the textures with their first level.
-std::vector<LeveledTexture> decoded(const std::set<TextureKey>& keys, const DecodeImages& decode) {
-  std::vector<std::uint32_t> indices;
+/// Returns the images of the textures, each once, in ascending order.
+std::vector<std::uint32_t> images_of(const std::set<TextureKey>& keys) {
+  std::vector<std::uint32_t> images;
   for (const TextureKey& key : keys) {
-    if (key.image != kNone && (indices.empty() || indices.back() != key.image))
-      indices.push_back(key.image);
+    if (key.image != kNone && (images.empty() || images.back() != key.image))
+      images.push_back(key.image);
   }
-  std::vector<Image> images;
-  if (decode && !indices.empty()) images = decode(indices);
-  images.resize(indices.size());
-  std::vector<LeveledTexture> textures;
-  for (const TextureKey& key : keys) {
-    const auto i = std::lower_bound(indices.begin(), indices.end(), key.image) - indices.begin();
-    const auto at = static_cast<std::size_t>(i);
-    const bool is_decoded = at < images.size() && !images[at].rgba.empty();
-    textures.push_back({key, {is_decoded ? images[at] : white_pixel()}});
-  }
-  return textures;
+  return images;
 }
 
 std::vector<Material> with_plain(const Materials* materials) {
@@ -83,18 +65,27 @@ void GpuMaterials::create_textures(const std::vector<PackedMaterial>& packed,
       if (!textures_.contains(key)) missing.insert(key);
     }
   }
-  std::vector<LeveledTexture> textures = decoded(missing, decode);
-  parallel_for(textures.size(), 1, [&](IndexRange range) {
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      auto& [key, levels] = textures[i];
-      levels = mip_levels(std::move(levels.front()), key.is_srgb);
-    }
-  });
   gpu::Buffer staging;
-  for (auto& [key, levels] : textures) {
-    textures_.emplace(key, gpu::Texture(device_, levels, key.is_srgb, staging));
-    levels.clear();
+  const std::vector<std::uint32_t> images = images_of(missing);
+  if (decode && !images.empty()) {
+    decode(images, [&](std::size_t i, const ImageView& image) {
+      for (const bool is_srgb : {false, true}) {
+        const TextureKey key{images[i], is_srgb};
+        if (missing.contains(key)) create_texture(key, image, staging);
+      }
+    });
   }
+  for (const TextureKey& key : missing) {
+    if (!textures_.contains(key)) create_texture(key, white_pixel(), staging);
+  }
+}
+
+void GpuMaterials::create_texture(const TextureKey& key, const ImageView& image,
+                                  gpu::Buffer& staging) {
+  const std::vector<Image> smaller = mip_levels(image, key.is_srgb);
+  std::vector<ImageView> levels{image};
+  levels.insert(levels.end(), smaller.begin(), smaller.end());
+  textures_.emplace(key, gpu::Texture(device_, levels, key.is_srgb, staging));
 }
 
 void GpuMaterials::create_sets(const std::vector<PackedMaterial>& packed) {

@@ -33,7 +33,9 @@ class GpuMaterials {
   const std::vector<std::string>& problems() const { return problems_; }
 
  private:
+  /// Creates those that are missing, each while the other images are still being decoded.
   void create_textures(const std::vector<PackedMaterial>& packed, const DecodeImages& decode);
+  void create_texture(const TextureKey& key, const ImageView& image, gpu::Buffer& staging);
   void create_sets(const std::vector<PackedMaterial>& packed);
 
   gpu::Device& device_;

@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
+
+#include "engine/core/parallel.h"
 
 namespace mesher::render {
 namespace {
 
 /// Light in 14 bits tells all 256 colors apart.
 constexpr std::uint32_t kMostLight = (1U << 14U) - 1;
+
+/// Pixels per task of a parallel loop.
+constexpr std::size_t kPixelsAtOnce = std::size_t{1} << 16U;
 
 /// The curve of sRGB (IEC 61966-2-1) in both directions.
 struct SrgbTables {
@@ -53,33 +57,33 @@ struct ColorAverage {
 };
 
 template <class Average>
-Image halved(const Image& image, const Average& average) {
+Image halved(const ImageView& image, const Average& average) {
   Image half{
       .width = std::max(image.width / 2, 1U), .height = std::max(image.height / 2, 1U), .rgba = {}};
   half.rgba.resize(std::size_t{4} * half.width * half.height);
-  std::uint8_t* out = half.rgba.data();
   // A side of one pixel has no second one; the last of an odd side is left out.
   const std::size_t right = image.width > 1 ? 4 : 0;
-  for (std::uint32_t y = 0; y < half.height; ++y) {
+  const std::size_t rows_at_once = kPixelsAtOnce / half.width + 1;
+  parallel_for_each(half.height, rows_at_once, [&](std::uint32_t y) {
+    std::uint8_t* out = half.rgba.data() + std::size_t{4} * half.width * y;
     const std::uint8_t* above = image.pixel(0, std::min(2 * y, image.height - 1));
     const std::uint8_t* below = image.pixel(0, std::min(2 * y + 1, image.height - 1));
     for (std::uint32_t x = 0; x < half.width; ++x, above += 8, below += 8) {
       for (int c = 0; c < 4; ++c)
         *out++ = average(c, above[c], above[right + c], below[c], below[right + c]);
     }
-  }
+  });
   return half;
 }
 
 }  // namespace
 
-std::vector<Image> mip_levels(Image&& image, bool is_srgb) {
+std::vector<Image> mip_levels(const ImageView& image, bool is_srgb) {
   std::vector<Image> levels;
-  levels.push_back(std::move(image));
-  while (levels.back().width > 1 || levels.back().height > 1) {
-    const Image& last = levels.back();
-    Image half = is_srgb ? halved(last, ColorAverage{}) : halved(last, NumberAverage{});
-    levels.push_back(std::move(half));
+  ImageView last = image;
+  while (last.width > 1 || last.height > 1) {
+    levels.push_back(is_srgb ? halved(last, ColorAverage{}) : halved(last, NumberAverage{}));
+    last = levels.back();
   }
   return levels;
 }

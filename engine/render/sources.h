@@ -34,9 +34,10 @@ struct MorphSource {
   }
 };
 
-/// Returns the decoded images with these indices into Materials::images. Images that cannot be
-/// decoded are empty: they are drawn white.
-using DecodeImages = std::function<std::vector<Image>(std::span<const std::uint32_t> indices)>;
+/// Decodes the images with these indices into Materials::images, and passes each on as soon as it
+/// is there. Images that cannot be decoded are not passed on: they are drawn white.
+using DecodeImages =
+    std::function<void(std::span<const std::uint32_t> indices, const TakeImage& take)>;
 
 /// What the surface of a mesh looks like.
 struct Appearance {

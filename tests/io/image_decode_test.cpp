@@ -3,11 +3,18 @@
 #include <gtest/gtest.h>
 #include <turbojpeg.h>
 
+#include <unistd.h>
+
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include "engine/core/error.h"
+#include "engine/core/parallel.h"
 #include "engine/io/png.h"
 #include "engine/io/webp.h"
 #include "tests/support/temp_folder.h"
@@ -53,6 +60,56 @@ std::string jpeg_of(const Image& image) {
   tjFree(bytes);
   tjDestroy(handle);
   return result;
+}
+
+/// The pixels of an image, or why there are none.
+struct DecodedImage {
+  Image image;
+  std::string problem;
+};
+
+Image copy_of(const ImageView& view) {
+  Image image{.width = view.width, .height = view.height, .rgba = {}};
+  image.rgba.assign(view.rgba, view.rgba + view.bytes());
+  return image;
+}
+
+Materials with_images(const std::vector<std::string>& all) {
+  Materials materials;
+  for (const std::string& bytes : all)
+    materials.images.push_back({"", "", "", std::make_shared<const std::string>(bytes)});
+  return materials;
+}
+
+struct DecodedImages {
+  std::vector<Image> images;
+  std::vector<std::string> problems;
+};
+
+DecodedImages decode_all(const Materials& materials, const std::vector<std::uint32_t>& indices,
+                         const DecodePixels& decode = decode_pixels) {
+  DecodedImages decoded{.images = std::vector<Image>(indices.size()), .problems = {}};
+  decode_images(
+      materials, indices,
+      [&](std::size_t i, const ImageView& image) {
+        EXPECT_TRUE(decoded.images.at(i).rgba.empty()) << "each only once";
+        decoded.images.at(i) = copy_of(image);
+      },
+      decoded.problems, nullptr, decode);
+  return decoded;
+}
+
+DecodedImage decode_image(const std::string& bytes, const std::string& mime_type) {
+  Materials materials = with_images({bytes});
+  materials.images[0].mime_type = mime_type;
+  DecodedImages decoded = decode_all(materials, {0});
+  constexpr std::string_view kBegin = "texture 'image 0' is drawn white: ";
+  std::string problem;
+  for (const std::string& line : decoded.problems) {
+    EXPECT_TRUE(line.starts_with(kBegin)) << line;
+    problem += line.substr(kBegin.size());
+  }
+  return {std::move(decoded.images[0]), problem};
 }
 
 TEST(ImageDecode, PngAndLosslessWebpAreExact) {
@@ -141,16 +198,84 @@ TEST(ImageDecode, ProblemsNameTheirTextures) {
   materials.images = {{"wood", "image/png", "", shared(png_of(image))},
                       {"", "image/ktx2", "maps/stone.ktx2", shared("\xabKTX 20\xbb")},
                       {"gone", "", "", nullptr}};
-  const std::vector<std::uint32_t> indices{1, 0, 2, 9};
-  std::vector<std::string> problems;
-  const std::vector<Image> images = decode_images(materials, indices, problems);
-  ASSERT_EQ(images.size(), 4U);
+  const auto [images, problems] = decode_all(materials, {1, 0, 2, 9});
   EXPECT_TRUE(images[0].rgba.empty());
   EXPECT_EQ(images[1].rgba, image.rgba);
   ASSERT_EQ(problems.size(), 3U);
   EXPECT_EQ(problems[0], "texture 'maps/stone.ktx2' is drawn white: no decoder for image/ktx2");
   EXPECT_EQ(problems[1],
             "texture 'gone' is drawn white: its file is missing or outside the model's folder");
+}
+
+/// Dies of images that are 13 pixels wide.
+bool decode_or_die(const ImageHeader& header, std::string_view bytes,
+                   std::span<std::uint8_t> rgba) {
+  if (header.width == 13) std::raise(SIGSEGV);
+  return decode_pixels(header, bytes, rgba);
+}
+
+TEST(ImageDecode, CrashOfADecoderTakesNoOtherImageWithIt) {
+  const Image good = smooth_image(16, 8);
+  const Materials materials =
+      with_images({png_of(good), png_of(smooth_image(13, 8)), png_of(good),
+                   png_of(smooth_image(13, 9)), webp_of(good), png_of(good)});
+  for (const unsigned threads : {1U, 2U, 8U}) {
+    const ThreadLimit limit(threads);
+    const auto [images, problems] = decode_all(materials, {0, 1, 2, 3, 4, 5}, decode_or_die);
+    for (const std::size_t i : {0U, 2U, 4U, 5U})
+      EXPECT_EQ(images[i].rgba, good.rgba) << i;
+    EXPECT_TRUE(images[1].rgba.empty() && images[3].rgba.empty());
+    ASSERT_EQ(problems.size(), 2U);
+    EXPECT_EQ(problems[0],
+              "texture 'image 1' is drawn white: it crashes its decoder, or takes too long");
+    EXPECT_TRUE(problems[1].starts_with("texture 'image 3'"));
+  }
+}
+
+TEST(ImageDecode, TruncatedFilesAreRefusedOrShownInPart) {
+  const Image image = smooth_image(64, 64);
+  for (const std::string& whole : {png_of(image), webp_of(image), jpeg_of(image)}) {
+    for (const std::size_t size : {whole.size() / 2, std::size_t{31}, std::size_t{12}}) {
+      const DecodedImage decoded = decode_image(whole.substr(0, size), "");
+      EXPECT_EQ(decoded.problem.empty(), !decoded.image.rgba.empty()) << size;
+      EXPECT_TRUE(size >= 32 || !decoded.problem.empty());
+    }
+  }
+}
+
+TEST(ImageDecode, ImagesBeyondTheLimitOfAModelAreRefused) {
+  // Each claims 256 MB; nothing is decoded, because the decoder only says so.
+  const std::string large = with_jpeg_size(jpeg_of(smooth_image(16, 16)), 8192, 8192) +
+                            std::string(std::size_t{1} << 16U, ' ');
+  const Materials materials = with_images(std::vector<std::string>(9, large));
+  std::vector<std::string> problems;
+  const std::vector<std::uint32_t> indices{0, 1, 2, 3, 4, 5, 6, 7, 8};
+  std::size_t taken = 0;
+  decode_images(
+      materials, indices, [&](std::size_t, const ImageView&) { ++taken; }, problems, nullptr,
+      [](const ImageHeader&, std::string_view, std::span<std::uint8_t>) { return true; });
+  EXPECT_EQ(taken, 8U);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0], "texture 'image 8' is drawn white: the others take 2 GB");
+}
+
+TEST(ImageDecode, CancellationEndsIt) {
+  const Materials materials = with_images({png_of(smooth_image(8, 8))});
+  Progress progress;
+  std::thread canceling([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    progress.cancel();
+  });
+  std::vector<std::string> problems;
+  const std::vector<std::uint32_t> indices{0};
+  EXPECT_THROW(decode_images(
+                   materials, indices, [](std::size_t, const ImageView&) {}, problems, &progress,
+                   [](const ImageHeader&, std::string_view, std::span<std::uint8_t>) {
+                     ::sleep(1000);
+                     return true;
+                   }),
+               Cancelled);
+  canceling.join();
 }
 
 }  // namespace

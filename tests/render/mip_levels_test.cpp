@@ -13,8 +13,9 @@ TEST(MipLevels, EndAtOnePixel) {
   for (const auto& [width, height] : {std::pair{1U, 1U}, {8U, 2U}, {5U, 7U}, {1U, 3U}}) {
     const std::vector<Image> levels =
         mip_levels(image_of(width, std::vector<Rgba>(width * height, {9, 8, 7, 6})), true);
-    EXPECT_EQ(levels.front().width, width);
-    EXPECT_EQ(levels.size(), 1 + std::floor(std::log2(std::max(width, height))));
+    ASSERT_EQ(levels.size(), std::floor(std::log2(std::max(width, height))));
+    if (levels.empty()) continue;
+    EXPECT_EQ(levels.front().width, std::max(width / 2, 1U));
     for (const Image& level : levels) {
       ASSERT_EQ(level.rgba.size(), std::size_t{4} * level.width * level.height);
       for (std::size_t i = 0; i < level.rgba.size(); ++i)
@@ -29,7 +30,7 @@ TEST(MipLevels, EveryColorKeepsItsByte) {
   for (std::uint32_t i = 0; i < 256; ++i) {
     const auto byte = static_cast<std::uint8_t>(i);
     const auto levels = mip_levels(image_of(2, {4, {byte, byte, byte, byte}}), true);
-    EXPECT_EQ(levels[1].rgba[0], byte);
+    EXPECT_EQ(levels[0].rgba[0], byte);
   }
 }
 
@@ -37,12 +38,12 @@ TEST(MipLevels, AverageColorsInLinearLightAndNumbersAsTheyAre) {
   const std::vector<Rgba> pixels{
       {0, 255, 10, 0}, {255, 255, 10, 255}, {0, 255, 20, 0}, {255, 255, 20, 255}};
   const auto colors = mip_levels(image_of(2, pixels), true);
-  EXPECT_EQ(colors[1].rgba[0], 188);
-  EXPECT_EQ(colors[1].rgba[1], 255);
-  EXPECT_EQ(colors[1].rgba[3], 128);
+  EXPECT_EQ(colors[0].rgba[0], 188);
+  EXPECT_EQ(colors[0].rgba[1], 255);
+  EXPECT_EQ(colors[0].rgba[3], 128);
   const auto numbers = mip_levels(image_of(2, pixels), false);
-  EXPECT_EQ(numbers[1].rgba[0], 128);
-  EXPECT_EQ(numbers[1].rgba[2], 15);
+  EXPECT_EQ(numbers[0].rgba[0], 128);
+  EXPECT_EQ(numbers[0].rgba[2], 15);
 }
 
 }  // namespace

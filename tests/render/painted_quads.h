@@ -25,11 +25,12 @@ struct PaintedModel {
     Sources sources;
     sources.appearance.attributes = &attributes;
     sources.appearance.materials = std::make_shared<const Materials>(materials);
-    sources.appearance.decode = [this](std::span<const std::uint32_t> indices) {
-      std::vector<Image> decoded;
-      for (const std::uint32_t i : indices)
-        decoded.push_back(images.at(i));
-      return decoded;
+    sources.appearance.decode = [this](std::span<const std::uint32_t> indices,
+                                       const TakeImage& take) {
+      for (std::size_t i = 0; i < indices.size(); ++i) {
+        const Image& image = images.at(indices[i]);
+        if (!image.rgba.empty()) take(i, image);
+      }
     };
     return sources;
   }
