@@ -171,7 +171,9 @@ void draw(LoadedModel&& loaded, const std::string& output, const LookOptions& lo
   const std::optional<io::PmSummary> pm = loaded.pm;
   show(session, std::move(loaded), look);
   ScriptedSession script(session, {.device = look.device, .validation = look.validation});
-  PictureScene scene = script.scene();
+  // A turntable shows each part from near and from far.
+  const PictureOptions& options = picture.options;
+  PictureScene scene = script.scene(picture.turntable ? 0 : options.scale * options.supersample);
   for (const std::string& line : script.not_drawn())
     say(line);
   scene.legend = legend_of_picture(scene.settings, legend_facts(session.document), scene.window,

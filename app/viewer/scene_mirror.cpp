@@ -17,15 +17,17 @@ VkRect2D model_rectangle(const View& view, const VkExtent2D& extent) {
   return {{x, y}, {width, height}};
 }
 
-bool SceneMirror::update(Document& document, const render::Settings& chosen) {
+bool SceneMirror::update(Document& document, const render::Settings& chosen,
+                         const std::optional<render::PictureView>& picture) {
   bool is_changed = generation_ != document.model_generation;
   if (is_changed) mesh_.invalidate();
   generation_ = document.model_generation;
   const std::uint32_t faces_before = mesh_.face_count();
   const render::Settings settings = shown_settings(chosen, document);
   render::Sources sources = shown_sources(document);
+  sources.appearance.picture = picture;
   std::vector<std::string> problems;
-  sources.appearance.decode = [&](std::span<const std::uint32_t> images, const TakeImage& take) {
+  sources.appearance.decode = [&](std::span<const ImageRequest> images, const TakeImage& take) {
     io::decode_images(*sources.appearance.materials, images, take, problems);
   };
   const render::UploadStats upload = mesh_.apply(shown_mesh(document), settings, sources);

@@ -24,9 +24,10 @@ class SceneMirror {
   explicit SceneMirror(gpu::Device& device) : mesh_(device) {}
 
   /// Uploads what has changed since the last call. `chosen`: the settings of the view. Returns
-  /// whether the picture changes. Throws DeviceError if memory runs out. O(changed bytes); O(V + F)
-  /// for another model.
-  bool update(Document& document, const render::Settings& chosen);
+  /// whether the picture changes. `picture`: the only one that is drawn, if there is only one.
+  /// Throws DeviceError if memory runs out. O(changed bytes); O(V + F) for another model.
+  bool update(Document& document, const render::Settings& chosen,
+              const std::optional<render::PictureView>& picture = {});
   /// Makes the next update upload everything.
   void invalidate() { mesh_.invalidate(); }
 

@@ -68,8 +68,8 @@ void ScriptedSession::press(std::span<const KeyPress> keys) {
   }
 }
 
-PictureScene ScriptedSession::scene() {
-  update_mirror();
+PictureScene ScriptedSession::scene(std::uint32_t pixel_ratio) {
+  update_mirror(pixel_ratio);
   return {.device = gpu_->device,
           .renderer = gpu_->renderer,
           .mesh = gpu_->mirror.mesh(),
@@ -80,9 +80,13 @@ PictureScene ScriptedSession::scene() {
           .window = extent()};
 }
 
-void ScriptedSession::update_mirror() {
+void ScriptedSession::update_mirror(std::uint32_t pixel_ratio) {
   if (!gpu_) gpu_ = std::make_unique<Gpu>(options_);
-  gpu_->mirror.update(session_.document, session_.view.settings);
+  std::optional<render::PictureView> picture;
+  if (pixel_ratio > 0)
+    picture = {.camera = session_.view.camera,
+               .size = pixel_ratio * glm::uvec2(extent().width, extent().height)};
+  gpu_->mirror.update(session_.document, session_.view.settings, picture);
 }
 
 Image ScriptedSession::picture() {

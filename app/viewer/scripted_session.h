@@ -2,6 +2,7 @@
 
 #include <vulkan/vulkan_core.h>
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -38,8 +39,10 @@ class ScriptedSession {
   /// DeviceError.
   Image picture();
   /// Sets up everything that draws the same picture, for write_picture and write_turntable. Valid
-  /// while the session does not change. Throws DeviceError.
-  PictureScene scene();
+  /// while the session does not change. `pixel_ratio`: of the only picture that is drawn, its
+  /// pixels per pixel of the window, so that textures are no finer than it shows; 0: they have all
+  /// their pixels. Throws DeviceError.
+  PictureScene scene(std::uint32_t pixel_ratio = 0);
   /// Where the widgets of the last picture with panels are; null: there was none.
   const WidgetAreas* widgets() const;
   /// Returns what the pictures so far do not show of the model, a line for each.
@@ -51,7 +54,7 @@ class ScriptedSession {
   struct Gpu;
   struct PanelLayer;
 
-  void update_mirror();
+  void update_mirror(std::uint32_t pixel_ratio = 0);
   Image picture_with_panels();
   VkExtent2D extent() const;
 

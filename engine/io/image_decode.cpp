@@ -19,7 +19,10 @@ struct DecodeJob {
   std::size_t number = 0;  ///< among those that were asked for
   std::string_view bytes;
   ImageHeader header;
-  std::size_t offset = 0;  ///< of its pixels in the memory of its batch
+  std::uint32_t halved = 0;  ///< how often its sides are
+  std::size_t offset = 0;    ///< of its pixels in the memory of its batch
+
+  std::size_t pixel_bytes() const { return header.pixel_bytes() >> 2 * halved; }
 };
 
 std::string size_problem() {
@@ -52,19 +55,19 @@ std::string label_of(const Materials& materials, std::uint32_t index) {
 
 class ImageDecoder {
  public:
-  ImageDecoder(const Materials& materials, std::span<const std::uint32_t> indices,
+  ImageDecoder(const Materials& materials, std::span<const ImageRequest> requests,
                const TakeImage& take, const DecodePixels& decode)
       : materials_(materials),
-        indices_(indices),
+        requests_(requests),
         take_(take),
         decode_(decode),
-        problems_(indices.size()) {}
+        problems_(requests.size()) {}
 
   void run(Progress* progress) {
     std::vector<DecodeJob> batch;
     std::size_t batch_bytes = 0;
     for (const DecodeJob& job : jobs()) {
-      const std::size_t bytes = job.header.pixel_bytes();
+      const std::size_t bytes = job.pixel_bytes();
       if (!batch.empty() && batch_bytes + bytes > kMostBytesAtOnce) {
         decode_batch(batch, batch_bytes, progress);
         batch.clear();
@@ -79,10 +82,10 @@ class ImageDecoder {
 
   std::vector<std::string> problem_lines() const {
     std::vector<std::string> lines;
-    for (std::size_t i = 0; i < indices_.size(); ++i) {
+    for (std::size_t i = 0; i < requests_.size(); ++i) {
       if (problems_[i].empty()) continue;
       lines.push_back(fmt::format("texture '{}' is drawn white: {}",
-                                  label_of(materials_, indices_[i]), problems_[i]));
+                                  label_of(materials_, requests_[i].image), problems_[i]));
     }
     return lines;
   }
@@ -92,12 +95,13 @@ class ImageDecoder {
   std::vector<DecodeJob> jobs() {
     std::vector<DecodeJob> jobs;
     std::size_t pixel_bytes = 0;
-    for (std::size_t i = 0; i < indices_.size(); ++i) {
-      if (indices_[i] >= materials_.images.size()) {
+    for (std::size_t i = 0; i < requests_.size(); ++i) {
+      const std::uint32_t index = requests_[i].image;
+      if (index >= materials_.images.size()) {
         problems_[i] = "there is no such image";
         continue;
       }
-      const EncodedImage& image = materials_.images[indices_[i]];
+      const EncodedImage& image = materials_.images[index];
       if (!image.bytes) {
         problems_[i] = "its file is missing or outside the model's folder";
         continue;
@@ -105,12 +109,18 @@ class ImageDecoder {
       const ImageHeader header = read_image_header(*image.bytes);
       problems_[i] = problem_of(image, header);
       if (!problems_[i].empty()) continue;
-      if (pixel_bytes + header.pixel_bytes() > kMostPixelBytesOfModel) {
+      const DecodeJob job{
+          .number = i,
+          .bytes = *image.bytes,
+          .header = header,
+          .halved = std::min(halvings(header.width, header.height, requests_[i].needed_side),
+                             most_halvings(header.coding))};
+      if (pixel_bytes + job.pixel_bytes() > kMostPixelBytesOfModel) {
         problems_[i] = "the others take 2 GB";
         continue;
       }
-      pixel_bytes += header.pixel_bytes();
-      jobs.push_back({i, *image.bytes, header, 0});
+      pixel_bytes += job.pixel_bytes();
+      jobs.push_back(job);
     }
     return jobs;
   }
@@ -126,9 +136,8 @@ class ImageDecoder {
                            .work =
                                [&](std::size_t i) {
                                  const DecodeJob& job = batch[i];
-                                 return decode_(
-                                     job.header, job.bytes,
-                                     {memory.data() + job.offset, job.header.pixel_bytes()});
+                                 return decode_(job.header, job.bytes, job.halved,
+                                                {memory.data() + job.offset, job.pixel_bytes()});
                                },
                            .finished =
                                [&](std::size_t i, ChildOutcome outcome) {
@@ -140,7 +149,7 @@ class ImageDecoder {
 
   void finish(const DecodeJob& job, ChildOutcome outcome, const std::uint8_t* pixels) {
     if (outcome == ChildOutcome::done) {
-      take_(job.number, {job.header.width, job.header.height, pixels});
+      take_(job.number, {job.header.width >> job.halved, job.header.height >> job.halved, pixels});
     } else {
       problems_[job.number] = outcome == ChildOutcome::died
                                   ? "it crashes its decoder, or takes too long"
@@ -149,7 +158,7 @@ class ImageDecoder {
   }
 
   const Materials& materials_;
-  std::span<const std::uint32_t> indices_;
+  std::span<const ImageRequest> requests_;
   const TakeImage& take_;
   const DecodePixels& decode_;
   std::vector<std::string> problems_;  ///< of each image; empty: none
@@ -157,10 +166,10 @@ class ImageDecoder {
 
 }  // namespace
 
-void decode_images(const Materials& materials, std::span<const std::uint32_t> indices,
+void decode_images(const Materials& materials, std::span<const ImageRequest> requests,
                    const TakeImage& take, std::vector<std::string>& problems, Progress* progress,
                    const DecodePixels& decode) {
-  ImageDecoder decoder(materials, indices, take, decode);
+  ImageDecoder decoder(materials, requests, take, decode);
   decoder.run(progress);
   for (std::string& line : decoder.problem_lines())
     problems.push_back(std::move(line));

@@ -19,7 +19,8 @@ bool is_size(const ImageHeader& header, int width, int height) {
          static_cast<std::int64_t>(header.height) == height;
 }
 
-bool decode_jpeg(const ImageHeader& header, std::string_view bytes, std::span<std::uint8_t> rgba) {
+bool decode_jpeg(const ImageHeader& header, std::string_view bytes, std::uint32_t halved,
+                 std::span<std::uint8_t> rgba) {
   const std::unique_ptr<void, int (*)(void*)> jpeg(tjInitDecompress(), &tjDestroy);
   int width = 0;
   int height = 0;
@@ -31,8 +32,9 @@ bool decode_jpeg(const ImageHeader& header, std::string_view bytes, std::span<st
   }
   if (!is_size(header, width, height)) return false;
   // A scan may be many times as long as its bytes; the library stops after some hundreds.
-  const int error = tjDecompress2(jpeg.get(), raw(bytes), bytes.size(), rgba.data(), width, 0,
-                                  height, TJPF_RGBA, TJFLAG_LIMITSCANS);
+  const int error =
+      tjDecompress2(jpeg.get(), raw(bytes), bytes.size(), rgba.data(), width >> halved, 0,
+                    height >> halved, TJPF_RGBA, TJFLAG_LIMITSCANS);
   // A warning is given for a file that ends early, of which browsers show the beginning.
   return error == 0 || tjGetErrorCode(jpeg.get()) == TJERR_WARNING;
 }
@@ -48,13 +50,17 @@ bool decode_webp(const ImageHeader& header, std::string_view bytes, std::span<st
 
 }  // namespace
 
-bool decode_pixels(const ImageHeader& header, std::string_view bytes,
+std::uint32_t most_halvings(ImageCoding coding) {
+  return coding == ImageCoding::jpeg ? 3 : 0;
+}
+
+bool decode_pixels(const ImageHeader& header, std::string_view bytes, std::uint32_t halved,
                    std::span<std::uint8_t> rgba) {
   switch (header.coding) {
     case ImageCoding::png:
       return decode_png(bytes, rgba);
     case ImageCoding::jpeg:
-      return decode_jpeg(header, bytes, rgba);
+      return decode_jpeg(header, bytes, halved, rgba);
     case ImageCoding::webp:
       return decode_webp(header, bytes, rgba);
     case ImageCoding::unknown:

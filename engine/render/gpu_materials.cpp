@@ -4,6 +4,7 @@
 #include <span>
 
 #include "engine/render/mip_levels.h"
+#include "engine/render/texture_detail.h"
 
 namespace mesher::render {
 namespace {
@@ -13,13 +14,15 @@ Image white_pixel() {
 }
 
 /// Returns the images of the textures, each once, in ascending order.
-std::vector<std::uint32_t> images_of(const std::set<TextureKey>& keys) {
-  std::vector<std::uint32_t> images;
+std::vector<ImageRequest> requests_for(const std::set<TextureKey>& keys,
+                                       const std::vector<float>& needed_sides) {
+  std::vector<ImageRequest> requests;
   for (const TextureKey& key : keys) {
-    if (key.image != kNone && (images.empty() || images.back() != key.image))
-      images.push_back(key.image);
+    if (key.image == kNone || (!requests.empty() && requests.back().image == key.image)) continue;
+    requests.push_back({.image = key.image});
+    if (key.image < needed_sides.size()) requests.back().needed_side = needed_sides[key.image];
   }
-  return images;
+  return requests;
 }
 
 std::vector<Material> with_plain(const Materials* materials) {
@@ -31,9 +34,10 @@ std::vector<Material> with_plain(const Materials* materials) {
 
 }  // namespace
 
-void GpuMaterials::update(const Appearance& appearance, Look look) {
+void GpuMaterials::update(const Mesh& mesh, const Appearance& appearance, Look look) {
   const TexcoordSets texcoords = texcoord_sets(*appearance.attributes);
-  const bool is_same_model = blocks_ && materials_ == appearance.materials;
+  const bool is_same_model =
+      blocks_ && materials_ == appearance.materials && picture_ == appearance.picture;
   if (is_same_model && texcoords == texcoords_ && look == look_) return;
   look_ = Look::clay;  // until everything has succeeded
   if (!is_same_model) textures_.clear();
@@ -47,8 +51,9 @@ void GpuMaterials::update(const Appearance& appearance, Look look) {
     is_two_sided_.push_back(material.is_two_sided);
   }
   materials_ = appearance.materials;
+  picture_ = appearance.picture;
   texcoords_ = texcoords;
-  create_textures(packed, appearance.decode);
+  create_textures(mesh, appearance, packed);
   const auto bytes = std::as_bytes(std::span(blocks));
   blocks_ = gpu::Buffer(device_, bytes.size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                         gpu::MemoryIntent::fixed);
@@ -57,35 +62,40 @@ void GpuMaterials::update(const Appearance& appearance, Look look) {
   look_ = look;
 }
 
-void GpuMaterials::create_textures(const std::vector<PackedMaterial>& packed,
-                                   const DecodeImages& decode) {
+void GpuMaterials::create_textures(const Mesh& mesh, const Appearance& appearance,
+                                   const std::vector<PackedMaterial>& packed) {
   std::set<TextureKey> missing;
   for (const PackedMaterial& material : packed) {
     for (const TextureKey& key : material.textures) {
       if (!textures_.contains(key)) missing.insert(key);
     }
   }
+  std::vector<float> sides;
+  if (appearance.picture)
+    sides =
+        needed_sides(mesh, *appearance.attributes, {packed, is_two_sided_}, *appearance.picture);
+  const std::vector<ImageRequest> requests = requests_for(missing, sides);
   gpu::Buffer staging;
-  const std::vector<std::uint32_t> images = images_of(missing);
-  if (decode && !images.empty()) {
-    decode(images, [&](std::size_t i, const ImageView& image) {
+  if (appearance.decode && !requests.empty()) {
+    appearance.decode(requests, [&](std::size_t i, const ImageView& image) {
       for (const bool is_srgb : {false, true}) {
-        const TextureKey key{images[i], is_srgb};
-        if (missing.contains(key)) create_texture(key, image, staging);
+        const TextureKey key{requests[i].image, is_srgb};
+        if (missing.contains(key)) create_texture(key, image, requests[i].needed_side, staging);
       }
     });
   }
   for (const TextureKey& key : missing) {
-    if (!textures_.contains(key)) create_texture(key, white_pixel(), staging);
+    if (!textures_.contains(key)) create_texture(key, white_pixel(), 1.0F, staging);
   }
 }
 
-void GpuMaterials::create_texture(const TextureKey& key, const ImageView& image,
+void GpuMaterials::create_texture(const TextureKey& key, const ImageView& image, float needed_side,
                                   gpu::Buffer& staging) {
   const std::vector<Image> smaller = mip_levels(image, key.is_srgb);
   std::vector<ImageView> levels{image};
   levels.insert(levels.end(), smaller.begin(), smaller.end());
-  textures_.emplace(key, gpu::Texture(device_, levels, key.is_srgb, staging));
+  const auto needed = std::span(levels).subspan(halvings(image.width, image.height, needed_side));
+  textures_.emplace(key, gpu::Texture(device_, needed, key.is_srgb, staging));
 }
 
 void GpuMaterials::create_sets(const std::vector<PackedMaterial>& packed) {

@@ -4,13 +4,16 @@
 #include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "engine/core/image.h"
+#include "engine/core/image_request.h"
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/geomorph.h"
 #include "engine/mesh/material.h"
+#include "engine/render/picture_view.h"
 
 namespace mesher::render {
 
@@ -34,10 +37,10 @@ struct MorphSource {
   }
 };
 
-/// Decodes the images with these indices into Materials::images, and passes each on as soon as it
-/// is there. Images that cannot be decoded are not passed on: they are drawn white.
+/// Decodes images of Materials::images, and passes each on as soon as it is there. Images that
+/// cannot be decoded are not passed on: they are drawn white.
 using DecodeImages =
-    std::function<void(std::span<const std::uint32_t> indices, const TakeImage& take)>;
+    std::function<void(std::span<const ImageRequest> requests, const TakeImage& take)>;
 
 /// What the surface of a mesh looks like.
 struct Appearance {
@@ -45,6 +48,8 @@ struct Appearance {
   const Attributes* attributes = nullptr;
   std::shared_ptr<const Materials> materials;  ///< may be null; must not change behind the pointer
   DecodeImages decode;                         ///< called for the images that the look needs
+  /// The only picture of this mesh that will be drawn: textures get no more pixels than it needs.
+  std::optional<PictureView> picture{};
 };
 
 /// Inputs of a mirror besides the mesh. Each may be empty.

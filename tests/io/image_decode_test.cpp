@@ -74,7 +74,7 @@ Image copy_of(const ImageView& view) {
   return image;
 }
 
-Materials with_images(const std::vector<std::string>& all) {
+Materials materials_of(const std::vector<std::string>& all) {
   Materials materials;
   for (const std::string& bytes : all)
     materials.images.push_back({"", "", "", std::make_shared<const std::string>(bytes)});
@@ -86,11 +86,11 @@ struct DecodedImages {
   std::vector<std::string> problems;
 };
 
-DecodedImages decode_all(const Materials& materials, const std::vector<std::uint32_t>& indices,
+DecodedImages decode_all(const Materials& materials, const std::vector<ImageRequest>& requests,
                          const DecodePixels& decode = decode_pixels) {
-  DecodedImages decoded{.images = std::vector<Image>(indices.size()), .problems = {}};
+  DecodedImages decoded{.images = std::vector<Image>(requests.size()), .problems = {}};
   decode_images(
-      materials, indices,
+      materials, requests,
       [&](std::size_t i, const ImageView& image) {
         EXPECT_TRUE(decoded.images.at(i).rgba.empty()) << "each only once";
         decoded.images.at(i) = copy_of(image);
@@ -100,9 +100,9 @@ DecodedImages decode_all(const Materials& materials, const std::vector<std::uint
 }
 
 DecodedImage decode_image(const std::string& bytes, const std::string& mime_type) {
-  Materials materials = with_images({bytes});
+  Materials materials = materials_of({bytes});
   materials.images[0].mime_type = mime_type;
-  DecodedImages decoded = decode_all(materials, {0});
+  DecodedImages decoded = decode_all(materials, {{0}});
   constexpr std::string_view kBegin = "texture 'image 0' is drawn white: ";
   std::string problem;
   for (const std::string& line : decoded.problems) {
@@ -198,7 +198,7 @@ TEST(ImageDecode, ProblemsNameTheirTextures) {
   materials.images = {{"wood", "image/png", "", shared(png_of(image))},
                       {"", "image/ktx2", "maps/stone.ktx2", shared("\xabKTX 20\xbb")},
                       {"gone", "", "", nullptr}};
-  const auto [images, problems] = decode_all(materials, {1, 0, 2, 9});
+  const auto [images, problems] = decode_all(materials, {{1}, {0}, {2}, {9}});
   EXPECT_TRUE(images[0].rgba.empty());
   EXPECT_EQ(images[1].rgba, image.rgba);
   ASSERT_EQ(problems.size(), 3U);
@@ -208,20 +208,21 @@ TEST(ImageDecode, ProblemsNameTheirTextures) {
 }
 
 /// Dies of images that are 13 pixels wide.
-bool decode_or_die(const ImageHeader& header, std::string_view bytes,
+bool decode_or_die(const ImageHeader& header, std::string_view bytes, std::uint32_t halved,
                    std::span<std::uint8_t> rgba) {
   if (header.width == 13) std::raise(SIGSEGV);
-  return decode_pixels(header, bytes, rgba);
+  return decode_pixels(header, bytes, halved, rgba);
 }
 
 TEST(ImageDecode, CrashOfADecoderTakesNoOtherImageWithIt) {
   const Image good = smooth_image(16, 8);
   const Materials materials =
-      with_images({png_of(good), png_of(smooth_image(13, 8)), png_of(good),
-                   png_of(smooth_image(13, 9)), webp_of(good), png_of(good)});
+      materials_of({png_of(good), png_of(smooth_image(13, 8)), png_of(good),
+                    png_of(smooth_image(13, 9)), webp_of(good), png_of(good)});
   for (const unsigned threads : {1U, 2U, 8U}) {
     const ThreadLimit limit(threads);
-    const auto [images, problems] = decode_all(materials, {0, 1, 2, 3, 4, 5}, decode_or_die);
+    const auto [images, problems] =
+        decode_all(materials, {{0}, {1}, {2}, {3}, {4}, {5}}, decode_or_die);
     for (const std::size_t i : {0U, 2U, 4U, 5U})
       EXPECT_EQ(images[i].rgba, good.rgba) << i;
     EXPECT_TRUE(images[1].rgba.empty() && images[3].rgba.empty());
@@ -229,6 +230,26 @@ TEST(ImageDecode, CrashOfADecoderTakesNoOtherImageWithIt) {
     EXPECT_EQ(problems[0],
               "texture 'image 1' is drawn white: it crashes its decoder, or takes too long");
     EXPECT_TRUE(problems[1].starts_with("texture 'image 3'"));
+  }
+}
+
+TEST(ImageDecode, LessOfAJpegIsItsAverage) {
+  const Image image = smooth_image(64, 48);
+  const Materials materials = materials_of({jpeg_of(image), png_of(image)});
+  for (const std::uint32_t halved : {0U, 1U, 2U, 3U}) {
+    const float side = 48.0F / static_cast<float>(1U << halved);
+    const DecodedImages decoded = decode_all(materials, {{0, side}, {1, side}});
+    const Image& half = decoded.images[0];
+    ASSERT_EQ(half.width, 64U >> halved);
+    ASSERT_EQ(half.height, 48U >> halved);
+    const std::uint32_t shift = (1U << halved) - 1;  // colors are four per pixel
+    for (std::uint32_t y = 0; y < half.height; ++y) {
+      for (std::uint32_t x = 0; x < half.width; ++x) {
+        EXPECT_NEAR(half.pixel(x, y)[0], 4 * (x << halved) + 2 * shift, 8);
+        EXPECT_NEAR(half.pixel(x, y)[1], 4 * (y << halved) + 2 * shift, 8);
+      }
+    }
+    EXPECT_EQ(decoded.images[1].rgba, image.rgba) << "PNG comes whole";
   }
 }
 
@@ -247,34 +268,39 @@ TEST(ImageDecode, ImagesBeyondTheLimitOfAModelAreRefused) {
   // Each claims 256 MB; nothing is decoded, because the decoder only says so.
   const std::string large = with_jpeg_size(jpeg_of(smooth_image(16, 16)), 8192, 8192) +
                             std::string(std::size_t{1} << 16U, ' ');
-  const Materials materials = with_images(std::vector<std::string>(9, large));
+  const Materials materials = materials_of(std::vector<std::string>(9, large));
   std::vector<std::string> problems;
-  const std::vector<std::uint32_t> indices{0, 1, 2, 3, 4, 5, 6, 7, 8};
+  std::vector<ImageRequest> requests;
+  for (std::uint32_t i = 0; i < 9; ++i)
+    requests.push_back({i});
   std::size_t taken = 0;
   decode_images(
-      materials, indices, [&](std::size_t, const ImageView&) { ++taken; }, problems, nullptr,
-      [](const ImageHeader&, std::string_view, std::span<std::uint8_t>) { return true; });
+      materials, requests, [&](std::size_t, const ImageView&) { ++taken; }, problems, nullptr,
+      [](const ImageHeader&, std::string_view, std::uint32_t, std::span<std::uint8_t>) {
+        return true;
+      });
   EXPECT_EQ(taken, 8U);
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0], "texture 'image 8' is drawn white: the others take 2 GB");
 }
 
 TEST(ImageDecode, CancellationEndsIt) {
-  const Materials materials = with_images({png_of(smooth_image(8, 8))});
+  const Materials materials = materials_of({png_of(smooth_image(8, 8))});
   Progress progress;
   std::thread canceling([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     progress.cancel();
   });
   std::vector<std::string> problems;
-  const std::vector<std::uint32_t> indices{0};
-  EXPECT_THROW(decode_images(
-                   materials, indices, [](std::size_t, const ImageView&) {}, problems, &progress,
-                   [](const ImageHeader&, std::string_view, std::span<std::uint8_t>) {
-                     ::sleep(1000);
-                     return true;
-                   }),
-               Cancelled);
+  const std::vector<ImageRequest> requests{{0}};
+  EXPECT_THROW(
+      decode_images(
+          materials, requests, [](std::size_t, const ImageView&) {}, problems, &progress,
+          [](const ImageHeader&, std::string_view, std::uint32_t, std::span<std::uint8_t>) {
+            ::sleep(1000);
+            return true;
+          }),
+      Cancelled);
   canceling.join();
 }
 

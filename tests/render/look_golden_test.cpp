@@ -48,12 +48,11 @@ TEST_P(LookGolden, MatchesTheApprovedImage) {
   Model model = io::read_model(file);
   std::vector<std::string> problems;
   Sources sources;
-  sources.appearance = {
-      .attributes = &model.attributes,
-      .materials = model.materials,
-      .decode = [&](std::span<const std::uint32_t> images, const TakeImage& take) {
-        io::decode_images(*model.materials, images, take, problems);
-      }};
+  sources.appearance = {.attributes = &model.attributes,
+                        .materials = model.materials,
+                        .decode = [&](std::span<const ImageRequest> images, const TakeImage& take) {
+                          io::decode_images(*model.materials, images, take, problems);
+                        }};
   Camera camera;
   camera.set_angles(0.5, 0.3);
   camera.frame(bounding_box(model.mesh), 1.0);

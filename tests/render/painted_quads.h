@@ -25,10 +25,10 @@ struct PaintedModel {
     Sources sources;
     sources.appearance.attributes = &attributes;
     sources.appearance.materials = std::make_shared<const Materials>(materials);
-    sources.appearance.decode = [this](std::span<const std::uint32_t> indices,
+    sources.appearance.decode = [this](std::span<const ImageRequest> requests,
                                        const TakeImage& take) {
-      for (std::size_t i = 0; i < indices.size(); ++i) {
-        const Image& image = images.at(indices[i]);
+      for (std::size_t i = 0; i < requests.size(); ++i) {
+        const Image& image = images.at(requests[i].image);
         if (!image.rgba.empty()) take(i, image);
       }
     };
