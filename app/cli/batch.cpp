@@ -14,6 +14,7 @@
 #include "engine/core/text.h"
 #include "engine/io/atomic_file.h"
 #include "engine/io/format.h"
+#include "engine/io/image_size.h"
 #include "engine/io/losses.h"
 #include "engine/io/pm_file.h"
 #include "engine/io/read.h"
@@ -56,6 +57,72 @@ void print_statistics(const Statistics& s) {
 void print_origin(const glm::dvec3& origin) {
   if (origin == glm::dvec3(0.0)) return;
   print("origin", fmt::format("{} {} {} (added to all positions)", origin.x, origin.y, origin.z));
+}
+
+void print_list(const char* label, const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) {
+    print(label, line);
+    label = "";
+  }
+}
+
+/// Returns the types of the attributes in the file; those of the model if the reader says nothing.
+std::vector<std::string> attribute_texts(const Model& model) {
+  if (!model.contents.attributes().empty()) return model.contents.attributes();
+  std::vector<std::string> texts;
+  for (const AttributeLayer& layer : model.attributes.layers)
+    texts.push_back(type_text(layer.type()));
+  return texts;
+}
+
+/// What `info` says of an image.
+struct ImageFacts {
+  std::string name;
+  std::string type;
+  std::optional<glm::uvec2> size;
+  std::size_t bytes = 0;  ///< 0: the file is missing
+};
+
+std::vector<ImageFacts> image_facts(const Model& model) {
+  std::vector<ImageFacts> facts;
+  if (model.materials == nullptr) return facts;
+  for (const EncodedImage& image : model.materials->images) {
+    ImageFacts& fact = facts.emplace_back();
+    fact.name = FileContents::readable(image.path.empty() ? image.name : image.path.string());
+    fact.type = image.mime_type;
+    if (image.bytes == nullptr) continue;
+    fact.size = io::image_size(*image.bytes);
+    fact.bytes = image.bytes->size();
+  }
+  return facts;
+}
+
+std::vector<std::string> texts_of(const std::vector<ImageFacts>& images) {
+  std::vector<std::string> texts;
+  for (const ImageFacts& image : images) {
+    const std::string name = image.name.empty() ? "unnamed" : image.name;
+    if (image.bytes == 0) {
+      texts.push_back(name + ": missing");
+      continue;
+    }
+    texts.push_back(
+        fmt::format("{}: {}{}, {} bytes", name, image.type.empty() ? "unknown format" : image.type,
+                    image.size ? fmt::format(", {} x {} pixels", image.size->x, image.size->y) : "",
+                    count_text(static_cast<std::int64_t>(image.bytes))));
+  }
+  return texts;
+}
+
+Json images_json(const std::vector<ImageFacts>& images) {
+  Json json = Json::array();
+  for (const ImageFacts& image : images) {
+    json.push_back({{"name", image.name},
+                    {"type", image.type},
+                    {"width", image.size ? Json(image.size->x) : Json()},
+                    {"height", image.size ? Json(image.size->y) : Json()},
+                    {"bytes", image.bytes}});
+  }
+  return json;
 }
 
 void print_contents(const FileContents& contents) {
@@ -221,11 +288,20 @@ LoadedLevels load_levels(const InputOptions& input, const CommonOptions& common)
 
 void run_info(const InputOptions& input, const CommonOptions& common) {
   const LoadedModel loaded = load(input, common);
-  if (common.json) return print_json(model_json(loaded));
+  const std::vector<std::string> attributes = attribute_texts(loaded.model);
+  const std::vector<ImageFacts> images = image_facts(loaded.model);
+  if (common.json) {
+    Json json = model_json(loaded);
+    if (!attributes.empty()) json["attributes"] = attributes;
+    if (!images.empty()) json["images"] = images_json(images);
+    return print_json(json);
+  }
   print("file", loaded.file.string());
   if (loaded.pm) print_pm(*loaded.pm);
   print_statistics(loaded.statistics);
   print_origin(loaded.model.origin);
+  print_list("attributes", attributes);
+  print_list("images", texts_of(images));
   print_contents(loaded.model.contents);
   if (loaded.model.report.is_clean()) print("repairs", "none needed");
 }

@@ -5,6 +5,8 @@
 #include <set>
 #include <string>
 
+#include "engine/io/gltf_types.h"
+
 namespace mesher::io {
 namespace {
 
@@ -105,9 +107,30 @@ class ContentsNoter {
     return targets == nullptr ? 0 : targets->size();
   }
 
+  /// Does not judge the accessor.
+  void note_type(const std::string& name, const Json& index) {
+    const Json* accessors = array_of(gltf_.root(), "accessors");
+    if (accessors == nullptr || !index.is_number_unsigned() || name == "POSITION") return;
+    if (index.get<std::uint64_t>() >= accessors->size()) return;
+    const Json& accessor = (*accessors)[index.get<std::uint64_t>()];
+    if (!accessor.is_object() || !accessor.contains("componentType")) return;
+    const Json& number = accessor["componentType"];
+    const auto component =
+        component_type(number.is_number_unsigned() ? number.get<std::uint64_t>() : 0);
+    if (!component) return;
+    AttributeType type{.name = FileContents::readable(name), .component = *component};
+    for (std::size_t count = 1; count <= AttributeType::kMostComponents; ++count) {
+      if (accessor.contains("type") && accessor["type"] == gltf_shape(count))
+        type.components = static_cast<std::uint8_t>(count);
+    }
+    type.is_normalized = accessor.contains("normalized") && accessor["normalized"] == true;
+    contents_.note_attribute(type_text(type));
+  }
+
   void note_attributes(const Json& attributes) {
     std::size_t sets[4] = {};
     for (const auto& [name, accessor] : attributes.items()) {
+      note_type(name, accessor);
       if (name == "NORMAL") contents_[Content::normals] = 1;
       if (name == "TANGENT") contents_[Content::tangents] = 1;
       sets[0] += name.starts_with("TEXCOORD_") ? 1U : 0U;

@@ -59,6 +59,13 @@ T component_of(double number, bool is_normalized) {
 
 }  // namespace
 
+std::string type_text(const AttributeType& type) {
+  constexpr const char* kNames[] = {"s8", "u8", "s16", "u16", "u32", "f32"};
+  return type.name + ": " + std::to_string(type.components) + " x " +
+         kNames[static_cast<std::size_t>(type.component)] +
+         (type.is_normalized ? ", normalized" : "");
+}
+
 AttributeType texcoord_type(std::uint32_t set) {
   return {AttributeKind::texcoord, "TEXCOORD_" + std::to_string(set), 2, ComponentType::f32, false};
 }

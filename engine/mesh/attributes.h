@@ -63,6 +63,9 @@ struct AttributeType {
   friend bool operator==(const AttributeType&, const AttributeType&) = default;
 };
 
+/// Returns a type for users: "TEXCOORD_0: 2 x u16, normalized".
+std::string type_text(const AttributeType& type);
+
 /// The types of the attributes that most formats have. `set` counts from 0.
 AttributeType texcoord_type(std::uint32_t set = 0);  ///< two floats
 AttributeType normal_type();                         ///< three floats

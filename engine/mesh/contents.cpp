@@ -1,5 +1,7 @@
 #include "engine/mesh/contents.h"
 
+#include <algorithm>
+
 #include "engine/core/text.h"
 
 namespace mesher {
@@ -17,6 +19,12 @@ std::string readable_line(std::string_view text, std::size_t most_bytes) {
 
 std::string FileContents::readable(std::string_view name) {
   return readable_line(name, kMostNameBytes);
+}
+
+void FileContents::note_attribute(const std::string& text) {
+  const bool is_known =
+      std::find(attributes_.begin(), attributes_.end(), text) != attributes_.end();
+  if (!is_known && attributes_.size() < kMostNames) attributes_.push_back(text);
 }
 
 void FileContents::add(Content kind, std::string_view name) {

@@ -85,6 +85,11 @@ class FileContents {
 
   /// Returns a name as it is kept: truncated, and with control characters replaced.
   static std::string readable(std::string_view name);
+  /// Notes the type of an attribute, once for each text: "TEXCOORD_0: 2 x u16, normalized". Keeps
+  /// at most kMostNames.
+  void note_attribute(const std::string& text);
+  const std::vector<std::string>& attributes() const { return attributes_; }
+
   /// Counts one and keeps its name. O(length).
   void add(Content kind, std::string_view name);
   /// Returns the names of a kind in the order of the file; there may be fewer than its count.
@@ -102,6 +107,7 @@ class FileContents {
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
+  std::vector<std::string> attributes_;
   std::array<std::uint64_t, kContents.size()> counts_{};
   std::array<std::vector<std::string>, kContents.size()> names_;
   std::vector<std::string> warnings_;

@@ -29,6 +29,23 @@ class SceneCommands : public ProgramTest {
   }
 };
 
+TEST_F(SceneCommands, InfoListsAttributesAndImages) {
+  json scene = json::parse(scene_file());
+  scene["images"] = json::parse(R"([{"uri":"wood.png","name":"wood"}])");
+  scene["textures"] = json::parse(R"([{"source":0}])");
+  scene["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 0;
+  folder_.write("in.gltf", scene.dump());
+  folder_.write("wood.png", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\1\2\0\0\0\3", 24));
+  const json info = mesher_json({"info", "in.gltf"});
+  EXPECT_EQ(info["attributes"], json({"TEXCOORD_0: 2 x f32"}));
+  ASSERT_EQ(info["images"].size(), 1U);
+  EXPECT_EQ(info["images"][0]["type"], "image/png");
+  EXPECT_EQ(info["images"][0]["width"], 258);
+  EXPECT_EQ(info["images"][0]["height"], 3);
+  const Finished text = mesher({"info", "in.gltf"});
+  EXPECT_TRUE(holds(text.out, "wood.png: image/png, 258 x 3 pixels, 24 bytes")) << text.out;
+}
+
 TEST_F(SceneCommands, ConvertCopies) {
   folder_.write("in.gltf", scene_file());
   const json report = mesher_json({"convert", "in.gltf", "-o", "out.gltf"});
