@@ -11,7 +11,8 @@ namespace mesher::io {
 std::string_view image_type(std::string_view bytes) {
   if (bytes.starts_with("\x89PNG\r\n\x1A\n")) return "image/png";
   if (bytes.starts_with("\xFF\xD8\xFF")) return "image/jpeg";
-  if (bytes.starts_with("RIFF") && bytes.substr(8).starts_with("WEBP")) return "image/webp";
+  if (bytes.starts_with("RIFF") && bytes.size() >= 12 && bytes.substr(8, 4) == "WEBP")
+    return "image/webp";
   if (bytes.starts_with("\xABKTX 20\xBB\r\n\x1A\n")) return "image/ktx2";
   if (bytes.starts_with("DDS ")) return "image/vnd-ms.dds";
   return {};

@@ -42,8 +42,10 @@ std::optional<glm::uvec2> jpeg_size(std::string_view bytes) {
   int subsampling = 0;
   int colors = 0;
   const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
-  if (!jpeg || tjDecompressHeader3(jpeg.get(), data, bytes.size(), &size[0], &size[1], &subsampling,
-                                   &colors) != 0) {
+  if (!jpeg ||
+      tjDecompressHeader3(jpeg.get(), data, bytes.size(), &size[0], &size[1], &subsampling,
+                          &colors) != 0 ||
+      size[0] <= 0 || size[1] <= 0) {
     return std::nullopt;
   }
   return glm::uvec2(size[0], size[1]);

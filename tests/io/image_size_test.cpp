@@ -26,8 +26,8 @@ TEST(ImageSize, DamagedHeadersHaveNone) {
   for (std::size_t length = 0; length < kPngHeader.size(); ++length)
     EXPECT_FALSE(image_size(kPngHeader.substr(0, length))) << length;
   for (const std::string& bytes :
-       {std::string("\xFF\xD8\xFF\xE0"), std::string("RIFF\1\0\0\0WEBPVP8 "), std::string("DDS "),
-        std::string("GIF89a")})
+       {std::string("\xFF\xD8\xFF\xE0"), std::string("RIFF"),
+        std::string("RIFF\1\0\0\0WEBPVP8 ", 16), std::string("DDS "), std::string("GIF89a")})
     EXPECT_FALSE(image_size(bytes));
 }
 
