@@ -33,7 +33,7 @@ std::uint64_t check_memory(const Model& model, const subdivide::SubdivideOptions
                            std::uint64_t held) {
   const subdivide::SubdivisionSize size = subdivide::subdivision_size(model.mesh, options);
   const std::uint64_t beside =
-      subdivide::subdivided_attribute_bytes(model.mesh, model.attributes, options.levels);
+      subdivide::subdivided_attribute_bytes(model.mesh, model.attributes, options);
   const std::string refusal =
       subdivision_refusal(size, options.levels,
                           {.available = available_memory_bytes(), .beside = beside, .held = held});
@@ -47,8 +47,8 @@ bool subdivide_model(Model& model, const subdivide::SubdivideOptions& options) {
   stages.next();
   subdivide::Subdivided result = subdivide::subdivide(model.mesh, options);
   stages.next();
-  model.attributes = subdivide::subdivide_attributes(model.mesh, model.attributes, result.mesh,
-                                                     options.levels, options.progress);
+  model.attributes =
+      subdivide::subdivide_attributes(model.mesh, model.attributes, result.mesh, options);
   model.mesh = std::move(result.mesh);
   set_normals(model.mesh, model.attributes, result.limit_normal);
   return had_tangents && model.attributes.find(AttributeKind::tangent) == nullptr;

@@ -68,7 +68,7 @@ Shape subdivided(SubdivisionLevel& wanted, Progress* progress) {
   stages.next();
   Shape shape{std::move(result.mesh), {}};
   shape.attributes = subdivide::subdivide_attributes(wanted.base->mesh, wanted.base->attributes,
-                                                     shape.mesh, wanted.level, progress);
+                                                     shape.mesh, options);
   if (!result.limit_normal.empty()) {
     set_normals(shape.mesh, shape.attributes, result.limit_normal);
     wanted.limit_normals = std::make_shared<const Array<glm::vec3>>(std::move(result.limit_normal));
@@ -169,11 +169,12 @@ std::string level_refusal(const Document& document, std::uint32_t level,
   const Attributes& attributes = shown.base ? shown.base->attributes : document.model.attributes;
   if (base.face_count() == 0) return "there is nothing to subdivide";
   if (level > kMaxLevel) return "already at the finest level";
+  const subdivide::SubdivideOptions options = at_level(rules, level);
   return subdivision_refusal(
-      subdivide::subdivision_size(base, at_level(rules, level)), level,
+      subdivide::subdivision_size(base, options), level,
       {.available = available_memory_bytes(),
        .copies = kCopies,
-       .beside = subdivide::subdivided_attribute_bytes(base, attributes, level),
+       .beside = subdivide::subdivided_attribute_bytes(base, attributes, options),
        .held = kCopiesBefore * shown_bytes(document.model)});
 }
 

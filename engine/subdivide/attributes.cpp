@@ -7,6 +7,7 @@
 #include "engine/core/parallel.h"
 #include "engine/mesh/normals.h"
 #include "engine/mesh/wedges.h"
+#include "engine/subdivide/charts.h"
 
 namespace mesher::subdivide {
 namespace {
@@ -71,6 +72,15 @@ bool is_dropped(const AttributeLayer& layer) {
   return layer.type().kind == AttributeKind::tangent;
 }
 
+/// Returns whether a layer is subdivided by the scheme. Midpoint is linear anyway.
+bool is_smooth(const AttributeLayer& layer, const SubdivideOptions& options) {
+  constexpr std::size_t kMostComponents = 3;  // those of a position
+  const AttributeType& type = layer.type();
+  return options.uv == UvInterpolation::smooth && options.scheme != Scheme::midpoint &&
+         type.kind == AttributeKind::texcoord && type.components <= kMostComponents &&
+         can_blend(type);
+}
+
 /// Sets interpolated normals, one per corner, to those of the surface. They are split where the
 /// interpolated ones are, and at creases. Corners without a normal stay so.
 void compute_normals(const Mesh& mesh, AttributeLayer& layer) {
@@ -94,12 +104,13 @@ void compute_normals(const Mesh& mesh, AttributeLayer& layer) {
 
 /// Attributes of one level with values per corner.
 struct CornerLevel {
-  std::vector<AttributeLayer> blended;
+  std::vector<AttributeLayer> blended;  ///< smooth layers are empty: they need no level
   Array<std::uint32_t> source;  ///< wedge that the other layers are copied from; may be empty
   Array<std::uint32_t> group;
 };
 
-CornerLevel corner_level(const Mesh& mesh, const Attributes& attributes) {
+CornerLevel corner_level(const Mesh& mesh, const Attributes& attributes,
+                         const SubdivideOptions& options) {
   CornerLevel level;
   const std::size_t corners = mesh.halfedge_count();
   bool has_copied = false;
@@ -107,6 +118,10 @@ CornerLevel corner_level(const Mesh& mesh, const Attributes& attributes) {
     if (is_dropped(layer)) continue;
     if (!can_blend(layer.type())) {
       has_copied = true;
+      continue;
+    }
+    if (is_smooth(layer, options)) {
+      level.blended.emplace_back(layer.type(), 0);
       continue;
     }
     AttributeLayer& spread = level.blended.emplace_back(layer.type(), corners);
@@ -158,18 +173,37 @@ std::vector<AttributeStream> to_streams(const Attributes& attributes, CornerLeve
   return streams;
 }
 
-}  // namespace
+/// Sets the layers that the levels left empty.
+void fill_smooth_layers(const Mesh& coarse, const Attributes& attributes,
+                        const SubdivideOptions& options, CornerLevel& level) {
+  std::vector<double> weights(std::max<std::size_t>(1, level.blended.size()), 1.0);
+  Stages stages(options.progress, weights);
+  for (AttributeLayer& layer : level.blended) {
+    stages.next();
+    const AttributeLayer& source = *attributes.find(layer.type().name);
+    if (is_smooth(source, options)) layer = subdivide_charts(coarse, attributes, source, options);
+  }
+}
 
-Attributes subdivide_attributes(const Mesh& coarse, const Attributes& attributes, const Mesh& fine,
-                                std::uint32_t levels, Progress* progress) {
-  if (levels == 0) return attributes;
+/// The times of the levels, of smooth layers, and of making the wedges.
+std::vector<double> stage_weights(std::uint32_t levels) {
   std::vector<double> weights{1.0};
   while (weights.size() < levels)
     weights.push_back(4.0 * weights.back());
-  weights.push_back(2.0 * weights.back());  // the wedges
-  Stages stages(progress, weights);
-  CornerLevel level = corner_level(coarse, attributes);
-  for (std::uint32_t i = 0; i < levels; ++i) {
+  const double last = weights.back();
+  weights.insert(weights.end(), {2.0 * last, 2.0 * last});
+  return weights;
+}
+
+}  // namespace
+
+Attributes subdivide_attributes(const Mesh& coarse, const Attributes& attributes, const Mesh& fine,
+                                const SubdivideOptions& options) {
+  if (options.levels == 0) return attributes;
+  Progress* const progress = options.progress;
+  Stages stages(progress, stage_weights(options.levels));
+  CornerLevel level = corner_level(coarse, attributes, options);
+  for (std::uint32_t i = 0; i < options.levels; ++i) {
     stages.next();
     level = refined(level, progress);
   }
@@ -177,6 +211,8 @@ Attributes subdivide_attributes(const Mesh& coarse, const Attributes& attributes
   for (AttributeLayer& layer : level.blended) {
     if (layer.type().kind == AttributeKind::normal) compute_normals(fine, layer);
   }
+  fill_smooth_layers(coarse, attributes, options, level);
+  stages.next();
   Array<std::uint32_t> group = std::move(level.group);
   Attributes result =
       make_wedges(fine, to_streams(attributes, std::move(level), fine.halfedge_count()), progress);
@@ -186,15 +222,18 @@ Attributes subdivide_attributes(const Mesh& coarse, const Attributes& attributes
 }
 
 std::size_t subdivided_attribute_bytes(const Mesh& coarse, const Attributes& attributes,
-                                       std::uint32_t levels) {
-  if (levels == 0 || attributes.is_empty()) return 0;
+                                       const SubdivideOptions& options) {
+  if (options.levels == 0 || attributes.is_empty()) return 0;
   std::size_t per_corner = sizeof(std::uint32_t);
-  for (const AttributeLayer& layer : attributes.layers)
+  std::size_t charts = 0;
+  for (const AttributeLayer& layer : attributes.layers) {
     per_corner += layer.type().value_bytes();
+    if (is_smooth(layer, options)) charts = chart_bytes(coarse, options.levels);
+  }
   const std::size_t bytes =
       coarse.halfedge_count() * per_corner + attributes.group.size() * sizeof(std::uint32_t);
-  const std::size_t last = bytes << (2 * levels);
-  return last + last / 4;
+  const std::size_t last = bytes << (2 * options.levels);
+  return last + last / 4 + charts;
 }
 
 }  // namespace mesher::subdivide

@@ -99,6 +99,24 @@ constexpr const auto& choices(CreaseDecay) {
   return kCreaseDecays;
 }
 
+/// How texture coordinates are subdivided.
+enum class UvInterpolation : std::uint8_t {
+  smooth,  ///< by the scheme, like positions, within each chart
+  linear,  ///< along edges within each face
+};
+inline constexpr Choices<UvInterpolation, 2> kUvInterpolations{{
+    {UvInterpolation::smooth,
+     {"smooth", "smooth",
+      "Texture coordinates follow the scheme within each chart, so that textures move with the "
+      "surface; seams are creases."}},
+    {UvInterpolation::linear,
+     {"linear", "linear", "Texture coordinates are interpolated linearly within each face."}},
+}};
+static_assert(is_complete(kUvInterpolations));
+constexpr const auto& choices(UvInterpolation) {
+  return kUvInterpolations;
+}
+
 /// An edge or vertex of this sharpness or more never becomes smooth (as in OpenSubdiv).
 inline constexpr float kSharpForEver = 10.0F;
 
@@ -109,6 +127,7 @@ struct SubdivideOptions {
   CreaseRules creases = CreaseRules::hoppe94;
   BoundaryRounding boundary = BoundaryRounding::edge_only;
   CreaseDecay decay = CreaseDecay::uniform;
+  UvInterpolation uv = UvInterpolation::smooth;
   /// Moves every vertex to its limit position after the last level, and computes the normals of the
   /// limit surface. No effect unless the scheme `has_limit`.
   bool limit = false;
@@ -139,6 +158,12 @@ inline constexpr std::array kSubdivideRules{
                              .label = "crease decay",
                              .help = "how the sharpness of semi-sharp edges decreases per level",
                              .member = enum_member<&SubdivideOptions::decay>()},
+    Option<SubdivideOptions>{
+        .key = "uv",
+        .label = "uv",
+        .help = "how texture coordinates are subdivided",
+        .member = enum_member<&SubdivideOptions::uv>(),
+        .applies = [](const SubdivideOptions& o) { return o.scheme != Scheme::midpoint; }},
     Option<SubdivideOptions>{
         .key = "limit",
         .label = "limit surface",

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/mesh/corner_attributes.h"
+#include "engine/subdivide/charts.h"
 #include "engine/subdivide/subdivide.h"
 #include "tests/support/attributes.h"
 #include "tests/support/meshes.h"
@@ -34,12 +35,15 @@ Mesh two_triangles() {
   return built(soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {0, 1, 2, 1, 3, 2})).mesh;
 }
 
-/// Returns the attributes of a mesh after some levels, by corner.
+/// Returns the attributes of a mesh after some levels of Loop subdivision, by corner. Texture
+/// coordinates are linear.
 CornerAttributes subdivided(const Mesh& mesh, const CornerAttributes& corners,
                             std::uint32_t levels) {
-  const Mesh fine = subdivide::subdivide(mesh, {.levels = levels}).mesh;
+  const subdivide::SubdivideOptions options{.levels = levels,
+                                            .uv = subdivide::UvInterpolation::linear};
+  const Mesh fine = subdivide::subdivide(mesh, options).mesh;
   const Attributes attributes = subdivide::subdivide_attributes(
-      mesh, to_wedges(mesh, CornerAttributes(corners)), fine, levels);
+      mesh, to_wedges(mesh, CornerAttributes(corners)), fine, options);
   EXPECT_TRUE(validate(fine, attributes).empty());
   return to_corners(fine, attributes);
 }
@@ -84,10 +88,11 @@ TEST(SubdivideAttributes, MatchPositionsUnderMidpointSubdivision) {
   const auto flat = [](const Mesh& m, Halfedge h) { return glm::vec2(m.position(m.origin(h))); };
   for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
     attributes.texcoord.push_back(flat(mesh, Halfedge(h)));
-  const Mesh fine =
-      subdivide::subdivide(mesh, {.levels = 2, .scheme = subdivide::Scheme::midpoint}).mesh;
+  const subdivide::SubdivideOptions options{.levels = 2, .scheme = subdivide::Scheme::midpoint};
+  const Mesh fine = subdivide::subdivide(mesh, options).mesh;
   const CornerAttributes carried = to_corners(
-      fine, subdivide::subdivide_attributes(mesh, to_wedges(mesh, std::move(attributes)), fine, 2));
+      fine,
+      subdivide::subdivide_attributes(mesh, to_wedges(mesh, std::move(attributes)), fine, options));
   for (std::uint32_t h = 0; h < fine.halfedge_count(); ++h)
     EXPECT_EQ(carried.texcoord[h], flat(fine, Halfedge(h))) << h;
 }
@@ -117,11 +122,11 @@ TEST(SubdivideAttributes, NormalsAreThoseOfTheSurfaceAndSplitAsBefore) {
     attributes.normal.assign(6, glm::vec3(0, 1, 0));
     for (std::size_t corner = 3; is_split && corner < 6; ++corner)
       attributes.normal[corner] = glm::vec3(1, 0, 0);
-    const Mesh fine =
-        subdivide::subdivide(roof, {.levels = 1, .scheme = subdivide::Scheme::midpoint}).mesh;
-    const CornerAttributes result = to_corners(
-        fine,
-        subdivide::subdivide_attributes(roof, to_wedges(roof, std::move(attributes)), fine, 1));
+    const subdivide::SubdivideOptions options{.levels = 1, .scheme = subdivide::Scheme::midpoint};
+    const Mesh fine = subdivide::subdivide(roof, options).mesh;
+    const CornerAttributes result =
+        to_corners(fine, subdivide::subdivide_attributes(
+                             roof, to_wedges(roof, std::move(attributes)), fine, options));
     for (std::uint32_t h = 0; h < fine.halfedge_count(); ++h) {
       const glm::vec3 p = fine.position(fine.origin(Halfedge(h)));
       const float side = h < 12 ? -s : s;
@@ -166,7 +171,7 @@ TEST(SubdivideAttributes, BonesComeFromOneEnd) {
     store(attributes.layers[1], v, {0.5 + 0.125 * v, 0, 0, 0});
   }
   const Mesh fine = subdivide::subdivide(mesh, {.levels = 2}).mesh;
-  const Attributes carried = subdivide::subdivide_attributes(mesh, attributes, fine, 2);
+  const Attributes carried = subdivide::subdivide_attributes(mesh, attributes, fine, {.levels = 2});
   EXPECT_TRUE(validate(fine, carried).empty());
   ASSERT_EQ(carried.layers.size(), 2U);
   for (std::size_t w = 0; w < carried.layers[0].count(); ++w) {
@@ -180,11 +185,17 @@ TEST(SubdividedAttributes, SizeIsThatOfTheResultAndThePreviousLevel) {
   CornerAttributes corners = two_faces();
   corners.normal = {};
   const Attributes attributes = to_wedges(mesh, std::move(corners));
-  EXPECT_EQ(subdivide::subdivided_attribute_bytes(mesh, attributes, 0), 0U);
+  const auto bytes = [&](const Attributes& of, std::uint32_t levels) {
+    return subdivide::subdivided_attribute_bytes(
+        mesh, of, {.levels = levels, .uv = subdivide::UvInterpolation::linear});
+  };
+  EXPECT_EQ(bytes(attributes, 0), 0U);
   constexpr std::size_t kBytes = 6 * (8 + 4 + 4) + 2 * 4;  // values, wedges and groups
-  EXPECT_EQ(subdivide::subdivided_attribute_bytes(mesh, attributes, 1), 5 * kBytes);
-  EXPECT_EQ(subdivide::subdivided_attribute_bytes(mesh, attributes, 3), 80 * kBytes);
-  EXPECT_EQ(subdivide::subdivided_attribute_bytes(mesh, {}, 3), 0U);
+  EXPECT_EQ(bytes(attributes, 1), 5 * kBytes);
+  EXPECT_EQ(bytes(attributes, 3), 80 * kBytes);
+  EXPECT_EQ(bytes({}, 3), 0U);
+  EXPECT_EQ(subdivide::subdivided_attribute_bytes(mesh, attributes, {.levels = 3}),
+            80 * kBytes + subdivide::chart_bytes(mesh, 3));
 }
 
 }  // namespace

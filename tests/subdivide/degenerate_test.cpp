@@ -148,7 +148,7 @@ TEST(Degenerate, EveryLongStepStopsWhenCanceled) {
   CornerAttributes corners;
   corners.texcoord.assign(mesh.halfedge_count(), glm::vec2(0.0F));
   const Attributes attributes = to_wedges(mesh, std::move(corners));
-  EXPECT_THROW(subdivide::subdivide_attributes(mesh, attributes, mesh, 1, &cancelled), Cancelled);
+  EXPECT_THROW(subdivide::subdivide_attributes(mesh, attributes, mesh, options), Cancelled);
   for (const unsigned threads : {1U, 2U}) {
     const ThreadLimit limit(threads);
     EXPECT_THROW(static_cast<void>(subdivide::subdivide(mesh, options)), Cancelled);
