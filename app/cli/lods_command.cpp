@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/cli/batch.h"
+#include "app/cli/lod_level.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/scene.h"
 #include "app/cli/scene_commands.h"
@@ -36,15 +37,11 @@ struct Source {
 };
 
 struct Level {
-  double ratio = 1.0;
-  double coverage = 0.0;
-  std::uint32_t asked_faces = 0;
+  LodLevel facts;
   std::uint32_t level = 0;  ///< of the progressive mesh; pruned: index of the first equal level
   Mesh mesh;
   Attributes attributes;
   std::optional<SimplifyOutcome> pruned;  ///< none unless parts may be pruned
-  /// RMS distance from the model, in model units; negative if this or a coarser level is near.
-  double error = -1.0;
 };
 
 /// Returns whether level i equals the level before it, because its target cannot be reached.
@@ -56,10 +53,6 @@ bool is_falling(const std::vector<double>& values) {
   return std::ranges::adjacent_find(values, std::less_equal<>()) == values.end();
 }
 
-std::uint32_t faces_for(double ratio, std::uint32_t faces) {
-  return std::max(1U, static_cast<std::uint32_t>(std::llround(ratio * faces)));
-}
-
 std::vector<fs::path> files_for(const fs::path& output, std::size_t levels) {
   if (io::writable_format(output).write_levels != nullptr) return {output};
   std::vector<fs::path> files;
@@ -68,8 +61,7 @@ std::vector<fs::path> files_for(const fs::path& output, std::size_t levels) {
   return files;
 }
 
-/// Reads the model and, unless parts are pruned, builds its progressive mesh. Ratios that the
-/// person gave are reached at any error; by default, simplification stops at kFarFromInput.
+/// Reads the model and, unless parts are pruned, builds its progressive mesh.
 Source read_source(const InputOptions& input, double least_ratio, const LodArguments& arguments,
                    const CommonOptions& common) {
   LoadedLevels opened = load_levels(input, common);
@@ -81,10 +73,8 @@ Source read_source(const InputOptions& input, double least_ratio, const LodArgum
     source.progressive.mesh = std::move(*opened.levels);
     return source;
   }
-  SimplifyArguments simplify = arguments.simplify;
-  simplify.faces = faces_for(least_ratio, mesh.face_count());
-  simplify::SimplifyOptions options = simplify_options(simplify, mesh.face_count(), 1.0);
-  if (!arguments.ratios) options.stop_before_error = simplify::kFarFromInput * source.diagonal();
+  simplify::SimplifyOptions options = lod_options(
+      arguments, faces_for(least_ratio, mesh.face_count()), mesh.face_count(), source.diagonal());
   ProgressLine line(!common.quiet);
   begin_stage(line.progress(), "simplifying");
   options.progress = line.progress();
@@ -104,15 +94,22 @@ Attributes attributes_of(const Source& source, const Mesh& mesh) {
   return simplify::carry_attributes({full.mesh, full.attributes}, mesh, face_source);
 }
 
+LodLevel facts_of(const Mesh& mesh, double ratio, double coverage, std::uint32_t asked_faces) {
+  return {.ratio = ratio,
+          .coverage = coverage,
+          .asked_faces = asked_faces,
+          .vertices = mesh.vertex_count(),
+          .faces = mesh.face_count()};
+}
+
 /// Leaves the progressive mesh at the coarsest of these levels.
 std::vector<Level> make_levels(Source& source, const std::vector<double>& ratios,
                                const std::vector<double>& coverage) {
   progressive::ProgressiveMesh& progressive = source.progressive.mesh;
   std::vector<Level> levels;
   for (std::size_t i = 0; i < ratios.size(); ++i) {
-    Level level{.ratio = ratios[i], .coverage = coverage[i]};
-    level.asked_faces = faces_for(ratios[i], progressive.full_face_count());
-    level.level = progressive.level_for_faces(level.asked_faces);
+    const std::uint32_t asked = faces_for(ratios[i], progressive.full_face_count());
+    Level level{.level = progressive.level_for_faces(asked)};
     if (level.level == progressive.split_count()) {
       level.mesh = source.loaded.model.mesh;
       level.attributes = source.loaded.model.attributes;
@@ -122,6 +119,7 @@ std::vector<Level> make_levels(Source& source, const std::vector<double>& ratios
       simplify::unmark_seams(level.mesh);
       level.attributes = attributes_of(source, level.mesh);
     }
+    level.facts = facts_of(level.mesh, ratios[i], coverage[i], asked);
     levels.push_back(std::move(level));
   }
   return levels;
@@ -137,14 +135,12 @@ std::vector<Level> make_pruned_levels(const Source& source, const std::vector<do
                                       const std::vector<double>& coverage,
                                       const LodArguments& arguments, const CommonOptions& common) {
   const Model& full = source.loaded.model;
-  SimplifyArguments simplify = arguments.simplify;
   std::vector<Level> levels;
   for (std::size_t i = 0; i < ratios.size(); ++i) {
-    Level level{.ratio = ratios[i], .coverage = coverage[i]};
-    level.asked_faces = faces_for(ratios[i], full.mesh.face_count());
-    simplify.faces = level.asked_faces;
-    simplify::SimplifyOptions options = simplify_options(simplify, full.mesh.face_count(), 1.0);
-    if (!arguments.ratios) options.stop_before_error = simplify::kFarFromInput * source.diagonal();
+    Level level;
+    const std::uint32_t asked = faces_for(ratios[i], full.mesh.face_count());
+    simplify::SimplifyOptions options =
+        lod_options(arguments, asked, full.mesh.face_count(), source.diagonal());
     ProgressLine line(!common.quiet);
     begin_stage(line.progress(), "simplifying");
     options.progress = line.progress();
@@ -155,6 +151,7 @@ std::vector<Level> make_pruned_levels(const Source& source, const std::vector<do
     level.mesh = std::move(simplified.mesh);
     const bool repeats = i > 0 && is_same(level.mesh, levels.back().mesh);
     level.level = repeats ? levels.back().level : static_cast<std::uint32_t>(i);
+    level.facts = facts_of(level.mesh, ratios[i], coverage[i], asked);
     levels.push_back(std::move(level));
   }
   return levels;
@@ -165,7 +162,7 @@ void measure_coarse_levels(const Source& source, std::vector<Level>& levels) {
   for (std::size_t i = levels.size(); i-- > 0;) {
     const double error = distance_from_input(source.loaded.model.mesh, levels[i].mesh);
     if (error <= simplify::kFarFromInput * source.diagonal()) return;
-    levels[i].error = error;
+    levels[i].facts.error = error;
   }
 }
 
@@ -182,7 +179,7 @@ void write_levels(const std::vector<fs::path>& files, const std::vector<Level>& 
     std::vector<io::GltfLevel> chain;
     chain.reserve(levels.size());
     for (const Level& level : levels)
-      chain.push_back({&level.mesh, &level.attributes, level.coverage});
+      chain.push_back({&level.mesh, &level.attributes, level.facts.coverage});
     format.write_levels(*open.front(), chain, options);
   } else {
     for (std::size_t i = 0; i < levels.size(); ++i)
@@ -197,37 +194,16 @@ void say_levels(const Source& source, const std::vector<Level>& levels,
   const simplify::SimplifyReport& report = source.progressive.report;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const Level& level = levels[i];
-    const std::uint32_t faces = level.mesh.face_count();
     const simplify::StopReason reason = level.pruned ? level.pruned->report.reason : report.reason;
     const bool is_read = source.loaded.pm && !level.pruned;
     const std::string why = is_read ? "it is the base of the progressive mesh" : stop_text(reason);
-    const std::string name = fmt::format("level {}: ", i);
-    say(fmt::format(
-        "{}{} vertices, {}, for a coverage of at least {}{}{}", name,
-        count_text(level.mesh.vertex_count()), count_text(faces, "face"),
-        number_text(level.coverage),
-        faces > level.asked_faces
-            ? fmt::format("; asked for {}: {}", count_text(level.asked_faces, "face"), why)
-            : "",
-        repeats(levels, i) ? fmt::format("; the same mesh as level {}", i - 1) : ""));
-    if (level.pruned) say(name + pruned_words(*level.pruned));
-    if (level.error >= 0.0) {
-      say(fmt::format("warning: level {} is {}", i,
-                      far_from("the input", 100.0 * level.error / source.diagonal())));
-    }
+    say(level_text(i, level.facts, why) +
+        (repeats(levels, i) ? fmt::format("; the same mesh as level {}", i - 1) : ""));
+    if (level.pruned) say(fmt::format("level {}: {}", i, pruned_words(*level.pruned)));
+    warn_if_far(i, level.facts, source.diagonal());
   }
   for (const fs::path& file : files)
     say("wrote " + file.string());
-}
-
-Json level_json(const Level& level) {
-  return {{"ratio", level.ratio},
-          {"asked_faces", level.asked_faces},
-          {"vertices", level.mesh.vertex_count()},
-          {"faces", level.mesh.face_count()},
-          {"coverage", level.coverage},
-          {"far_from_input", level.error >= 0.0},
-          {"pruned", level.pruned ? to_json(*level.pruned)["pruned"] : Json()}};
 }
 
 /// Null if the levels come from a progressive mesh that was read.
@@ -247,8 +223,10 @@ void print_levels(const Source& source, const std::string& output, const std::ve
   for (const fs::path& file : files)
     json["files"].push_back(file.string());
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    json["levels"].push_back(level_json(levels[i]));
-    json["levels"].back()["repeats_previous"] = repeats(levels, i);
+    Json level = level_json(levels[i].facts);
+    level["pruned"] = levels[i].pruned ? to_json(*levels[i].pruned)["pruned"] : Json();
+    level["repeats_previous"] = repeats(levels, i);
+    json["levels"].push_back(std::move(level));
   }
   json["lost"] = losses;
   json["repairs"] = to_json(source.loaded.model.report);

@@ -1,17 +1,13 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "app/cli/batch.h"
+#include "app/cli/lod_level.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/scene.h"
 #include "app/cli/scene_commands.h"
 #include "app/document/shown.h"
-#include "app/document/words.h"
 #include "app/edit/distance_from_input.h"
-#include "engine/core/text.h"
 #include "engine/mesh/statistics.h"
 #include "engine/progressive/build.h"
 #include "engine/simplify/attributes.h"
@@ -26,23 +22,6 @@ struct MeshLevels {
   std::vector<std::uint32_t> asked_faces;
 };
 
-std::uint32_t target_faces(double ratio, std::uint32_t faces) {
-  return std::max(1U, static_cast<std::uint32_t>(std::llround(ratio * faces)));
-}
-
-simplify::SimplifyOptions options_for(const io::GltfSceneMesh& mesh, std::uint32_t faces,
-                                      const LodArguments& arguments, double diagonal,
-                                      Progress* progress) {
-  SimplifyArguments simplify = arguments.simplify;
-  simplify.faces = faces;
-  simplify::SimplifyOptions options = simplify_options(simplify, mesh.model.mesh.face_count(), 1.0);
-  // Levels that nobody asked for by number end where they would be far from the scene.
-  if (!arguments.ratios)
-    options.stop_before_error = simplify::kFarFromInput * diagonal / mesh.scale;
-  options.progress = progress;
-  return options;
-}
-
 /// Simplifies once for all levels, or once for each if parts are pruned.
 MeshLevels make_levels(const io::GltfSceneMesh& mesh, const std::vector<double>& ratios,
                        const LodArguments& arguments, double diagonal, Progress* progress) {
@@ -50,14 +29,17 @@ MeshLevels make_levels(const io::GltfSceneMesh& mesh, const std::vector<double>&
   const std::uint32_t faces = full.mesh.face_count();
   MeshLevels levels;
   for (const double ratio : ratios)
-    levels.asked_faces.push_back(target_faces(ratio, faces));
-  const auto options = [&](std::uint32_t target) {
-    return options_for(mesh, target, arguments, diagonal, progress);
+    levels.asked_faces.push_back(faces_for(ratio, faces));
+  const auto options_for = [&](std::uint32_t target) {
+    simplify::SimplifyOptions options =
+        lod_options(arguments, target, faces, diagonal / mesh.scale);
+    options.progress = progress;
+    return options;
   };
   if (arguments.simplify.prune) {
     for (const std::uint32_t target : levels.asked_faces) {
       auto model =
-          simplify::simplify_model(Mesh(full.mesh), full.attributes, options(target), true);
+          simplify::simplify_model(Mesh(full.mesh), full.attributes, options_for(target), true);
       levels.shapes.push_back({std::move(model.simplified.mesh), std::move(model.attributes)});
     }
     return levels;
@@ -65,7 +47,7 @@ MeshLevels make_levels(const io::GltfSceneMesh& mesh, const std::vector<double>&
   Mesh marked = full.mesh;
   simplify::mark_seams(marked, full.attributes);
   progressive::Progressive made =
-      progressive::make_progressive(marked, options(levels.asked_faces.back()));
+      progressive::make_progressive(marked, options_for(levels.asked_faces.back()));
   for (const std::uint32_t target : levels.asked_faces) {
     made.mesh.go_to(made.mesh.level_for_faces(target));
     if (made.mesh.level() == made.mesh.split_count()) {
@@ -94,18 +76,6 @@ std::vector<MeshLevels> make_all_levels(const LoadedScene& scene, const std::vec
   return levels;
 }
 
-/// A level of the whole scene, where a mesh counts as often as it is shown.
-struct SceneLevel {
-  double ratio = 1.0;
-  double coverage = 0.0;
-  std::uint64_t asked_faces = 0;
-  std::uint64_t vertices = 0;
-  std::uint64_t faces = 0;
-  /// Root mean square distance from the input, in units of the scene; negative if this or a coarser
-  /// level is near.
-  double error = -1.0;
-};
-
 /// Returns the distance of a level from the scene: the root mean square over its area.
 double error_of(const LoadedScene& scene, const std::vector<MeshLevels>& levels, std::size_t i) {
   double area = 0.0;
@@ -122,12 +92,12 @@ double error_of(const LoadedScene& scene, const std::vector<MeshLevels>& levels,
   return area > 0.0 ? std::sqrt(squares / area) : 0.0;
 }
 
-std::vector<SceneLevel> summary_of(const LoadedScene& scene, const std::vector<MeshLevels>& levels,
-                                   const std::vector<double>& ratios,
-                                   const std::vector<double>& coverage) {
-  std::vector<SceneLevel> summary;
+std::vector<LodLevel> summary_of(const LoadedScene& scene, const std::vector<MeshLevels>& levels,
+                                 const std::vector<double>& ratios,
+                                 const std::vector<double>& coverage) {
+  std::vector<LodLevel> summary;
   for (std::size_t i = 0; i < ratios.size(); ++i) {
-    SceneLevel level{.ratio = ratios[i], .coverage = coverage[i]};
+    LodLevel level{.ratio = ratios[i], .coverage = coverage[i]};
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
       const std::uint64_t weight = scene.weight(scene.meshes[m]);
       level.asked_faces += weight * levels[m].asked_faces[i];
@@ -145,28 +115,11 @@ std::vector<SceneLevel> summary_of(const LoadedScene& scene, const std::vector<M
   return summary;
 }
 
-void say_scene_levels(const std::vector<SceneLevel>& levels, double diagonal) {
-  const auto number = [](std::uint64_t count) { return static_cast<std::int64_t>(count); };
+void say_scene_levels(const std::vector<LodLevel>& levels, double diagonal) {
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    const SceneLevel& level = levels[i];
-    say(fmt::format(
-        "level {}: {} vertices, {}, for a coverage of at least {}{}", i,
-        count_text(number(level.vertices)), count_text(number(level.faces), "face"),
-        number_text(level.coverage),
-        level.faces > level.asked_faces
-            ? fmt::format("; asked for {}", count_text(number(level.asked_faces), "face"))
-            : ""));
-    if (level.error >= 0.0) {
-      say(fmt::format("warning: level {} is {}", i,
-                      far_from("the input", 100.0 * level.error / diagonal)));
-    }
+    say(level_text(i, levels[i]));
+    warn_if_far(i, levels[i], diagonal);
   }
-}
-
-Json level_json(const SceneLevel& level) {
-  return {{"ratio", level.ratio},       {"asked_faces", level.asked_faces},
-          {"vertices", level.vertices}, {"faces", level.faces},
-          {"coverage", level.coverage}, {"far_from_input", level.error >= 0.0}};
 }
 
 /// The first level replaces its mesh only if it has fewer faces.
@@ -194,7 +147,7 @@ void write_scene_lods(const InputOptions& input, const std::string& output,
                       const LodArguments& arguments, const CommonOptions& common) {
   LoadedScene scene = load_scene_with_faces(input, common, "simplify");
   const std::vector<MeshLevels> levels = make_all_levels(scene, ratios, arguments, !common.quiet);
-  const std::vector<SceneLevel> summary = summary_of(scene, levels, ratios, coverage);
+  const std::vector<LodLevel> summary = summary_of(scene, levels, ratios, coverage);
   const std::vector<std::string> losses =
       write_scene(output, scene, edits_of(scene, levels, coverage), common);
   if (!common.quiet) {
@@ -205,7 +158,7 @@ void write_scene_lods(const InputOptions& input, const std::string& output,
   Json json{{"input", scene.file.string()},       {"output", output},
             {"files", Json::array({output})},     {"meshes", scene.meshes.size()},
             {"faces_before", scene.face_count()}, {"levels", Json::array()}};
-  for (const SceneLevel& level : summary)
+  for (const LodLevel& level : summary)
     json["levels"].push_back(level_json(level));
   json["lost"] = losses;
   json["repairs"] = to_json(scene.report);

@@ -139,6 +139,10 @@ Json measures_json(const Mesh& before, const Mesh& after, const SimplifyArgument
   return json;
 }
 
+std::uint32_t faces_for(double ratio, std::uint32_t faces) {
+  return std::max(1U, static_cast<std::uint32_t>(std::llround(ratio * faces)));
+}
+
 simplify::SimplifyOptions simplify_options(const SimplifyArguments& arguments, std::uint32_t faces,
                                            double diagonal) {
   if (!arguments.faces && !arguments.ratio && arguments.max_error.empty()) {
@@ -152,8 +156,7 @@ simplify::SimplifyOptions simplify_options(const SimplifyArguments& arguments, s
       throw UsageError("--ratio: " + number_text(*arguments.ratio) +
                        " is not above 0 and at most 1");
     }
-    options.target_faces =
-        std::max(1U, static_cast<std::uint32_t>(std::llround(*arguments.ratio * faces)));
+    options.target_faces = faces_for(*arguments.ratio, faces);
   }
   if (arguments.prune && !arguments.max_error.empty()) {
     throw UsageError(

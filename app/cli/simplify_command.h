@@ -22,6 +22,9 @@ struct SimplifyArguments {
   bool prune = false;  ///< remove parts that are smaller than the error
 };
 
+/// Returns a share of the faces as a number, at least 1.
+std::uint32_t faces_for(double ratio, std::uint32_t faces);
+
 /// Returns the options that the arguments mean for a mesh of `faces` faces and this diagonal.
 /// Throws UsageError if there is no target, if the ratio is not in (0, 1], if the error is not a
 /// number above 0, or if pruning is combined with an error bound.

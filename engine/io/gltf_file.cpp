@@ -328,9 +328,9 @@ std::unique_ptr<GltfFile::Buffer> GltfFile::open_buffer(std::uint64_t index) {
 std::string GltfFile::decoded_uri(std::string_view uri) const {
   constexpr std::string_view kMark = ";base64,";
   const std::size_t mark = uri.find(kMark);
-  if (mark == std::string_view::npos) fail("a buffer's data is not base64");
+  if (mark == std::string_view::npos) fail("a data URI is not base64");
   std::optional<std::string> decoded = decode_base64(uri.substr(mark + kMark.size()), progress_);
-  if (!decoded) fail("a buffer's data is not base64");
+  if (!decoded) fail("a data URI is not base64");
   return std::move(*decoded);
 }
 

@@ -9,7 +9,6 @@
 #include <unordered_map>
 #include <utility>
 #include "engine/core/error.h"
-#include "engine/io/base64.h"
 #include "engine/io/format.h"
 #include "engine/io/gltf_types.h"
 #include "engine/io/image_files.h"
@@ -216,11 +215,7 @@ class MaterialReader {
     }
     const std::string_view uri = uri_json->get_ref<const std::string&>();
     if (uri.starts_with("data:")) {
-      const std::size_t comma = uri.find(";base64,");
-      const auto decoded =
-          comma == std::string_view::npos ? std::nullopt : decode_base64(uri.substr(comma + 8));
-      if (!decoded) gltf_.fail("the data of an image is not base64");
-      return keep(*decoded, image);
+      return keep(gltf_.resource(uri), image);
     }
     const Beside found = find_uri_beside(gltf_.folder(), uri);
     image.path = found.file.empty() ? std::filesystem::path(uri) : found.relative;
