@@ -40,6 +40,7 @@ void check_pm_output(const std::string& output) {
 /// What was built and written.
 struct Written {
   SimplifyOutcome outcome;
+  std::vector<std::string> losses;  ///< what the file does not hold of the input
   io::PmSummary summary;
   progressive::PmSizes sizes;
   double build_s = 0.0;
@@ -71,10 +72,10 @@ Written make_and_write(const LoadedModel& loaded, const std::string& output,
   Stopwatch watch;
   progressive::Progressive made = progressive::make_progressive(loaded.model.mesh, simple);
   Written written;
-  written.outcome = {made.report, loaded.statistics.box.diagonal(), false,
-                     io::losses_in_format("x.pm", loaded.model.mesh, loaded.model.attributes,
-                                          loaded.model.materials.get(), loaded.model.contents,
-                                          loaded.model.origin)};
+  written.outcome = {made.report, loaded.statistics.box.diagonal()};
+  written.losses = io::losses_in_format("x.pm", loaded.model.mesh, loaded.model.attributes,
+                                        loaded.model.materials.get(), loaded.model.contents,
+                                        loaded.model.origin);
   written.build_s = std::max(0.0, watch.lap() - made.report.seconds.total());
   stages.next();
   const progressive::PmWriteOptions options{.coordinate_bits = coordinate_bits,
@@ -113,8 +114,7 @@ void say_written(const std::string& output, const Written& written) {
       number_text(pm.bytes_per_vertex()),
       pm.coordinate_bits == 0 ? "lossless" : fmt::format("{}-bit positions", pm.coordinate_bits),
       percent_text(100.0 * share_of_indexed(pm)), count_text(written.sizes.base, "byte")));
-  for (const std::string& name : written.outcome.dropped)
-    say("not preserved: " + name);
+  say_losses(output, written.losses);
 }
 
 void print_written(const LoadedModel& loaded, const std::string& output, const Written& written) {
@@ -126,6 +126,7 @@ void print_written(const LoadedModel& loaded, const std::string& output, const W
   json["pm"]["base_bytes"] = written.sizes.base;
   json["pm"]["split_bytes"] = written.sizes.splits;
   json["share_of_indexed"] = share_of_indexed(written.summary);
+  json["lost"] = written.losses;
   json["repairs"] = to_json(loaded.model.report);
   add_pm(json, loaded.pm, "input_pm");
   print_json(json);

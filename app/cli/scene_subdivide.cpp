@@ -58,7 +58,6 @@ void subdivide_scene(const InputOptions& input, const std::string& output,
   json.update({{"before", before},
                {"after", counts_of(scene)},
                {"seconds", seconds},
-               {"dropped", drops_tangents ? Json{"tangents"} : Json::array()},
                {"lost", losses},
                {"repairs", to_json(scene.report)}});
   print_json(json);

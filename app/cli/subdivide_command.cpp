@@ -93,7 +93,6 @@ void run_subdivide(const InputOptions& input, const std::string& output,
   json.update({{"before", before},
                {"after", counts(model.mesh)},
                {"seconds", seconds},
-               {"dropped", drops_tangents ? Json{"tangents"} : Json::array()},
                {"lost", losses},
                {"repairs", to_json(loaded.model.report)}});
   add_pm(json, loaded.pm);

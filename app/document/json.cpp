@@ -214,8 +214,7 @@ Json to_json(const SimplifyOutcome& outcome) {
             {"finish", r.seconds.finish},
             {"measure", r.seconds.measure},
             {"total", r.seconds.total()}}},
-          {"crosses_seams", outcome.crosses_seams},
-          {"dropped", outcome.dropped}};
+          {"crosses_seams", outcome.crosses_seams}};
 }
 
 Json to_json(const Session& session) {

@@ -33,7 +33,6 @@ struct SimplifyOutcome {
   simplify::SimplifyReport report;
   double diagonal = 0.0;       ///< of the input's bounding box: percentages refer to it
   bool crosses_seams = false;  ///< the target could not be reached along the seams of attributes
-  std::vector<std::string> dropped{};  ///< attributes that a progressive mesh does not keep
   /// RMS distance from the model as it was opened (distance_from_input), in model units. None if
   /// the simplification started from that model, or if the result has so many faces that the
   /// distance is small.

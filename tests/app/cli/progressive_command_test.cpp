@@ -77,7 +77,7 @@ TEST_F(ProgressiveCommand, WritesAndReports) {
   EXPECT_LT(json["share_of_indexed"], 1.0);
   for (const char* phase : {"collapse", "build", "write", "total"})
     EXPECT_GE(json["seconds"][phase], 0.0);
-  EXPECT_TRUE(json["dropped"].empty());
+  EXPECT_TRUE(json.at("lost").empty());
   EXPECT_EQ(json["repairs"]["faces_flipped"], 0);
   EXPECT_TRUE(holds(run.err,
                     "base: 200 of 3,674 faces, chosen by size and error: target "
@@ -188,15 +188,15 @@ TEST_F(ProgressiveCommand, EveryLevelKeepsCreases) {
   EXPECT_TRUE(holds(ply.err, "base.ply does not hold ")) << ply.err;
 }
 
-TEST_F(ProgressiveCommand, DroppedAttributesAreReported) {
+TEST_F(ProgressiveCommand, LostAttributesAreReported) {
   folder_.write("t.obj",
                 "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
                 "f 1/1/1 2/1/1 3/1/1\nf 1/1/1 3/1/1 4/1/1\n");
   const Finished run = mesher({"progressive", "t.obj", "-o", "t.pm", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(nlohmann::json::parse(run.out)["dropped"],
+  EXPECT_EQ(nlohmann::json::parse(run.out)["lost"],
             nlohmann::json({"texture coordinates", "normals"}));
-  EXPECT_TRUE(holds(run.err, "not preserved: texture coordinates")) << run.err;
+  EXPECT_TRUE(holds(run.err, "t.pm does not hold texture coordinates")) << run.err;
 }
 
 TEST_F(ProgressiveCommand, QuantizedFileIsSmallerAndClose) {

@@ -166,6 +166,22 @@ TEST_F(SceneCommands, CompressedFilesAreSmallerAndTheSame) {
   EXPECT_TRUE(holds(refused.err, "--compress: works from glTF to glTF only")) << refused.err;
 }
 
+TEST_F(SceneCommands, SubdivideNamesTangents) {
+  GltfDocument file;
+  file.floats(kSquareCorners, "VEC3", 3);
+  file.indices(kSquareIndices);
+  file.floats({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3", 3);
+  file.floats({1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}, "VEC4", 4);
+  folder_.write("in.gltf", file.text(R"("scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+    "meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":2,"TANGENT":3},"indices":1}]}])"));
+  for (const char* out : {"out.glb", "out.ply"}) {
+    SCOPED_TRACE(out);
+    const json report = mesher_json({"subdivide", "in.gltf", "-o", out});
+    EXPECT_TRUE(report["lost"].dump().find("tangents") != std::string::npos) << report["lost"];
+    EXPECT_FALSE(report.contains("dropped"));
+  }
+}
+
 // The same bytes, whatever the number of threads.
 TEST_F(SceneCommands, OutputIsIndependentOfThreadCount) {
   write_bunnies("in.gltf");
