@@ -175,6 +175,7 @@ void write_model(const std::string& output, const Model& model, bool ascii,
   ProgressLine line(!common.quiet, std::filesystem::path(output).filename().string());
   io::write_model(output, model.mesh, model.attributes,
                   {.ascii = ascii,
+                   .compresses = common.compresses,
                    .origin = model.origin,
                    .materials = model.materials,
                    .progress = line.progress()});

@@ -168,13 +168,14 @@ void measure_coarse_levels(const Source& source, std::vector<Level>& levels) {
 
 /// Writes either all files or none.
 void write_levels(const std::vector<fs::path>& files, const std::vector<Level>& levels,
-                  const Model& model) {
+                  const Model& model, const CommonOptions& common) {
   std::vector<std::unique_ptr<io::AtomicFile>> open;
   open.reserve(files.size());
   for (const fs::path& file : files)
     open.push_back(std::make_unique<io::AtomicFile>(file));
   const io::FormatInfo& format = io::writable_format(files.front());
-  const io::WriteOptions options{.origin = model.origin, .materials = model.materials};
+  const io::WriteOptions options{
+      .compresses = common.compresses, .origin = model.origin, .materials = model.materials};
   if (format.write_levels != nullptr) {
     std::vector<io::GltfLevel> chain;
     chain.reserve(levels.size());
@@ -287,7 +288,7 @@ void run_lods(const InputOptions& input, const std::string& output, const LodArg
                                   ? make_pruned_levels(source, ratios, coverage, arguments, common)
                                   : make_levels(source, ratios, coverage);
   measure_coarse_levels(source, levels);
-  write_levels(files, levels, source.loaded.model);
+  write_levels(files, levels, source.loaded.model, common);
   const std::vector<std::string> losses = io::losses_in_format(
       output, levels.front().mesh, levels.front().attributes, source.loaded.model.materials.get(),
       source.loaded.model.contents, source.loaded.model.origin);

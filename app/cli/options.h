@@ -21,7 +21,7 @@ struct CommonOptions {
   bool json = false;
   bool quiet = false;
   unsigned threads = 0;     ///< 0: one per core
-  bool compresses = false;  ///< of commands that write scenes: meshes by EXT_meshopt_compression
+  bool compresses = false;  ///< of commands that write glTF: meshes by EXT_meshopt_compression
 };
 
 /// How a model is opened.

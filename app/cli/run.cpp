@@ -266,7 +266,7 @@ class CommandLine {
 
   void add_compress(CLI::App* command) {
     command->add_flag("--compress", common_.compresses,
-                      "glTF to glTF: compress the meshes (EXT_meshopt_compression)");
+                      "compress the meshes of a glTF output (EXT_meshopt_compression)");
   }
 
   void add_progressive() {
@@ -292,6 +292,7 @@ class CommandLine {
     command->add_option("OUT,-o,--output", output_, "file to write")->required();
     add_detail(command, "the finest level of at most this number of faces",
                "level of detail, from 0 (the base) to 1 (full detail)");
+    add_compress(command);
   }
 
   void add_lods() {

@@ -64,10 +64,9 @@ std::uint64_t LoadedScene::vertex_count() const {
 
 bool keeps_scene(const InputOptions& input, const std::string& output,
                  const CommonOptions& common) {
-  const bool keeps = is_gltf(output) && is_gltf(find_model(input.model));
-  if (!keeps && common.compresses)
-    throw UsageError("--compress: works from glTF to glTF only; convert the model to .glb first");
-  return keeps;
+  if (common.compresses && !is_gltf(output))
+    throw UsageError("--compress: only .gltf and .glb can be compressed, not '" + output + "'");
+  return is_gltf(output) && is_gltf(find_model(input.model));
 }
 
 LoadedScene load_scene(const InputOptions& input, const CommonOptions& common) {

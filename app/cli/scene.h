@@ -32,7 +32,7 @@ struct LoadedScene {
 };
 
 /// Returns whether input and output are glTF, so that everything but the edited meshes is kept.
-/// Throws UsageError if they are not and the output should be compressed.
+/// Throws UsageError if the output should be compressed and is not glTF.
 bool keeps_scene(const InputOptions& input, const std::string& output, const CommonOptions& common);
 
 /// Reads a scene with all its meshes, as the options say, and tags creases. Shows progress on a

@@ -25,6 +25,7 @@ constexpr FormatContents kGltfContents{.materials = HoldsMaterials::as_gltf,
 
 GltfWriteOptions gltf_options(const WriteOptions& options, bool binary) {
   return {.binary = binary,
+          .compresses = options.compresses,
           .origin = options.origin,
           .materials = options.materials.get(),
           .progress = options.progress};

@@ -161,4 +161,22 @@ CompressedArray compress_indices(const GltfArray& indices) {
   return {.bytes = std::move(encoded), .mode = "TRIANGLES", .count = count, .stride = stride};
 }
 
+nlohmann::json CompressedViews::add(const CompressedArray& array) {
+  const std::size_t decoded = array.count * array.stride;
+  nlohmann::json view{{"byteOffset", decoded_bytes_}, {"byteLength", decoded}};
+  if (array.mode == "ATTRIBUTES") view["byteStride"] = array.stride;
+  nlohmann::json& extension = view["extensions"][kMeshoptExtension];
+  extension = {{"count", array.count}, {"byteStride", array.stride}, {"mode", array.mode}};
+  if (!array.filter.empty()) extension["filter"] = array.filter;
+  constexpr std::size_t kWord = 4;
+  decoded_bytes_ += (decoded + kWord - 1) / kWord * kWord;
+  return view;
+}
+
+nlohmann::json CompressedViews::fallback() const {
+  nlohmann::json buffer{{"byteLength", decoded_bytes_}};
+  buffer["extensions"][kMeshoptExtension]["fallback"] = true;
+  return buffer;
+}
+
 }  // namespace mesher::io

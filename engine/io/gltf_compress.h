@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "engine/io/gltf_primitive_write.h"
@@ -29,5 +31,24 @@ CompressedArray compress(GltfArray& array, AttributeKind kind);
 /// As above for the indices of triangles. Their order stays; a triangle may begin at another
 /// corner.
 CompressedArray compress_indices(const GltfArray& indices);
+
+/// The extension, which needs KHR_mesh_quantization as well. Readers must know both.
+inline constexpr const char* kMeshoptExtension = "EXT_meshopt_compression";
+inline constexpr const char* kQuantizationExtension = "KHR_mesh_quantization";
+
+/// Adds the views of compressed arrays. Their decoded bytes lie in a buffer without data, the
+/// fallback for readers that do not know the extension.
+class CompressedViews {
+ public:
+  /// Returns the JSON of a view, without `buffer` and without the place of the encoded bytes. O(1).
+  nlohmann::json add(const CompressedArray& array);
+  /// Returns whether there are no views.
+  bool is_empty() const { return decoded_bytes_ == 0; }
+  /// Returns the JSON of the buffer without data.
+  nlohmann::json fallback() const;
+
+ private:
+  std::uint64_t decoded_bytes_ = 0;
+};
 
 }  // namespace mesher::io

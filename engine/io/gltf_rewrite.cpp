@@ -24,7 +24,6 @@ using Json = nlohmann::json;
 constexpr int kVertexTarget = 34962;
 constexpr int kIndexTarget = 34963;
 constexpr const char* kDraco = "KHR_draco_mesh_compression";
-constexpr const char* kMeshopt = "EXT_meshopt_compression";
 /// Extensions of a primitive that hold for whatever triangles it has.
 constexpr const char* kVariants = "KHR_materials_variants";
 
@@ -43,9 +42,10 @@ std::string to_base64(std::string_view bytes) {
 bool is_virtual(const Json& buffer) {
   if (!buffer.is_object() || buffer.contains("uri") || !buffer.contains("extensions")) return false;
   const Json& extensions = buffer["extensions"];
-  return extensions.is_object() && extensions.contains(kMeshopt) &&
-         extensions[kMeshopt].is_object() && extensions[kMeshopt].contains("fallback") &&
-         extensions[kMeshopt]["fallback"] == true;
+  return extensions.is_object() && extensions.contains(kMeshoptExtension) &&
+         extensions[kMeshoptExtension].is_object() &&
+         extensions[kMeshoptExtension].contains("fallback") &&
+         extensions[kMeshoptExtension]["fallback"] == true;
 }
 
 /// Returns the elements of a list that are true in `all` and not in `kept`, the last one first.
@@ -166,7 +166,7 @@ void GltfRewriter::keep_data() {
     if (is_new_view_[i]) continue;
     const Json& view = gltf_.element("bufferViews", i);
     keep_range(view);
-    if (const Json* packed = gltf_.extension(view, kMeshopt)) keep_range(*packed);
+    if (const Json* packed = gltf_.extension(view, kMeshoptExtension)) keep_range(*packed);
   }
 }
 
@@ -323,15 +323,7 @@ std::uint64_t GltfRewriter::add_array(GltfArray&& array, std::optional<std::uint
 std::size_t GltfRewriter::add_compressed(CompressedArray&& array) {
   const std::size_t view = views_.take(document_["bufferViews"]);
   is_new_view_.resize(document_["bufferViews"].size(), true);
-  const std::size_t decoded = array.count * array.stride;
-  Json extension{{"count", array.count}, {"byteStride", array.stride}, {"mode", array.mode}};
-  if (!array.filter.empty()) extension["filter"] = array.filter;
-  Json& json = document_["bufferViews"][view];
-  json = {{"byteOffset", decoded_bytes_}, {"byteLength", decoded}};
-  if (array.mode == "ATTRIBUTES") json["byteStride"] = array.stride;
-  json["extensions"][kMeshopt] = std::move(extension);
-  constexpr std::size_t kWord = 4;
-  decoded_bytes_ += (decoded + kWord - 1) / kWord * kWord;
+  document_["bufferViews"][view] = compressed_.add(array);
   view_pieces_.emplace_back(view, data_.add(std::move(array.bytes)));
   return view;
 }
@@ -394,14 +386,14 @@ void GltfRewriter::set_offsets() {
     if (is_new_view_[i]) continue;
     Json& view = document_["bufferViews"][i];
     move(view);
-    if (gltf_.extension(gltf_.element("bufferViews", i), kMeshopt) != nullptr)
-      move(view["extensions"][kMeshopt]);
+    if (gltf_.extension(gltf_.element("bufferViews", i), kMeshoptExtension) != nullptr)
+      move(view["extensions"][kMeshoptExtension]);
   }
   for (const auto& [view, piece] : view_pieces_) {
     Json& json = document_["bufferViews"][view];
     const bool is_compressed = json.contains("extensions");
     if (is_compressed) json["buffer"] = virtual_buffers_.size() + 1;
-    Json& place = is_compressed ? json["extensions"][kMeshopt] : json;
+    Json& place = is_compressed ? json["extensions"][kMeshoptExtension] : json;
     place["buffer"] = 0;
     place["byteOffset"] = data_.piece_offset(piece);
     place["byteLength"] = data_.piece_bytes(piece);
@@ -409,7 +401,7 @@ void GltfRewriter::set_offsets() {
 }
 
 void GltfRewriter::set_extension_lists(bool has_levels) {
-  dropped_extensions_.insert(kMeshopt);
+  dropped_extensions_.insert(kMeshoptExtension);
   for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
     remove_names(document_, list, [&](const Json& name) {
       return name.is_string() && dropped_extensions_.contains(name.get<std::string>()) &&
@@ -420,8 +412,8 @@ void GltfRewriter::set_extension_lists(bool has_levels) {
     if (!std::ranges::count(document_[list], Json(name))) document_[list].push_back(name);
   };
   if (has_levels) add("extensionsUsed", "MSFT_lod");
-  if (decoded_bytes_ == 0) return;
-  for (const char* name : {kMeshopt, "KHR_mesh_quantization"}) {
+  if (compressed_.is_empty()) return;
+  for (const char* name : {kMeshoptExtension, kQuantizationExtension}) {
     add("extensionsUsed", name);
     add("extensionsRequired", name);
   }
@@ -444,11 +436,7 @@ void GltfRewriter::write(AtomicFile& file, bool binary, Progress* progress) cons
     parts.buffers.push_back(first.dump());
     for (const std::uint64_t buffer : virtual_buffers_)
       parts.buffers.push_back(gltf_.element("buffers", buffer).dump());
-    if (decoded_bytes_ > 0) {
-      Json fallback{{"byteLength", decoded_bytes_}};
-      fallback["extensions"][kMeshopt]["fallback"] = true;
-      parts.buffers.push_back(fallback.dump());
-    }
+    if (!compressed_.is_empty()) parts.buffers.push_back(compressed_.fallback().dump());
   }
   parts.document = document_.dump();
   write_container(file, parts, binary, [&](auto& sink) { data_.write(sink, progress); });

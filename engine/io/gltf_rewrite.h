@@ -91,7 +91,7 @@ class GltfRewriter {
   Slots views_;
   std::vector<std::uint64_t> virtual_buffers_;  ///< without data: fallbacks of compressed views
   bool compresses_;
-  std::uint64_t decoded_bytes_ = 0;  ///< of all views that this class has compressed
+  CompressedViews compressed_;
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> nodes_of_mesh_;
   std::set<std::string> dropped_extensions_;
   std::vector<std::string> losses_;

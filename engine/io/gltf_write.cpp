@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <deque>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -12,6 +13,7 @@
 #include "engine/core/error.h"
 #include "engine/core/progress.h"
 #include "engine/io/block_writer.h"
+#include "engine/io/gltf_compress.h"
 #include "engine/io/gltf_container.h"
 #include "engine/io/gltf_material_write.h"
 #include "engine/io/gltf_types.h"
@@ -32,6 +34,15 @@ struct Accessor {
   int target;
   OrderedJson more;           ///< further JSON members
   bool needs_stride = false;  ///< its elements are shorter
+  std::string name{};         ///< of the attribute; empty for indices
+  AttributeKind kind = AttributeKind::custom;
+
+  std::uint64_t bytes() const { return std::uint64_t{count} * element_bytes; }
+  OrderedJson json() const {
+    OrderedJson json{{"componentType", component_type}, {"count", count}, {"type", type}};
+    json.update(more);
+    return json;
+  }
 };
 
 /// Bytes of a value in the file, where each begins at a multiple of 4.
@@ -77,14 +88,17 @@ class LevelWriter {
         vertex_count(),
         12,
         kVertexData,
-        {{"min", {box.min.x, box.min.y, box.min.z}}, {"max", {box.max.x, box.max.y, box.max.z}}}});
+        {{"min", {box.min.x, box.min.y, box.min.z}}, {"max", {box.max.x, box.max.y, box.max.z}}},
+        false,
+        "POSITION"});
     for (const AttributeLayer* layer : layers_) {
       const AttributeType& type = layer->type();
       OrderedJson more = OrderedJson::object();
       if (type.is_normalized) more["normalized"] = true;
-      attributes[type.name] = add_accessor(
-          Accessor{gltf_shape(type.components), gltf_number(type.component), vertex_count(),
-                   aligned_bytes(type), kVertexData, std::move(more), type.value_bytes() % 4 != 0});
+      attributes[type.name] =
+          add_accessor(Accessor{gltf_shape(type.components), gltf_number(type.component),
+                                vertex_count(), aligned_bytes(type), kVertexData, std::move(more),
+                                type.value_bytes() % 4 != 0, type.name, type.kind});
     }
     OrderedJson primitives = OrderedJson::array();
     for (const Part& part : parts_) {
@@ -191,6 +205,7 @@ class GltfWriter {
       : file_(file),
         origin_(options.origin),
         binary_(options.binary),
+        compresses_(options.compresses),
         materials_(options.materials),
         progress_(options.progress) {
     for (const GltfLevel& level : levels) {
@@ -213,6 +228,7 @@ class GltfWriter {
     GltfParts parts;
     parts.document = document_.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
     parts.buffers.push_back(OrderedJson{{"byteLength", bytes_}}.dump());
+    if (!compressed_.is_empty()) parts.buffers.push_back(compressed_.fallback().dump());
     parts.bytes = bytes_;
     write_container(file_, parts, binary_, [&](auto& sink) { write_data(sink); });
   }
@@ -220,30 +236,67 @@ class GltfWriter {
  private:
   /// Adds an accessor with its own buffer view and returns the accessor's index.
   std::size_t add_accessor(Accessor&& accessor) {
-    const std::uint64_t bytes = accessor.count * accessor.element_bytes;
     document_["bufferViews"].push_back({{"buffer", 0},
                                         {"byteOffset", bytes_},
-                                        {"byteLength", bytes},
+                                        {"byteLength", accessor.bytes()},
                                         {"target", accessor.target}});
     if (accessor.needs_stride)
       document_["bufferViews"].back()["byteStride"] = accessor.element_bytes;
-    OrderedJson json{{"bufferView", document_["bufferViews"].size() - 1},
-                     {"componentType", accessor.component_type},
-                     {"count", accessor.count},
-                     {"type", accessor.type}};
-    json.update(accessor.more);
-    document_["accessors"].push_back(std::move(json));
-    bytes_ += bytes;
+    bytes_ += accessor.bytes();
+    return add_accessor_json(accessor.json());
+  }
+
+  /// Lets an accessor refer to the last buffer view and returns the accessor's index.
+  std::size_t add_accessor_json(const OrderedJson& json) {
+    OrderedJson accessor{{"bufferView", document_["bufferViews"].size() - 1}};
+    accessor.update(json);
+    document_["accessors"].push_back(std::move(accessor));
     return document_["accessors"].size() - 1;
   }
 
-  /// Adds a buffer view for an image and returns its index. The views after it stay aligned.
+  /// As add_accessor, with its data, which is encoded now: the document needs its length.
+  std::size_t add_compressed(const Accessor& accessor, std::string&& bytes) {
+    GltfArray array{.name = accessor.name, .json = accessor.json(), .bytes = std::move(bytes)};
+    const bool is_index = accessor.name.empty();
+    CompressedArray packed = is_index ? compress_indices(array) : compress(array, accessor.kind);
+    OrderedJson view(compressed_.add(packed));
+    view["buffer"] = 1;
+    view["target"] = accessor.target;
+    OrderedJson& extension = view["extensions"][kMeshoptExtension];
+    extension["buffer"] = 0;
+    extension["byteOffset"] = bytes_;
+    extension["byteLength"] = packed.bytes.size();
+    document_["bufferViews"].push_back(std::move(view));
+    append(packed_.emplace_back(std::move(packed.bytes)));
+    return add_accessor_json(OrderedJson(array.json));
+  }
+
+  /// Adds the accessors of a level with its data.
+  OrderedJson describe_compressed(const LevelWriter& level) {
+    struct Text {
+      std::string text;
+      void write(std::string_view more) { text += more; }
+    } data;
+    level.write_data(data, progress_);
+    std::size_t at = 0;
+    return level.describe([&](Accessor&& accessor) {
+      const std::size_t begin = std::exchange(at, at + accessor.bytes());
+      return add_compressed(accessor, data.text.substr(begin, accessor.bytes()));
+    });
+  }
+
+  /// Adds a buffer view for an image and returns its index.
   std::size_t add_image(const std::string& bytes) {
     document_["bufferViews"].push_back(
         {{"buffer", 0}, {"byteOffset", bytes_}, {"byteLength", bytes.size()}});
-    bytes_ += (bytes.size() + 3) / 4 * 4;
-    images_.push_back(&bytes);
+    append(bytes);
     return document_["bufferViews"].size() - 1;
+  }
+
+  /// Puts bytes after the data so far. What follows stays aligned.
+  void append(const std::string& bytes) {
+    bytes_ += (bytes.size() + 3) / 4 * 4;
+    pieces_.push_back(&bytes);
   }
 
   void describe() {
@@ -251,8 +304,10 @@ class GltfWriter {
     for (const char* array : {"bufferViews", "accessors", "meshes", "nodes"})
       document_[array] = OrderedJson::array();
     for (std::size_t i = 0; i < levels_.size(); ++i) {
-      OrderedJson primitives = levels_[i].describe(
-          [&](Accessor&& accessor) { return add_accessor(std::move(accessor)); });
+      OrderedJson primitives = compresses_ ? describe_compressed(levels_[i])
+                                           : levels_[i].describe([&](Accessor&& accessor) {
+                                               return add_accessor(std::move(accessor));
+                                             });
       document_["meshes"].push_back({{"primitives", std::move(primitives)}});
       document_["nodes"].push_back({{"mesh", i}});
       if (origin_ != glm::dvec3(0.0)) {
@@ -261,6 +316,9 @@ class GltfWriter {
     }
     document_["scenes"] = OrderedJson::array({{{"nodes", OrderedJson::array({0})}}});
     document_["scene"] = 0;
+    if (compresses_)
+      for (const char* list : {"extensionsUsed", "extensionsRequired"})
+        document_[list] = {kMeshoptExtension, kQuantizationExtension};
   }
 
   /// The first node names the others, which are in no scene. A reader without support for levels
@@ -280,6 +338,15 @@ class GltfWriter {
 
   template <class Sink>
   void write_data(Sink& sink) const {
+    if (!compresses_) write_levels(sink);
+    for (const std::string* piece : pieces_) {
+      sink.write(*piece);
+      sink.write(std::string_view("\0\0\0", (4 - piece->size() % 4) % 4));
+    }
+  }
+
+  template <class Sink>
+  void write_levels(Sink& sink) const {
     std::vector<double> weights;
     for (const LevelWriter& level : levels_)
       weights.push_back(level.weight());
@@ -288,21 +355,20 @@ class GltfWriter {
       stages.next();
       level.write_data(sink, progress_);
     }
-    for (const std::string* image : images_) {
-      sink.write(*image);
-      sink.write(std::string_view("\0\0\0", (4 - image->size() % 4) % 4));
-    }
   }
 
   AtomicFile& file_;
   glm::dvec3 origin_;
   bool binary_;
+  bool compresses_;
   const Materials* materials_;
   Progress* progress_;
   std::vector<LevelWriter> levels_;
   OrderedJson document_;
   std::uint64_t bytes_ = 0;
-  std::vector<const std::string*> images_;  ///< after the data of the levels
+  CompressedViews compressed_;
+  std::deque<std::string> packed_;          ///< compressed arrays
+  std::vector<const std::string*> pieces_;  ///< compressed arrays and images; after the levels
 };
 
 }  // namespace

@@ -21,6 +21,7 @@ struct GltfLevel {
 
 struct GltfWriteOptions {
   bool binary = false;
+  bool compresses = false;  ///< by EXT_meshopt_compression, as `compress` describes
   glm::dvec3 origin{0.0};
   const Materials* materials = nullptr;  ///< null: there are none
   Progress* progress = nullptr;

@@ -15,7 +15,8 @@ namespace mesher::io {
 struct FormatInfo;
 
 struct WriteOptions {
-  bool ascii = false;  ///< PLY and STL as text rather than little-endian binary
+  bool ascii = false;       ///< PLY and STL as text rather than little-endian binary
+  bool compresses = false;  ///< glTF by EXT_meshopt_compression
   /// Added to every position.
   glm::dvec3 origin{0.0};
   /// What the groups refer to; null: there are no materials.

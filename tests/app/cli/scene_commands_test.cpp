@@ -161,9 +161,30 @@ TEST_F(SceneCommands, CompressedFilesAreSmallerAndTheSame) {
             3 * read_bytes(folder_ / "plain.glb").size());
   const json distance = mesher_json({"compare", "in.gltf", "small.glb"})["two_sided"];
   EXPECT_LT(distance["max_percent"].get<double>(), 0.005);
-  const Finished refused = mesher({"convert", "bunny", "-o", "x.glb", "--compress"});
+  const Finished refused = mesher({"convert", "in.gltf", "-o", "x.obj", "--compress"});
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_TRUE(holds(refused.err, "--compress: works from glTF to glTF only")) << refused.err;
+  EXPECT_TRUE(holds(refused.err, "--compress: only .gltf and .glb can be compressed, not 'x.obj'"))
+      << refused.err;
+}
+
+TEST_F(SceneCommands, EveryCommandCompressesModelsOfOtherFormats) {
+  ASSERT_EQ(mesher({"progressive", "bunny", "-o", "b.pm"}).exit_code, 0);
+  const std::vector<std::vector<std::string>> commands = {
+      {"convert", "bunny"}, {"simplify", "bunny", "--ratio", "0.5"}, {"subdivide", "bunny"},
+      {"lods", "bunny"},    {"extract", "b.pm", "--lod", "1"},
+  };
+  for (std::vector<std::string> command : commands) {
+    SCOPED_TRACE(command[0]);
+    command.insert(command.end(), {"-o", "plain.glb"});
+    ASSERT_EQ(mesher(command).exit_code, 0);
+    command.back() = "small.glb";
+    command.emplace_back("--compress");
+    EXPECT_EQ(mesher_json(command)["lost"], json::array());
+    EXPECT_LT(5 * read_bytes(folder_ / "small.glb").size(),
+              3 * read_bytes(folder_ / "plain.glb").size());
+    const json distance = mesher_json({"compare", "plain.glb", "small.glb"})["two_sided"];
+    EXPECT_LT(distance["max_percent"].get<double>(), 0.005);
+  }
 }
 
 TEST_F(SceneCommands, SubdivideNamesTangents) {
