@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "app/document/document.h"
@@ -143,9 +144,14 @@ std::vector<std::string> always_lost(const Document& document, const std::string
   add(has(AttributeKind::texcoord), holds.texcoord != io::Holds::nothing, "texture coordinates");
   add(has(AttributeKind::normal), holds.normal != io::Holds::nothing, "normals");
   add(has(AttributeKind::color), holds.color != io::Holds::nothing, "colors");
-  add(!attributes.group.empty(), holds.groups, "groups");
-  add(document.model.materials != nullptr, holds.materials != io::HoldsMaterials::nothing,
+  const auto has_name = [](const FaceGroup& group) {
+    return !group.object.empty() || !group.name.empty() || !group.smoothing.empty();
+  };
+  add(std::ranges::any_of(attributes.groups, has_name), holds.groups, "groups");
+  add(document.model.contents[Content::materials] > 0, io::holds_look(holds.materials),
       "materials");
+  add(document.model.contents[Content::textures] > 0,
+      holds.materials != io::HoldsMaterials::nothing, "textures");
   return lost;
 }
 

@@ -53,6 +53,12 @@ Beside find_beside(const std::filesystem::path& folder,
   return found;
 }
 
+Beside find_named_beside(const std::filesystem::path& folder, std::string_view name) {
+  std::string slashes(name);
+  std::ranges::replace(slashes, '\\', '/');
+  return find_beside(folder, {std::string(name), slashes});
+}
+
 Beside find_uri_beside(const std::filesystem::path& folder, std::string_view uri) {
   return find_beside(folder, {decode_uri(uri).value_or(std::string()), std::string(uri)});
 }

@@ -22,6 +22,9 @@ struct Beside {
 Beside find_beside(const std::filesystem::path& folder,
                    std::initializer_list<std::string> spellings);
 
+/// Looks for a file by its name as it is, and with backslashes as slashes.
+Beside find_named_beside(const std::filesystem::path& folder, std::string_view name);
+
 /// Looks for the file of a URI. Programs that do not escape names write "10%.bin": where the
 /// decoded name is malformed or names no file, the URI is tried as it is.
 Beside find_uri_beside(const std::filesystem::path& folder, std::string_view uri);

@@ -47,18 +47,16 @@ constexpr FormatInfo kFormats[] = {
                  const WriteOptions& o) { write_obj(file, mesh, attributes, o); }},
     {.name = "Stanford PLY",
      .extension = ".ply",
-     .holds = {.far_positions = true,
+     .holds = {.materials = HoldsMaterials::color_textures,
+               .far_positions = true,
                .texcoord = Holds::each_corner,
                .normal = Holds::one_per_vertex,
                .color = Holds::one_per_vertex},
      .read_weight = 0.3,  // binary 0.15, text 0.6
      .read = [](const MappedFile& file,
                 const ReadOptions& o) { return read_ply(file, o.progress); },
-     .write =
-         [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
-            const WriteOptions& o) {
-           write_ply(file, mesh, attributes, o.origin, o.ascii, o.progress);
-         }},
+     .write = [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
+                 const WriteOptions& o) { write_ply(file, mesh, attributes, o); }},
     {.name = "STL",
      .extension = ".stl",
      .read_weight = 5.0,

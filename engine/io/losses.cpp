@@ -10,6 +10,7 @@
 #include "engine/io/format.h"
 #include "engine/io/material_losses.h"
 #include "engine/io/obj_groups.h"
+#include "engine/io/ply_textures.h"
 #include "engine/io/vertex_attributes.h"
 #include "engine/mesh/corner_attributes.h"
 
@@ -56,6 +57,7 @@ struct Keeper {
   const Attributes& attributes;
   std::vector<FaceGroup> groups;  ///< those with faces
   const Materials* materials;     ///< null if there are none, or the format has none
+  std::uint64_t textures;         ///< those of the file that the format holds
   const FileContents& contents;
 };
 
@@ -123,8 +125,13 @@ FileContents lost_material_files(const Keeper& keeper, Content kind) {
 }
 
 FileContents lost_textures(const Keeper& keeper, Content kind) {
-  const std::uint64_t kept = keeper.materials == nullptr ? 0 : keeper.materials->texture_count;
-  return all_but(keeper.contents, kind, kept);
+  return all_but(keeper.contents, kind, keeper.textures);
+}
+
+std::uint64_t count_held_textures(const Materials* materials, HoldsMaterials holds) {
+  if (materials == nullptr || holds == HoldsMaterials::nothing) return 0;
+  if (holds != HoldsMaterials::color_textures) return materials->texture_count;
+  return std::min<std::uint64_t>(materials->texture_count, ply_textures(*materials).images.size());
 }
 
 /// Extensions of materials that struct Material has terms for.
@@ -231,8 +238,10 @@ std::vector<std::string> losses_in_format(const std::filesystem::path& file, con
     if (!is_common && !can.any_attribute) losses.push_back("attribute " + name);
   }
   if (!can.far_positions && origin != glm::dvec3(0.0)) losses.push_back(far_text(origin));
-  if (can.materials == HoldsMaterials::nothing) materials = nullptr;
-  add_contents(losses, {can, attributes, groups_with_faces(attributes), materials, contents});
+  const std::uint64_t textures = count_held_textures(materials, can.materials);
+  if (!holds_look(can.materials)) materials = nullptr;
+  add_contents(losses,
+               {can, attributes, groups_with_faces(attributes), materials, textures, contents});
   if (materials != nullptr)
     std::ranges::copy(material_losses(*materials, can.materials, count_uv_sets(attributes)),
                       std::back_inserter(losses));

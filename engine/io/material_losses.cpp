@@ -43,7 +43,7 @@ std::uint32_t count_uv_sets(const Attributes& attributes) {
 std::vector<std::string> material_losses(const Materials& materials, HoldsMaterials holds,
                                          std::uint32_t uv_sets) {
   std::vector<std::string> losses;
-  if (holds == HoldsMaterials::nothing) return losses;
+  if (!holds_look(holds)) return losses;
   const bool is_mtl = holds == HoldsMaterials::as_mtl;
   std::map<std::string, std::int64_t> counts;
   for (const Material& material : materials.materials) {

@@ -12,9 +12,15 @@ namespace mesher::io {
 /// How a format stores materials.
 enum class HoldsMaterials {
   nothing,
-  as_mtl,   ///< in a file beside, with the images
-  as_gltf,  ///< in the file, with the images
+  color_textures,  ///< nothing but base color textures, in files beside
+  as_mtl,          ///< in a file beside, with the images
+  as_gltf,         ///< in the file, with the images
 };
+
+/// Returns whether a format stores materials, and not only their color textures.
+constexpr bool holds_look(HoldsMaterials holds) {
+  return holds == HoldsMaterials::as_mtl || holds == HoldsMaterials::as_gltf;
+}
 
 /// Returns the number of sets of texture coordinates: TEXCOORD_0, TEXCOORD_1, ... without gaps.
 std::uint32_t count_uv_sets(const Attributes& attributes);

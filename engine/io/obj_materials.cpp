@@ -24,12 +24,6 @@ bool ends_in_mtl(std::string_view word) {
          });
 }
 
-Beside find_named(const std::filesystem::path& folder, std::string_view name) {
-  std::string slashes(name);
-  std::ranges::replace(slashes, '\\', '/');
-  return find_beside(folder, {std::string(name), slashes});
-}
-
 class ObjMaterials {
  public:
   ObjMaterials(const MappedFile& obj, Soup& soup)
@@ -51,7 +45,7 @@ class ObjMaterials {
  private:
   /// The whole text may be one name with blanks.
   void add_libraries(std::string_view text) {
-    if (!find_named(folder_, text).file.empty()) return add_library(std::string(text));
+    if (!find_named_beside(folder_, text).file.empty()) return add_library(std::string(text));
     for (const std::string& name : mtl_file_names(text))
       add_library(name);
   }
@@ -61,7 +55,7 @@ class ObjMaterials {
     if (files_.size() == kMostMtlFiles) return;
     files_.push_back(name);
     soup_.contents.add(Content::material_files, name);
-    const Beside found = find_named(folder_, name);
+    const Beside found = find_named_beside(folder_, name);
     if (found.file.empty()) {
       materials_.missing_files.push_back(name);
       soup_.contents.warn("material file " + name + ": " +
@@ -82,7 +76,7 @@ class ObjMaterials {
     ImageFiles files(soup_.contents);
     for (EncodedImage& image : materials_.images) {
       const std::string text = image.path.string();
-      files.load(image, find_named(folder_, text), text);
+      files.load(image, find_named_beside(folder_, text), text);
       soup_.contents.add(Content::textures, text);
     }
     materials_.texture_count = static_cast<std::uint32_t>(materials_.images.size());

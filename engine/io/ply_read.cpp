@@ -8,8 +8,10 @@
 
 #include "engine/core/error.h"
 #include "engine/core/progress.h"
+#include "engine/core/text.h"
 #include "engine/io/far_origin.h"
 #include "engine/io/ply_header.h"
+#include "engine/io/ply_textures.h"
 #include "engine/io/ply_values.h"
 #include "engine/io/soup_faces.h"
 #include "engine/io/vertex_attributes.h"
@@ -63,7 +65,10 @@ class PlyReader {
  public:
   PlyReader(const MappedFile& file, const PlyHeader& header, const glm::dvec3& origin,
             Progress* progress)
-      : header_(header), values_(file, header.data), progress_(progress) {
+      : header_(header),
+        values_(file, header.data),
+        progress_(progress),
+        textures_(header.textures.size()) {
     soup_.origin = origin;
     is_wide_ = origin != glm::dvec3(0.0);
   }
@@ -118,7 +123,8 @@ class PlyReader {
         const bool is_read =
             is_vertex ? !property.count_type && slot_of(property.name).role != Role::none
                       : lists_vertices(property) ||
-                            (is_face && (is_corner_texcoord(property) || is_face_color(property)));
+                            (is_face && (is_corner_texcoord(property) || is_face_color(property) ||
+                                         is_texnumber(property)));
         if (!is_read) contents.add(Content::own_properties, element.name + " " + property.name);
       }
     }
@@ -129,6 +135,12 @@ class PlyReader {
   }
   static bool is_face_color(const PlyProperty& property) {
     return !property.count_type && slot_of(property.name).role == Role::color;
+  }
+
+  /// Without textures, the number means nothing to mesher.
+  bool is_texnumber(const PlyProperty& property) const {
+    return !header_.textures.empty() && !property.count_type && is_whole(property.type) &&
+           property.name == "texnumber";
   }
 
   void find_face_colors(const PlyElement& element) {
@@ -249,16 +261,18 @@ class PlyReader {
            (property.name == "vertex_indices" || property.name == "vertex_index");
   }
 
-  void end_face() {
+  void end_face(std::int64_t texnumber = 0) {
     if (soup_.corners.size() >= kNone)
       values_.fail("more elements than 32-bit indices can address");
     soup_.face_start.push_back(static_cast<std::uint32_t>(soup_.corners.size()));
+    textures_.add_face(texnumber);
   }
 
   void read_face(const PlyElement& element) {
     const std::size_t first = soup_.corners.size();
     corner_texcoords_.clear();
     glm::u8vec4 color(255);
+    std::int64_t texnumber = 0;
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
       const PlyProperty& property = element.properties[i];
       if (lists_vertices(property)) {
@@ -271,12 +285,14 @@ class PlyReader {
         for (std::size_t left = list_size(property); left > 0; --left) {
           corner_texcoords_.push_back(values_.next_float(property.type));
         }
+      } else if (is_texnumber(property)) {
+        texnumber = values_.next_whole(property.type);
       } else {
         skip_property(property);
       }
     }
     values_.end_row();
-    end_face();
+    end_face(texnumber);
     if (has_face_colors_) {
       face_colors_.resize(soup_.face_start.size() - 2);  // strips before have none
       face_colors_.push_back({color, true});
@@ -290,6 +306,7 @@ class PlyReader {
     const std::size_t corners = soup_.corners.size() - first;
     soup_.attributes.texcoord.resize(first, glm::vec2(kAbsent));
     const bool is_complete = corner_texcoords_.size() == 2 * corners;
+    if (!is_complete && !corner_texcoords_.empty()) ++bad_texcoord_lists_;
     for (std::size_t c = 0; c < corners; ++c) {
       soup_.attributes.texcoord.push_back(
           is_complete ? glm::vec2(corner_texcoords_[2 * c], corner_texcoords_[2 * c + 1])
@@ -330,6 +347,12 @@ class PlyReader {
     Stages stages(progress_, {1.0, 1.0, 1.0});
     stages.next();
     FileContents& contents = soup_.contents;
+    textures_.finish(soup_);
+    if (bad_texcoord_lists_ > 0) {
+      contents.warn(count_phrase(static_cast<std::int64_t>(bad_texcoord_lists_),
+                                 "{face|faces} without two texcoord values per corner: no texture "
+                                 "coordinates"));
+    }
     contents[Content::uv_sets] =
         (texcoords_.empty() ? 0U : 1U) + (soup_.attributes.texcoord.empty() ? 0U : 1U);
     contents[Content::normals] = normals_.empty() ? 0 : 1;
@@ -363,6 +386,8 @@ class PlyReader {
   std::vector<float> corner_texcoords_;  ///< of the current face
   Array<FaceValue<glm::u8vec4>> face_colors_;
   bool has_face_colors_ = false;
+  PlyFaceTextures textures_;
+  std::uint64_t bad_texcoord_lists_ = 0;
   std::vector<int> color_component_;  ///< of each property of a face, -1: no color
   bool is_wide_ = false;
   double coordinate_error_ = 0.0;
@@ -379,10 +404,7 @@ Soup read_values(const MappedFile& file, const PlyHeader& header, Progress* prog
   return PlyReader<Values>(file, header, origin, progress).run();
 }
 
-}  // namespace
-
-Soup read_ply(const MappedFile& file, Progress* progress) {
-  const PlyHeader header = read_ply_header(file);
+Soup read_encoding(const MappedFile& file, const PlyHeader& header, Progress* progress) {
   constexpr bool kIsLittle = std::endian::native == std::endian::little;
   switch (header.encoding) {
     case PlyEncoding::text:
@@ -393,6 +415,15 @@ Soup read_ply(const MappedFile& file, Progress* progress) {
       break;
   }
   return read_values<PlyBinaryValues<kIsLittle>>(file, header, progress);
+}
+
+}  // namespace
+
+Soup read_ply(const MappedFile& file, Progress* progress) {
+  const PlyHeader header = read_ply_header(file);
+  Soup soup = read_encoding(file, header, progress);
+  add_ply_materials(file, header.textures, soup);
+  return soup;
 }
 
 }  // namespace mesher::io

@@ -11,7 +11,9 @@ namespace mesher::io {
 ///
 /// Reads positions, normals, colors and texture coordinates of vertices; polygons (`vertex_indices`
 /// or `vertex_index`) with texture coordinates per corner (`texcoord`) and colors; and triangle
-/// strips. A face's color goes to its corners. Everything else is only named among the contents.
+/// strips. A face's color goes to its corners. Textures are read in MeshLab's way
+/// (engine/io/ply_textures.h). A `texcoord` list of another length costs its face the texture
+/// coordinates, with a warning. Everything else is only named among the contents.
 /// Coordinates far from zero, as text or doubles, are read again about an origin (`choose_origin`).
 ///
 /// This reader is our own for two reasons: it checks counts against the available bytes before it

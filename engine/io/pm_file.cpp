@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kBlock = std::size_t{1} << 16;
+constexpr std::size_t kPmReadBlock = std::size_t{1} << 16;
 /// Times of decoding, and of refining to full detail, which decoding has mostly done.
 constexpr double kReadWeights[] = {0.99, 0.01};
 
@@ -89,7 +89,7 @@ class Pipe {
   std::string name_;
   Progress* progress_;
   int descriptor_ = -1;
-  std::vector<std::byte> block_ = std::vector<std::byte>(kBlock);
+  std::vector<std::byte> block_ = std::vector<std::byte>(kPmReadBlock);
 };
 
 bool begins_like_pm(const fs::path& file) {
@@ -100,9 +100,9 @@ bool begins_like_pm(const fs::path& file) {
 }
 
 void feed_all(progressive::PmReader& reader, std::span<const std::byte> bytes, Progress* progress) {
-  for (std::size_t begin = 0; begin < bytes.size(); begin += kBlock) {
+  for (std::size_t begin = 0; begin < bytes.size(); begin += kPmReadBlock) {
     report(progress, static_cast<float>(double(begin) / double(bytes.size())));
-    reader.feed(bytes.subspan(begin, std::min(kBlock, bytes.size() - begin)));
+    reader.feed(bytes.subspan(begin, std::min(kPmReadBlock, bytes.size() - begin)));
     if (!reader.damage().empty()) break;
   }
   reader.finish();

@@ -2,6 +2,7 @@
 
 #include "engine/core/progress.h"
 #include "engine/io/atomic_file.h"
+#include "engine/io/write.h"
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/mesh.h"
 
@@ -13,9 +14,10 @@ namespace mesher::io {
 
 /// Writes PLY, little-endian binary or text. Normals, texture coordinates and colors are written
 /// per vertex if all corners of each vertex agree. Texture coordinates with seams are written as
-/// the faces' `texcoord` list. Positions are doubles unless `origin` is 0.
+/// the faces' `texcoord` list. Positions are doubles unless `origin` is 0. Base color textures are
+/// written in MeshLab's way (engine/io/ply_textures.h), with their images beside the file.
 void write_ply(AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
-               const glm::dvec3& origin, bool ascii, Progress* progress = nullptr);
+               const WriteOptions& options);
 
 /// Writes STL, binary or text, with face normals.
 /// Positions are those about zero in single precision, the only one of the format.

@@ -182,8 +182,7 @@ TEST(PlyRead, NamesWhatItDoesNotKeep) {
       "0\n5\n");
   EXPECT_EQ(soup.contents.names(Content::textures), std::vector<std::string>{"a b.png"});
   EXPECT_EQ(soup.contents.names(Content::own_properties),
-            (std::vector<std::string>{"vertex quality", "vertex flags", "face texnumber",
-                                      "element edge"}));
+            (std::vector<std::string>{"vertex quality", "vertex flags", "element edge"}));
   EXPECT_EQ(soup.contents[Content::uv_sets], 1U);
 }
 

@@ -66,6 +66,11 @@ std::string keys_in_code(const Command& command) {
   return text;
 }
 
+const char* text_of(io::HoldsMaterials holds) {
+  if (io::holds_look(holds)) return "yes";
+  return holds == io::HoldsMaterials::nothing ? "no" : "color textures";
+}
+
 const char* text_of(io::Holds holds) {
   switch (holds) {
     case io::Holds::nothing:
@@ -107,9 +112,8 @@ std::string reference_page() {
     if (format.write == nullptr) continue;
     page << "| " << format.name << " | `" << format.extension << "` | "
          << (format.holds.creases ? "yes" : "no") << " | " << (format.holds.groups ? "yes" : "no")
-         << " | " << (format.holds.materials != io::HoldsMaterials::nothing ? "yes" : "no") << " | "
-         << text_of(format.holds.texcoord) << " | " << text_of(format.holds.normal) << " | "
-         << text_of(format.holds.color) << " |\n";
+         << " | " << text_of(format.holds.materials) << " | " << text_of(format.holds.texcoord)
+         << " | " << text_of(format.holds.normal) << " | " << text_of(format.holds.color) << " |\n";
   }
   page << "\n## Keys\n\nThe sources refer to a command by its id.\n";
   for (const Choice<CommandGroup>& group : kCommandGroups) {
