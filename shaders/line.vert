@@ -1,6 +1,7 @@
 // Edges as quads in the window: six vertices per edge, wide enough for anti-aliased borders and
 // round ends. Round ends make joints look like one line. Variant ORDINARY: the ordinary edges of
-// the mesh, selected from all its half-edges. Variant MORPH: their ends move during a geomorph.
+// the mesh, selected from all its half-edges. Variant MORPH: their ends move during a geomorph; POSED: they
+// follow the joints and placements of a scene.
 #version 460
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require
@@ -9,6 +10,9 @@
 #ifdef MORPH
 #include "normal.glsl"
 #include "geomorph.glsl"
+#endif
+#ifdef POSED
+#include "pose.glsl"
 #endif
 
 layout(push_constant) uniform Constants { LineConstants constants; };
@@ -67,11 +71,15 @@ bool is_drawn(uint h, uint from, uint to) { return true; }
 #endif
 
 void fetch_ends(uint first, uint second, out vec3 a, out vec3 b) {
-#ifdef MORPH
+#if defined(MORPH)
   const GeomorphConstants time = Geomorph(constants.positions).at;
   a = fetch_position(time.positions, first);
   b = fetch_position(time.positions, second);
   morph(time, uvec2(first, second), a, b);
+#elif defined(POSED)
+  const PoseConstants pose = Pose(constants.positions).at;
+  a = posed_position(rows_of(pose, first), fetch_position(pose.positions, first));
+  b = posed_position(rows_of(pose, second), fetch_position(pose.positions, second));
 #else
   a = fetch_position(constants.positions, first);
   b = fetch_position(constants.positions, second);

@@ -1,6 +1,6 @@
 // Vertices of a surface that is drawn with materials. They take no vertex input but the number of a
 // corner: position and attributes are pulled by its vertex and its wedge. Variant WIRE passes
-// barycentric coordinates on.
+// barycentric coordinates on; MORPH moves vertices during a geomorph, and the others by a pose.
 #version 460
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require
@@ -9,6 +9,12 @@
 #include "normal.glsl"
 #include "attributes.glsl"
 #include "barycentric.glsl"
+#ifdef MORPH
+#include "geomorph.glsl"
+#include "light.glsl"
+#else
+#include "pose.glsl"
+#endif
 
 layout(push_constant) uniform Constants { LookConstants constants; };
 
@@ -63,12 +69,24 @@ void main() {
   const uint wedge = has_seams ? Uints(surface.at.wedges).at[h] : vertex;
   const uint sets = material.sets;
 
-  out_view = to_view(constants.view, fetch_position(surface.at.positions, vertex));
-  out_normal = turned(normal_of(surface, h, vertex, wedge));
+  vec3 position = fetch_position(surface.at.positions, vertex);
+  vec3 normal = normal_of(surface, h, vertex, wedge);
+  vec4 tangent = fetch_value(surface.at.tangent, wedge, vec4(0.0));
+#ifdef MORPH
+  morph(Geomorph(constants.geomorph).at, vertex, position);  // attributes stay unchanged
+#else
+  if (surface.at.pose.per_vertex != 0) {
+    const PoseRows rows = rows_of(surface.at.pose, vertex);
+    position = posed_position(rows, position);
+    normal = posed_normal(rows, normal);
+    tangent.xyz = posed_direction(rows, tangent.xyz);
+  }
+#endif
+  out_view = to_view(constants.view, position);
+  out_normal = turned(normal);
   out_texcoord.xy = fetch_value(surface.at.texcoord[sets & 255], wedge, vec4(0.0)).xy;
   out_texcoord.zw = fetch_value(surface.at.texcoord[sets >> 8], wedge, vec4(0.0)).xy;
   out_color = color_of(surface, wedge);
-  const vec4 tangent = fetch_value(surface.at.tangent, wedge, vec4(0.0));
   out_tangent = vec4(turned(tangent.xyz), tangent.w);
 #ifdef WIRE
   out_barycentric = barycentric(surface.at.classes, h);

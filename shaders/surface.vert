@@ -1,6 +1,7 @@
 // Vertices of a surface. Variants: GOURAUD passes normals on. PULLED takes no vertex input but the
 // index of a half-edge, so that corners of one vertex can differ in their barycentric coordinate,
 // and (CORNER_NORMALS) in their normal. MORPH moves vertices during a geomorph and colors them.
+// POSED moves them by the joints and placements of a scene.
 #version 460
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require
@@ -13,6 +14,9 @@
 #ifdef MORPH
 #include "geomorph.glsl"
 #include "light.glsl"
+#endif
+#ifdef POSED
+#include "pose.glsl"
 #endif
 
 layout(push_constant) uniform Constants { SurfaceConstants constants; };
@@ -46,8 +50,10 @@ GeomorphConstants geomorph() { return Geomorph(constants.positions).at; }
 #ifdef PULLED
 uint vertex_number() { return Uints(constants.indices).at[gl_VertexIndex]; }
 vec3 mesh_position(uint vertex) {
-#ifdef MORPH
+#if defined(MORPH)
   return fetch_position(geomorph().positions, vertex);
+#elif defined(POSED)
+  return fetch_position(Pose(constants.positions).at.positions, vertex);
 #else
   return fetch_position(constants.positions, vertex);
 #endif
@@ -82,6 +88,13 @@ void main() {
   morph(geomorph(), vertex, position);  // corner normals stay unchanged
 #endif
   out_tint = split_order_color(geomorph(), vertex, decode_color(constants.front));
+#endif
+#ifdef POSED
+  const PoseRows rows = rows_of(Pose(constants.positions).at, vertex);
+  position = posed_position(rows, position);
+#ifdef GOURAUD
+  n = posed_normal(rows, n);
+#endif
 #endif
 #ifdef PULLED
   out_barycentric = barycentric(constants.classes, gl_VertexIndex);

@@ -14,7 +14,7 @@
 #include "engine/core/text.h"
 #include "engine/io/atomic_file.h"
 #include "engine/io/format.h"
-#include "engine/io/image_size.h"
+#include "engine/io/image_header.h"
 #include "engine/io/losses.h"
 #include "engine/io/pm_file.h"
 #include "engine/io/read.h"
@@ -91,7 +91,8 @@ std::vector<ImageFacts> image_facts(const Model& model) {
     fact.name = FileContents::readable(image.path.empty() ? image.name : image.path.string());
     fact.type = image.mime_type;
     if (image.bytes == nullptr) continue;
-    fact.size = io::image_size(*image.bytes);
+    const io::ImageHeader header = io::read_image_header(*image.bytes);
+    if (header.width > 0 && header.height > 0) fact.size = glm::uvec2(header.width, header.height);
     fact.bytes = image.bytes->size();
   }
   return facts;
@@ -165,11 +166,6 @@ void move_origin(Model& model, const glm::dvec3& origin) {
   model.origin = origin;
 }
 
-void say_written(const std::string& output, const Mesh& mesh) {
-  say(fmt::format("{}: {} vertices, {}", output, count_text(mesh.vertex_count()),
-                  count_text(mesh.face_count(), "face")));
-}
-
 void write_model(const std::string& output, const Model& model, bool ascii,
                  const CommonOptions& common) {
   ProgressLine line(!common.quiet, std::filesystem::path(output).filename().string());
@@ -215,6 +211,10 @@ void say_findings(const Model& model) {
     say(warning);
 }
 
+void say_written(const std::string& output, std::uint32_t vertices, std::uint32_t faces) {
+  say(fmt::format("{}: {} vertices, {}", output, count_text(vertices), count_text(faces, "face")));
+}
+
 void say_losses(const std::string& output, const std::vector<std::string>& losses) {
   for (const std::string& loss : losses)
     say(fmt::format("{} does not hold {}", output, loss));
@@ -243,7 +243,7 @@ std::vector<std::string> write_result(const std::string& output, const Model& mo
   write_model(output, model, false, common);
   if (!common.quiet) {
     say_losses(output, losses);
-    say_written(output, model.mesh);
+    say_written(output, model.mesh.vertex_count(), model.mesh.face_count());
   }
   return losses;
 }
@@ -262,7 +262,8 @@ LoadedModel load(const InputOptions& input, const CommonOptions& common) {
       tag_creases_by_angle(loaded.model.mesh, glm::radians(*input.tag_creases_deg));
     }
     stages.next("counting");
-    loaded.statistics = statistics(loaded.model.mesh, line.progress());
+    loaded.statistics = scene::statistics(loaded.model.mesh, loaded.model.attributes,
+                                          loaded.model.scene.get(), line.progress());
   }
   if (!common.quiet) say_findings(loaded.model);
   if (loaded.pm) say_damage(loaded);
@@ -321,7 +322,7 @@ void run_convert(const InputOptions& input, const std::string& output, bool asci
   write_model(output, loaded.model, ascii, common);
   if (!common.quiet) {
     say_losses(output, losses);
-    say_written(output, mesh);
+    say_written(output, mesh.vertex_count(), mesh.face_count());
   }
   if (common.json) {
     Json json = model_json(loaded);

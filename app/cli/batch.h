@@ -32,6 +32,8 @@ void say_repairs(const BuildReport& report);
 void say_findings(const Model& model);
 /// Says what `output` does not hold of the model's file.
 void say_losses(const std::string& output, const std::vector<std::string>& losses);
+/// Prints the size of what was written.
+void say_written(const std::string& output, std::uint32_t vertices, std::uint32_t faces);
 
 /// Prints `json` on stdout.
 void print_json(const Json& json);

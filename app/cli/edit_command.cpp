@@ -12,6 +12,7 @@
 #include "app/document/shown.h"
 #include "app/edit/edit_text.h"
 #include "app/edit/edits.h"
+#include "app/files/save.h"
 #include "app/input/commands.h"
 #include "engine/core/error.h"
 
@@ -82,30 +83,29 @@ void run_edit(const InputOptions& input, const std::string& output, const std::s
   std::ranges::for_each(steps, check_step);
   check_output(output);
   Session session;
-  open_whole(session, input, common);
+  InputOptions shown = input;
+  shown.keeps_scene = true;  // as in the window, so that an edit gives the same there
+  open_whole(session, shown, common);
   for (const std::string& step : steps) {
     run_step(session, step);
     const std::string& notice = session.document.notice;
     if (!common.quiet && !notice.empty()) say(fmt::format("{}: {}", step, notice));
   }
-  Shape shape = shown_shape(session.document);
-  if (shape.mesh.face_count() == 0) {
+  if (shown_mesh(session.document).face_count() == 0)
     throw InputError(session.document.file.string(), 0, "has no faces to write");
+  session.saving.waiting = output;
+  const Saved saved = perform(*begin_save(session.saving, session.document));
+  if (!common.quiet) {
+    say_losses(output, saved.losses);
+    say_written(output, saved.vertices, saved.faces);
   }
-  Model model;
-  model.mesh = std::move(shape.mesh);
-  model.attributes = std::move(shape.attributes);
-  model.materials = session.document.model.materials;
-  model.contents = session.document.model.contents;
-  model.origin = session.document.model.origin;
-  const std::vector<std::string> losses = write_result(output, model, common);
   if (!common.json) return;
   print_json({{"input", session.document.file.string()},
               {"output", output},
               {"edits", steps_json(session.document.edits.history)},
-              {"vertices", model.mesh.vertex_count()},
-              {"faces", model.mesh.face_count()},
-              {"lost", losses}});
+              {"vertices", saved.vertices},
+              {"faces", saved.faces},
+              {"lost", saved.losses}});
 }
 
 }  // namespace mesher::app

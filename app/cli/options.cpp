@@ -54,7 +54,8 @@ void apply_shading(render::Settings& settings, const LookOptions& look) {
 io::ReadOptions read_options(const InputOptions& input) {
   io::ReadOptions options{.crease_index_base = input.crease_index_base,
                           .keep_isolated_vertices = input.keep_isolated,
-                          .weld = input.no_weld ? std::optional<double>() : input.weld_distance};
+                          .weld = input.no_weld ? std::optional<double>() : input.weld_distance,
+                          .keeps_scene = input.keeps_scene};
   if (input.animation) options.pose = {.animation = *input.animation, .time_s = input.time_s};
   return options;
 }

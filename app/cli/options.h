@@ -33,6 +33,7 @@ struct InputOptions {
   double weld_distance = 0.0;
   /// Edges whose face normals differ by more become infinitely sharp creases.
   std::optional<float> tag_creases_deg;
+  bool keeps_scene = false;              ///< as io::ReadOptions; not an option of the command line
   std::optional<std::string> animation;  ///< name or index; set: the model is posed by it
   double time_s = 0.0;                   ///< of the pose
 };

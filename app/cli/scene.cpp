@@ -28,13 +28,6 @@ bool is_gltf(const std::filesystem::path& file) {
   return format != nullptr && format->write_levels != nullptr;
 }
 
-void add(BuildReport& to, const BuildReport& report) {
-  for (std::size_t i = 0; i < kRepairs.size(); ++i) {
-    const auto repair = static_cast<Repair>(i);
-    to[repair] += report[repair];
-  }
-}
-
 /// Makes each mesh one that is written anew.
 void replace_all(std::vector<io::GltfMeshEdit>& edits, const LoadedScene& scene) {
   for (const io::GltfSceneMesh& mesh : scene.meshes) {
@@ -83,7 +76,7 @@ LoadedScene load_scene(const InputOptions& input, const CommonOptions& common) {
     loaded.meshes = loaded.scene->read_meshes(options);
   }
   for (io::GltfSceneMesh& mesh : loaded.meshes) {
-    add(loaded.report, mesh.model.report);
+    loaded.report += mesh.model.report;
     loaded.shows_any |= mesh.placements > 0;
     if (input.tag_creases_deg)
       tag_creases_by_angle(mesh.model.mesh, glm::radians(*input.tag_creases_deg));

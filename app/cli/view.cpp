@@ -177,20 +177,22 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
   if (!view.screenshot.empty() && !view.more.empty())
     throw UsageError("--screenshot: shows one model, and not also '" + view.more.front() + "'");
   Session session;
+  InputOptions shown = input;
+  shown.keeps_scene = true;
   session.wants_open = more_models(view);
   session.view.window = window;
   // Keys act on the whole model, and the sample is small.
   const bool is_whole = !view.screenshot.empty() || !keys.empty() || view.is_sample;
   RestOfModel rest;
   if (is_whole) {
-    open_whole(session, input, common);
+    open_whole(session, shown, common);
   } else {
     rest = begin_to_open(session, input, common);
   }
-  const auto frame = [&look](Session& shown) {
-    const Box& box = shown.document.statistics.box;
-    apply_look(shown.view, box, look);
-    if (look.camera.empty() && look.view.empty()) frame_from_default_view(shown.view, box);
+  const auto frame = [&look](Session& framed) {
+    const Box& box = framed.document.statistics.box;
+    apply_look(framed.view, box, look);
+    if (look.camera.empty() && look.view.empty()) frame_from_default_view(framed.view, box);
   };
   frame(session);
   session.shows_info = fits_docks(session.view.window, scale);

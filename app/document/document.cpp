@@ -19,6 +19,9 @@ void replace_model(Document& document, Model&& model, const Statistics& stats,
   document.source = {};
   document.stand_in.reset();
   document.opening = ++files_opened;
+  document.playback = {};
+  document.hidden.clear();
+  document.chosen_mesh = kNone;
   document.edits = {};
   document.edits.opened_faces = stats.faces;
   document.edits.opened_diagonal = stats.box.diagonal();

@@ -8,10 +8,12 @@
 #include "app/document/creases.h"
 #include "app/document/edits.h"
 #include "app/document/model_source.h"
+#include "app/document/playback.h"
 #include "app/document/progressive_view.h"
 #include "app/document/simplification.h"
 #include "engine/mesh/model.h"
 #include "engine/mesh/statistics.h"
+#include "engine/scene/placed.h"
 
 namespace mesher::app {
 
@@ -25,6 +27,10 @@ struct Document {
   /// A coarse copy of the model as it was opened, to be shown while drawing the model would take
   /// too long; null: it was not made then.
   std::shared_ptr<const Mesh> stand_in;
+  Playback playback;          ///< of the model's scene
+  scene::HiddenNodes hidden;  ///< of the model's scene
+  /// The mesh of the scene that edits apply to; none: to all.
+  std::uint32_t chosen_mesh = kNone;
   Edits edits;
   SimplifySettings simplify;
   subdivide::SubdivideOptions subdivide;  ///< those of kSubdivideRules

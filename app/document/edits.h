@@ -9,9 +9,9 @@
 #include "app/document/edit_task.h"
 #include "app/document/history.h"
 #include "app/document/lost_edits.h"
-#include "app/document/shape.h"
 #include "app/document/simplification.h"
 #include "app/document/subdivision.h"
+#include "engine/mesh/shape.h"
 
 namespace mesher::app {
 

@@ -9,7 +9,7 @@ bool has_question(const Session& session) {
 }
 
 void show_model(Session& session, Model&& model, const std::filesystem::path& file) {
-  const Statistics stats = statistics(model.mesh);
+  const Statistics stats = scene::statistics(model.mesh, model.attributes, model.scene.get());
   show_model(session, std::move(model), stats, file);
 }
 

@@ -14,6 +14,12 @@ Mesh& shown_mesh(Document& document) {
   return document.progressive.is_on() ? document.progressive.mesh().mesh() : document.model.mesh;
 }
 
+bool shows_placed(const Document& document) {
+  const scene::Scene* const scene = document.model.scene.get();
+  return scene != nullptr && !document.progressive.is_on() &&
+         (document.playback.is_on() || scene::differs_from_model(*scene, document.hidden));
+}
+
 Shape shown_shape(const Document& document) {
   if (!document.progressive.is_on()) return {document.model.mesh, document.model.attributes};
   const DetailLevels& levels = document.progressive.levels();
@@ -29,6 +35,13 @@ Shape level_shape(const Mesh& level, std::span<const Halfedge> face_source, cons
   for (std::size_t f = 0; f < faces.size(); ++f)
     faces[f] = Mesh::face(face_source[f]);
   return {level, simplify::carry_attributes({model, attributes}, level, faces)};
+}
+
+std::optional<Attributes> level_attributes(const Document& document) {
+  const ProgressiveView& view = document.progressive;
+  if (!view.is_on() || view.levels().face_source.empty()) return std::nullopt;
+  if (document.model.attributes.layers.empty()) return std::nullopt;
+  return shown_shape(document).attributes;
 }
 
 render::Settings shown_settings(render::Settings settings, const Document& document) {
@@ -51,8 +64,10 @@ render::Sources shown_sources(const Document& document) {
   }
   if (!view.has_geomorph()) return {};
   const progressive::Geomorph& geomorph = view.levels().geomorph;
-  return {.vertex_normals = geomorph.normals(),
-          .morph = {.heads = geomorph.heads(), .splits = geomorph.splits()}};
+  return {
+      .vertex_normals = geomorph.normals(),
+      .morph = {.heads = geomorph.heads(), .splits = geomorph.splits()},
+      .appearance = {.attributes = nullptr, .materials = document.model.materials, .decode = {}}};
 }
 
 render::MarkedEdges marked_edges(const CreaseMode& creases) {

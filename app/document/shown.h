@@ -1,10 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "app/document/document.h"
-#include "app/document/shape.h"
 #include "app/document/view.h"
+#include "engine/mesh/shape.h"
 #include "engine/render/gpu_mesh.h"
 #include "engine/render/settings.h"
 #include "engine/render/sources.h"
@@ -16,17 +17,24 @@ namespace mesher::app {
 const Mesh& shown_mesh(const Document& document);
 /// For the GPU's mirror of the mesh, which clears the mesh's change log.
 Mesh& shown_mesh(Document& document);
+/// Returns whether what the scene of the model shows is drawn, rather than the model itself: meshes
+/// at several places, posed by joints, or hidden. Levels of a progressive mesh are drawn as they
+/// are.
+bool shows_placed(const Document& document);
 /// That mesh with all geomorphs finished, and its attributes.
 Shape shown_shape(const Document& document);
 /// A level of a progressive mesh of a model, with its attributes. The sources are those
 /// of DetailLevels.
 Shape level_shape(const Mesh& level, std::span<const Halfedge> face_source, const Mesh& model,
                   const Attributes& attributes);
+/// Returns the attributes of the shown level of a progressive mesh, if it can be drawn in a look
+/// other than clay; otherwise none. O(F).
+std::optional<Attributes> level_attributes(const Document& document);
 /// The settings to draw with: those of the view, with the lines of crease editing and the state of
 /// the geomorph.
 render::Settings shown_settings(render::Settings settings, const Document& document);
-/// What the renderer needs besides the mesh. Levels of a progressive mesh have no attributes, so
-/// they are drawn as clay. The images of materials are still to be decoded.
+/// What the renderer needs besides the mesh. The attributes of levels of a progressive mesh are
+/// still to be added (level_attributes), and the images of materials to be decoded.
 render::Sources shown_sources(const Document& document);
 /// The edges that the renderer highlights: the selection, and the edge under the cursor.
 render::MarkedEdges marked_edges(const CreaseMode& creases);

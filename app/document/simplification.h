@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/mesh/ids.h"
 #include "engine/simplify/options.h"
 #include "engine/simplify/report.h"
 
@@ -15,6 +16,8 @@ namespace mesher::app {
 struct SimplifySettings {
   simplify::SimplifyOptions rules;  ///< those of kSimplifyRules; targets are set per edit
   float max_error_percent = 0.0F;   ///< of the diagonal; 0: no bound
+  /// The mesh of the scene that is simplified; none: all. Set per edit.
+  std::uint32_t mesh = kNone;
 
   friend bool operator==(const SimplifySettings&, const SimplifySettings&) = default;
 };

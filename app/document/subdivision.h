@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "app/document/shape.h"
+#include "engine/mesh/shape.h"
 #include "engine/subdivide/options.h"
 
 namespace mesher::app {
@@ -14,6 +14,7 @@ struct SubdivisionLevel {
   std::shared_ptr<const Shape> base;
   std::uint32_t level = 0;
   subdivide::SubdivideOptions rules;  ///< those of kSubdivideRules
+  std::uint32_t mesh = kNone;         ///< of the scene, which was subdivided; none: all
   /// Normals of the limit surface, one per corner; null: vertices were not moved to it.
   std::shared_ptr<const Array<glm::vec3>> limit_normals;
 };

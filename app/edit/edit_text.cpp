@@ -25,13 +25,13 @@ std::unique_ptr<EditTask> make_crease(EditWords& words, const Document&) {
 }
 
 constexpr EditKind kEditKinds[] = {
-    {"simplify", "rules of simplification", "remove 10 % of the faces", make_simplify},
-    {"simplify_edge", "rules of simplification", "collapse one edge", make_simplify},
-    {"simplify_to", "`faces=N` or `max-error=PERCENT` or both, rules of simplification",
+    {"simplify", "`mesh=N`, rules of simplification", "remove 10 % of the faces", make_simplify},
+    {"simplify_edge", "`mesh=N`, rules of simplification", "collapse one edge", make_simplify},
+    {"simplify_to", "`faces=N` or `max-error=PERCENT` or both, `mesh=N`, rules of simplification",
      "simplify the model as it was opened", make_simplify},
-    {"subdivide", "rules of subdivision", "go to the next level", make_subdivide},
-    {"coarsen", "rules of subdivision", "go to the previous level", make_subdivide},
-    {"change_rules", "rules of subdivision", "rebuild the shown level by other rules",
+    {"subdivide", "`mesh=N`, rules of subdivision", "go to the next level", make_subdivide},
+    {"coarsen", "`mesh=N`, rules of subdivision", "go to the previous level", make_subdivide},
+    {"change_rules", "`mesh=N`, rules of subdivision", "rebuild the shown level by other rules",
      make_subdivide},
     {"set_sharpness", "`to=2.5` or `to=inf`, `edges=0-4,7`", "set the sharpness of edges",
      make_crease},

@@ -25,6 +25,12 @@ class InstantEdit final : public ModelEdit {
   std::function<void(Document&)> change_;
 };
 
+SimplifySettings simplify_settings(const Document& document) {
+  SimplifySettings settings = document.simplify;
+  settings.mesh = document.chosen_mesh;
+  return settings;
+}
+
 }  // namespace
 
 void request(Edits& edits, std::unique_ptr<EditTask> task) {
@@ -32,27 +38,30 @@ void request(Edits& edits, std::unique_ptr<EditTask> task) {
 }
 
 void request_remove_tenth(Document& document) {
-  request(document.edits, remove_tenth_edit(document.simplify));
+  request(document.edits, remove_tenth_edit(simplify_settings(document)));
 }
 
 void request_collapse_edge(Document& document) {
-  request(document.edits, collapse_edge_edit(document.simplify));
+  request(document.edits, collapse_edge_edit(simplify_settings(document)));
 }
 
 void request_simplify_to(Document& document, std::uint32_t faces) {
-  request(document.edits, simplify_to_edit(document.simplify, faces));
+  request(document.edits, simplify_to_edit(simplify_settings(document), faces));
 }
 
 void request_subdivide(Document& document) {
-  request(document.edits, subdivide_edit(document.subdivide, LevelStep::finer));
+  request(document.edits,
+          subdivide_edit(document.subdivide, LevelStep::finer, document.chosen_mesh));
 }
 
 void request_previous_level(Document& document) {
-  request(document.edits, subdivide_edit(document.subdivide, LevelStep::coarser));
+  request(document.edits,
+          subdivide_edit(document.subdivide, LevelStep::coarser, document.chosen_mesh));
 }
 
 void request_same_level(Document& document) {
-  request(document.edits, subdivide_edit(document.subdivide, LevelStep::none));
+  request(document.edits,
+          subdivide_edit(document.subdivide, LevelStep::none, document.chosen_mesh));
 }
 
 std::unique_ptr<EditTask> crease_edit(const CreaseRequest& crease_request) {

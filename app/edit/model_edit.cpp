@@ -62,6 +62,7 @@ void ModelEdit::take_shown(Document& document) {
   shown_ = copy_of(document.model);
   if (!edits.opened) edits.opened = shown_;
   statistics_ = document.statistics;
+  scene_ = document.model.scene;
 }
 
 void ModelEdit::record(const Shape& shape, Progress* progress) {
@@ -77,7 +78,7 @@ void ModelEdit::record(const Shape& shape, Progress* progress) {
   }
   edit_.before = statistics_;
   stages.next();
-  edit_.after = statistics(shape.mesh, progress);
+  edit_.after = scene::statistics(shape.mesh, shape.attributes, scene_.get(), progress);
 }
 
 void record_edit(Document& document, Edit&& edit) {

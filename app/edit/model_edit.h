@@ -5,7 +5,7 @@
 #include "app/document/document.h"
 #include "app/document/edit_task.h"
 #include "app/document/history.h"
-#include "app/document/shape.h"
+#include "engine/mesh/shape.h"
 
 namespace mesher::app {
 
@@ -36,7 +36,8 @@ class ModelEdit : public EditTask {
   void record(const Shape& shape, Progress* progress);
 
   std::shared_ptr<const Shape> shown_;
-  Statistics statistics_;  ///< of the shown model
+  Statistics statistics_;                      ///< of the shown model
+  std::shared_ptr<const scene::Scene> scene_;  ///< as Model::scene
   Edit edit_;
 };
 

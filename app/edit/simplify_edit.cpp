@@ -6,10 +6,12 @@
 #include <string>
 #include <utility>
 
+#include "app/document/meshes.h"
 #include "app/document/words.h"
 #include "app/edit/distance_from_input.h"
 #include "app/edit/model_edit.h"
 #include "engine/core/text.h"
+#include "engine/scene/placed.h"
 #include "engine/simplify/attributes.h"
 #include "engine/simplify/simplify.h"
 
@@ -50,22 +52,39 @@ class SimplifyEdit final : public ModelEdit {
     Stages stages(progress, kSimplifyWeights);
     stages.next("simplifying");
     options_.progress = progress;
-    auto [simplified, carried, crosses_seams] =
-        simplify::simplify_model(Mesh(start_->mesh), start_->attributes, options_);
+    const Shape result = simplified();
     stages.next("finishing");
-    edit_.name = name(simplified.report.faces_reached);
-    outcome_ = {simplified.report, diagonal_, crosses_seams};
-    if (opened_ != start_ && simplified.mesh.face_count() <= kManyFaces) {
-      outcome_.error_from_opened = distance_from_input(opened_->mesh, simplified.mesh);
+    edit_.name = name(result.mesh.face_count());
+    if (opened_ != start_ && result.mesh.face_count() <= kManyFaces) {
+      outcome_.error_from_opened = distance_from_input(opened_->mesh, result.mesh);
     }
     stages.next();
-    record({std::move(simplified.mesh), std::move(carried)}, progress);
+    record(result, progress);
   }
 
  private:
+  /// Simplifies all meshes, or the chosen one, and notes the outcome.
+  Shape simplified() {
+    std::optional<Shape> chosen;
+    if (settings_.mesh != kNone)
+      chosen = scene::mesh_of(*start_, scene_->meshes.size(), settings_.mesh);
+    const Shape& from = chosen ? *chosen : *start_;
+    auto [result, carried, crosses_seams] =
+        simplify::simplify_model(Mesh(from.mesh), from.attributes, options_);
+    outcome_ = {result.report, diagonal_, crosses_seams};
+    Shape shape{std::move(result.mesh), std::move(carried)};
+    if (!chosen) return shape;
+    // The other meshes stay as they are shown.
+    return scene::with_mesh(*shown_, scene_->meshes.size(), settings_.mesh, std::move(shape));
+  }
+
   bool prepare(Document& document) override {
     if (document.model.mesh.face_count() == 0) {
       document.notice = "there is nothing to simplify";
+      return false;
+    }
+    if (!has_mesh(document, settings_.mesh)) {
+      document.notice = "there is no such mesh";
       return false;
     }
     take_shown(document);
@@ -77,6 +96,7 @@ class SimplifyEdit final : public ModelEdit {
     options_.target_faces = target_faces(start_->mesh.face_count());
     const std::string to = options_.target_faces > 0 ? count_text(options_.target_faces, "face")
                                                      : bound_text(settings_);
+    if (settings_.mesh != kNone) set_target_of_mesh();
     title_ = target_ == Target::one_edge ? "Collapsing an edge" : "Simplifying to " + to;
     return true;
   }
@@ -103,6 +123,7 @@ class SimplifyEdit final : public ModelEdit {
     if (target_ == Target::tenth_less) words = kTenthLess;
     if (target_ == Target::one_edge) words = kOneEdge;
     append_rules(words, settings_);
+    if (settings_.mesh != kNone) words += fmt::format(" mesh={}", settings_.mesh);
     return words;
   }
 
@@ -116,6 +137,17 @@ class SimplifyEdit final : public ModelEdit {
         break;
     }
     return faces_;
+  }
+
+  /// The target counts the faces of all meshes; the others keep theirs.
+  void set_target_of_mesh() {
+    const std::uint32_t own = face_count_of(shown_->attributes, settings_.mesh);
+    if (target_ != Target::faces) {
+      options_.target_faces = target_faces(own);
+    } else if (options_.target_faces > 0) {
+      const std::uint32_t others = shown_->mesh.face_count() - own;
+      options_.target_faces = options_.target_faces > others ? options_.target_faces - others : 1;
+    }
   }
 
   SimplifySettings settings_;
@@ -144,6 +176,7 @@ std::unique_ptr<EditTask> simplify_to_edit(const SimplifySettings& settings, std
 
 std::unique_ptr<EditTask> simplify_edit(EditWords& words, SimplifySettings settings) {
   take_rules(words, settings);
+  settings.mesh = words.take_number("mesh", kNone);
   if (words.name() == kTenthLess) return remove_tenth_edit(settings);
   if (words.name() == kOneEdge) return collapse_edge_edit(settings);
   if (settings.max_error_percent > 0.0F)

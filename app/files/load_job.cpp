@@ -33,6 +33,7 @@ LoadedModel load_model(const std::filesystem::path& file, LoadOptions options, P
   Stages stages(&progress, kLoadWeights);
   stages.next();
   options.read.progress = &progress;
+  options.read.keeps_scene = true;
   LoadedModel loaded = open_model(file, options.read);
   loaded.source = {.stamp = stamp_of(file),
                    .crease_index_base = options.read.crease_index_base,
@@ -42,7 +43,8 @@ LoadedModel load_model(const std::filesystem::path& file, LoadOptions options, P
   if (options.tag_creases_deg)
     tag_creases_by_angle(loaded.model.mesh, glm::radians(*options.tag_creases_deg));
   stages.next("counting");
-  loaded.statistics = statistics(loaded.model.mesh, &progress);
+  loaded.statistics = scene::statistics(loaded.model.mesh, loaded.model.attributes,
+                                        loaded.model.scene.get(), &progress);
   stages.next();
   if (loaded.statistics.faces > kStandInFrom)
     loaded.stand_in = make_stand_in(loaded.model.mesh, loaded.statistics);

@@ -7,6 +7,7 @@
 #include "app/files/picture.h"
 #include "app/files/turntable.h"
 #include "engine/core/error.h"
+#include "engine/io/image_decode.h"
 
 namespace mesher::app {
 namespace {
@@ -19,6 +20,23 @@ VkExtent2D shown_size(const View& view) {
 template <class T>
 Array<T> copied(std::span<const T> values) {
   return {values.begin(), values.end()};
+}
+
+render::Sources sources_of(const PictureTask& task) {
+  render::Sources sources{.corner_normals = task.corner_normals,
+                          .vertex_normals = task.vertex_normals,
+                          .morph = {.heads = task.heads, .splits = task.splits}};
+  sources.appearance.materials = task.materials;
+  sources.appearance.decode = [&task](std::span<const ImageRequest> images, const TakeImage& take) {
+    std::vector<std::string> problems;  // the window has shown them
+    io::decode_images(*task.materials, images, take, problems);
+  };
+  if (!task.attributes.is_empty()) sources.appearance.attributes = &task.attributes;
+  if (!task.scene) return sources;
+  sources.corner_normals = {};
+  sources.appearance.attributes = &task.scene->attributes();
+  sources.pose = task.scene->pose_source();
+  return sources;
 }
 
 }  // namespace
@@ -34,13 +52,23 @@ PictureTask begin_picture(const Document& document, const View& view, PictureReq
   const VkExtent2D size = shown_size(view);
   Image legend = legend_of_picture(shown_settings(view.settings, document), legend_facts(document),
                                    size, request.options);
+  std::optional<ScenePicture> scene;
+  if (shows_placed(document)) scene.emplace(document).pose(document);
+  // The edges of copies have other numbers.
+  const bool keeps_elements = !scene || scene->keeps_elements();
+  std::optional<Attributes> attributes = level_attributes(document);
+  if (!attributes && sources.appearance.attributes != nullptr && !scene)
+    attributes = *sources.appearance.attributes;
   return {.request = std::move(request),
-          .mesh = shown_mesh(document),
+          .mesh = scene ? Mesh() : shown_mesh(document),
+          .attributes = attributes ? std::move(*attributes) : Attributes(),
+          .materials = sources.appearance.materials,
+          .scene = std::move(scene),
           .corner_normals = copied(sources.corner_normals),
           .vertex_normals = copied(sources.vertex_normals),
           .heads = copied(sources.morph.heads),
           .splits = copied(sources.morph.splits),
-          .marked = marked_edges(document.creases),
+          .marked = keeps_elements ? marked_edges(document.creases) : render::MarkedEdges(),
           .settings = shown_settings(view.settings, document),
           .camera = view.camera,
           .box = document.statistics.box,
@@ -55,10 +83,7 @@ void perform(PictureTask& task, Progress* progress) {
   {
     gpu::Device device(instance, {.select = task.device});
     render::GpuMesh mesh(device);
-    mesh.apply(task.mesh, task.settings,
-               {.corner_normals = task.corner_normals,
-                .vertex_normals = task.vertex_normals,
-                .morph = {.heads = task.heads, .splits = task.splits}});
+    mesh.apply(task.scene ? task.scene->mesh() : task.mesh, task.settings, sources_of(task));
     mesh.mark(task.marked);
     render::Renderer renderer(device);
     const PictureScene scene{.device = device,

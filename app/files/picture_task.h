@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "app/document/document.h"
 #include "app/document/picture_options.h"
+#include "app/document/scene_picture.h"
 #include "app/document/view.h"
 #include "engine/core/image.h"
 #include "engine/core/progress.h"
@@ -30,6 +32,10 @@ std::string objection(const PictureRequest& request, const View& view);
 struct PictureTask {
   PictureRequest request;
   Mesh mesh;
+  Attributes attributes;                       ///< none: the mesh is drawn as clay
+  std::shared_ptr<const Materials> materials;  ///< as Model::materials
+  /// What the scene of the model shows, which is drawn instead of the mesh.
+  std::optional<ScenePicture> scene;
   Array<glm::vec3> corner_normals;  ///< this and the next three: render::Sources
   Array<std::uint32_t> vertex_normals;
   Array<std::uint32_t> heads;

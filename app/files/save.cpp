@@ -18,6 +18,7 @@
 #include "engine/io/pm_file.h"
 #include "engine/io/write.h"
 #include "engine/progressive/build.h"
+#include "engine/scene/placed.h"
 
 namespace mesher::app {
 namespace {
@@ -62,6 +63,33 @@ std::string extension_for(const Document& document, const Preferences& preferenc
 Shape written_shape(const Document& document, const fs::path& file) {
   if (io::has_pm_ending(file)) return {document.model.mesh, document.model.attributes};
   return shown_shape(document);
+}
+
+/// Returns whether a file can hold the scene that a model comes from.
+bool keeps_scene(const scene::Scene* scene, const fs::path& file) {
+  const io::FormatInfo* format = io::format_of(file);
+  return scene != nullptr && scene->source != nullptr && format != nullptr &&
+         format->write_scene != nullptr;
+}
+
+/// Returns what the scene shows of a model, for files that hold no scenes.
+Shape shown_by_scene(Shape&& shape, const scene::Scene* scene) {
+  if (scene == nullptr || !scene::differs_from_model(*scene)) return std::move(shape);
+  return scene::placed(shape.mesh, shape.attributes, *scene);
+}
+
+std::vector<std::string> losses_of(const SaveTask& task, const Shape& shape) {
+  return io::losses_in_format(task.file, shape.mesh, shape.attributes, task.materials.get(),
+                              task.contents, task.origin);
+}
+
+std::vector<std::string> write_scene(const SaveTask& task, Progress* progress) {
+  io::AtomicFile file(task.file);
+  std::vector<std::string> losses =
+      io::format_of(task.file)->write_scene(file, *task.shape, *task.scene, progress);
+  seal(progress);
+  file.commit(io::Flush::now);
+  return losses;
 }
 
 void write_progressive(const SaveTask& task, Progress* progress) {
@@ -132,7 +160,7 @@ void choose_format(Saving& saving, const std::string& extension) {
 
 std::vector<std::string> always_lost(const Document& document, const std::string& extension) {
   const io::FormatInfo* format = io::format_of("x" + extension);
-  if (format == nullptr) return {};
+  if (format == nullptr || keeps_scene(document.model.scene.get(), "x" + extension)) return {};
   const Attributes& attributes = document.model.attributes;
   std::vector<std::string> lost;
   const auto add = [&](bool is_there, bool is_held, const char* name) {
@@ -156,7 +184,9 @@ std::vector<std::string> always_lost(const Document& document, const std::string
 }
 
 std::vector<std::string> losses_of(const Document& document, const fs::path& file) {
-  const auto [mesh, attributes] = written_shape(document, file);
+  if (keeps_scene(document.model.scene.get(), file)) return {};
+  const auto [mesh, attributes] =
+      shown_by_scene(written_shape(document, file), document.model.scene.get());
   return io::losses_in_format(file, mesh, attributes, document.model.materials.get(),
                               document.model.contents, document.model.origin);
 }
@@ -180,6 +210,7 @@ std::optional<SaveTask> begin_save(Saving& saving, const Document& document) {
   SaveTask task{.file = *saving.waiting,
                 .shape = std::make_shared<const Shape>(written_shape(document, *saving.waiting)),
                 .materials = document.model.materials,
+                .scene = document.model.scene,
                 .contents = document.model.contents,
                 .origin = document.model.origin,
                 .levels = nullptr,
@@ -198,24 +229,31 @@ std::optional<SaveTask> begin_save(Saving& saving, const Document& document) {
 }
 
 Saved perform(const SaveTask& task, Progress* progress) {
-  const auto& [mesh, attributes] = *task.shape;
+  Saved saved{.file = task.file,
+              .vertices = task.shape->mesh.vertex_count(),
+              .faces = task.shape->mesh.face_count(),
+              .losses = {},
+              .opening = task.opening,
+              .state = task.state,
+              .then = task.then};
   if (io::has_pm_ending(task.file)) {
     write_progressive(task, progress);
+    saved.losses = losses_of(task, *task.shape);
+  } else if (keeps_scene(task.scene.get(), task.file)) {
+    saved.losses = write_scene(task, progress);
   } else {
+    const Shape shape = shown_by_scene(Shape(*task.shape), task.scene.get());
+    saved.vertices = shape.mesh.vertex_count();
+    saved.faces = shape.mesh.face_count();
     // Once it is saved, the journal of its edits is removed.
-    io::write_model(task.file, mesh, attributes,
+    io::write_model(task.file, shape.mesh, shape.attributes,
                     {.origin = task.origin,
                      .materials = task.materials,
                      .progress = progress,
                      .flush = io::Flush::now});
+    saved.losses = losses_of(task, shape);
   }
-  return {.file = task.file,
-          .faces = mesh.face_count(),
-          .losses = io::losses_in_format(task.file, mesh, attributes, task.materials.get(),
-                                         task.contents, task.origin),
-          .opening = task.opening,
-          .state = task.state,
-          .then = task.then};
+  return saved;
 }
 
 std::string notice_of(const Saved& saved) {

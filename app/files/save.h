@@ -12,7 +12,9 @@
 #include "engine/core/progress.h"
 #include "engine/mesh/contents.h"
 #include "engine/mesh/material.h"
+#include "engine/mesh/shape.h"
 #include "engine/progressive/progressive_mesh.h"
+#include "engine/scene/scene.h"
 #include "engine/simplify/options.h"
 
 namespace mesher::app {
@@ -20,7 +22,6 @@ namespace mesher::app {
 struct Document;
 struct Preferences;
 struct Saving;
-struct Shape;
 
 /// Returns a new name in the folder of the opened file, such as "bunny-edited.obj". The format is
 /// that of the file, or OBJ if only that can hold the creases.
@@ -49,7 +50,8 @@ void submit_save(Saving& saving, const Document& document,
 struct SaveTask {
   std::filesystem::path file;
   std::shared_ptr<const Shape> shape;
-  std::shared_ptr<const Materials> materials;  ///< this and the next two as in Model
+  std::shared_ptr<const Materials> materials;  ///< this and the next three as in Model
+  std::shared_ptr<const scene::Scene> scene;
   FileContents contents;
   glm::dvec3 origin{0.0};
   /// The progressive mesh to write into a .pm file; null: it is built by `rules` first.
@@ -62,6 +64,7 @@ struct SaveTask {
 };
 struct Saved {
   std::filesystem::path file;
+  std::uint32_t vertices = 0;
   std::uint32_t faces = 0;
   std::vector<std::string> losses;  ///< what the format cannot hold
   std::uint64_t opening = 0;        ///< this and the next two as in the task

@@ -205,12 +205,17 @@ const char* need_edits(const Document& document) {
   return document.source.stamp ? nullptr : "the model cannot be read again from its file";
 }
 
+const char* need_player(const Document& document) {
+  return has_animations(document) ? nullptr : need_progressive(document);
+}
+
 const char* need_progressive(const Document& document) {
   return document.progressive.is_on() ? nullptr
                                       : "press P first: this key works in progressive mode";
 }
 
 void play(Document& document) {
+  if (!document.progressive.is_on()) return play_animation(document);
   document.progressive.play(!document.progressive.is_playing());
 }
 

@@ -64,6 +64,8 @@ const char* need_redo(const Document& document);
 const char* need_edits(const Document& document);
 /// Returns why commands of progressive mode cannot run: the mode is off. Null: they can run.
 const char* need_progressive(const Document& document);
+/// The same, unless the model has an animation to play.
+const char* need_player(const Document& document);
 void play(Document& document);
 void detail_up(Document& document);
 void detail_down(Document& document);

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "app/document/meshes.h"
 #include "app/edit/crease_edits.h"
 #include "app/edit/edits.h"
 #include "app/edit/progressive_edits.h"
@@ -57,6 +58,10 @@ constexpr Command kCommands[] = {
     {"toggle_orthographic", "5", Group::look, "Orthographic", "orthographic or perspective",
      toggle_orthographic, nullptr, is_orthographic},
     {"frame_model", "f", Group::look, "Whole model", "show the whole model", frame_model},
+    {"isolate_mesh", "shift+i", Group::look, "Isolate mesh", "show the chosen mesh of a scene only",
+     isolate_chosen, need_chosen},
+    {"show_all", "shift+v", Group::look, "Show all nodes", "show all nodes of a scene",
+     show_all_nodes, need_hidden},
 
     {"simplify", "d", Group::simplify, "Remove 10 %", "remove 10 % of the faces",
      request_remove_tenth, need_model},
@@ -89,7 +94,8 @@ constexpr Command kCommands[] = {
 
     {"toggle_progressive", "p", Group::progressive, "Progressive mode",
      "progressive mode on or off", toggle_progressive, nullptr, is_progressive},
-    {"play", "space", Group::progressive, "Play or pause", "play or pause", play, need_progressive},
+    {"play", "space", Group::progressive, "Play or pause",
+     "play or pause: levels of detail, or an animation of the model", play, need_player},
     {"detail_up", "pageup shift+]", Group::progressive, "More detail", "more detail, by a tenth",
      detail_up, need_progressive},
     {"detail_down", "pagedown shift+[", Group::progressive, "Less detail",

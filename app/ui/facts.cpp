@@ -121,6 +121,7 @@ void draw_model_tool(Document& document, Ui& ui) {
   if (document.opening == 0) return faint_text("No model is open yet.");
   note_text(document.model.name);
   ImGui::TextWrapped("%s", document.model.name.c_str());
+  draw_scene(document, ui);
   draw_history(document, ui.shown_step);
   draw_size(document.statistics);
   draw_health(document);

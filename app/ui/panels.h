@@ -57,6 +57,15 @@ struct TagCount {
   std::uint32_t edges = 0;
 };
 
+/// The number of faces of each mesh of a scene and the nodes that are listed, and the state that
+/// they were found for.
+struct SceneList {
+  std::uint64_t generation = 0;
+  std::uint64_t revision = 0;
+  std::vector<std::uint32_t> faces;
+  std::vector<std::uint32_t> nodes;  ///< that lead to a mesh with faces
+};
+
 /// A folder that a dialog lists, as it was read.
 struct ShownFolder {
   Folder folder;
@@ -100,6 +109,7 @@ struct Ui {
   std::uint32_t target_faces = 0;
   float apply_height = 0.0F;  ///< of the tool's buttons, in the last frame
   TagCount tag_count;
+  SceneList scene_list;
   TimeLeft time_left;          ///< of the shown job
   std::size_t shown_step = 0;  ///< of the history, which was scrolled to it
 };
@@ -138,6 +148,8 @@ void draw_menus(const Session& session, Ui& ui);
 void draw_context_menu(Session& session, Ui& ui);
 void draw_rail(Session& session, Ui& ui);
 void draw_facts(Document& document, Ui& ui);
+/// The nodes of the model's scene, if it has one.
+void draw_scene(Document& document, Ui& ui);
 /// The panel of the tool.
 void draw_tool_panel(Session& session, Ui& ui);
 void draw_detail_bar(Document& document, Ui& ui);

@@ -4,6 +4,12 @@
 #include "engine/io/image_decode.h"
 
 namespace mesher::app {
+namespace {
+
+/// Faces of a level whose attributes are computed in each frame: about 10 ms.
+constexpr std::uint32_t kMostFacesPerFrame = 30'000;
+
+}  // namespace
 
 VkRect2D model_rectangle(const View& view, const VkExtent2D& extent) {
   const auto part = [](double from, double length, std::uint32_t most) {
@@ -17,24 +23,79 @@ VkRect2D model_rectangle(const View& view, const VkExtent2D& extent) {
   return {{x, y}, {width, height}};
 }
 
+/// Makes what the scene shows, if that is not the model itself. Returns whether another mesh is to
+/// be drawn than before.
+bool SceneMirror::place(const Document& document) {
+  if (!shows_placed(document)) {
+    const bool was_placed = placed_.has_value();
+    placed_.reset();
+    return was_placed;
+  }
+  const bool is_same = placed_ && placed_->generation == document.model_generation &&
+                       placed_->revision == document.edits.revision &&
+                       placed_->hidden == document.hidden;
+  if (is_same && placed_->playback == document.playback) return false;
+  if (!is_same) {
+    placed_.emplace(Placed{ScenePicture(document), document.model_generation,
+                           document.edits.revision, document.hidden, document.playback});
+  }
+  placed_->playback = document.playback;
+  return placed_->picture.pose(document) || !is_same;
+}
+
+/// Returns null for a level that is drawn as clay: so are large ones while they change, because
+/// their attributes take longer than a frame.
+const Attributes* SceneMirror::attributes_of_level(const Document& document) {
+  const ProgressiveView& view = document.progressive;
+  if (!view.is_on()) {
+    level_ = {};
+    return nullptr;
+  }
+  const Mesh& mesh = shown_mesh(document);
+  const bool is_same = level_.generation == document.model_generation &&
+                       level_.revision == document.edits.revision &&
+                       level_.vertices == mesh.vertex_count();
+  if (!is_same) {
+    const bool is_still = level_seen_ == mesh.vertex_count() && !view.is_playing();
+    level_seen_ = mesh.vertex_count();
+    level_ = {};
+    if (mesh.face_count() > kMostFacesPerFrame && !is_still) return nullptr;
+    level_ = {level_attributes(document), document.model_generation, document.edits.revision,
+              mesh.vertex_count()};
+  }
+  return level_.attributes ? &*level_.attributes : nullptr;
+}
+
 bool SceneMirror::update(Document& document, const render::Settings& chosen,
                          const std::optional<render::PictureView>& picture) {
   bool is_changed = generation_ != document.model_generation;
+  if (place(document)) is_changed = true;
   if (is_changed) mesh_.invalidate();
   generation_ = document.model_generation;
   const std::uint32_t faces_before = mesh_.face_count();
   const render::Settings settings = shown_settings(chosen, document);
   render::Sources sources = shown_sources(document);
-  sources.appearance.picture = picture;
+  if (document.progressive.is_on()) sources.appearance.attributes = attributes_of_level(document);
+  if (placed_) {
+    sources.corner_normals = {};
+    sources.appearance.attributes = &placed_->picture.attributes();
+    sources.pose = placed_->picture.pose_source();
+  } else {
+    sources.appearance.picture = picture;
+  }
   std::vector<std::string> problems;
   sources.appearance.decode = [&](std::span<const ImageRequest> images, const TakeImage& take) {
     io::decode_images(*sources.appearance.materials, images, take, problems);
   };
-  const render::UploadStats upload = mesh_.apply(shown_mesh(document), settings, sources);
+  Mesh& mesh = placed_ ? placed_->picture.mesh() : shown_mesh(document);
+  const render::UploadStats upload = mesh_.apply(mesh, settings, sources);
   if (is_changed) not_decoded_.clear();
   for (std::string& problem : problems)
     document.notice = not_decoded_.emplace_back(std::move(problem));
-  if (mesh_.mark(marked_edges(document.creases))) is_changed = true;
+  // The edges of copies have other numbers.
+  if (mesh_.mark(placed_ && !placed_->picture.keeps_elements() ? render::MarkedEdges()
+                                                               : marked_edges(document.creases)))
+    is_changed = true;
   if (upload.uploaded_bytes > 0) last_upload_ = upload;
   settings_ = settings;
   return is_changed || upload.uploaded_bytes > 0 || mesh_.face_count() != faces_before;

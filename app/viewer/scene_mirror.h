@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "app/document/document.h"
+#include "app/document/scene_picture.h"
 #include "app/document/view.h"
 #include "engine/render/gpu_mesh.h"
 #include "engine/render/settings.h"
+#include "engine/scene/placed.h"
 
 namespace mesher::app {
 
@@ -40,7 +42,28 @@ class SceneMirror {
   std::vector<std::string> not_drawn() const;
 
  private:
+  bool place(const Document& document);
+  const Attributes* attributes_of_level(const Document& document);
+
   render::GpuMesh mesh_;
+  /// What the scene of the model shows, if that is not the model itself, and what it was made of.
+  struct Placed {
+    ScenePicture picture;
+    std::uint64_t generation = 0;
+    std::uint64_t revision = 0;
+    scene::HiddenNodes hidden;
+    Playback playback;
+  };
+  std::optional<Placed> placed_;
+  /// The attributes of the shown level of a progressive mesh, and what they were made for.
+  struct LevelLook {
+    std::optional<Attributes> attributes;
+    std::uint64_t generation = 0;
+    std::uint64_t revision = 0;
+    std::uint32_t vertices = 0;  ///< of the level: each has another number
+  };
+  LevelLook level_;
+  std::uint32_t level_seen_ = 0;  ///< vertices of the level in the last frame
   render::UploadStats last_upload_;
   std::optional<render::Settings> settings_;
   std::vector<std::string> not_decoded_;  ///< of not_drawn()

@@ -312,6 +312,7 @@ class Viewer {
     moved_at_s_ = now;
     is_moving_ = session_.document.progressive.advance(
         step, shown_pixels_per_unit(session_.document, session_.view));
+    if (advance_animation(session_.document, step)) is_moving_ = true;
     if (is_moving_) want_frames();
   }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/io/gltf_model.h"
 #include "engine/io/gltf_read.h"
 #include "engine/io/obj_read.h"
 #include "engine/io/obj_write.h"
@@ -87,6 +88,11 @@ constexpr FormatInfo kFormats[] = {
      .write_levels =
          [](AtomicFile& file, std::span<const GltfLevel> levels, const WriteOptions& o) {
            write_gltf(file, levels, gltf_options(o, false));
+         },
+     .read_scene = read_gltf_model,
+     .write_scene =
+         [](AtomicFile& file, const Shape& shape, const scene::Scene& scene, Progress* progress) {
+           return write_gltf_model(file, shape, scene, false, progress);
          }},
     {.name = "binary glTF",
      .extension = ".glb",
@@ -98,9 +104,12 @@ constexpr FormatInfo kFormats[] = {
      .write =
          [](AtomicFile& file, const Mesh& mesh, const Attributes& attributes,
             const WriteOptions& o) { write_gltf(file, mesh, attributes, gltf_options(o, true)); },
-     .write_levels =
-         [](AtomicFile& file, std::span<const GltfLevel> levels, const WriteOptions& o) {
-           write_gltf(file, levels, gltf_options(o, true));
+     .write_levels = [](AtomicFile& file, std::span<const GltfLevel> levels,
+                        const WriteOptions& o) { write_gltf(file, levels, gltf_options(o, true)); },
+     .read_scene = read_gltf_model,
+     .write_scene =
+         [](AtomicFile& file, const Shape& shape, const scene::Scene& scene, Progress* progress) {
+           return write_gltf_model(file, shape, scene, true, progress);
          }},
     {.name = "progressive mesh", .extension = ".pm", .holds = {.creases = true}},
 };

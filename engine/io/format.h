@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "engine/io/atomic_file.h"
 #include "engine/io/gltf_write.h"
@@ -14,6 +15,9 @@
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/build/soup.h"
 #include "engine/mesh/mesh.h"
+#include "engine/mesh/model.h"
+#include "engine/mesh/shape.h"
+#include "engine/scene/scene.h"
 
 namespace mesher::io {
 
@@ -63,6 +67,11 @@ struct FormatInfo {
   /// Writes several levels of detail into one file. Null: a file holds one level.
   void (*write_levels)(AtomicFile& file, std::span<const GltfLevel> levels,
                        const WriteOptions& options) = nullptr;
+  /// Reads a file as a model with Model::scene, and writes it with the meshes of a shape: see
+  /// gltf_model.h. Null: a file holds no scene.
+  Model (*read_scene)(const std::filesystem::path& file, const ReadOptions& options) = nullptr;
+  std::vector<std::string> (*write_scene)(AtomicFile& file, const Shape& shape,
+                                          const scene::Scene& scene, Progress* progress) = nullptr;
 };
 
 /// Returns all formats, in the order in which messages list them.

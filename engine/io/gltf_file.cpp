@@ -315,7 +315,7 @@ std::unique_ptr<GltfFile::Buffer> GltfFile::open_buffer(std::uint64_t index) {
     buffer->decoded = decoded_uri(uri);
     buffer->bytes = buffer->decoded;
   } else {
-    buffer->file = std::make_unique<MappedFile>(file_of(uri));
+    buffer->file = std::make_unique<MappedFile>(file_of(uri), progress_, file_.keep());
     buffer->bytes = buffer->file->bytes();
   }
   const std::uint64_t length = find_number(json, "byteLength").value_or(0);

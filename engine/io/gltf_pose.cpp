@@ -12,14 +12,6 @@ namespace {
 
 using Json = GltfFile::Json;
 
-glm::dmat4 composed(const glm::dvec3& t, const glm::dquat& q, const glm::dvec3& s) {
-  glm::dmat4 matrix = glm::mat4_cast(q);
-  for (int i = 0; i < 3; ++i)
-    matrix[i] *= s[i];
-  matrix[3] = glm::dvec4(t, 1.0);
-  return matrix;
-}
-
 /// Returns all values of an accessor named in an object, or nothing.
 Array<float> values_of(GltfFile& gltf, const Json& object, const char* key, std::size_t components,
                        std::size_t first, std::size_t count) {
@@ -29,23 +21,25 @@ Array<float> values_of(GltfFile& gltf, const Json& object, const char* key, std:
 
 }  // namespace
 
-glm::dmat4 local_transform(const GltfFile& gltf, const Json& node) {
+scene::Transform node_transform(const GltfFile& gltf, const Json& node) {
+  scene::Transform transform;
   if (const auto values = gltf.find_vector(node, "matrix", 16)) {
-    glm::dmat4 matrix(1.0);
+    glm::dmat4& matrix = transform.matrix.emplace(1.0);
     for (int i = 0; i < 16; ++i)
       matrix[i / 4][i % 4] = (*values)[static_cast<std::size_t>(i)];
-    return matrix;
+    return transform;
   }
-  glm::dvec3 translation(0.0);
-  glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
-  glm::dvec3 scale(1.0);
   if (const auto t = gltf.find_vector(node, "translation", 3))
-    translation = {(*t)[0], (*t)[1], (*t)[2]};
-  if (const auto q = gltf.find_vector(node, "rotation", 4)) {
-    rotation = glm::dquat((*q)[3], (*q)[0], (*q)[1], (*q)[2]);
-  }
-  if (const auto s = gltf.find_vector(node, "scale", 3)) scale = {(*s)[0], (*s)[1], (*s)[2]};
-  return composed(translation, rotation, scale);
+    transform.translation = {(*t)[0], (*t)[1], (*t)[2]};
+  if (const auto q = gltf.find_vector(node, "rotation", 4))
+    transform.rotation = glm::dquat((*q)[3], (*q)[0], (*q)[1], (*q)[2]);
+  if (const auto s = gltf.find_vector(node, "scale", 3))
+    transform.scale = {(*s)[0], (*s)[1], (*s)[2]};
+  return transform;
+}
+
+glm::dmat4 local_transform(const GltfFile& gltf, const Json& node) {
+  return node_transform(gltf, node).to_matrix();
 }
 
 std::optional<std::vector<glm::dmat4>> instance_transforms(GltfFile& gltf, const Json& node,
@@ -79,13 +73,14 @@ std::optional<std::vector<glm::dmat4>> instance_transforms(GltfFile& gltf, const
                   : glm::dquat(q[4 * i + 3], q[4 * i], q[4 * i + 1], q[4 * i + 2]);
     const glm::dvec3 scale =
         s.empty() ? glm::dvec3(1.0) : glm::dvec3(s[3 * i], s[3 * i + 1], s[3 * i + 2]);
-    transforms.push_back(composed(translation, rotation, scale));
+    transforms.push_back(
+        scene::Transform{.translation = translation, .rotation = rotation, .scale = scale}
+            .to_matrix());
   }
   return transforms;
 }
 
-std::vector<glm::dmat4> joint_transforms(GltfFile& gltf, std::uint64_t skin,
-                                         const NodeTransforms& nodes) {
+scene::Skin read_skin(GltfFile& gltf, std::uint64_t skin) {
   const Json& json = gltf.element("skins", skin);
   const auto joints = json.find("joints");
   if (joints == json.end() || !joints->is_array()) gltf.fail("a skin has no joints");
@@ -93,21 +88,29 @@ std::vector<glm::dmat4> joint_transforms(GltfFile& gltf, std::uint64_t skin,
   if (const auto accessor = gltf.find_number(json, "inverseBindMatrices")) {
     inverse = gltf.floats(*accessor, 16, 0, joints->size());
   }
-  std::vector<glm::dmat4> transforms;
+  scene::Skin result;
   for (std::size_t j = 0; j < joints->size(); ++j) {
     if (!(*joints)[j].is_number_unsigned()) gltf.fail("a joint is not a node");
-    const auto index = (*joints)[j].get<std::uint64_t>();
-    const Json& node = gltf.element("nodes", index);
-    const auto placed = nodes.find(index);
-    glm::dmat4 matrix = placed != nodes.end() ? placed->second : local_transform(gltf, node);
-    if (!inverse.empty()) {
-      glm::dmat4 bind(1.0);
-      for (std::size_t i = 0; i < 16; ++i) {
-        bind[static_cast<int>(i / 4)][static_cast<int>(i % 4)] = double(inverse[16 * j + i]);
-      }
-      matrix *= bind;
-    }
-    transforms.push_back(matrix);
+    const auto node = (*joints)[j].get<std::uint64_t>();
+    gltf.element("nodes", node);
+    result.joints.push_back(static_cast<std::uint32_t>(node));
+    glm::dmat4& bind = result.inverse_binds.emplace_back(1.0);
+    for (std::size_t i = 0; i < 16 && !inverse.empty(); ++i)
+      bind[static_cast<int>(i / 4)][static_cast<int>(i % 4)] = double(inverse[16 * j + i]);
+  }
+  return result;
+}
+
+std::vector<glm::dmat4> joint_transforms(GltfFile& gltf, std::uint64_t skin,
+                                         const NodeTransforms& nodes) {
+  const scene::Skin read = read_skin(gltf, skin);
+  std::vector<glm::dmat4> transforms;
+  for (std::size_t j = 0; j < read.joints.size(); ++j) {
+    const auto placed = nodes.find(read.joints[j]);
+    const glm::dmat4 matrix = placed != nodes.end()
+                                  ? placed->second
+                                  : local_transform(gltf, gltf.element("nodes", read.joints[j]));
+    transforms.push_back(matrix * read.inverse_binds[j]);
   }
   return transforms;
 }
@@ -170,10 +173,6 @@ std::vector<double> morph_weights(const GltfFile& gltf, const Json& node) {
   const auto mesh = gltf.find_number(node, "mesh");
   if (!read(node) && mesh && *mesh < gltf.count("meshes")) read(gltf.element("meshes", *mesh));
   return weights;
-}
-
-glm::dmat3 normal_transform(const glm::dmat3& linear) {
-  return glm::determinant(linear) != 0.0 ? glm::transpose(glm::inverse(linear)) : linear;
 }
 
 void turn_normal(const glm::dmat3& of_normals, glm::vec3& n) {

@@ -11,10 +11,13 @@
 
 #include "engine/core/array.h"
 #include "engine/io/gltf_file.h"
+#include "engine/scene/scene.h"
 
 namespace mesher::io {
 
 /// Returns the transform of a node relative to its parent.
+scene::Transform node_transform(const GltfFile& gltf, const GltfFile::Json& node);
+/// The same as a matrix.
 glm::dmat4 local_transform(const GltfFile& gltf, const GltfFile::Json& node);
 
 /// Returns the transforms of the instances of a node with EXT_mesh_gpu_instancing, relative to the
@@ -25,6 +28,9 @@ std::optional<std::vector<glm::dmat4>> instance_transforms(GltfFile& gltf,
 
 /// Transforms of nodes to the scene.
 using NodeTransforms = std::unordered_map<std::uint64_t, glm::dmat4>;
+
+/// Returns the joints of a skin. Throws InputError.
+scene::Skin read_skin(GltfFile& gltf, std::uint64_t skin);
 
 /// Returns for each joint of a skin the transform of vertices that follow it alone. The transform
 /// of the node that holds the mesh does not count.
@@ -47,9 +53,6 @@ void add_morph_targets(GltfFile& gltf, const GltfFile::Json& primitive,
 /// Returns the default weights of the morph targets of a node's mesh; those of the node count
 /// first.
 std::vector<double> morph_weights(const GltfFile& gltf, const GltfFile::Json& node);
-
-/// Returns the transform of normals that belongs to one of positions, up to their length.
-glm::dmat3 normal_transform(const glm::dmat3& linear);
 
 /// Transforms a normal; leaves one that vanishes as it is.
 void turn_normal(const glm::dmat3& of_normals, glm::vec3& n);

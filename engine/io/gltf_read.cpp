@@ -27,6 +27,7 @@
 #include "engine/io/gltf_pose.h"
 #include "engine/io/gltf_triangles.h"
 #include "engine/io/join.h"
+#include "engine/scene/transform.h"
 
 namespace mesher::io {
 namespace {
@@ -258,7 +259,7 @@ class GltfReader {
     for (glm::vec3& p : primitive.positions)
       p = placed_position(to_world, p);
     const glm::dmat3 linear(to_world);
-    const glm::dmat3 of_normals = normal_transform(linear);
+    const glm::dmat3 of_normals = scene::normal_transform(linear);
     for (glm::vec3& n : primitive.normals)
       turn_normal(of_normals, n);
     if (glm::determinant(linear) < 0.0) turn_inside_out(primitive);
@@ -269,7 +270,8 @@ class GltfReader {
       glm::vec3& p = primitive.positions[v];
       p = placed_position(primitive.transforms[v], p);
       if (primitive.normals.empty()) continue;
-      turn_normal(normal_transform(glm::dmat3(primitive.transforms[v])), primitive.normals[v]);
+      turn_normal(scene::normal_transform(glm::dmat3(primitive.transforms[v])),
+                  primitive.normals[v]);
     }
     if (glm::determinant(glm::dmat3(primitive.transforms[primitive.triangles[0]])) < 0.0) {
       turn_inside_out(primitive);

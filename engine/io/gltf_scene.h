@@ -11,6 +11,7 @@
 #include "engine/mesh/contents.h"
 #include "engine/mesh/model.h"
 #include "engine/mesh/statistics.h"
+#include "engine/scene/scene.h"
 
 namespace mesher::io {
 
@@ -28,11 +29,15 @@ struct GltfSceneMesh {
 class GltfScene {
  public:
   /// Reads the document and notes its contents. Throws InputError; Cancelled.
-  GltfScene(const std::filesystem::path& file, const ReadOptions& options = {});
+  /// `keep`: how the bytes of its files are kept.
+  GltfScene(const std::filesystem::path& file, const ReadOptions& options = {},
+            Keep keep = Keep::mapped);
 
   /// The document. Non-const, because buffers are opened when they are needed.
   GltfFile& document() { return gltf_; }
   const FileContents& contents() const { return contents_; }
+  /// How the document arranges its meshes. Whether they have triangles is not known yet.
+  const scene::Scene& graph() const { return graph_; }
 
   /// Reads all meshes that have triangles, each once, however often it is shown. Their sizes have
   /// the limits of read_gltf. O(size). Throws InputError; Cancelled.
@@ -43,23 +48,10 @@ class GltfScene {
   Box bounds(const std::vector<GltfSceneMesh>& meshes) const;
 
  private:
-  struct Placement {
-    std::uint64_t mesh;
-    glm::dmat4 to_world;
-  };
-  /// The placements of one mesh.
-  struct Use {
-    std::uint64_t count = 0;
-    double scale = 0.0;
-  };
-  void find_placements(const Progress* progress);
-  void place(std::uint64_t mesh, const glm::dmat4& to_world);
-
   MappedFile file_;
   GltfFile gltf_;
   FileContents contents_;
-  std::vector<Placement> placements_;
-  std::vector<Use> uses_;  ///< of each mesh
+  scene::Scene graph_;
 };
 
 }  // namespace mesher::io

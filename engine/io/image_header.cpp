@@ -88,6 +88,10 @@ ImageHeader read_image_header(std::string_view bytes) {
   if (header.has(0, "\x89PNG\r\n\x1a\n")) return png_header(header);
   if (header.has(0, "\xff\xd8\xff")) return jpeg_header(header);
   if (header.has(0, "RIFF") && header.has(8, "WEBP")) return webp_header(header);
+  if (header.has(0, "\xABKTX 20\xBB\r\n\x1a\n") && header.size() >= 28)
+    return {ImageCoding::unknown, header.little(20, 4), header.little(24, 4)};
+  if (header.has(0, "DDS ") && header.size() >= 20)
+    return {ImageCoding::unknown, header.little(16, 4), header.little(12, 4)};
   return {};
 }
 

@@ -18,8 +18,9 @@ struct ImageHeader {
   std::size_t pixel_bytes() const { return std::size_t{4} * width * height; }
 };
 
-/// Reads the header of a PNG, JPEG or WebP, which the bytes tell apart. It uses no library, so that
-/// no file can crash it. O(bytes before the frame of a JPEG), otherwise O(1).
+/// Reads the header of a PNG, JPEG or WebP, which the bytes tell apart, and the size of a KTX2 or
+/// DDS image, whose coding is unknown. It uses no library, so that no file can crash it. O(bytes
+/// before the frame of a JPEG), otherwise O(1).
 ImageHeader read_image_header(std::string_view bytes);
 
 }  // namespace mesher::io

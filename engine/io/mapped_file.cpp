@@ -36,8 +36,8 @@ void wait_for_data(int descriptor, Progress* progress) {
 
 }  // namespace
 
-MappedFile::MappedFile(const std::filesystem::path& file, Progress* progress)
-    : name_(file.string()) {
+MappedFile::MappedFile(const std::filesystem::path& file, Progress* progress, Keep keep)
+    : name_(file.string()), keep_(keep) {
   // Open without blocking: a pipe without a writer must not delay cancellation.
   const Descriptor in{::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
   if (in.fd < 0) fail("cannot open");
@@ -47,7 +47,7 @@ MappedFile::MappedFile(const std::filesystem::path& file, Progress* progress)
   // Devices are refused because their data may never end. A terminal is a device too.
   if (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)) throw InputError(name_, 0, "is a device");
   // Files under /proc report size 0 but are not empty, so they are read block by block.
-  if (S_ISREG(status.st_mode) && status.st_size > 0) {
+  if (S_ISREG(status.st_mode) && status.st_size > 0 && keep == Keep::mapped) {
     map(in.fd, static_cast<std::size_t>(status.st_size));
   } else {
     read_blocks(in.fd, progress);

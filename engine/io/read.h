@@ -27,6 +27,9 @@ struct ReadOptions {
   /// Vertices at most this far apart are joined, in model units. 0: those at equal positions.
   /// Unset: none.
   std::optional<double> weld = 0.0;
+  /// Read a file with a scene as a model with Model::scene, which holds each mesh once. Otherwise a
+  /// model is all that the scene shows.
+  bool keeps_scene = false;
   /// Unset: the nodes as the file has them. Only formats with animations have poses to choose
   /// (FormatInfo::has_animations); others are refused.
   std::optional<PoseChoice> pose = std::nullopt;

@@ -137,6 +137,7 @@ struct FaceGroup {
   std::string name;                ///< `g` of OBJ
   std::string smoothing;           ///< `s` of OBJ: normals are continuous among faces of one number
   std::uint32_t material = kNone;  ///< index into Materials (engine/mesh/material.h)
+  std::uint32_t mesh = kNone;      ///< index into Scene::meshes (engine/scene/scene.h)
   std::uint32_t primitive = kNone;  ///< of the mesh in a glTF file
 
   friend bool operator==(const FaceGroup&, const FaceGroup&) = default;

@@ -63,6 +63,16 @@ double Box::diagonal() const {
   return is_empty() ? 0.0 : glm::length(glm::dvec3(max) - glm::dvec3(min));
 }
 
+void extend(Box& box, const Box& by, const glm::dmat4& transform) {
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const glm::dvec4 p((corner & 1U) != 0 ? by.max.x : by.min.x,
+                       (corner & 2U) != 0 ? by.max.y : by.min.y,
+                       (corner & 4U) != 0 ? by.max.z : by.min.z, 1.0);
+    const glm::vec3 q(transform * p);
+    if (is_finite(q)) extend(box, q);
+  }
+}
+
 Box bounding_box(const Mesh& mesh) {
   const auto positions = mesh.positions();
   if (positions.empty()) return {};

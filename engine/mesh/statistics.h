@@ -1,7 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <glm/common.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -20,6 +23,20 @@ struct Box {
   /// overflow.
   double diagonal() const;
 };
+
+/// Enlarges a box so that it contains a point.
+inline void extend(Box& box, const glm::vec3& p) {
+  if (box.is_empty()) box = {p, p};
+  box.min = glm::min(box.min, p);
+  box.max = glm::max(box.max, p);
+}
+/// Returns whether all coordinates are numbers.
+inline bool is_finite(const glm::vec3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+/// Enlarges a box so that it contains another one after a transform. Corners that the transform
+/// takes beyond the range of numbers are left out.
+void extend(Box& box, const Box& by, const glm::dmat4& transform);
 
 /// Returns the box of all positions. O(V), parallel.
 Box bounding_box(const Mesh& mesh);

@@ -22,7 +22,8 @@ void GpuAppearance::update(const Mesh& mesh, const Settings& settings, const App
     upload_whole(device_, model_->faces, std::as_bytes(std::span(order.faces)), 0, stats);
     model_->batches = std::move(order.batches);
   }
-  model_->materials.update(mesh, appearance, look_);
+  if (!materials_) materials_.emplace(device_);
+  materials_->update(mesh, appearance, look_);
 }
 
 void GpuAppearance::place(shared::SurfaceBlock block) {

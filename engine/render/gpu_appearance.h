@@ -30,17 +30,16 @@ class GpuAppearance {
   /// The faces in their order; 0: as in the mesh.
   VkDeviceAddress faces() const { return model_->has_order ? model_->faces.address() : 0; }
   const std::vector<Batch>& batches() const { return model_->batches; }
-  const GpuMaterials& materials() const { return model_->materials; }
+  const GpuMaterials& materials() const { return *materials_; }
   /// What is not drawn of the model, a line for each.
   std::vector<std::string> problems() const {
-    return look_ == Look::clay ? std::vector<std::string>{} : model_->materials.problems();
+    return look_ == Look::clay ? std::vector<std::string>{} : materials_->problems();
   }
 
  private:
   struct ModelParts {
-    explicit ModelParts(gpu::Device& device) : attributes(device), materials(device) {}
+    explicit ModelParts(gpu::Device& device) : attributes(device) {}
     GpuAttributes attributes;
-    GpuMaterials materials;
     bool has_order = false;
     gpu::Buffer faces;
     std::vector<Batch> batches;
@@ -50,7 +49,8 @@ class GpuAppearance {
 
   gpu::Device& device_;
   Look look_ = Look::clay;
-  std::optional<ModelParts> model_;  ///< none until it is drawn
+  std::optional<ModelParts> model_;        ///< none until it is drawn
+  std::optional<GpuMaterials> materials_;  ///< the same; kept while clay is drawn
 };
 
 }  // namespace mesher::render

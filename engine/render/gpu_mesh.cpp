@@ -71,8 +71,9 @@ UploadStats GpuMesh::apply(Mesh& mesh, const Settings& settings, const Sources& 
                    .can_split = !lines_.creases.empty()},
                   is_new, stats);
   morph_.update(mesh, sources, is_new, stats);
-  appearance_.update(mesh, settings, sources.appearance,
-                     is_new || is_smaller || has_changed_shape(mesh.changes()), stats);
+  const bool is_changed = is_new || is_smaller || has_changed_shape(mesh.changes());
+  pose_.update(mesh, sources.pose, positions_.address(), is_changed, stats);
+  appearance_.update(mesh, settings, sources.appearance, is_changed, stats);
   appearance_.place(surface_block());
   is_valid_ = true;
   mesh.changes().clear();
@@ -184,6 +185,7 @@ shared::SurfaceBlock GpuMesh::surface_block() const {
   block.indices = indices_.address();
   block.classes = class_buffer_.address();
   block.normals = normals_.buffer().address();
+  block.pose = pose_.constants();
   if (normals_.mode() == GpuNormals::Mode::vertex) block.flags |= shared::kVertexNormals;
   if (normals_.mode() == GpuNormals::Mode::corner) block.flags |= shared::kCornerNormals;
   return block;

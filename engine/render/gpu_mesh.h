@@ -10,6 +10,7 @@
 #include "engine/render/gpu_appearance.h"
 #include "engine/render/gpu_morph.h"
 #include "engine/render/gpu_normals.h"
+#include "engine/render/gpu_pose.h"
 #include "engine/render/line_edges.h"
 #include "engine/render/mesh_box.h"
 #include "engine/render/settings.h"
@@ -33,7 +34,7 @@ struct MarkedEdges {
 class GpuMesh {
  public:
   explicit GpuMesh(gpu::Device& device)
-      : device_(device), normals_(device), morph_(device), appearance_(device) {}
+      : device_(device), normals_(device), morph_(device), pose_(device), appearance_(device) {}
 
   /// Updates the mirror from `mesh` and the normals that `settings` need, and clears
   /// `mesh.changes()`.
@@ -68,13 +69,14 @@ class GpuMesh {
   }
   bool has_hovered() const { return marked_.hovered.is_valid(); }
   /// Returns a box that contains everything drawn: see MeshBox.
-  const Box& box() const { return box_.get(); }
+  const Box& box() const { return pose_.is_empty() ? box_.get() : pose_.box(); }
 
   const gpu::Buffer& positions() const { return positions_; }   ///< vec3 per vertex
   const gpu::Buffer& indices() const { return indices_; }       ///< uint per half-edge
   const gpu::Buffer& classes() const { return class_buffer_; }  ///< 16 half-edges per uint
   const GpuNormals& normals() const { return normals_; }
   const GpuMorph& morph() const { return morph_; }  ///< how vertices move during a geomorph
+  const GpuPose& pose() const { return pose_; }     ///< how a scene moves vertices
   const GpuAppearance& appearance() const { return appearance_; }
   /// Edges drawn as lines of their own (Line: half-edge and weight, two words), in ascending order.
   /// So the image does not depend on the edits that led to the mesh.
@@ -120,6 +122,7 @@ class GpuMesh {
   gpu::Buffer mark_buffer_;
   GpuNormals normals_;
   GpuMorph morph_;
+  GpuPose pose_;
   GpuAppearance appearance_;
 };
 

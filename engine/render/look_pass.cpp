@@ -40,8 +40,9 @@ void draw_batch(LookPipelines& pipelines, const LookFrame& frame, const Batch& b
   const Look look = frame.appearance.look();
   const GpuMaterials& materials = frame.appearance.materials();
   const bool blends = batch.blends && shows_materials(look);
-  vkCmdBindPipeline(frame.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                    pipelines.get({look, frame.has_wire, blends}, frame.target));
+  vkCmdBindPipeline(
+      frame.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+      pipelines.get({look, frame.has_wire, blends, frame.constants.geomorph != 0}, frame.target));
   const VkDescriptorSet set = materials.set(batch.material);
   vkCmdBindDescriptorSets(frame.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 0, 1,
                           &set, 0, nullptr);

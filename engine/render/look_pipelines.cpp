@@ -7,6 +7,11 @@
 namespace mesher::render {
 namespace {
 
+shaders::Words vertex_shader(const LookPass& pass) {
+  if (pass.morphs) return pass.has_wire ? shaders::kLookMorphWireVert : shaders::kLookMorphVert;
+  return pass.has_wire ? shaders::kLookWireVert : shaders::kLookVert;
+}
+
 shaders::Words fragment_shader(const LookPass& pass) {
   switch (pass.look) {
     case Look::base_color:
@@ -39,7 +44,7 @@ VkPipeline LookPipelines::get(const LookPass& pass, const SceneTarget& target) {
   gpu::UniquePipeline& pipeline = pipelines_[pass];
   if (!pipeline) {
     gpu::PipelineOptions options;
-    options.vertex_shader = pass.has_wire ? shaders::kLookWireVert : shaders::kLookVert;
+    options.vertex_shader = vertex_shader(pass);
     options.fragment_shader = fragment_shader(pass);
     options.color_format = format_;
     options.depth_format = SceneTarget::kDepthFormat;

@@ -13,6 +13,7 @@ struct LookPass {
   Look look = Look::material;
   bool has_wire = false;  ///< with ordinary edges on the surface
   bool blends = false;
+  bool morphs = false;  ///< vertices move during a geomorph
   friend auto operator<=>(const LookPass&, const LookPass&) = default;
 };
 

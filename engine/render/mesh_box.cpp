@@ -1,18 +1,11 @@
 #include "engine/render/mesh_box.h"
 
-#include <glm/common.hpp>
 #include <vector>
 
 #include "engine/core/parallel.h"
 
 namespace mesher::render {
 namespace {
-
-void extend(Box& box, const glm::vec3& p) {
-  if (box.is_empty()) box = {p, p};
-  box.min = glm::min(box.min, p);
-  box.max = glm::max(box.max, p);
-}
 
 /// Adds the position of a vertex and the positions that it or an ancestor had at coarser levels.
 void extend_by_positions(Box& box, const Mesh& mesh, const MorphSource& morph, Vertex v) {

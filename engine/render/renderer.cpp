@@ -109,6 +109,11 @@ class Recording {
     positions_ = block;
     vertices_ = Vertices::morphed;
   }
+  /// Makes later draws move vertices by the mesh's pose.
+  void pose() {
+    positions_ = mesh_.pose().block();
+    vertices_ = Vertices::posed;
+  }
   void begin(const Color& background, const SlicePlace& place = {});
   void end(const SlicePlace& place = {});
   /// Draws a part of the work. Pre: the rendering has begun.
@@ -231,6 +236,7 @@ void Recording::look(const Settings& settings, const FaceRange& faces) {
   constants.line = pack(edge_color(settings), kEdgeStrength);
   constants.line_width = kEdgeWidth * line_scale(part_);
   constants.front = pack(settings.front, static_cast<float>(part_.pixel_ratio) / 255.0F);
+  if (vertices_ == Vertices::morphed) constants.geomorph = positions_;
   draw_look(look_pipelines_,
             {.commands = commands_,
              .target = target_,
@@ -306,7 +312,7 @@ void Recording::lone_edges(Pass by_quads, Pass by_faces, const Settings& setting
 void Recording::pass(std::uint32_t number, const Settings& settings, const FaceRange& faces) {
   const bool is_end = faces.first + faces.count == mesh_.face_count();
   if (settings.shading != Shading::none) {
-    const bool is_clay = vertices_ == Vertices::morphed || mesh_.appearance().look() == Look::clay;
+    const bool is_clay = settings.colors_by_split_order || mesh_.appearance().look() == Look::clay;
     if (is_clay) {
       surface(surface_pass(mesh_, settings), settings, faces);
     } else {
@@ -365,6 +371,8 @@ void Renderer::draw_slice(VkCommandBuffer commands, const SceneTarget& target, c
   Recording recording(commands, pipelines_, look_pipelines_, target, mesh, camera, part, section);
   if (mesh.face_count() > 0 && needs_geomorph(mesh, settings)) {
     recording.morph(geomorph_.write(commands, mesh, settings));
+  } else if (!mesh.pose().is_empty()) {
+    recording.pose();
   }
   const SlicePlace place{.is_first = slice.begin == 0,
                          .is_last = slice.end >= work(mesh, settings)};

@@ -76,9 +76,56 @@ PassShaders morphed_shaders_of(Pass pass) {
   return shaders_of(pass);
 }
 
+PassShaders posed_shaders_of(Pass pass) {
+  PassShaders code = shaders_of(pass);
+  switch (pass) {
+    case Pass::bare:
+      break;  // the reference stays unchanged
+    case Pass::depth:
+    case Pass::flat:
+      code.vertex = shaders::kFlatPosedVert;
+      break;
+    case Pass::gouraud:
+      code.vertex = shaders::kGouraudPosedVert;
+      break;
+    case Pass::gouraud_corner:
+    case Pass::gouraud_corner_wire:
+      code.vertex = shaders::kGouraudCornerPosedVert;
+      break;
+    case Pass::flat_wire:
+    case Pass::wire_hidden:
+    case Pass::wire_visible:
+      code.vertex = shaders::kFlatPulledPosedVert;
+      break;
+    case Pass::gouraud_wire:
+      code.vertex = shaders::kGouraudPulledPosedVert;
+      break;
+    case Pass::edge_hidden:
+    case Pass::edge_visible:
+      code.vertex = shaders::kEdgePosedVert;
+      break;
+    case Pass::line_hidden:
+    case Pass::line_visible:
+      code.vertex = shaders::kLinePosedVert;
+      break;
+  }
+  return code;
+}
+
+PassShaders shaders_of(Pass pass, Vertices vertices) {
+  switch (vertices) {
+    case Vertices::still:
+      break;
+    case Vertices::morphed:
+      return morphed_shaders_of(pass);
+    case Vertices::posed:
+      return posed_shaders_of(pass);
+  }
+  return shaders_of(pass);
+}
+
 gpu::PipelineOptions options_of(Pass pass, Vertices vertices) {
-  const PassShaders code =
-      vertices == Vertices::morphed ? morphed_shaders_of(pass) : shaders_of(pass);
+  const PassShaders code = shaders_of(pass, vertices);
   gpu::PipelineOptions options;
   options.vertex_shader = code.vertex;
   options.fragment_shader = code.fragment;

@@ -32,8 +32,9 @@ inline constexpr std::size_t kPassCount = 14;
 enum class Vertices : std::uint8_t {
   still,    ///< the mesh's positions
   morphed,  ///< moved by growing splits, and colored per vertex if requested
+  posed,    ///< moved by the matrices of a palette
 };
-inline constexpr std::size_t kVerticesCount = 2;
+inline constexpr std::size_t kVerticesCount = 3;
 
 /// Returns whether a pass takes indexed vertices (positions, and normals for `gouraud`) rather than
 /// pulling them by half-edge index.

@@ -30,12 +30,22 @@ extern const Words kFlatWireTintFrag;
 extern const Words kGouraudWireTintFrag;
 extern const Words kLineMorphVert;
 extern const Words kEdgeMorphVert;
+// The same with vertices that follow the matrices of a palette.
+extern const Words kFlatPosedVert;
+extern const Words kGouraudPosedVert;
+extern const Words kFlatPulledPosedVert;
+extern const Words kGouraudPulledPosedVert;
+extern const Words kGouraudCornerPosedVert;
+extern const Words kLinePosedVert;
+extern const Words kEdgePosedVert;
 extern const Words kLineVert;  ///< listed edges as quads
 extern const Words kEdgeVert;  ///< every ordinary edge as a quad
 extern const Words kLineFrag;
 // Surfaces with materials, in each look. The Wire variants have ordinary edges.
 extern const Words kLookVert;  ///< by half-edge, with attributes by wedge
 extern const Words kLookWireVert;
+extern const Words kLookMorphVert;  ///< with vertices that move during a geomorph
+extern const Words kLookMorphWireVert;
 extern const Words kMaterialFrag;
 extern const Words kMaterialWireFrag;
 extern const Words kBaseColorFrag;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -13,7 +14,9 @@
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/geomorph.h"
 #include "engine/mesh/material.h"
+#include "engine/mesh/statistics.h"
 #include "engine/render/picture_view.h"
+#include "shaders/shared/constants.h"
 
 namespace mesher::render {
 
@@ -42,6 +45,17 @@ struct MorphSource {
 using DecodeImages =
     std::function<void(std::span<const ImageRequest> requests, const TakeImage& take)>;
 
+/// How the vertices of a mesh are moved when they are drawn: each by the mean of some matrices.
+struct PoseSource {
+  /// Three rows of each matrix; they may change between calls.
+  std::span<const glm::vec4> palette;
+  /// The same number for every vertex. They may change only with the mesh.
+  std::span<const shared::PoseInfluence> influences;
+  Box box;  ///< around all that is drawn
+
+  bool is_empty() const { return influences.empty(); }
+};
+
 /// What the surface of a mesh looks like.
 struct Appearance {
   /// May change only with the positions or origins of the mesh; null: the mesh is drawn as clay.
@@ -61,6 +75,7 @@ struct Sources {
   /// whatever creases there are. They may change like the heads.
   std::span<const std::uint32_t> vertex_normals;
   MorphSource morph;
+  PoseSource pose;  ///< of a mesh without `morph`
   Appearance appearance;
 };
 

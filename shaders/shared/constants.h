@@ -75,8 +75,24 @@ struct GeomorphConstants {
   uint unused;              // pads to a multiple of 8 bytes
 };
 
+/// How much a vertex follows a matrix of the palette.
+struct PoseInfluence {
+  uint matrix;
+  float weight;
+};
+
+/// The data that poses vertices. In POSED variants, `positions` is its address, as in MORPH ones.
+struct PoseConstants {
+  Address positions;
+  Address influences;  // PoseInfluence, `per_vertex` for each vertex
+  Address palette;     // vec4[3] per matrix: its rows
+  uint per_vertex;     // 0: vertices stay where they are
+  uint unused;
+};
+
 #ifdef __cplusplus
 static_assert(sizeof(ViewConstants) == 80);
+static_assert(sizeof(PoseInfluence) == 8 && sizeof(PoseConstants) == 32);
 static_assert(sizeof(GeomorphConstants) == 56);
 static_assert(sizeof(SurfaceConstants) == 128 && sizeof(LineConstants) == 128);
 }  // namespace mesher::render::shared

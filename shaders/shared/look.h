@@ -34,6 +34,7 @@ struct SurfaceBlock {
   Address classes;
   Address normals;
   Address wedges;  // uint per half-edge
+  PoseConstants pose;
   uint flags;
   uint unused;
   LayerConstants normal;
@@ -87,12 +88,14 @@ struct LookConstants {
   float line_width;
   uint front;
   uint unused;
+  Address geomorph;  // GeomorphConstants, in MORPH variants
+  uint padding[2];
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(SurfaceBlock) == 48 + 7 * 16);
+static_assert(sizeof(SurfaceBlock) == 80 + 7 * 16);
 static_assert(sizeof(MaterialBlock) == 256);
-static_assert(sizeof(LookConstants) == 112);
+static_assert(sizeof(LookConstants) == 128);
 }  // namespace mesher::render::shared
 #endif
 

@@ -20,7 +20,6 @@
 #include <vector>
 
 #include "app/document/session.h"
-#include "app/document/shape.h"
 #include "app/edit/edit_runner.h"
 #include "app/edit/edits.h"
 #include "app/edit/progressive_edits.h"
@@ -30,6 +29,7 @@
 #include "engine/core/canceled_jobs.h"
 #include "engine/io/read.h"
 #include "engine/mesh/delta.h"
+#include "engine/mesh/shape.h"
 #include "tests/support/temp_folder.h"
 
 namespace mesher::bench {

@@ -13,6 +13,7 @@
 namespace mesher {
 namespace {
 
+using test::edit_scene_or_refuse;
 using test::read_or_refuse;
 using test::rewrite_or_refuse;
 using test::Specimen;
@@ -121,7 +122,10 @@ TEST(Mutation, EveryMutantIsReadOrRejected) {
       SCOPED_TRACE(sound.name + " mutant " + std::to_string(i) + ":\n" + printable(bytes));
       const auto file = folder.write("mutant" + sound.extension, bytes);
       if (read_or_refuse(file)) ++read;
-      if (sound.extension.starts_with(".gl")) rewrite_or_refuse(file);
+      if (sound.extension.starts_with(".gl")) {
+        rewrite_or_refuse(file);
+        edit_scene_or_refuse(file);
+      }
       if (is_animated && read_or_refuse(file, nullptr, kPosed)) ++posed;
       if (testing::Test::HasFailure()) return;  // the first failure is enough
     }

@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/io/gltf_model.h"
 #include "engine/io/gltf_rewrite.h"
 #include "engine/io/gltf_scene.h"
 #include "engine/mesh/validate.h"
+#include "engine/scene/placed.h"
 
 namespace mesher::test {
 namespace {
@@ -57,6 +59,27 @@ std::optional<Model> read_or_refuse(const std::filesystem::path& file, std::stri
     if (refusal != nullptr) *refusal = message;
     return std::nullopt;
   }
+}
+
+void edit_scene_or_refuse(const std::filesystem::path& file) {
+  const std::filesystem::path output = file.parent_path() / "edited.glb";
+  try {
+    std::optional<Model> model = read_or_refuse(file, nullptr, {.keeps_scene = true});
+    if (!model) return;
+    const Shape shown = scene::placed(model->mesh, model->attributes, *model->scene);
+    EXPECT_TRUE(validate(shown.mesh).empty());
+    EXPECT_TRUE(validate(shown.mesh, shown.attributes).empty());
+    const glm::vec3 p = model->mesh.position(Vertex(0));
+    model->mesh.set_position(Vertex(0), 0.5F * p);
+    io::AtomicFile written(output);
+    io::write_gltf_model(written, {model->mesh, model->attributes}, *model->scene, true, nullptr);
+    written.commit();
+    EXPECT_EQ(io::read_model(output, {.keeps_scene = true}).mesh.face_count(),
+              model->mesh.face_count());
+  } catch (const InputError& error) {
+    expect_one_line(error.what(), file);
+  }
+  std::filesystem::remove(output);
 }
 
 void rewrite_or_refuse(const std::filesystem::path& file) {

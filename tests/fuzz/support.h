@@ -36,6 +36,10 @@ std::optional<Model> read_or_refuse(const std::filesystem::path& file,
                                     std::string* refusal = nullptr,
                                     const io::ReadOptions& options = {});
 
+/// Reads a glTF file as the window does, makes what its scene shows, and writes it again with a
+/// vertex moved: the results must be valid, or the file must be refused as above.
+void edit_scene_or_refuse(const std::filesystem::path& file);
+
 /// Rewrites a glTF file with each mesh replaced by two levels, and reads the result: it must be
 /// readable, or the file must be refused as above.
 void rewrite_or_refuse(const std::filesystem::path& file);

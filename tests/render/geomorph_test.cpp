@@ -186,6 +186,39 @@ TEST_F(GeomorphTest, ShadersAgreeWithTheCppFormula) {
   }
 }
 
+/// Attributes with a color for each vertex, by its number.
+Attributes colored(const Mesh& mesh) {
+  Attributes attributes;
+  AttributeLayer colors(color_type(), mesh.vertex_count());
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
+    store(colors, v, {0.1 + 0.08 * (v % 11), 0.1 + 0.12 * (v % 7), 0.1 + 0.2 * (v % 4), 1.0});
+  attributes.layers.push_back(std::move(colors));
+  return attributes;
+}
+
+TEST_F(GeomorphTest, LooksWithAttributesMoveAsClayDoes) {
+  Growing growing(torus());
+  const Attributes attributes = colored(growing.mesh.mesh());
+  const GeomorphTime time = GeomorphTime::continuous(0.6 * growing.count(), 0.3 * growing.count());
+  std::vector<std::uint32_t> normals;
+  Mesh still = standing_still(growing, time, normals);
+  for (const bool wireframe : {false, true}) {
+    const Settings settings{.look = Look::base_color, .wireframe = wireframe};
+    Drawer drawer(device());
+    Sources moving = growing.sources();
+    moving.appearance.attributes = &attributes;
+    const Image before = drawer.draw(growing.mesh.mesh(), growing.camera, settings, moving);
+    const Image image =
+        drawer.draw(growing.mesh.mesh(), growing.camera, at(settings, time), moving);
+    Drawer plain(device());
+    Sources standing{.vertex_normals = normals};
+    standing.appearance.attributes = &attributes;
+    const Image expected = plain.draw(still, growing.camera, settings, standing);
+    EXPECT_LE(count_different(image, expected, 2), 8U) << wireframe;
+    EXPECT_GT(count_different(image, before, 2), 500U) << wireframe;
+  }
+}
+
 TEST_F(GeomorphTest, EdgesOfLargeMeshesMoveToo) {
   // Above 50,000 faces, edges are drawn with their faces.
   Growing growing(build_mesh(test::torus(260, 120)).mesh, 20'000);

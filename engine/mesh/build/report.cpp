@@ -13,4 +13,10 @@ bool BuildReport::is_clean() const {
                      [](std::uint64_t n) { return n == 0; });
 }
 
+BuildReport& BuildReport::operator+=(const BuildReport& other) {
+  for (std::size_t i = 0; i < counts_.size(); ++i)
+    counts_[i] += other.counts_[i];
+  return *this;
+}
+
 }  // namespace mesher

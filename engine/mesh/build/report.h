@@ -90,6 +90,8 @@ class BuildReport {
     return counts_[static_cast<std::size_t>(repair)];
   }
   bool is_clean() const;
+  /// Adds the counts of another part of the model.
+  BuildReport& operator+=(const BuildReport& other);
 
  private:
   std::array<std::uint64_t, kRepairs.size()> counts_{};

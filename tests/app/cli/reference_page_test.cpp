@@ -126,7 +126,8 @@ std::string reference_page() {
   }
   page << "\n## Edits\n\n`mesher edit --do` takes the ids of commands that change the model, and "
           "these edits with values (`simplify_to faces=500 cost=length`). Rules of simplification "
-          "also include `max-error=PERCENT`. An edge is named by its lower half-edge; without "
+          "also include `max-error=PERCENT`. `mesh` is the number of a mesh of the scene, in the "
+          "order of the file. An edge is named by its lower half-edge; without "
           "`edges`, the selected edges are meant.\n\n| edit | values | effect |\n|---|---|---|\n";
   for (const EditKind& kind : edit_kinds())
     page << "| `" << kind.name << "` | " << kind.values << " | " << kind.help << " |\n";

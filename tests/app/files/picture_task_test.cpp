@@ -10,8 +10,10 @@
 #include "engine/core/job.h"
 #include "engine/gpu/result.h"
 #include "engine/io/png.h"
+#include "engine/io/read.h"
 #include "tests/support/assets.h"
 #include "tests/support/fault_layer.h"
+#include "tests/support/gltf_scene_file.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/webp_file.h"
 
@@ -50,6 +52,42 @@ TEST_F(PictureTaskTest, DrawsWhatTheWindowShows) {
     script_.press(parse_keys(keys));
     EXPECT_EQ(drawn().rgba, script_.picture().rgba) << keys;
   }
+}
+
+TEST_F(PictureTaskTest, DrawsScenesWithTheirMaterials) {
+  show_model(session_,
+             io::read_model(folder_.write("s.gltf", test::scene_file()), {.keeps_scene = true}),
+             "s.gltf");
+  session_.view.settings.look = render::Look::base_color;
+  const Image whole = drawn();
+  EXPECT_EQ(whole.rgba, script_.picture().rgba);
+  session_.document.hidden = {false, true, false, false, false};
+  const Image hidden = drawn();
+  EXPECT_NE(hidden.rgba, whole.rgba);
+  EXPECT_EQ(hidden.rgba, script_.picture().rgba);
+  session_.document.hidden.clear();
+  session_.document.playback = {.animation = 0, .time_s = 0.5};
+  const Image turned = drawn();
+  EXPECT_NE(turned.rgba, whole.rgba);
+  EXPECT_EQ(turned.rgba, script_.picture().rgba);
+}
+
+TEST_F(PictureTaskTest, DrawsLevelsWithTheirColors) {
+  Model model;
+  model.mesh = test::asset("bunny_1k.obj");
+  AttributeLayer colors(color_type(), model.mesh.vertex_count());
+  for (std::uint32_t v = 0; v < model.mesh.vertex_count(); ++v)
+    store(colors, v, {1.0, v % 2 == 0 ? 0.0 : 0.5, 0.0, 1.0});
+  model.attributes.layers.push_back(std::move(colors));
+  show_model(session_, std::move(model), "colored.ply");
+  session_.view.settings.look = render::Look::base_color;
+  script_.press(parse_keys("p pagedown pagedown"));
+  const Image level = drawn();
+  EXPECT_EQ(level.rgba, script_.picture().rgba);
+  // Nothing on the model has blue; clay would.
+  const std::uint8_t* const middle = level.pixel(60, 50);
+  EXPECT_GT(middle[0], 200);
+  EXPECT_EQ(middle[2], 0);
 }
 
 TEST_F(PictureTaskTest, LostGpuLeavesNoFile) {

@@ -3,12 +3,12 @@
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/mesh.h"
 
-namespace mesher::app {
+namespace mesher {
 
-/// The parts of a model that edits change.
+/// A mesh with its attributes: the parts of a model that edits change.
 struct Shape {
   Mesh mesh;
   Attributes attributes;
 };
 
-}  // namespace mesher::app
+}  // namespace mesher
