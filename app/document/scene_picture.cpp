@@ -62,6 +62,7 @@ void ScenePicture::find_influences() {
 bool ScenePicture::pose(const Document& document) {
   const scene::Scene& scene = *document.model.scene;
   const scene::NodePoses poses = shown_poses(document);
+  const bool is_morphed = morph(target_weights_of(shown_, scene, poses));
   palette_.clear();
   box_ = {};
   std::size_t copy = 0;
@@ -73,9 +74,11 @@ bool ScenePicture::pose(const Document& document) {
     }
     ++copy;
   }
-  if (still_.list.empty()) return false;
-  std::vector<std::vector<double>> weights = target_weights_of(still_, scene, poses);
-  if (weights == weights_) return false;
+  return is_morphed;
+}
+
+bool ScenePicture::morph(std::vector<std::vector<double>>&& weights) {
+  if (still_.list.empty() || weights == weights_) return false;
   weights_ = std::move(weights);
   shown_ = still_;
   add_targets(weights_, shown_);

@@ -31,6 +31,8 @@ class ScenePicture {
 
  private:
   void find_influences();
+  /// Returns whether the weights are new.
+  bool morph(std::vector<std::vector<double>>&& weights);
 
   scene::Copies still_;  ///< without morph targets; empty if there are none
   scene::Copies shown_;

@@ -185,8 +185,12 @@ std::string level_refusal(const Document& document, std::uint32_t level,
                           const subdivide::SubdivideOptions& rules, std::uint32_t mesh) {
   if (level == 0) return "";  // needs no memory, so it stays possible when memory runs out
   const SubdivisionLevel shown = shown_as_level(document.edits, mesh);
-  const Mesh& base = shown.base ? shown.base->mesh : document.model.mesh;
-  const Attributes& attributes = shown.base ? shown.base->attributes : document.model.attributes;
+  const Mesh& whole = shown.base ? shown.base->mesh : document.model.mesh;
+  const Attributes& all = shown.base ? shown.base->attributes : document.model.attributes;
+  std::optional<Shape> part;
+  if (mesh != kNone) part = scene::mesh_of({whole, all}, document.model.scene->meshes.size(), mesh);
+  const Mesh& base = part ? part->mesh : whole;
+  const Attributes& attributes = part ? part->attributes : all;
   if (base.face_count() == 0) return "there is nothing to subdivide";
   if (level > kMaxLevel) return "already at the finest level";
   const subdivide::SubdivideOptions options = at_level(rules, level);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "app/document/document.h"
@@ -12,6 +13,7 @@
 #include "app/edit/progressive_edits.h"
 #include "app/files/browse.h"
 #include "app/files/paths.h"
+#include "engine/core/error.h"
 #include "engine/core/text.h"
 #include "engine/io/format.h"
 #include "engine/io/losses.h"
@@ -83,10 +85,19 @@ std::vector<std::string> losses_of(const SaveTask& task, const Shape& shape) {
                               task.contents, task.origin);
 }
 
+/// Returns "creases" if a format holds none of those of a mesh. O(F).
+std::vector<std::string> creases_lost_by(const fs::path& file, const Mesh& mesh) {
+  const bool has_any = std::ranges::any_of(mesh.sharpnesses(), [](float s) { return s > 0.0F; }) ||
+                       !mesh.vertex_sharpnesses().empty();
+  if (!has_any || io::format_of(file)->holds.creases) return {};
+  return {"creases"};
+}
+
 std::vector<std::string> write_scene(const SaveTask& task, Progress* progress) {
   io::AtomicFile file(task.file);
-  std::vector<std::string> losses =
-      io::format_of(task.file)->write_scene(file, *task.shape, *task.scene, progress);
+  std::vector<std::string> losses = creases_lost_by(task.file, task.shape->mesh);
+  std::ranges::move(io::format_of(task.file)->write_scene(file, *task.shape, *task.scene, progress),
+                    std::back_inserter(losses));
   seal(progress);
   file.commit(io::Flush::now);
   return losses;
@@ -160,7 +171,7 @@ void choose_format(Saving& saving, const std::string& extension) {
 
 std::vector<std::string> always_lost(const Document& document, const std::string& extension) {
   const io::FormatInfo* format = io::format_of("x" + extension);
-  if (format == nullptr || keeps_scene(document.model.scene.get(), "x" + extension)) return {};
+  if (format == nullptr) return {};
   const Attributes& attributes = document.model.attributes;
   std::vector<std::string> lost;
   const auto add = [&](bool is_there, bool is_held, const char* name) {
@@ -168,6 +179,7 @@ std::vector<std::string> always_lost(const Document& document, const std::string
   };
   const io::FormatContents& holds = format->holds;
   add(has_creases(document.model, document.statistics), holds.creases, "creases");
+  if (keeps_scene(document.model.scene.get(), "x" + extension)) return lost;
   const auto has = [&](AttributeKind kind) { return attributes.find(kind) != nullptr; };
   add(has(AttributeKind::texcoord), holds.texcoord != io::Holds::nothing, "texture coordinates");
   add(has(AttributeKind::normal), holds.normal != io::Holds::nothing, "normals");
@@ -184,7 +196,8 @@ std::vector<std::string> always_lost(const Document& document, const std::string
 }
 
 std::vector<std::string> losses_of(const Document& document, const fs::path& file) {
-  if (keeps_scene(document.model.scene.get(), file)) return {};
+  if (keeps_scene(document.model.scene.get(), file))
+    return creases_lost_by(file, shown_mesh(document));
   const auto [mesh, attributes] =
       shown_by_scene(written_shape(document, file), document.model.scene.get());
   return io::losses_in_format(file, mesh, attributes, document.model.materials.get(),
@@ -239,10 +252,14 @@ Saved perform(const SaveTask& task, Progress* progress) {
   if (io::has_pm_ending(task.file)) {
     write_progressive(task, progress);
     saved.losses = losses_of(task, *task.shape);
+    if (task.scene && scene::differs_from_model(*task.scene))
+      saved.losses.emplace_back("places and poses of the scene's meshes");
   } else if (keeps_scene(task.scene.get(), task.file)) {
     saved.losses = write_scene(task, progress);
   } else {
     const Shape shape = shown_by_scene(Shape(*task.shape), task.scene.get());
+    if (shape.mesh.face_count() == 0)
+      throw OutputError(task.file.string(), "there is nothing to save: the scene shows no faces");
     saved.vertices = shape.mesh.vertex_count();
     saved.faces = shape.mesh.face_count();
     // Once it is saved, the journal of its edits is removed.

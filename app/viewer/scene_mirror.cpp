@@ -43,8 +43,8 @@ bool SceneMirror::place(const Document& document) {
   return placed_->picture.pose(document) || !is_same;
 }
 
-/// Returns null for a level that is drawn as clay: so are large ones while they change, because
-/// their attributes take longer than a frame.
+/// Returns null for a level that is drawn as clay: in a window so are large ones while they change,
+/// because their attributes take longer than a frame.
 const Attributes* SceneMirror::attributes_of_level(const Document& document) {
   const ProgressiveView& view = document.progressive;
   if (!view.is_on()) {
@@ -56,10 +56,10 @@ const Attributes* SceneMirror::attributes_of_level(const Document& document) {
                        level_.revision == document.edits.revision &&
                        level_.vertices == mesh.vertex_count();
   if (!is_same) {
-    const bool is_still = level_seen_ == mesh.vertex_count() && !view.is_playing();
+    const bool moves = level_seen_ != mesh.vertex_count() || view.is_playing();
     level_seen_ = mesh.vertex_count();
     level_ = {};
-    if (mesh.face_count() > kMostFacesPerFrame && !is_still) return nullptr;
+    if (is_live_ && moves && mesh.face_count() > kMostFacesPerFrame) return nullptr;
     level_ = {level_attributes(document), document.model_generation, document.edits.revision,
               mesh.vertex_count()};
   }
@@ -89,7 +89,8 @@ bool SceneMirror::update(Document& document, const render::Settings& chosen,
   };
   Mesh& mesh = placed_ ? placed_->picture.mesh() : shown_mesh(document);
   const render::UploadStats upload = mesh_.apply(mesh, settings, sources);
-  if (is_changed) not_decoded_.clear();
+  if (std::exchange(materials_, document.model.materials) != document.model.materials)
+    not_decoded_.clear();
   for (std::string& problem : problems)
     document.notice = not_decoded_.emplace_back(std::move(problem));
   // The edges of copies have other numbers.

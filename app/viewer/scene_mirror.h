@@ -23,7 +23,9 @@ VkRect2D model_rectangle(const View& view, const VkExtent2D& extent);
 /// The GPU's copy of what a document shows. The window and scripts keep it up to date the same way.
 class SceneMirror {
  public:
-  explicit SceneMirror(gpu::Device& device) : mesh_(device) {}
+  /// `is_live`: of a window, in which nothing may take longer than a frame while it changes.
+  explicit SceneMirror(gpu::Device& device, bool is_live = false)
+      : mesh_(device), is_live_(is_live) {}
 
   /// Uploads what has changed since the last call. `chosen`: the settings of the view. Returns
   /// whether the picture changes. `picture`: the only one that is drawn, if there is only one.
@@ -46,6 +48,7 @@ class SceneMirror {
   const Attributes* attributes_of_level(const Document& document);
 
   render::GpuMesh mesh_;
+  bool is_live_;
   /// What the scene of the model shows, if that is not the model itself, and what it was made of.
   struct Placed {
     ScenePicture picture;
@@ -66,7 +69,8 @@ class SceneMirror {
   std::uint32_t level_seen_ = 0;  ///< vertices of the level in the last frame
   render::UploadStats last_upload_;
   std::optional<render::Settings> settings_;
-  std::vector<std::string> not_decoded_;  ///< of not_drawn()
+  std::shared_ptr<const Materials> materials_;  ///< of the last update
+  std::vector<std::string> not_decoded_;        ///< of not_drawn()
   std::uint64_t generation_ = 0;
 };
 

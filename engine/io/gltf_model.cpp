@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "engine/core/error.h"
@@ -23,8 +24,11 @@
 namespace mesher::io {
 namespace {
 
-/// Faces of all copies together that are drawn of a scene with instances.
-constexpr std::uint64_t kMostPlacedFaces = 20'000'000;
+/// What a copy costs besides its faces, in faces.
+constexpr std::uint64_t kFacesPerCopy = 100;
+/// Bytes of attributes that meshes may gain by sharing their layers: those of one are laid out for
+/// all.
+constexpr std::uint64_t kMostLayerBytes = std::uint64_t{1} << 30U;
 /// Times of finding what was edited, of planning the file, and of writing it.
 constexpr double kModelWriteWeights[] = {0.4, 0.3, 0.3};
 
@@ -119,8 +123,11 @@ const std::string& object_name(const scene::Scene& scene, const scene::SceneMesh
 
 bool has_same_values(const AttributeLayer& layer, const AttributeLayer* original) {
   if (original == nullptr) {
+    AttributeLayer absent(layer.type(), 1);
+    store_absent(absent, 0);
     for (std::size_t i = 0; i < layer.count(); ++i) {
-      if (!is_absent(layer, i)) return false;
+      if (!is_absent(layer, i) && !std::ranges::equal(layer.value(i), absent.value(0)))
+        return false;
     }
     return true;
   }
@@ -152,11 +159,15 @@ class ModelReader {
   ModelReader(const std::filesystem::path& file, const ReadOptions& options)
       : source_(std::make_shared<GltfSource>(file, options)) {
     model_.name = file.filename().string();
+    model_.contents = source_->scene.contents();
     scene_ = source_->scene.graph();
   }
 
-  Model run(const ReadOptions& options) {
+  /// Returns nothing if the meshes differ so much in their attributes that one model of them would
+  /// take too much memory.
+  std::optional<Model> run(const ReadOptions& options) {
     std::vector<Shape> shapes = read_shapes(options);
+    if (joined_layer_bytes(shapes) > kMostLayerBytes) return std::nullopt;
     scene_.origin = origin_for(shapes, scene_);
     std::vector<Shape> parts;
     for (std::size_t m = 0; m < shapes.size(); ++m) {
@@ -170,7 +181,6 @@ class ModelReader {
     Shape all = joined(std::move(parts));
     model_.mesh = std::move(all.mesh);
     model_.attributes = std::move(all.attributes);
-    model_.contents = source_->scene.contents();
     model_.materials = read_gltf_materials(source_->scene.document(), model_.contents);
     model_.origin = scene_.origin;
     read_animations();
@@ -204,26 +214,44 @@ class ModelReader {
       const glm::dmat4 mean = common_joint(joints, shape);
       mesh.to_scene = can_hold(shape.mesh, mean) ? mean : glm::dmat4(1.0);
     }
+    place_if_none_is();
     limit_copies(shapes);
     return shapes;
   }
 
-  /// Shows each mesh once if there would be too many faces to draw. The file keeps its instances.
+  /// A scene that shows no triangles shows each mesh where it is.
+  void place_if_none_is() {
+    const bool shows_any = std::ranges::any_of(scene_.meshes, [](const scene::SceneMesh& mesh) {
+      return mesh.has_faces && !mesh.placements.empty();
+    });
+    for (scene::SceneMesh& mesh : scene_.meshes) {
+      if (!shows_any && mesh.has_faces) mesh.placements.emplace_back();
+    }
+  }
+
+  /// Shows each mesh once if there would be too much to draw. The file keeps its instances.
   void limit_copies(const std::vector<Shape>& shapes) {
     std::uint64_t faces = 0;
     bool has_copies = false;
     for (std::size_t m = 0; m < shapes.size(); ++m) {
       const std::size_t places = scene_.meshes[m].placements.size();
-      faces += places * shapes[m].mesh.face_count();
-      has_copies |= places > 1 && shapes[m].mesh.face_count() > 0;
+      if (places <= 1 || shapes[m].mesh.face_count() == 0) continue;
+      has_copies = true;
+      faces += places * (shapes[m].mesh.face_count() + kFacesPerCopy + joints_of(scene_.meshes[m]));
     }
-    if (!has_copies || faces <= kMostPlacedFaces) return;
+    if (!has_copies || faces <= scene::kMostCopiedFaces) return;
     for (scene::SceneMesh& mesh : scene_.meshes)
       mesh.placements.resize(std::min<std::size_t>(mesh.placements.size(), 1));
     model_.contents.warn(fmt::format(
-        "its meshes are shown once each: all instances together have {} faces, and more than {} "
-        "are not drawn",
-        faces, kMostPlacedFaces));
+        "its meshes are shown once each: all instances together would take as long as {} faces, "
+        "and more than {} are not drawn",
+        faces, scene::kMostCopiedFaces));
+  }
+
+  std::size_t joints_of(const scene::SceneMesh& mesh) const {
+    const std::uint32_t node = mesh.placements.front().node;
+    const std::uint32_t skin = node == kNone ? kNone : scene_.nodes[node].skin;
+    return skin == kNone ? 0 : scene_.skins[skin].joints.size();
   }
 
   std::shared_ptr<GltfSource> source_;
@@ -239,6 +267,7 @@ std::vector<std::pair<std::uint64_t, Shape>> edited_meshes(GltfSource& source, c
                                  scene::mesh_of_groups(shape.attributes), scene.meshes.size());
   ReadOptions options = source.options;
   options.progress = progress;
+  options.keep_isolated_vertices = false;  // no part has them
   std::vector<std::pair<std::uint64_t, Shape>> edited;
   for (GltfSceneMesh& read : source.scene.read_meshes(options)) {
     const glm::dmat4 transform = to_model(scene.meshes[read.index], scene.origin);
@@ -255,7 +284,15 @@ std::vector<std::pair<std::uint64_t, Shape>> edited_meshes(GltfSource& source, c
 }  // namespace
 
 Model read_gltf_model(const std::filesystem::path& file, const ReadOptions& options) {
-  return ModelReader(file, options).run(options);
+  if (std::optional<Model> model = ModelReader(file, options).run(options))
+    return std::move(*model);
+  ReadOptions without_scene = options;
+  without_scene.keeps_scene = false;
+  Model model = read_model(file, without_scene);
+  model.contents.warn(
+      "opened as one mesh: its meshes have so many different attributes that the scene would take "
+      "too much memory");
+  return model;
 }
 
 std::vector<std::string> write_gltf_model(AtomicFile& file, const Shape& shape,

@@ -14,7 +14,8 @@ namespace mesher::io {
 
 /// Reads a glTF file as a model that holds each mesh once, however often the scene shows it, with
 /// all its attributes, and with Model::scene. Positions are those of the first placement, about
-/// Model::origin. O(size). Throws InputError; Cancelled.
+/// Model::origin. A file whose meshes would need much more memory as one model is read without its
+/// scene, with a warning. O(size). Throws InputError; Cancelled.
 Model read_gltf_model(const std::filesystem::path& file, const ReadOptions& options);
 
 /// Writes the file that a scene comes from once more, with the meshes of `shape` that are not what

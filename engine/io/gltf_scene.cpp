@@ -53,7 +53,7 @@ std::vector<GltfSceneMesh> GltfScene::read_meshes(const ReadOptions& options) {
     mesh.placements = graph_.order.empty() ? 0 : placements.size();
     double scale = 0.0;
     for (const scene::Placement& placement : placements)
-      scale = std::max(scale, stretch(mesh_transforms(graph_, placement, nodes).front()));
+      scale = std::max(scale, stretch(first_transform(graph_, placement, nodes)));
     if (scale > 0.0) mesh.scale = scale;
     meshes.push_back(std::move(mesh));
   }
@@ -69,7 +69,7 @@ Box GltfScene::bounds(const std::vector<GltfSceneMesh>& meshes) const {
     const Box own = bounding_box(mesh.model.mesh);
     if (!shows_any) extend(box, own, glm::dmat4(1.0));
     for (const scene::Placement& placement : graph_.meshes[mesh.index].placements)
-      extend(box, own, mesh_transforms(graph_, placement, nodes).front());
+      extend(box, own, first_transform(graph_, placement, nodes));
   }
   return box;
 }

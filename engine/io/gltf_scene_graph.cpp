@@ -84,7 +84,7 @@ void set_places(scene::Scene& scene) {
   const std::vector<glm::dmat4> nodes = node_transforms(scene);
   for (scene::SceneMesh& mesh : scene.meshes) {
     if (mesh.placements.empty()) continue;
-    const glm::dmat4 first = mesh_transforms(scene, mesh.placements.front(), nodes).front();
+    const glm::dmat4 first = first_transform(scene, mesh.placements.front(), nodes);
     if (scene::is_invertible(first)) mesh.to_scene = first;
   }
 }

@@ -209,6 +209,10 @@ std::vector<AttributeType> joined_types(const std::vector<Shape>& shapes) {
       if (is_new) types.push_back(layer.type());
       AttributeType& type = types[found->second];
       type = common_type(type, layer.type());
+      // Integers could not say that a normal is absent.
+      if (type.kind != AttributeKind::normal || shapes.size() == 1) continue;
+      type.component = ComponentType::f32;
+      type.is_normalized = false;
     }
   }
   return types;
@@ -272,6 +276,20 @@ std::vector<Shape> split(const Mesh& mesh, const Attributes& attributes,
   split_wedges(attributes, ids, parts);
   split_groups(attributes, part_of_group, ids, parts);
   return parts;
+}
+
+std::uint64_t joined_layer_bytes(const std::vector<Shape>& shapes) {
+  std::uint64_t wedges = 0;
+  std::uint64_t now = 0;
+  for (const Shape& shape : shapes) {
+    wedges += shape.mesh.vertex_count() + shape.attributes.further.size();
+    for (const AttributeLayer& layer : shape.attributes.layers)
+      now += layer.bytes().size();
+  }
+  std::uint64_t then = 0;
+  for (const AttributeType& type : joined_types(shapes))
+    then += wedges * type.value_bytes();
+  return then > now ? then - now : 0;
 }
 
 Shape joined(std::vector<Shape>&& shapes) {

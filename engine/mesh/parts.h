@@ -16,6 +16,10 @@ namespace mesher {
 std::vector<Shape> split(const Mesh& mesh, const Attributes& attributes,
                          const std::vector<std::uint32_t>& part_of_group, std::size_t count);
 
+/// Returns the bytes of layers that shapes gain when they are joined: a layer of one is laid out
+/// for all. O(layers).
+std::uint64_t joined_layer_bytes(const std::vector<Shape>& shapes);
+
 /// Returns shapes as one, in this order. Layers of one name become one: if their types differ,
 /// values are converted to one that holds both. Corners of shapes without a layer have no value
 /// there (store_absent). A shape without groups gets one. O(V + F). Pre: they fit in 32-bit ids.

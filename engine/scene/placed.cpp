@@ -4,6 +4,7 @@
 #include <glm/matrix.hpp>
 #include <utility>
 
+#include "engine/core/error.h"
 #include "engine/mesh/parts.h"
 #include "engine/scene/influences.h"
 #include "engine/scene/morph.h"
@@ -47,17 +48,35 @@ Copies same_elements(const Mesh& mesh, const Attributes& attributes, const Scene
   return copies;
 }
 
+/// Returns the number of faces of all copies that are shown.
+std::uint64_t copied_faces(const Attributes& attributes, const Scene& scene,
+                           const HiddenNodes& hidden) {
+  std::vector<std::uint64_t> places(scene.meshes.size(), 0);
+  for (std::size_t m = 0; m < places.size(); ++m) {
+    places[m] = static_cast<std::uint64_t>(std::ranges::count_if(
+        scene.meshes[m].placements,
+        [&](const Placement& placement) { return !is_hidden(hidden, placement); }));
+  }
+  std::uint64_t faces = 0;
+  for (const std::uint32_t group : attributes.group)
+    faces += places[attributes.groups[group].mesh];
+  return faces;
+}
+
 Copies copied_elements(const Mesh& mesh, const Attributes& attributes, const Scene& scene,
                        const HiddenNodes& hidden) {
   const std::vector<glm::dmat4> nodes = node_transforms(scene);
   const std::vector<Shape> parts =
       split(mesh, attributes, mesh_of_groups(attributes), scene.meshes.size());
+  const bool shows_all = copied_faces(attributes, scene, hidden) <= kMostCopiedFaces;
   Copies copies;
   std::vector<Shape> shapes;
   for (std::uint32_t m = 0; m < parts.size(); ++m) {
     const std::vector<Placement>& placements = scene.meshes[m].placements;
+    bool is_shown = false;
     for (std::uint32_t p = 0; p < placements.size() && parts[m].mesh.face_count() > 0; ++p) {
-      if (is_hidden(hidden, placements[p])) continue;
+      if (is_hidden(hidden, placements[p]) || (is_shown && !shows_all)) continue;
+      is_shown = true;
       Shape& copy = shapes.emplace_back(parts[m]);
       const glm::dmat4 first = palette(scene, scene.meshes[m], placements[p], nodes).front();
       if (glm::determinant(glm::dmat3(first)) < 0.0) turn_over(copy);
@@ -176,6 +195,8 @@ void pose(const Scene& scene, const NodePoses& poses, Copies& copies) {
 
 Shape placed(const Mesh& mesh, const Attributes& attributes, const Scene& scene,
              const HiddenNodes& hidden) {
+  if (!is_one_to_one(scene, hidden) && copied_faces(attributes, scene, hidden) > kMostCopiedFaces)
+    throw DeviceError("the instances of the scene have too many faces to write each of them");
   Copies copies = copies_of(mesh, attributes, scene, hidden);
   pose(scene, {}, copies);
   return std::move(copies.shape);

@@ -37,8 +37,13 @@ struct Copies {
   bool keeps_elements = false;     ///< vertices and faces have the numbers of the model
 };
 
-/// Returns the copies that are shown. Groups' objects are named after the nodes, unless each mesh
-/// is shown once. O(V + F + what is shown). Pre: mesh and attributes are of the scene's model.
+/// Faces that copies may have together.
+inline constexpr std::uint64_t kMostCopiedFaces = 20'000'000;
+
+/// Returns the copies that are shown, but each mesh once if all together would have more than
+/// kMostCopiedFaces: edits can make that many. Groups' objects are named after the nodes, unless
+/// each mesh is shown once. O(V + F + what is shown). Pre: mesh and attributes are of the scene's
+/// model.
 Copies copies_of(const Mesh& mesh, const Attributes& attributes, const Scene& scene,
                  const HiddenNodes& hidden = {});
 
@@ -54,7 +59,8 @@ std::vector<std::vector<double>> target_weights_of(const Copies& copies, const S
 void pose(const Scene& scene, const NodePoses& poses, Copies& copies);
 
 /// Returns what the scene shows, at rest: each mesh once for every placement. The groups' objects
-/// are named after the nodes. O(V + F + what is shown). Pre: they are of the scene's model.
+/// are named after the nodes. O(V + F + what is shown). Throws DeviceError if that is more than
+/// kMostCopiedFaces. Pre: they are of the scene's model.
 Shape placed(const Mesh& mesh, const Attributes& attributes, const Scene& scene,
              const HiddenNodes& hidden = {});
 

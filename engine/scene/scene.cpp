@@ -51,13 +51,23 @@ std::vector<glm::dmat4> node_transforms(const Scene& scene, const NodePoses& pos
   return transforms;
 }
 
+glm::dmat4 first_transform(const Scene& scene, const Placement& placement,
+                           const std::vector<glm::dmat4>& nodes) {
+  if (placement.node == kNone) return placement.instance;
+  const Node& node = scene.nodes[placement.node];
+  if (node.skin == kNone || scene.skins[node.skin].joints.empty())
+    return nodes[placement.node] * placement.instance;
+  const Skin& skin = scene.skins[node.skin];
+  return nodes[skin.joints.front()] * skin.inverse_binds.front() * placement.instance;
+}
+
 std::vector<glm::dmat4> mesh_transforms(const Scene& scene, const Placement& placement,
                                         const std::vector<glm::dmat4>& nodes) {
-  if (placement.node == kNone) return {placement.instance};
+  if (placement.node == kNone) return {first_transform(scene, placement, nodes)};
   const Node& node = scene.nodes[placement.node];
   // The transform of the node of a skinned mesh does not count.
   const Skin* const skin = node.skin == kNone ? nullptr : &scene.skins[node.skin];
-  if (skin == nullptr || skin->joints.empty()) return {nodes[placement.node] * placement.instance};
+  if (skin == nullptr || skin->joints.empty()) return {first_transform(scene, placement, nodes)};
   std::vector<glm::dmat4> matrices;
   for (std::size_t j = 0; j < skin->joints.size(); ++j) {
     matrices.push_back(nodes[skin->joints[j]] * skin->inverse_binds[j] * placement.instance);

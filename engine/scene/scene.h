@@ -95,8 +95,12 @@ std::vector<double> target_weights(const Scene& scene, const Placement& placemen
 std::vector<glm::dmat4> mesh_transforms(const Scene& scene, const Placement& placement,
                                         const std::vector<glm::dmat4>& nodes);
 
-/// The same from where the model has the mesh, and about the model's origin: the identity for a
-/// first placement at rest, unless joints move its vertices apart.
+/// Returns the first of them. O(1).
+glm::dmat4 first_transform(const Scene& scene, const Placement& placement,
+                           const std::vector<glm::dmat4>& nodes);
+
+/// The same as mesh_transforms from where the model has the mesh, and about the model's origin: the
+/// identity for a first placement at rest, unless joints move its vertices apart.
 std::vector<glm::dmat4> palette(const Scene& scene, const SceneMesh& mesh,
                                 const Placement& placement, const std::vector<glm::dmat4>& nodes);
 

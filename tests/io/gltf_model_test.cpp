@@ -115,6 +115,59 @@ TEST(GltfModel, KeepsDigitsFarFromTheOrigin) {
   EXPECT_EQ(parsed(folder.path() / "o.gltf")["meshes"], parsed(folder.path() / "s.gltf")["meshes"]);
 }
 
+// A layer of one mesh is laid out for all, and must not get into the file of the others.
+TEST(GltfModel, AttributesOfOneMeshDoNotTouchTheOthers) {
+  test::GltfDocument document;
+  document.floats(test::kSquareCorners, "VEC3", 3);  // 0
+  document.indices(test::kSquareIndices);            // 1
+  const std::string joints(16, '\1');
+  document.accessor(R"("bufferView":)" + std::to_string(document.view(joints)), 5121, "VEC4", 4);
+  const std::string colors(16, '\x40');
+  document.accessor(R"("normalized":true,"bufferView":)" + std::to_string(document.view(colors)),
+                    5121, "VEC4", 4);
+  const TempFolder folder;
+  const auto file = folder.write("s.gltf", document.text(R"("nodes":[{"mesh":0},{"mesh":1}],
+    "meshes":[{"primitives":[{"indices":1,"attributes":{"POSITION":0,"_BONES":2,"COLOR_0":3}}]},
+      {"primitives":[{"indices":1,"attributes":{"POSITION":0}}]}])"));
+  Model model = read_scene_model(file);
+  EXPECT_TRUE(write(folder.path() / "o.gltf", model).empty());
+  EXPECT_EQ(parsed(folder.path() / "o.gltf")["meshes"], parsed(file)["meshes"]);
+  model.mesh.set_position(Vertex(5), glm::vec3(0.0F, 0.0F, 3.0F));  // of the second mesh
+  write(folder.path() / "o.gltf", model);
+  const nlohmann::json edited = parsed(folder.path() / "o.gltf")["meshes"];
+  EXPECT_EQ(edited[0], parsed(file)["meshes"][0]);
+  EXPECT_EQ(edited[1]["primitives"][0]["attributes"].size(), 1U);
+}
+
+TEST(GltfModel, AScenesMeshesWithoutPlaceAreShownWhereTheyAre) {
+  std::string text = test::scene_file();
+  const std::string nodes = R"("nodes":[0]}])";
+  text.replace(text.find(nodes), nodes.size(), R"("nodes":[4]}])");
+  const TempFolder folder;
+  const Model model = read_scene_model(folder.write("s.gltf", text));
+  EXPECT_EQ(model.mesh.face_count(), 4U);
+  EXPECT_EQ(bounding_box(model.mesh).max, glm::vec3(2, 1, 0));
+  EXPECT_FALSE(scene::differs_from_model(*model.scene));
+}
+
+TEST(GltfModel, TooManyInstancesAreShownOnceAndWrittenAsTheyWere) {
+  test::GltfDocument document;
+  document.floats(test::kSquareCorners, "VEC3", 3);                   // 0
+  document.indices(test::kSquareIndices);                             // 1
+  document.floats(std::vector<float>(3 * 200'000, 1.0F), "VEC3", 3);  // 2
+  const TempFolder folder;
+  const auto file = folder.write(
+      "s.gltf",
+      document.text(R"("extensionsUsed":["EXT_mesh_gpu_instancing"],"nodes":[{"mesh":0,"extensions":
+        {"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":2}}}}],
+        "meshes":[{"primitives":[{"indices":1,"attributes":{"POSITION":0}}]}])"));
+  const Model model = read_scene_model(file);
+  EXPECT_EQ(model.scene->meshes[0].placements.size(), 1U);
+  ASSERT_EQ(model.contents.warnings().size(), 1U);
+  EXPECT_TRUE(write(folder.path() / "o.gltf", model).empty());
+  EXPECT_EQ(parsed(folder.path() / "o.gltf")["nodes"], parsed(file)["nodes"]);
+}
+
 TEST(GltfModel, AFileThatChangesLaterDoesNoHarm) {
   const TempFolder folder;
   const auto file = folder.write("s.gltf", test::scene_file());

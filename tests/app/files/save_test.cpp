@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "app/document/session.h"
 #include "app/edit/edits.h"
 #include "app/files/browse.h"
@@ -12,6 +14,7 @@
 #include "engine/io/read.h"
 #include "engine/mesh/corner_attributes.h"
 #include "engine/mesh/delta.h"
+#include "tests/support/gltf_scene_file.h"
 #include "tests/support/meshes.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/temp_folder.h"
@@ -247,6 +250,29 @@ TEST_F(SaveTest, HasOneProgressForEveryFormat) {
   test::expect_one_progress(
       test::watched([&](Progress* progress) { (void)perform(*task, progress); }),
       {"simplifying", "preparing", "simplifying", "finishing", "recording", "writing", "coding"});
+}
+
+TEST_F(SaveTest, ScenesAreKeptAndWhatTheyCannotHoldIsNamed) {
+  const auto open = [&] {
+    show_model(s_,
+               io::read_model(folder_.write("s.gltf", test::scene_file()), {.keeps_scene = true}),
+               folder_ / "s.gltf");
+  };
+  const auto save = [&](const char* name) {
+    s_.saving.waiting = folder_ / name;
+    return perform(*begin_save(s_.saving, s_.document));
+  };
+  open();
+  EXPECT_TRUE(save("o.glb").losses.empty());
+  EXPECT_EQ(save("o.obj").faces, 8U) << "the sheet is shown twice";
+  const auto pm = save("o.pm").losses;
+  EXPECT_NE(std::ranges::find(pm, "places and poses of the scene's meshes"), pm.end());
+  Mesh& mesh = s_.document.model.mesh;
+  mesh.set_sharpness(mesh.edge(Halfedge(0)), 2.0F);
+  s_.document.statistics.crease_edges = 1;
+  EXPECT_EQ(always_lost(s_.document, ".glb"), std::vector<std::string>{"creases"});
+  EXPECT_EQ(save("o.glb").losses, std::vector<std::string>{"creases"});
+  open();
 }
 
 TEST_F(SaveTest, CanceledSaveLeavesTheOldFile) {
