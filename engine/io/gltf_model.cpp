@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <mutex>
 #include <optional>
@@ -73,7 +74,13 @@ bool can_hold(const Mesh& mesh, const glm::dmat4& transform) {
     if (!is_finite(q)) return false;
     extend(box, q);
   }
-  return is_finite(box.max - box.min);
+  if (!is_finite(box.max - box.min)) return false;
+  // Further away, not even positions about an origin would keep their digits.
+  constexpr double kFurthest = 1e9;  // in sizes of the mesh
+  double size = 0.0;
+  for (int i = 0; i < 3; ++i)
+    size = std::max(size, glm::length(glm::dvec3(transform[i])) * own.diagonal());
+  return glm::length(glm::dvec3(transform[3])) <= kFurthest * size;
 }
 
 /// If all joints agree, their mean is one of them, to the last bit.

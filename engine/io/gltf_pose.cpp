@@ -12,6 +12,12 @@ namespace {
 
 using Json = GltfFile::Json;
 
+/// Sets the last row, which glTF prescribes.
+void make_affine(glm::dmat4& matrix) {
+  for (int i = 0; i < 4; ++i)
+    matrix[i][3] = i == 3 ? 1.0 : 0.0;
+}
+
 /// Returns all values of an accessor named in an object, or nothing.
 Array<float> values_of(GltfFile& gltf, const Json& object, const char* key, std::size_t components,
                        std::size_t first, std::size_t count) {
@@ -27,6 +33,7 @@ scene::Transform node_transform(const GltfFile& gltf, const Json& node) {
     glm::dmat4& matrix = transform.matrix.emplace(1.0);
     for (int i = 0; i < 16; ++i)
       matrix[i / 4][i % 4] = (*values)[static_cast<std::size_t>(i)];
+    make_affine(matrix);
     return transform;
   }
   if (const auto t = gltf.find_vector(node, "translation", 3))
@@ -97,6 +104,7 @@ scene::Skin read_skin(GltfFile& gltf, std::uint64_t skin) {
     glm::dmat4& bind = result.inverse_binds.emplace_back(1.0);
     for (std::size_t i = 0; i < 16 && !inverse.empty(); ++i)
       bind[static_cast<int>(i / 4)][static_cast<int>(i % 4)] = double(inverse[16 * j + i]);
+    make_affine(bind);
   }
   return result;
 }

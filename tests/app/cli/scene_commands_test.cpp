@@ -46,6 +46,39 @@ TEST_F(SceneCommands, InfoListsAttributesAndImages) {
   EXPECT_TRUE(holds(text.out, "wood.png: image/png, 258 x 3 pixels, 24 bytes")) << text.out;
 }
 
+TEST_F(SceneCommands, CompareMeasuresEachMesh) {
+  GltfDocument file;
+  file.floats(kSquareCorners, "VEC3", 3);
+  file.indices(kSquareIndices);
+  file.floats({0, 0, .5F, 1, 0, .5F, 1, 1, .5F, 0, 1, .5F}, "VEC3", 3);
+  const auto scene = [&](int second, const char* name) {
+    return file.text(R"("nodes":[{"mesh":0},{"mesh":1,"scale":[4,4,4]}],"meshes":[
+      {"name":"same","primitives":[{"indices":1,"attributes":{"POSITION":0}}]},{"name":")" +
+                     std::string(name) +
+                     R"(","primitives":[{"indices":1,"attributes":{"POSITION":)" +
+                     std::to_string(second) + "}}]}]");
+  };
+  folder_.write("a.gltf", scene(0, "moved"));
+  folder_.write("b.gltf", scene(2, "moved"));
+  const json report = mesher_json({"compare", "a.gltf", "b.gltf", "--samples", "100"});
+  ASSERT_EQ(report["meshes"].size(), 2U);
+  EXPECT_EQ(report["meshes"][0]["name"], "same");
+  EXPECT_NEAR(report["meshes"][0]["two_sided"]["max"].get<double>(), 0.0, 1e-12);
+  EXPECT_NEAR(report["meshes"][1]["two_sided"]["max"].get<double>(), 0.5, 1e-12)
+      << "in its own coordinates";
+  EXPECT_NEAR(report["two_sided"]["max"].get<double>(), 2.0, 1e-12) << "as the scene shows it";
+  const Finished text = mesher({"compare", "a.gltf", "b.gltf"});
+  EXPECT_TRUE(holds(text.out, "mesh moved            rms 0.5")) << text.out;
+  // A file with one mesh more: meshes are matched by name.
+  json more = json::parse(scene(0, "moved"));
+  more["meshes"].insert(more["meshes"].begin(), more["meshes"][0]);
+  more["meshes"][0]["name"] = "new";
+  folder_.write("c.gltf", more.dump());
+  const json by_name = mesher_json({"compare", "a.gltf", "c.gltf", "--samples", "100"});
+  EXPECT_EQ(by_name["meshes"].size(), 2U);
+  EXPECT_EQ(by_name["meshes_of_one_file"], json({"new"}));
+}
+
 TEST_F(SceneCommands, ConvertCopies) {
   folder_.write("in.gltf", scene_file());
   const json report = mesher_json({"convert", "in.gltf", "-o", "out.gltf"});
