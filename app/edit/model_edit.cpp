@@ -30,10 +30,10 @@ void note_history_step(Document& document, std::string&& notice, const Edit& edi
 }
 
 /// An edit that changes nothing reports on the model that is there.
-void note_outcome(Edits& edits, EditOutcome&& outcome) {
+void note_outcome(Edits& edits, const EditOutcome& outcome) {
   if (!outcome.simplification && !outcome.subdivision) return;
   EditOutcome& kept = edits.outcomes[edits.history.state()];
-  if (outcome.simplification) kept.simplification = std::move(outcome.simplification);
+  if (outcome.simplification) kept.simplification = outcome.simplification;
   if (outcome.subdivision) kept.subdivision = outcome.subdivision;
 }
 
