@@ -34,6 +34,12 @@ nlohmann::json parsed(const std::filesystem::path& file) {
   return nlohmann::json::parse(in);
 }
 
+/// The file with a part of its text replaced.
+std::string scene_file_with(const std::string& before, const std::string& after) {
+  std::string text = test::scene_file();
+  return text.replace(text.find(before), before.size(), after);
+}
+
 TEST(GltfModel, HoldsEachMeshOnceWhereTheSceneShowsItFirst) {
   const TempFolder folder;
   const Model model = read_scene_model(folder.write("s.gltf", test::scene_file()));
@@ -80,9 +86,7 @@ TEST(GltfModel, EditedMeshesGoBackToTheirOwnCoordinates) {
 }
 
 TEST(GltfModel, MirroredMeshesAreTurnedAndTurnedBack) {
-  std::string text = test::scene_file();
-  const std::string scale = R"("scale":[2,2,2])";
-  text.replace(text.find(scale), scale.size(), R"("scale":[-2,2,2])");
+  const std::string text = scene_file_with(R"("scale":[2,2,2])", R"("scale":[-2,2,2])");
   const TempFolder folder;
   Model model = read_scene_model(folder.write("s.gltf", text));
   test::expect_valid(model.mesh);
@@ -102,9 +106,8 @@ TEST(GltfModel, MirroredMeshesAreTurnedAndTurnedBack) {
 }
 
 TEST(GltfModel, KeepsDigitsFarFromTheOrigin) {
-  std::string text = test::scene_file();
-  const std::string place = R"("translation":[10,0,0])";
-  text.replace(text.find(place), place.size(), R"("translation":[4500000.25,600000.5,0])");
+  const std::string text =
+      scene_file_with(R"("translation":[10,0,0])", R"("translation":[4500000.25,600000.5,0])");
   const TempFolder folder;
   const Model model = read_scene_model(folder.write("s.gltf", text));
   const Box box = bounding_box(model.mesh);
@@ -140,9 +143,7 @@ TEST(GltfModel, AttributesOfOneMeshDoNotTouchTheOthers) {
 }
 
 TEST(GltfModel, AScenesMeshesWithoutPlaceAreShownWhereTheyAre) {
-  std::string text = test::scene_file();
-  const std::string nodes = R"("nodes":[0]}])";
-  text.replace(text.find(nodes), nodes.size(), R"("nodes":[4]}])");
+  const std::string text = scene_file_with(R"("nodes":[0]}])", R"("nodes":[4]}])");
   const TempFolder folder;
   const Model model = read_scene_model(folder.write("s.gltf", text));
   EXPECT_EQ(model.mesh.face_count(), 4U);
@@ -185,9 +186,7 @@ TEST(GltfModel, FilesWithoutTrianglesAreRefused) {
 }
 
 TEST(GltfModel, BrokenAnimationsAreNamedAndTheShapeOpens) {
-  std::string text = test::scene_file();
-  const std::string output = R"("output":5)";
-  text.replace(text.find(output), output.size(), R"("output":77)");
+  const std::string text = scene_file_with(R"("output":5)", R"("output":77)");
   const TempFolder folder;
   const Model model = read_scene_model(folder.write("s.gltf", text));
   EXPECT_EQ(model.mesh.face_count(), 4U);

@@ -35,10 +35,8 @@ std::string ply_with(const std::string& properties, const std::string& values) {
          values + "\n1 0 0" + values + "\n0 1 0" + values + "\n3 0 1 2\n";
 }
 
-}  // namespace
-
-std::vector<ContentSample> content_samples() {
-  const std::string uv = R"(,"TEXCOORD_0":2)";
+/// What is no triangle.
+std::vector<ContentSample> geometry_samples() {
   return {
       {Content::points, ".obj", obj_with("p 1 2\n"), {"2 points"}},
       {Content::points,
@@ -47,6 +45,13 @@ std::vector<ContentSample> content_samples() {
        {"4 points"}},
       {Content::lines, ".obj", obj_with("l 1 2 3\n"), {"1 line"}},
       {Content::curves, ".obj", obj_with("curv 0 1 1 2\n"), {"free-form"}},
+  };
+}
+
+/// Values of vertices and faces.
+std::vector<ContentSample> attribute_samples() {
+  const std::string uv = R"(,"TEXCOORD_0":2)";
+  return {
       {Content::uv_sets, ".obj", obj_with("f 1/1 2/2 3/3\n"), {"texture coordinates"}},
       {Content::uv_sets, ".gltf", gltf_with("", uv + R"(,"TEXCOORD_1":2)"), {"2 UV sets"}},
       {Content::uv_sets, ".gltf", gltf_with("", uv), {"texture coordinates"}},
@@ -66,6 +71,12 @@ std::vector<ContentSample> content_samples() {
        "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n",
        {"colors"}},
       {Content::joint_sets, ".gltf", gltf_with("", R"(,"JOINTS_0":5,"WEIGHTS_0":4)"), {"joints"}},
+  };
+}
+
+/// Groups, materials and textures.
+std::vector<ContentSample> material_samples() {
+  return {
       {Content::groups, ".obj", obj_with("g a\nf 1 2 4\ng b\n"), {"group"}},
       {Content::groups, ".obj", obj_with("g only\n"), {"1 group: only"}},
       {Content::objects, ".obj", obj_with("o Box\n"), {"1 object: Box"}},
@@ -78,6 +89,12 @@ std::vector<ContentSample> content_samples() {
        ".ply",
        ply_with("", ""),
        {"1 texture: a.png", "texture a.png (it could not be read)"}},
+  };
+}
+
+/// How a file arranges and moves meshes.
+std::vector<ContentSample> scene_samples() {
+  return {
       {Content::nodes, ".gltf", gltf_with("", "", "", R"(,"name":"house")"), {"1 node: house"}},
       {Content::instances,
        ".gltf",
@@ -99,6 +116,12 @@ std::vector<ContentSample> content_samples() {
        ".gltf",
        gltf_with(R"("extensions":{"KHR_materials_variants":{"variants":[{}]}})"),
        {"variant"}},
+  };
+}
+
+/// What only the author knows.
+std::vector<ContentSample> unknown_samples() {
+  return {
       {Content::extensions, ".gltf", gltf_with(R"("extensionsUsed":["VENDOR_x"])"), {"VENDOR_x"}},
       {Content::extras, ".gltf", gltf_with(R"("extras":{})"), {"extras"}},
       {Content::own_properties, ".gltf", gltf_with("", R"(,"_HEAT":3)"), {"_HEAT"}},
@@ -108,6 +131,17 @@ std::vector<ContentSample> content_samples() {
        {"vertex quality"}},
       {Content::own_properties, ".obj", obj_with("bevel on\n"), {"bevel"}},
   };
+}
+
+}  // namespace
+
+std::vector<ContentSample> content_samples() {
+  std::vector<ContentSample> all;
+  for (const auto& samples : {geometry_samples(), attribute_samples(), material_samples(),
+                              scene_samples(), unknown_samples()}) {
+    all.insert(all.end(), samples.begin(), samples.end());
+  }
+  return all;
 }
 
 bool names_any(const std::vector<std::string>& losses, const std::vector<std::string>& words) {
