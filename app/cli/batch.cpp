@@ -137,11 +137,19 @@ void print_contents(const FileContents& contents) {
   }
 }
 
-/// Prints even with --quiet, because the result is not the complete model.
-void say_damage(const LoadedModel& loaded) {
+/// Refuses a damaged file, unless its intact part will do. Says that even with --quiet, because the
+/// result is not the complete model.
+void check_damage(const LoadedModel& loaded, const InputOptions& input) {
   if (loaded.pm->damage.empty()) return;
+  const std::string intact = count_text(loaded.pm->faces, "face");
+  if (!input.allow_damaged) {
+    throw InputError(
+        loaded.file.string(), 0,
+        fmt::format("is damaged: {}; --allow-damaged uses the intact part before it: {}",
+                    loaded.pm->damage, intact));
+  }
   say(fmt::format("{}: DAMAGED: {}; using the intact part before it: {}", loaded.file.string(),
-                  loaded.pm->damage, count_text(loaded.pm->faces, "face")));
+                  loaded.pm->damage, intact));
 }
 
 void print_pm(const io::PmSummary& pm) {
@@ -175,7 +183,8 @@ void write_model(const std::string& output, const Model& model, bool ascii,
                    .compresses = common.compresses,
                    .origin = model.origin,
                    .materials = model.materials,
-                   .progress = line.progress()});
+                   .progress = line.progress(),
+                   .flush = common.flush()});
 }
 
 Json model_json(const LoadedModel& loaded) {
@@ -278,8 +287,8 @@ LoadedModel load(const InputOptions& input, const CommonOptions& common) {
     loaded.statistics = scene::statistics(loaded.model.mesh, loaded.model.attributes,
                                           loaded.model.scene.get(), line.progress());
   }
+  if (loaded.pm) check_damage(loaded, input);
   if (!common.quiet) say_findings(loaded.model);
-  if (loaded.pm) say_damage(loaded);
   return loaded;
 }
 
@@ -297,7 +306,7 @@ LoadedLevels load_levels(const InputOptions& input, const CommonOptions& common)
   loaded.model.name = file.filename().string();
   loaded.model.mesh = contents.mesh.mesh();
   loaded.statistics = statistics(loaded.model.mesh);
-  say_damage(loaded);
+  check_damage(loaded, input);
   return {std::move(loaded), std::move(contents.mesh)};
 }
 

@@ -94,7 +94,9 @@ void run_edit(const InputOptions& input, const std::string& output, const std::s
   if (shown_mesh(session.document).face_count() == 0)
     throw InputError(session.document.file.string(), 0, "has no faces to write");
   session.saving.waiting = output;
-  const Saved saved = perform(*begin_save(session.saving, session.document));
+  SaveTask task = *begin_save(session.saving, session.document);
+  task.flush = common.flush();
+  const Saved saved = perform(task);
   if (!common.quiet) {
     say_losses(output, saved.losses);
     say_written(output, saved.vertices, saved.faces);

@@ -186,8 +186,7 @@ void write_levels(const std::vector<fs::path>& files, const std::vector<Level>& 
     for (std::size_t i = 0; i < levels.size(); ++i)
       format.write(*open[i], levels[i].mesh, levels[i].attributes, options);
   }
-  for (const auto& file : open)
-    file->commit();
+  io::AtomicFile::commit_all(open, common.flush());
 }
 
 void say_levels(const Source& source, const std::vector<Level>& levels,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/document/view.h"
+#include "engine/io/atomic_file.h"
 #include "engine/io/read.h"
 
 namespace mesher::app {
@@ -22,6 +23,9 @@ struct CommonOptions {
   bool quiet = false;
   unsigned threads = 0;     ///< 0: one per core
   bool compresses = false;  ///< of commands that write glTF: meshes by EXT_meshopt_compression
+  bool no_fsync = false;    ///< results need not be on the disk when the command ends
+
+  io::Flush flush() const { return no_fsync ? io::Flush::later : io::Flush::now; }
 };
 
 /// How a model is opened.
@@ -36,6 +40,7 @@ struct InputOptions {
   bool keeps_scene = false;              ///< as io::ReadOptions; not an option of the command line
   std::optional<std::string> animation;  ///< name or index; set: the model is posed by it
   double time_s = 0.0;                   ///< of the pose
+  bool allow_damaged = false;            ///< use the intact part of a damaged file
 };
 
 /// Returns the options as those of reading.

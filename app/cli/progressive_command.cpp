@@ -82,7 +82,7 @@ Written make_and_write(const LoadedModel& loaded, const std::string& output,
                                             .progress = line.progress()};
   io::AtomicFile file(output);
   written.sizes = io::write_pm_file(file, made.mesh, options);
-  file.commit();
+  file.commit(common.flush());
   written.write_s = watch.lap();
   written.summary = io::summary_of(made.mesh, options, written.sizes);
   return written;

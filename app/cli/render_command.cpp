@@ -95,9 +95,9 @@ void write(const PictureScene& scene, const std::string& output, const PictureAr
            const CommonOptions& common) {
   ProgressLine line(!common.quiet);
   if (picture.turntable) {
-    write_turntable(scene, picture.options, picture.turn, output, line.progress());
+    write_turntable(scene, picture.options, picture.turn, output, line.progress(), common.flush());
   } else {
-    write_picture(scene, picture.options, output, line.progress());
+    write_picture(scene, picture.options, output, line.progress(), common.flush());
   }
 }
 

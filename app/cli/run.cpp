@@ -118,6 +118,20 @@ class CommandLine {
     return command->add_option("MODEL,--input", input_.model, io::readable_formats());
   }
 
+  /// The input of a command without a window, which may not be damaged.
+  void add_batch_input(CLI::App* command) {
+    add_input(command)->required();
+    command->add_flag("--allow-damaged", input_.allow_damaged,
+                      "use the intact part of a damaged progressive mesh");
+  }
+
+  /// The output of a command.
+  void add_output(CLI::App* command, const char* name, const char* what) {
+    command->add_option(name, output_, what)->required();
+    command->add_flag("--no-fsync", common_.no_fsync,
+                      "do not wait until the result is on the disk");
+  }
+
   void add_look(CLI::App* command) {
     add_options(*command, render::kRenderOptions, look_.settings);
     command->add_option("--size", look_.size,
@@ -161,13 +175,10 @@ class CommandLine {
     CLI::App* command = add_command("render", "draw a picture without a window", [this] {
       run_render(input_, output_, look_, picture_, detail_, common_);
     });
-    add_input(command)->required();
-    command
-        ->add_option(
-            "-o,--output", output_,
-            "PNG or WebP to write; with --turntable, an animated WebP, or one PNG per frame: "
-            "turn_###.png")
-        ->required();
+    add_batch_input(command);
+    add_output(command, "-o,--output",
+               "PNG or WebP to write; with --turntable, an animated WebP, or one PNG per frame: "
+               "turn_###.png");
     CLI::Option* lod = add_detail(
         command, "simplify to this number of faces first",
         "level of detail, from 0 (the base that `progressive` chooses) to 1 (full detail)");
@@ -205,15 +216,15 @@ class CommandLine {
     CLI::App* command =
         add_command("info", "print counts, topology, measures and repairs of a model",
                     [this] { run_info(input_, common_); });
-    add_input(command)->required();
+    add_batch_input(command);
   }
 
   void add_convert() {
     CLI::App* command = add_command("convert", "convert a model to another format", [this] {
       run_convert(input_, output_, ascii_, repairs_, common_);
     });
-    add_input(command)->required();
-    command->add_option("OUT,-o,--output", output_, "file to write")->required();
+    add_batch_input(command);
+    add_output(command, "OUT,-o,--output", "file to write");
     add_compress(command);
     command->add_flag("--ascii", ascii_, "write PLY and STL as text");
     command->add_flag(
@@ -237,8 +248,8 @@ class CommandLine {
   void add_simplify() {
     CLI::App* command = add_command("simplify", "reduce the number of faces by edge collapse",
                                     [this] { run_simplify(input_, output_, simplify_, common_); });
-    add_input(command)->required();
-    command->add_option("OUT,-o,--output", output_, "file to write")->required();
+    add_batch_input(command);
+    add_output(command, "OUT,-o,--output", "file to write");
     CLI::Option* faces = add_faces(command, simplify_.faces, "number of faces to keep");
     command
         ->add_option("--ratio", simplify_.ratio,
@@ -273,8 +284,8 @@ class CommandLine {
     CLI::App* command =
         add_command("progressive", "write a progressive mesh: every level of detail in one file",
                     [this] { run_progressive(input_, output_, progressive_, common_); });
-    add_input(command)->required();
-    command->add_option("OUT,-o,--output", output_, "file to write: .pm, or a pipe")->required();
+    add_batch_input(command);
+    add_output(command, "OUT,-o,--output", "file to write: .pm, or a pipe");
     add_option(*command, option_named(kProgressiveOptions, "base-faces"), progressive_.settings)
         ->check(CLI::Range(1U, std::numeric_limits<std::uint32_t>::max()));
     command
@@ -288,8 +299,8 @@ class CommandLine {
   void add_extract() {
     CLI::App* command = add_command("extract", "write one level of a progressive mesh",
                                     [this] { run_extract(input_, output_, detail_, common_); });
-    add_input(command)->required();
-    command->add_option("OUT,-o,--output", output_, "file to write")->required();
+    add_batch_input(command);
+    add_output(command, "OUT,-o,--output", "file to write");
     add_detail(command, "the finest level of at most this number of faces",
                "level of detail, from 0 (the base) to 1 (full detail)");
     add_compress(command);
@@ -300,8 +311,8 @@ class CommandLine {
         "lods",
         "write levels of detail: one glTF with MSFT_lod, or one file each (OUT_lod0.obj, ...)",
         [this] { run_lods(input_, output_, lods_, common_); });
-    add_input(command)->required();
-    command->add_option("OUT,-o,--output", output_, "file to write")->required();
+    add_batch_input(command);
+    add_output(command, "OUT,-o,--output", "file to write");
     command->add_option(
         "--ratios", lods_.ratios,
         "share of the faces that each level keeps, decreasing (default: 1,0.5,0.25, "
@@ -319,8 +330,8 @@ class CommandLine {
     CLI::App* command =
         add_command("subdivide", "split each face into four (Loop, butterfly or midpoint)",
                     [this] { run_subdivide(input_, output_, subdivide_, common_); });
-    add_input(command)->required();
-    command->add_option("OUT,-o,--output", output_, "file to write")->required();
+    add_batch_input(command);
+    add_output(command, "OUT,-o,--output", "file to write");
     command->add_option("--levels", subdivide_.levels, "number of subdivision levels (default: 1)")
         ->check(CLI::Range(0U, 16U));
     add_options(*command, subdivide::kSubdivideRules, subdivide_);
@@ -330,8 +341,11 @@ class CommandLine {
   void add_compare() {
     CLI::App* command = add_command(
         "compare", "measure the distance between two surfaces (RMS, mean, max; both directions)",
-        [this] { run_compare(input_, second_, samples_, common_); });
-    add_input(command)->required();
+        [this] {
+          second_.allow_damaged = input_.allow_damaged;
+          run_compare(input_, second_, samples_, common_);
+        });
+    add_batch_input(command);
     command->add_option("SECOND", second_.model, "the other model")->required();
     command
         ->add_option("--samples", samples_,
@@ -343,8 +357,8 @@ class CommandLine {
     CLI::App* command =
         add_command("edit", "run commands of the window in order, and write the result",
                     [this] { run_edit(input_, output_, script_, common_); });
-    add_input(command)->required();
-    command->add_option("OUT,-o,--output", output_, "file to write")->required();
+    add_batch_input(command);
+    add_output(command, "OUT,-o,--output", "file to write");
     command
         ->add_option("--do", script_,
                      "commands and edits, separated by semicolons: \"subdivide; simplify_to "

@@ -114,7 +114,7 @@ std::vector<std::string> write_scene(const std::string& output, LoadedScene& sce
     io::AtomicFile file(output);
     rewriter.write(file, std::string_view(io::format_of(output)->extension) == ".glb",
                    line.progress());
-    file.commit();
+    file.commit(common.flush());
   }
   if (!common.quiet) say_losses(output, losses);
   return losses;

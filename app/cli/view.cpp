@@ -78,10 +78,13 @@ glm::dvec2 window_size(const LookOptions& look, float scale) {
   return {size.width, size.height};
 }
 
-/// Loads the rest. Prints what is damaged, as there is no window that shows it.
-void finish(Session& session, PmArrival& arrival) {
+/// Loads the rest. Prints what is damaged, as there is no window that shows it, or refuses it.
+void finish(Session& session, PmArrival& arrival, bool allows_damaged) {
   arrival.finish(session);
-  if (!session.document.error.empty()) say("DAMAGED: " + session.document.error);
+  const std::string& damage = session.document.error;
+  if (!damage.empty() && !allows_damaged)
+    throw InputError(damage + "; --allow-damaged uses the intact part");
+  if (!damage.empty()) say("DAMAGED: " + damage);
   run_waiting_edits(session.document);
 }
 
@@ -151,7 +154,7 @@ std::vector<std::filesystem::path> more_models(const ViewOptions& view) {
 
 /// Loads what is still to be loaded.
 void finish(Session& session, RestOfModel& rest) {
-  if (rest.arrival) finish(session, *rest.arrival);
+  if (rest.arrival) finish(session, *rest.arrival, true);
   if (!rest.load) return;
   rest.load->wait();
   show(session, rest.load->take());
@@ -161,7 +164,7 @@ void finish(Session& session, RestOfModel& rest) {
 
 void open_whole(Session& session, const InputOptions& input, const CommonOptions& common) {
   if (!io::is_pm_file(find_model(input.model))) return open_model(session, input, common);
-  finish(session, *start_arrival(input));
+  finish(session, *start_arrival(input), input.allow_damaged);
 }
 
 void run_view(const InputOptions& input, const LookOptions& look, const ViewOptions& view,
@@ -178,6 +181,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
     throw UsageError("--screenshot: shows one model, and not also '" + view.more.front() + "'");
   Session session;
   InputOptions shown = input;
+  shown.allow_damaged = true;  // what is sound is shown
   shown.keeps_scene = true;
   session.wants_open = more_models(view);
   session.view.window = window;
@@ -200,7 +204,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
   session.shows_start = view.is_sample && view.screenshot.empty() && keys.empty();
   std::string output = view.screenshot;
   if (!output.empty()) {
-    io::write_png(output, scripted_picture(session, keys, look, view));
+    io::write_png(output, scripted_picture(session, keys, look, view), io::Flush::now);
   } else {
     try {
       run_viewer(session, keys,
@@ -220,7 +224,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
       frame(session);
       const Image picture = scripted_picture(session, keys, look, view);
       output = free_picture_name("", session.document.file.stem().string()).string();
-      io::write_png(output, picture);
+      io::write_png(output, picture, io::Flush::now);
       std::cerr << "mesher: " << no_display.what() << "; wrote a picture instead: " << output
                 << '\n';
     }

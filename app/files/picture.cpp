@@ -40,7 +40,7 @@ render::Settings settings_of(render::Settings settings, const PictureOptions& op
 }
 
 void write_png_picture(const PictureScene& scene, const PictureOptions& options,
-                       const std::filesystem::path& file, Progress* progress) {
+                       const std::filesystem::path& file, Progress* progress, io::Flush flush) {
   io::AtomicFile out(file);
   const render::PictureOptions drawn = options_of(scene, options, progress);
   const VkExtent2D size = render::picture_size(drawn);
@@ -57,7 +57,7 @@ void write_png_picture(const PictureScene& scene, const PictureOptions& options,
                        });
   writer.finish();
   seal(progress);
-  out.commit();
+  out.commit(flush);
 }
 
 }  // namespace
@@ -104,16 +104,16 @@ Image draw_picture(const PictureScene& scene, const PictureOptions& options, Pro
 }
 
 void write_picture(const PictureScene& scene, const PictureOptions& options,
-                   const std::filesystem::path& file, Progress* progress) {
+                   const std::filesystem::path& file, Progress* progress, io::Flush flush) {
   if (!is_webp_name(file)) {
     begin_stage(progress, "drawing");
-    return write_png_picture(scene, options, file, progress);
+    return write_png_picture(scene, options, file, progress, flush);
   }
   Stages stages(progress, kWebpWeights);
   stages.next("drawing");
   const Image image = draw_picture(scene, options, progress);
   stages.next("compressing");
-  io::write_webp(file, image, progress);
+  io::write_webp(file, image, progress, flush);
 }
 
 }  // namespace mesher::app

@@ -7,6 +7,7 @@
 #include "app/document/picture_options.h"
 #include "engine/core/image.h"
 #include "engine/core/progress.h"
+#include "engine/io/atomic_file.h"
 #include "engine/render/renderer.h"
 
 namespace mesher::app {
@@ -40,6 +41,7 @@ Image draw_picture(const PictureScene& scene, const PictureOptions& options, Pro
 /// file appears whole or not at all. A PNG is written while it is drawn, in bands of rows. Pre:
 /// picture_objection is empty. Throws OutputError, DeviceError, or Cancelled.
 void write_picture(const PictureScene& scene, const PictureOptions& options,
-                   const std::filesystem::path& file, Progress* progress);
+                   const std::filesystem::path& file, Progress* progress,
+                   io::Flush flush = io::Flush::now);
 
 }  // namespace mesher::app

@@ -10,6 +10,7 @@
 #include "app/edit/progressive_edits.h"
 #include "app/files/journal.h"
 #include "engine/core/error.h"
+#include "engine/io/pm_file.h"
 
 namespace mesher::app {
 namespace {
@@ -27,7 +28,12 @@ double now_s() {
 }  // namespace
 
 PmArrival::PmArrival(const fs::path& file)
-    : file_(file), reader_(std::make_unique<progressive::PmReader>(file.string())), stream_(file) {}
+    : file_(file),
+      is_pipe_(io::is_pipe(file)),
+      reader_(std::make_unique<progressive::PmReader>(file.string())),
+      stream_(file) {
+  if (is_pipe_) reader_->ignore_what_follows();
+}
 
 bool PmArrival::advance(Session& session, double seconds) {
   if (is_done_ || !has_news(session.document.progressive)) return false;
@@ -39,9 +45,13 @@ bool PmArrival::advance(Session& session, double seconds) {
   return is_new;
 }
 
-/// Data after damage cannot be used, and a pipe may never end: damage ends the reading.
+/// Data after damage cannot be used, and a pipe may never end: damage ends the reading, and so does
+/// the last split of a pipe.
 bool PmArrival::is_over(ProgressiveView& progressive) const {
-  return stream_.is_at_end() || (has_base_ && !progressive.reader()->damage().empty());
+  if (stream_.is_at_end()) return true;
+  if (!has_base_) return false;
+  const progressive::PmReader& reader = *progressive.reader();
+  return !reader.damage().empty() || (is_pipe_ && reader.is_complete());
 }
 
 bool PmArrival::has_news(const ProgressiveView& progressive) const {

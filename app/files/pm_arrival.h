@@ -49,6 +49,7 @@ class PmArrival {
   void end(Session& session);
 
   std::filesystem::path file_;
+  bool is_pipe_;
   std::unique_ptr<progressive::PmReader>
       reader_;  ///< until the base is loaded; then the document owns it
   bool has_base_ = false;

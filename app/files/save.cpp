@@ -99,7 +99,7 @@ std::vector<std::string> write_scene(const SaveTask& task, Progress* progress) {
   std::ranges::move(io::format_of(task.file)->write_scene(file, *task.shape, *task.scene, progress),
                     std::back_inserter(losses));
   seal(progress);
-  file.commit(io::Flush::now);
+  file.commit(task.flush);
   return losses;
 }
 
@@ -117,7 +117,7 @@ void write_progressive(const SaveTask& task, Progress* progress) {
   io::AtomicFile file(task.file);
   io::write_pm_file(file, *levels, {.progress = progress});
   seal(progress);
-  file.commit(io::Flush::now);
+  file.commit(task.flush);
 }
 
 }  // namespace
@@ -262,12 +262,11 @@ Saved perform(const SaveTask& task, Progress* progress) {
       throw OutputError(task.file.string(), "there is nothing to save: the scene shows no faces");
     saved.vertices = shape.mesh.vertex_count();
     saved.faces = shape.mesh.face_count();
-    // Once it is saved, the journal of its edits is removed.
     io::write_model(task.file, shape.mesh, shape.attributes,
                     {.origin = task.origin,
                      .materials = task.materials,
                      .progress = progress,
-                     .flush = io::Flush::now});
+                     .flush = task.flush});
     saved.losses = losses_of(task, shape);
   }
   return saved;

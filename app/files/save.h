@@ -10,6 +10,7 @@
 #include "app/document/leaving.h"
 #include "app/files/folder.h"
 #include "engine/core/progress.h"
+#include "engine/io/atomic_file.h"
 #include "engine/mesh/contents.h"
 #include "engine/mesh/material.h"
 #include "engine/mesh/shape.h"
@@ -58,6 +59,8 @@ struct SaveTask {
   std::shared_ptr<progressive::ProgressiveMesh> levels;
   simplify::SimplifyOptions rules;
   std::uint64_t opening = 0;  ///< Document::opening
+  /// Once the file is saved, the journal of its edits is removed.
+  io::Flush flush = io::Flush::now;
   /// History::state of the model; none: a level of a progressive mesh is written instead.
   std::optional<std::uint64_t> state;
   std::optional<Leaving> then;  ///< as Saving::then

@@ -36,7 +36,7 @@ PictureScene scene_at(const PictureScene& start, std::uint32_t frame, std::uint3
 
 void write_animation(const PictureScene& start, const PictureOptions& options,
                      const TurntableOptions& turn, const std::filesystem::path& file,
-                     Progress* progress) {
+                     Progress* progress, io::Flush flush) {
   io::WebpAnimation animation(file, options.scale * start.window.width,
                               options.scale * start.window.height);
   Stages stages(progress, std::vector<double>(turn.frames, 1.0));
@@ -46,13 +46,13 @@ void write_animation(const PictureScene& start, const PictureOptions& options,
                      begin_ms(turn, frame));
   }
   seal(progress);
-  animation.finish(begin_ms(turn, turn.frames));
+  animation.finish(begin_ms(turn, turn.frames), flush);
 }
 
 /// Commits the files only after the last one is complete.
 void write_frames(const PictureScene& start, const PictureOptions& options,
                   const TurntableOptions& turn, const std::filesystem::path& file,
-                  Progress* progress) {
+                  Progress* progress, io::Flush flush) {
   std::vector<std::unique_ptr<io::AtomicFile>> files;
   Stages stages(progress, std::vector<double>(turn.frames, 1.0));
   for (std::uint32_t frame = 0; frame < turn.frames; ++frame) {
@@ -64,8 +64,7 @@ void write_frames(const PictureScene& start, const PictureOptions& options,
     writer.finish();
   }
   seal(progress);
-  for (const auto& written : files)
-    written->commit();
+  io::AtomicFile::commit_all(files, flush);
 }
 
 }  // namespace
@@ -129,13 +128,13 @@ void check_turntable_files(const std::filesystem::path& file, const TurntableOpt
 
 void write_turntable(const PictureScene& scene, const PictureOptions& options,
                      const TurntableOptions& turn, const std::filesystem::path& file,
-                     Progress* progress) {
+                     Progress* progress, io::Flush flush) {
   begin_stage(progress, "drawing the turn");
   PictureScene start = scene;
   const double aspect = static_cast<double>(scene.window.width) / scene.window.height;
   start.camera = turn_start(scene.camera, scene.box, aspect, turn.frames);
-  if (is_png_name(file)) return write_frames(start, options, turn, file, progress);
-  write_animation(start, options, turn, file, progress);
+  if (is_png_name(file)) return write_frames(start, options, turn, file, progress, flush);
+  write_animation(start, options, turn, file, progress, flush);
 }
 
 }  // namespace mesher::app

@@ -34,6 +34,6 @@ void check_turntable_files(const std::filesystem::path& file, const TurntableOpt
 /// turntable_objection is empty. Throws as write_picture.
 void write_turntable(const PictureScene& scene, const PictureOptions& options,
                      const TurntableOptions& turn, const std::filesystem::path& file,
-                     Progress* progress);
+                     Progress* progress, io::Flush flush = io::Flush::now);
 
 }  // namespace mesher::app

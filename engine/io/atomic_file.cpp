@@ -5,13 +5,15 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <charconv>
+#include <set>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "engine/core/error.h"
+#include "engine/io/temporary_files.h"
 
 namespace mesher::io {
 namespace {
@@ -40,49 +42,96 @@ bool is_writable(int descriptor) {
   return flags >= 0 && (flags & O_ACCMODE) != O_RDONLY;
 }
 
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+/// Returns what a chain of symbolic links leads to, even if nothing is there.
+std::filesystem::path behind_links(const std::filesystem::path& target) {
+  constexpr int kMostLinks = 40;  // as the kernel
+  std::filesystem::path file = target;
+  for (int link = 0; link < kMostLinks; ++link) {
+    std::error_code error;
+    const std::filesystem::path next = std::filesystem::read_symlink(file, error);
+    if (error) return file;
+    file = file.parent_path() / next;
+  }
+  throw OutputError(target.string(), "cannot write: " + std::generic_category().message(ELOOP));
+}
+
+/// Returns whether the folder may get a file of this name in place of the one that has it, if any.
+/// Sets errno if not.
+bool may_take_name(const std::filesystem::path& folder, const struct stat* old) {
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) return false;
+  struct stat status = {};
+  if (::stat(folder.c_str(), &status) != 0) return false;
+  errno = ENOTDIR;
+  if (!S_ISDIR(status.st_mode)) return false;
+  // Of a folder such as /tmp, everybody may replace only what is his.
+  const bool is_sticky = (status.st_mode & S_ISVTX) != 0 && ::geteuid() != 0;
+  errno = EPERM;
+  return old == nullptr || !is_sticky || old->st_uid == ::geteuid() || status.st_uid == ::geteuid();
+}
+
+void flush_folder(const std::filesystem::path& folder) noexcept {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;  // of a folder that cannot be read, the name follows later
+  static_cast<void>(::fsync(descriptor));
+  ::close(descriptor);
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(const std::filesystem::path& target)
     : name_(target.string()), target_(target) {
-  if (const int named = descriptor_named(target); named >= 0) {
+  const int named = descriptor_named(target);
+  if (named < 0) {
+    open_target(target);
+  } else {
     if (is_writable(named)) descriptor_ = ::fcntl(named, F_DUPFD_CLOEXEC, 0);
     if (descriptor_ < 0) fail("cannot write");
     is_direct_ = true;
-    return;
   }
-  struct stat status = {};
-  const bool exists = ::stat(target.c_str(), &status) == 0;
-  if (exists && S_ISDIR(status.st_mode)) throw OutputError(name_, "is a directory");
+}
+
+void AtomicFile::open_target(const std::filesystem::path& target) {
+  struct stat old = {};
+  const bool exists = ::stat(target.c_str(), &old) == 0;
+  if (exists && S_ISDIR(old.st_mode)) throw OutputError(name_, "is a directory");
   if (exists && ::access(target.c_str(), W_OK) != 0) fail("cannot write");
-  if (exists && !S_ISREG(status.st_mode)) {
+  if (exists && !S_ISREG(old.st_mode)) {
     descriptor_ = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor_ < 0) fail("cannot write");
     is_direct_ = true;
     return;
   }
-  if (exists && std::filesystem::is_symlink(target)) target_ = std::filesystem::canonical(target);
+  target_ = behind_links(target);
+  sweep_temporaries(folder_of(target_));
   open_temporary();
-  // Some file systems do not support permissions; the file is valid without them.
-  if (exists) static_cast<void>(::fchmod(descriptor_, status.st_mode & 07777));
+  if (exists) keep_owner_and_mode(old);
 }
 
 void AtomicFile::check(const std::filesystem::path& target) {
   const auto refuse = [&](const std::string& reason) {
     throw OutputError(target.string(), reason);
   };
+  const auto refuse_as_errno = [&] {
+    refuse("cannot write: " + std::generic_category().message(errno));
+  };
   if (const int named = descriptor_named(target); named >= 0) {
-    if (!is_writable(named)) refuse("cannot write: " + std::generic_category().message(errno));
+    if (!is_writable(named)) refuse_as_errno();
     return;
   }
-  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
-  struct stat status = {};
-  const bool exists = ::stat(target.c_str(), &status) == 0;
-  if (exists && S_ISDIR(status.st_mode)) refuse("is a directory");
-  const bool is_denied = ::access(exists ? target.c_str() : folder.c_str(), W_OK) != 0;
-  if (is_denied) refuse("cannot write: " + std::generic_category().message(errno));
-  if (!exists && !std::filesystem::is_directory(folder)) {
-    refuse("cannot write: " + std::generic_category().message(ENOTDIR));
-  }
+  struct stat old = {};
+  const bool exists = ::stat(target.c_str(), &old) == 0;
+  if (exists && S_ISDIR(old.st_mode)) refuse("is a directory");
+  if (exists && ::access(target.c_str(), W_OK) != 0) refuse_as_errno();
+  if (exists && !S_ISREG(old.st_mode)) return;
+  const std::filesystem::path folder = folder_of(behind_links(target));
+  if (may_take_name(folder, exists ? &old : nullptr)) return;
+  const std::string reason = std::generic_category().message(errno);
+  if (exists) refuse("cannot be replaced in its folder: " + reason);
+  refuse("cannot write: " + reason);
 }
 
 AtomicFile::~AtomicFile() {
@@ -90,38 +139,41 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::open_temporary() {
-  const std::filesystem::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
-  descriptor_ = ::open(folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
-  if (descriptor_ >= 0) return;
-  // Not every file system supports unnamed files. If the cause is another, the second attempt
-  // reports it.
-  try_names([this] {
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    return descriptor_ >= 0;
-  });
-}
-
-void AtomicFile::name_temporary() {
-  const std::string unnamed = "/proc/self/fd/" + std::to_string(descriptor_);
-  try_names([&] {
-    return ::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) ==
-           0;
-  });
-}
-
-/// Calls `make` with temporary names until it succeeds with a name that is not taken.
-template <class Make>
-void AtomicFile::try_names(Make make) {
-  static std::atomic<unsigned> counter{0};
-  for (int attempt = 0; attempt < 100; ++attempt) {
-    // The target's name is not reused here, because it may already have the maximum length.
-    temporary_ = target_.parent_path() / (".mesher-" + std::to_string(::getpid()) + "-" +
-                                          std::to_string(counter++) + ".tmp");
-    if (make()) return;
-    if (errno != EEXIST) break;
+  descriptor_ = ::open(folder_of(target_).c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+  if (descriptor_ >= 0) {
+    static_cast<void>(lock_temporary(descriptor_));
+    return;
   }
-  temporary_.clear();
+  // Not every file system supports unnamed files. If the cause is another, this reports it.
+  constexpr int kMostTries = 100;  // another process may remove the file before it is locked
+  for (int i = 0; i < kMostTries; ++i) {
+    if (make_temporary()) return;
+  }
   fail("cannot write");
+}
+
+/// Returns false if another process has taken the file for a stale one.
+bool AtomicFile::make_temporary() {
+  const NoSignals no_signals;
+  temporary_ = target_.parent_path() / temporary_name();
+  list_temporary(temporary_);
+  descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) fail("cannot write");
+  struct stat status = {};
+  if (lock_temporary(descriptor_) && ::fstat(descriptor_, &status) == 0 && status.st_nlink > 0)
+    return true;
+  discard();
+  return false;
+}
+
+void AtomicFile::keep_owner_and_mode(const struct stat& old) const noexcept {
+  // Some file systems support neither; the file is valid without them.
+  struct stat own = {};
+  static_cast<void>(::fstat(descriptor_, &own));
+  mode_t mode = old.st_mode & 07777U;
+  const bool is_same = own.st_uid == old.st_uid && own.st_gid == old.st_gid;
+  if (!is_same && ::fchown(descriptor_, old.st_uid, old.st_gid) != 0) mode &= 0777U;
+  static_cast<void>(::fchmod(descriptor_, mode));
 }
 
 void AtomicFile::write(std::string_view bytes) {
@@ -141,14 +193,6 @@ void AtomicFile::flush_bytes() {
   if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOSYS) fail("cannot write");
 }
 
-void AtomicFile::flush_name() const noexcept {
-  const std::filesystem::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;  // of a folder that cannot be read, the name follows later
-  static_cast<void>(::fsync(descriptor));
-  ::close(descriptor);
-}
-
 AtomicFile& AtomicFile::add_side(const std::filesystem::path& relative) {
   const std::filesystem::path side = std::filesystem::path(name_).parent_path() / relative;
   std::vector<std::filesystem::path> missing;
@@ -157,50 +201,96 @@ AtomicFile& AtomicFile::add_side(const std::filesystem::path& relative) {
        !folder.empty() && !std::filesystem::exists(folder, error); folder = folder.parent_path()) {
     missing.push_back(folder);
   }
+  const NoSignals no_signals;
   for (auto folder = missing.rbegin(); folder != missing.rend(); ++folder) {
     if (!std::filesystem::create_directory(*folder, error) && error)
       throw OutputError(folder->string(), "cannot make the folder: " + error.message());
     made_folders_.push_back(*folder);
+    list_temporary(*folder);
   }
   return *sides_.emplace_back(std::make_unique<AtomicFile>(side));
 }
 
 void AtomicFile::commit(Flush flush) {
-  for (const auto& side : sides_)
-    side->finish_data(flush);
-  finish_data(flush);
-  for (const auto& side : sides_)
-    side->take_name(flush);
-  made_folders_.clear();
-  take_name(flush);
+  AtomicFile* const file = this;
+  commit_all({&file, 1}, flush);
+}
+
+void AtomicFile::commit_all(std::span<const std::unique_ptr<AtomicFile>> files, Flush flush) {
+  std::vector<AtomicFile*> all;
+  for (const auto& file : files)
+    all.push_back(file.get());
+  commit_all(all, flush);
+}
+
+void AtomicFile::commit_all(std::span<AtomicFile* const> files, Flush flush) {
+  for (AtomicFile* file : files) {
+    for (const auto& side : file->sides_)
+      side->finish_data(flush);
+    file->finish_data(flush);
+  }
+  std::set<std::filesystem::path> folders;
+  {
+    const NoSignals no_signals;  // none comes between the names of files that belong together
+    for (AtomicFile* file : files) {
+      for (const auto& side : file->sides_) {
+        side->take_name();
+        folders.insert(folder_of(side->target_));
+      }
+      for (const auto& folder : file->made_folders_)
+        unlist_temporary(folder);
+      file->made_folders_.clear();
+      file->take_name();
+      if (!file->is_direct_) folders.insert(folder_of(file->target_));
+    }
+  }
+  if (flush == Flush::later) return;
+  for (const auto& folder : folders)
+    flush_folder(folder);
 }
 
 /// Brings all data to the temporary file, which has a name then. What can fail mostly fails here.
 void AtomicFile::finish_data(Flush flush) {
   if (flush == Flush::now && !is_direct_) flush_bytes();
   if (!is_direct_ && temporary_.empty()) name_temporary();
-  const int descriptor = descriptor_;
-  descriptor_ = -1;
-  // Network file systems report a full disk only on close.
-  if (::close(descriptor) != 0) fail("cannot write");
+  // Network file systems report a full disk only when a descriptor is closed.
+  const int copy = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
+  if (copy < 0 || ::close(copy) != 0) fail("cannot write");
 }
 
-void AtomicFile::take_name(Flush flush) {
-  if (is_direct_) return;
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot write");
-  temporary_.clear();
-  if (flush == Flush::now) flush_name();
+void AtomicFile::name_temporary() {
+  const NoSignals no_signals;
+  const std::string unnamed = "/proc/self/fd/" + std::to_string(descriptor_);
+  // The target's name is not part of it, because that may already have the maximum length.
+  temporary_ = target_.parent_path() / temporary_name();
+  list_temporary(temporary_);
+  if (::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) != 0)
+    fail("cannot write");
+}
+
+void AtomicFile::take_name() {
+  if (!is_direct_) {
+    if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot write");
+    unlist_temporary(temporary_);
+    temporary_.clear();
+  }
+  ::close(std::exchange(descriptor_, -1));
 }
 
 void AtomicFile::discard() noexcept {
-  if (descriptor_ >= 0) ::close(descriptor_);
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
-  descriptor_ = -1;
-  temporary_.clear();
+  const NoSignals no_signals;
+  if (!temporary_.empty()) {
+    ::unlink(temporary_.c_str());
+    unlist_temporary(temporary_);
+    temporary_.clear();
+  }
+  if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
   sides_.clear();
   std::error_code error;  // a folder that is used by now stays
-  for (; !made_folders_.empty(); made_folders_.pop_back())
+  for (; !made_folders_.empty(); made_folders_.pop_back()) {
     std::filesystem::remove(made_folders_.back(), error);
+    unlist_temporary(made_folders_.back());
+  }
 }
 
 void AtomicFile::fail(const char* action) {

@@ -3,9 +3,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+struct stat;
 
 namespace mesher::io {
 
@@ -19,11 +22,18 @@ enum class Flush {
 ///
 /// The data goes to an unnamed file in the target's folder, or to a temporary file where the file
 /// system does not support unnamed ones. `commit` gives that file the target's name. Destruction
-/// without `commit` leaves nothing behind and does not change an existing target. A killed process
-/// does not change the target either; it leaves a temporary file only if unnamed files are not
-/// supported, or if it is killed during `commit`. Symbolic links are followed, and an existing file
-/// keeps its permissions. Pipes and files that are open already (`/dev/stdout`, `/dev/fd/3`) cannot
-/// be replaced by a rename and are written directly.
+/// without `commit` leaves nothing behind and does not change an existing target, nor does a signal
+/// (engine/io/temporary_files.h). A process that is killed at once does not change the target
+/// either; if it leaves a temporary file, the next write into that folder removes it.
+///
+/// What becomes of an existing file:
+/// - Symbolic links are followed, also where they lead to no file yet.
+/// - The permissions stay. So does the owner, if the process may give files away; without the
+/// owner,
+///   set-user-ID and set-group-ID bits are not kept. Access control lists are not kept.
+/// - Other hard links to the file keep the old content.
+/// - Pipes and files that are open already (`/dev/stdout`, `/dev/fd/3`) cannot be replaced by a
+///   rename and are written directly.
 class AtomicFile {
  public:
   /// Throws OutputError if the target is a directory or its folder cannot be written.
@@ -45,20 +55,24 @@ class AtomicFile {
   /// Missing folders are made. `commit` gives these files their names before this one has its own,
   /// so that whatever refers to them finds them. Throws OutputError.
   AtomicFile& add_side(const std::filesystem::path& relative);
-  /// Closes the file and renames it to the target. With Flush::now, a power failure leaves the old
-  /// file or the new one. Throws OutputError, and then the temporary file has been removed. Files
-  /// of add_side get no name unless the data of all files is written.
+  /// Gives the file its name. With Flush::now, a power failure leaves the old file or the new one.
+  /// Throws OutputError, and then the temporary file has been removed. Files of add_side get no
+  /// name unless the data of all files is written.
   void commit(Flush flush = Flush::later);
+  /// As `commit`, for files of which none may appear unless the data of all is written.
+  static void commit_all(std::span<const std::unique_ptr<AtomicFile>> files,
+                         Flush flush = Flush::later);
 
  private:
-  void finish_data(Flush flush);
-  void take_name(Flush flush);
+  static void commit_all(std::span<AtomicFile* const> files, Flush flush);
+  void open_target(const std::filesystem::path& target);
   void open_temporary();
+  bool make_temporary();
+  void keep_owner_and_mode(const struct stat& old) const noexcept;
+  void finish_data(Flush flush);
   void name_temporary();
   void flush_bytes();
-  void flush_name() const noexcept;
-  template <class Make>
-  void try_names(Make make);
+  void take_name();
   void discard() noexcept;
   [[noreturn]] void fail(const char* action);
 
@@ -66,7 +80,7 @@ class AtomicFile {
   std::filesystem::path target_;
   std::filesystem::path temporary_;  ///< empty while the file has no name
   bool is_direct_ = false;           ///< writes to the target itself
-  int descriptor_ = -1;
+  int descriptor_ = -1;              ///< open until the file has its name, because of its lock
   std::uint64_t size_ = 0;
   std::vector<std::unique_ptr<AtomicFile>> sides_;
   std::vector<std::filesystem::path> made_folders_;  ///< removed unless it comes to a commit

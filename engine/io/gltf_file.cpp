@@ -104,6 +104,15 @@ struct GltfFile::Buffer {
 };
 
 GltfFile::GltfFile(const MappedFile& file, Progress* progress) : file_(file), progress_(progress) {
+  try {
+    read_document();
+  } catch (const InputError&) {
+    file_.check_unchanged();
+    throw;
+  }
+}
+
+void GltfFile::read_document() {
   read_container();
   if (!json_->is_object()) fail("not a glTF document");
   const auto asset = json_->find("asset");
@@ -346,7 +355,15 @@ std::filesystem::path GltfFile::file_of(std::string_view uri) const {
 
 std::string GltfFile::resource(std::string_view uri) const {
   if (uri.starts_with("data:")) return decoded_uri(uri);
-  return std::string(MappedFile(file_of(uri)).bytes());
+  const MappedFile file(file_of(uri));
+  return read_unchanged(file, [&] { return std::string(file.bytes()); });
+}
+
+void GltfFile::check_unchanged() const {
+  file_.check_unchanged();
+  for (const auto& buffer : buffers_) {
+    if (buffer && buffer->file) buffer->file->check_unchanged();
+  }
 }
 
 std::size_t GltfFile::element_count(std::uint64_t index) {

@@ -88,6 +88,8 @@ class GltfFile {
   std::string resource(std::string_view uri) const;
   /// Returns the folder that URIs are relative to.
   std::filesystem::path folder() const;
+  /// Throws InputChanged if another program changed the document or a buffer that was opened.
+  void check_unchanged() const;
   /// Returns the size in bytes of the document and of the external buffers opened so far.
   std::size_t byte_count() const;
 
@@ -96,6 +98,7 @@ class GltfFile {
  private:
   struct Buffer;
 
+  void read_document();
   void read_container();
   void parse_json(const char* begin, const char* end);
   void open_data(const Json& json, std::uint64_t count, Accessor& accessor);

@@ -201,6 +201,8 @@ class MaterialReader {
     const std::string label = image.name.empty() ? std::to_string(index) : image.name;
     try {
       read_bytes(json, label, image);
+    } catch (const InputChanged&) {
+      throw;
     } catch (const InputError& error) {
       contents_.warn("texture " + label + ": " + error.reason());
     }

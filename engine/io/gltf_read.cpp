@@ -94,6 +94,7 @@ class GltfReader {
 
   /// Returns the largest distance of a coordinate from its value in double precision.
   double position_error() const { return position_error_; }
+  const GltfFile& document() const { return gltf_; }
 
   Soup run() {
     check_required_extensions(gltf_);
@@ -393,7 +394,7 @@ Soup read_gltf(const MappedFile& file, const ReadOptions& options) {
   stages.next();
   GltfReader reader(file, options);
   stages.next();
-  Soup soup = reader.run();
+  Soup soup = read_unchanged(reader.document(), [&] { return reader.run(); });
   const glm::dvec3 origin = choose_origin(soup.positions, reader.position_error());
   if (origin == glm::dvec3(0.0)) return soup;
   soup = {};

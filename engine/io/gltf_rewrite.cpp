@@ -217,6 +217,8 @@ void GltfRewriter::embed(Json& image) {
   std::string bytes;
   try {
     bytes = gltf_.resource(uri);
+  } catch (const InputChanged&) {
+    throw;
   } catch (const InputError&) {
     FileContents readable;  // replaces control characters and truncates
     readable.add(Content::textures, uri);
@@ -440,6 +442,7 @@ void GltfRewriter::write(AtomicFile& file, bool binary, Progress* progress) cons
   }
   parts.document = document_.dump();
   write_container(file, parts, binary, [&](auto& sink) { data_.write(sink, progress); });
+  gltf_.check_unchanged();  // what is copied was read just now
 }
 
 }  // namespace mesher::io

@@ -37,6 +37,10 @@ GltfScene::GltfScene(const std::filesystem::path& file, const ReadOptions& optio
 }
 
 std::vector<GltfSceneMesh> GltfScene::read_meshes(const ReadOptions& options) {
+  return read_unchanged(gltf_, [&] { return read_meshes_once(options); });
+}
+
+std::vector<GltfSceneMesh> GltfScene::read_meshes_once(const ReadOptions& options) {
   PackedPrimitives packed;
   GltfBudget budget;
   std::vector<GltfSceneMesh> meshes;

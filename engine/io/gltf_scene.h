@@ -48,6 +48,8 @@ class GltfScene {
   Box bounds(const std::vector<GltfSceneMesh>& meshes) const;
 
  private:
+  std::vector<GltfSceneMesh> read_meshes_once(const ReadOptions& options);
+
   MappedFile file_;
   GltfFile gltf_;
   FileContents contents_;

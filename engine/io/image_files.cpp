@@ -1,6 +1,7 @@
 #include "engine/io/image_files.h"
 
 #include <memory>
+#include <optional>
 #include <system_error>
 
 #include "engine/core/error.h"
@@ -30,14 +31,16 @@ void ImageFiles::load(EncodedImage& image, const Beside& found, std::string_view
   const std::uintmax_t size = std::filesystem::file_size(found.file, error);
   if (error) return warn(error.message());
   if (size > kMostImageBytes || size > kMostBytesOfImages - bytes_) return warn("too large");
+  std::optional<MappedFile> file;
   try {
-    const MappedFile file(found.file);
-    image.bytes = std::make_shared<const std::string>(file.bytes());
-    image.mime_type = image_type(file.bytes());
-    bytes_ += file.size();
+    file.emplace(found.file);
   } catch (const InputError& failure) {
-    warn(failure.reason());
+    return warn(failure.reason());
   }
+  image.bytes = std::make_shared<const std::string>(file->bytes());
+  file->check_unchanged();
+  image.mime_type = image_type(*image.bytes);
+  bytes_ += image.bytes->size();
 }
 
 }  // namespace mesher::io

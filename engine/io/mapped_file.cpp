@@ -47,18 +47,21 @@ MappedFile::MappedFile(const std::filesystem::path& file, Progress* progress, Ke
   // Devices are refused because their data may never end. A terminal is a device too.
   if (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)) throw InputError(name_, 0, "is a device");
   // Files under /proc report size 0 but are not empty, so they are read block by block.
-  if (S_ISREG(status.st_mode) && status.st_size > 0 && keep == Keep::mapped) {
-    map(in.fd, static_cast<std::size_t>(status.st_size));
-  } else {
-    read_blocks(in.fd, progress);
-  }
+  stamp_ = FileStamp(in.fd);
+  const auto size = static_cast<std::size_t>(stamp_.size());
+  if (S_ISREG(status.st_mode) && size > 0 && keep == Keep::mapped && map(in.fd, size)) return;
+  read_blocks(in.fd, progress);
+  check_unchanged();
+  stamp_ = {};
 }
 
 MappedFile::~MappedFile() {
+  watch_.stop();
   if (mapped_bytes_ != 0) ::munmap(const_cast<char*>(data_), mapped_bytes_);
 }
 
-void MappedFile::map(int descriptor, std::size_t size) {
+/// Returns false if the mapping cannot be watched.
+bool MappedFile::map(int descriptor, std::size_t size) {
   const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
   // For the padding, map anonymous pages one page past the file's end, then map the file over them.
   // The kernel zeroes the rest of the file's last page.
@@ -71,10 +74,15 @@ void MappedFile::map(int descriptor, std::size_t size) {
     errno = error;
     fail("cannot map");
   }
+  if (!watch_.start(area, bytes)) {
+    ::munmap(area, bytes);
+    return false;
+  }
   ::madvise(area, size, MADV_SEQUENTIAL);
   data_ = static_cast<const char*>(area);
   size_ = size;
   mapped_bytes_ = bytes;
+  return true;
 }
 
 void MappedFile::read_blocks(int descriptor, Progress* progress) {
@@ -93,6 +101,15 @@ void MappedFile::read_blocks(int descriptor, Progress* progress) {
   copy_.resize(size_ + kPadding);
   std::memset(copy_.data() + size_, 0, kPadding);
   data_ = copy_.data();
+}
+
+void MappedFile::check_unchanged() const {
+  if (watch_.is_cut()) {
+    throw InputChanged(
+        name_, 0, "could not be read to its end: it was cut short meanwhile, or its disk failed");
+  }
+  if (!stamp_.is_current(name_))
+    throw InputChanged(name_, 0, "was changed by another program while it was read; try again");
 }
 
 std::uint64_t MappedFile::line_of(const char* where) const {

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -64,12 +65,15 @@ class ObjMaterials {
                                : "there is no such file"));
       return;
     }
+    std::optional<MappedFile> file;
     try {
-      reader_.read(MappedFile(found.file));
+      file.emplace(found.file);
+      reader_.read(*file);
     } catch (const InputError& error) {
       materials_.missing_files.push_back(name);
       soup_.contents.warn("material file " + name + ": " + error.reason());
     }
+    if (file) file->check_unchanged();
   }
 
   void load_images() {

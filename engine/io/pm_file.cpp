@@ -114,8 +114,10 @@ std::uint64_t feed_file(progressive::PmReader& reader, const fs::path& file, Pro
   if (mapped.size() == 0) throw InputError(mapped.name(), 0, "is empty");
   const auto bytes = std::as_bytes(std::span(mapped.begin(), mapped.size()));
   if (!has_pm_ending(file)) check_kind(mapped.name(), bytes);
-  feed_all(reader, bytes, progress);
-  return bytes.size();
+  return read_unchanged(mapped, [&] {
+    feed_all(reader, bytes, progress);
+    return bytes.size();
+  });
 }
 
 /// Feeds the bytes that identify the content of a pipe. Returns how many bytes were fed.
@@ -132,13 +134,13 @@ std::uint64_t feed_beginning(progressive::PmReader& reader, Pipe& pipe, const fs
   return begin.size();
 }
 
-/// Feeds the mesh of a pipe and returns the number of bytes fed. Reads no further than the mesh:
-/// the rest may be endless, or its writer may pause. Surplus bytes that are available already are
-/// read and count as damage.
+/// Feeds the mesh of a pipe and returns its number of bytes. Reads no further than the mesh: the
+/// rest may be endless, or its writer may pause.
 std::uint64_t feed_pipe(progressive::PmReader& reader, const fs::path& file, Progress* progress) {
   Pipe pipe(file.string(), progress);
+  reader.ignore_what_follows();
   std::uint64_t fed = feed_beginning(reader, pipe, file);
-  while (reader.damage().empty() && (!reader.is_complete() || pipe.has_news(0))) {
+  while (reader.damage().empty() && !reader.is_complete()) {
     const auto bytes = pipe.read();
     if (bytes.empty()) break;
     reader.feed(bytes);
@@ -147,12 +149,7 @@ std::uint64_t feed_pipe(progressive::PmReader& reader, const fs::path& file, Pro
     report(progress, static_cast<float>(splits / std::max(1U, reader.announced_splits())));
   }
   reader.finish();
-  return fed;
-}
-
-bool is_pipe(const fs::path& file) {
-  std::error_code ignored;
-  return fs::is_fifo(file, ignored) || fs::is_socket(file, ignored);
+  return reader.is_complete() ? reader.used_bytes() : fed;
 }
 
 PmSummary summary_of(const progressive::ProgressiveMesh& mesh) {
@@ -170,6 +167,11 @@ PmSummary summary_of(const progressive::ProgressiveMesh& mesh) {
 bool has_pm_ending(const fs::path& file) {
   const FormatInfo* format = format_of(file);
   return format != nullptr && format->extension == std::string_view(".pm");
+}
+
+bool is_pipe(const fs::path& file) {
+  std::error_code ignored;
+  return fs::is_fifo(file, ignored) || fs::is_socket(file, ignored);
 }
 
 bool is_pm_file(const fs::path& file) {

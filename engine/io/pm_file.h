@@ -40,7 +40,11 @@ bool has_pm_ending(const std::filesystem::path& file);
 /// one, or it is a pipe whose name does not tell (the beginning of a pipe can be read only once).
 bool is_pm_file(const std::filesystem::path& file);
 
-/// Reads a progressive mesh from a file or a pipe. Reads no more of a pipe than the mesh needs.
+/// Returns whether a file is a pipe or a socket, which may go on after a progressive mesh.
+bool is_pipe(const std::filesystem::path& file);
+
+/// Reads a progressive mesh from a file or a pipe. Reads no more of a pipe than the mesh needs; in
+/// a file, bytes after the mesh are damage.
 ///
 /// If the file is damaged, returns the part before the damage and records the damage in the
 /// summary. Throws InputError if not even the base mesh is readable; DeviceError if out of memory;

@@ -19,12 +19,12 @@ using Context = std::unique_ptr<spng_ctx, FreeContext>;
 
 }  // namespace
 
-void write_png(const std::filesystem::path& file, const Image& image) {
+void write_png(const std::filesystem::path& file, const Image& image, Flush flush) {
   AtomicFile out(file);
   PngWriter writer(out, image.width, image.height);
   writer.append(image);
   writer.finish();
-  out.commit();
+  out.commit(flush);
 }
 
 Image read_png(const std::filesystem::path& file) {

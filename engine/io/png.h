@@ -6,12 +6,13 @@
 #include <string_view>
 
 #include "engine/core/image.h"
+#include "engine/io/atomic_file.h"
 
 namespace mesher::io {
 
 /// Writes an image as 8-bit RGBA PNG (PngWriter) that appears whole or not at all. Throws
 /// OutputError. Pre: width and height are at least 1.
-void write_png(const std::filesystem::path& file, const Image& image);
+void write_png(const std::filesystem::path& file, const Image& image, Flush flush = Flush::later);
 
 /// Reads any PNG as 8-bit RGBA. Throws InputError if the file is damaged, is not a PNG, or is wider
 /// or higher than 32,768 pixels.

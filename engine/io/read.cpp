@@ -18,7 +18,7 @@ Soup read_polygons(const FormatInfo& format, const std::filesystem::path& file,
   if (bytes.size() == 0) throw InputError(bytes.name(), 0, "is empty");
   Stages stages(options.progress, {1.0 - format.join_part, format.join_part});
   stages.next();
-  Soup soup = format.read(bytes, options);
+  Soup soup = read_unchanged(bytes, [&] { return format.read(bytes, options); });
   stages.next("connecting");
   if (options.weld && !format.joins_itself) join_vertices(soup, *options.weld, options.progress);
   return soup;

@@ -65,7 +65,8 @@ void check_size(const std::string& file, std::uint32_t width, std::uint32_t heig
 
 }  // namespace
 
-void write_webp(const std::filesystem::path& file, const Image& image, Progress* progress) {
+void write_webp(const std::filesystem::path& file, const Image& image, Progress* progress,
+                Flush flush) {
   check_size(file.string(), image.width, image.height);
   AtomicFile out(file);
   WebPConfig config;
@@ -92,7 +93,7 @@ void write_webp(const std::filesystem::path& file, const Image& image, Progress*
   }
   out.write(bytes_of(writer.mem, writer.size));
   if (progress != nullptr) progress->seal();
-  out.commit();
+  out.commit(flush);
 }
 
 void WebpAnimation::FreeEncoder::operator()(WebPAnimEncoder* encoder) const {
@@ -130,7 +131,7 @@ void WebpAnimation::append(const Image& frame, std::uint32_t begin_ms) {
   }
 }
 
-void WebpAnimation::finish(std::uint32_t end_ms) {
+void WebpAnimation::finish(std::uint32_t end_ms, Flush flush) {
   WebPData data;
   WebPDataInit(&data);
   const ClearData clear{data};
@@ -139,7 +140,7 @@ void WebpAnimation::finish(std::uint32_t end_ms) {
     fail();
   }
   file_.write(bytes_of(data.bytes, data.size));
-  file_.commit();
+  file_.commit(flush);
 }
 
 void WebpAnimation::fail() {

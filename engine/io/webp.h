@@ -17,8 +17,8 @@ inline constexpr std::uint32_t kMostWebpSide = 16'383;
 
 /// Writes an image as lossless WebP that appears whole or not at all. Throws OutputError, also for
 /// a side that is not from 1 to kMostWebpSide; or Cancelled while it compresses.
-void write_webp(const std::filesystem::path& file, const Image& image,
-                Progress* progress = nullptr);
+void write_webp(const std::filesystem::path& file, const Image& image, Progress* progress = nullptr,
+                Flush flush = Flush::later);
 
 /// Writes an animated WebP that repeats forever. Frames are compressed lossily at a quality that
 /// keeps thin lines sharp. The animation is in memory, compressed, until `finish` writes it.
@@ -35,7 +35,7 @@ class WebpAnimation {
   void append(const Image& frame, std::uint32_t begin_ms);
   /// Writes and commits the file. The last frame is shown until `end_ms`, and then the first one
   /// again. Pre: there is a frame. Throws OutputError.
-  void finish(std::uint32_t end_ms);
+  void finish(std::uint32_t end_ms, Flush flush = Flush::later);
 
  private:
   struct FreeEncoder {

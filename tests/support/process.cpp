@@ -82,9 +82,13 @@ BackgroundProgram::~BackgroundProgram() {
   }
 }
 
+void BackgroundProgram::send(int signal) {
+  if (is_running()) kill(pid_, signal);
+}
+
 void BackgroundProgram::kill_at_once() {
   if (!is_running()) return;
-  kill(pid_, SIGKILL);
+  send(SIGKILL);
   wait(60.0);
 }
 
@@ -98,7 +102,7 @@ bool BackgroundProgram::is_running() {
 int BackgroundProgram::wait(double seconds) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   while (is_running() && std::chrono::steady_clock::now() < end) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return exit_code_;
 }

@@ -30,6 +30,8 @@ class BackgroundProgram {
   BackgroundProgram& operator=(const BackgroundProgram&) = delete;
 
   bool is_running();
+  /// Sends it a signal, unless it has ended.
+  void send(int signal);
   /// Ends it by SIGKILL, which it cannot notice.
   void kill_at_once();
   /// Waits up to `seconds` for its end. Returns its exit code, or -1 if it still runs.

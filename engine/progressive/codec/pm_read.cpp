@@ -34,6 +34,7 @@ struct PmReader::State {
   std::uint32_t check = 0;  ///< checksum of everything so far
   ProgressiveMesh mesh;
   bool has_base = false;
+  bool ignores_what_follows = false;
   std::unique_ptr<SplitCoder<RangeDecoder>> coder;
   std::string damage;
 
@@ -65,7 +66,8 @@ struct PmReader::State {
       case Stage::block:
         return take_block(bytes);
       case Stage::done:
-        if (!bytes.empty()) end_early(used_bytes, "bytes follow after the last split");
+        if (!bytes.empty() && !ignores_what_follows)
+          end_early(used_bytes, "bytes follow after the last split");
         return 0;
       case Stage::damaged:
         return 0;
@@ -197,6 +199,10 @@ bool PmReader::is_pm(std::span<const std::byte> begin) {
          std::memcmp(begin.data(), kPmMagic.data(), kPmMagic.size()) == 0;
 }
 
+void PmReader::ignore_what_follows() {
+  state_->ignores_what_follows = true;
+}
+
 void PmReader::feed(std::span<const std::byte> bytes) {
   state_->feed(bytes);
 }
@@ -218,6 +224,9 @@ bool PmReader::is_complete() const {
 }
 std::string_view PmReader::damage() const {
   return state_->damage;
+}
+std::uint64_t PmReader::used_bytes() const {
+  return state_->used_bytes;
 }
 std::uint32_t PmReader::announced_splits() const {
   return state_->header.splits;

@@ -27,6 +27,10 @@ class PmReader {
   /// Returns whether a file that begins like this is a progressive mesh. Needs 8 bytes.
   static bool is_pm(std::span<const std::byte> begin);
 
+  /// Lets anything follow the last split: the mesh is from a pipe that goes on. Otherwise, bytes
+  /// that follow are damage.
+  void ignore_what_follows();
+
   /// Reads the next bytes. O(bytes + splits). Throws InputError (file, byte, reason) if header or
   /// base are invalid; there is no mesh then. An invalid block ends the reading: see damage().
   /// Running out of memory also ends it, and throws std::bad_alloc.
@@ -42,6 +46,8 @@ class PmReader {
   /// Returns why the rest cannot be used ("byte 1,234: checksum of a block is wrong; 5,000 of 8,000
   /// splits were read"); empty if nothing is wrong so far.
   std::string_view damage() const;
+  /// Returns the number of bytes that the mesh read so far has taken.
+  std::uint64_t used_bytes() const;
   /// Returns the number of splits announced by the header. Use it for progress bars only.
   std::uint32_t announced_splits() const;
   /// Returns the bits per coordinate; 0: lossless.

@@ -332,7 +332,7 @@ TEST_F(ProgressiveCommand, ReadsNoMoreOfPipeThanNeeded) {
   EXPECT_EQ(named.exit_code, 2);
   EXPECT_TRUE(holds(named.err, "not a progressive mesh")) << named.err;
   damage(0.5);
-  EXPECT_EQ(shell("(cat damaged.pm; " + tail + ") | mesher info /dev/stdin").exit_code, 0);
+  EXPECT_EQ(shell("(cat damaged.pm; " + tail + ") | mesher info /dev/stdin").exit_code, 2);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "all"));
 }
 
@@ -347,16 +347,25 @@ TEST_F(ProgressiveCommand, CompleteMeshDoesNotWaitForEndOfPipe) {
   EXPECT_EQ(pm["bytes"], std::filesystem::file_size(folder_ / "p.pm"));
 }
 
-TEST_F(ProgressiveCommand, BytesAfterEndAreReported) {
+TEST_F(ProgressiveCommand, BytesAfterEndAreDamageOfFileButNotOfPipe) {
   make("bunny");
   // Small enough for the buffer of the pipe, so that all bytes arrive at once.
   const std::string bytes = read_bytes(folder_ / "p.pm");
   ASSERT_LT(bytes.size(), 65536U);
   folder_.write("longer.pm", bytes + "more");
-  const Finished run = shell("cat longer.pm | mesher info /dev/stdin --json");
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  const auto pm = nlohmann::json::parse(run.out)["pm"];
-  EXPECT_TRUE(holds(pm["damage"], "bytes follow")) << run.out;
+  const Finished piped = shell("cat longer.pm | mesher info /dev/stdin --json");
+  ASSERT_EQ(piped.exit_code, 0) << piped.err;
+  auto pm = nlohmann::json::parse(piped.out)["pm"];
+  EXPECT_EQ(pm["complete"], true) << piped.out;
+  EXPECT_EQ(pm["bytes"], bytes.size());
+  const Finished refused = mesher({"info", "longer.pm"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(holds(refused.err, "is damaged: byte ")) << refused.err;
+  EXPECT_TRUE(holds(refused.err, "bytes follow after the last split")) << refused.err;
+  const Finished allowed = mesher({"info", "longer.pm", "--allow-damaged", "--json"});
+  ASSERT_EQ(allowed.exit_code, 0) << allowed.err;
+  pm = nlohmann::json::parse(allowed.out)["pm"];
+  EXPECT_TRUE(holds(pm["damage"], "bytes follow")) << allowed.out;
   EXPECT_EQ(pm["bytes"], bytes.size() + 4);
 }
 
@@ -364,7 +373,7 @@ TEST_F(ProgressiveCommand, TruncatedPipeGivesReceivedPart) {
   make("bunny");
   const std::size_t bytes = std::filesystem::file_size(folder_ / "p.pm");
   const Finished run = shell("head -c " + std::to_string(bytes / 2) +
-                             " p.pm | mesher info /dev/stdin --json --quiet");
+                             " p.pm | mesher info /dev/stdin --json --quiet --allow-damaged");
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(holds(run.err, "/dev/stdin: DAMAGED: ")) << run.err;
   const auto json = nlohmann::json::parse(run.out);
@@ -379,7 +388,7 @@ TEST_F(ProgressiveCommand, TruncatedPipeGivesReceivedPart) {
   EXPECT_EQ(std::count(nothing.err.begin(), nothing.err.end(), '\n'), 1) << nothing.err;
 }
 
-TEST_F(ProgressiveCommand, EveryCommandReportsDamage) {
+TEST_F(ProgressiveCommand, EveryCommandRefusesDamageOrReportsIt) {
   make("bunny");
   damage(0.7);
   const std::vector<std::vector<std::string>> commands{
@@ -393,6 +402,13 @@ TEST_F(ProgressiveCommand, EveryCommandReportsDamage) {
       {"render", "damaged.pm", "-o", "o.png", "--size", "20"}};
   for (auto arguments : commands) {
     arguments.insert(arguments.end(), {"--json", "--quiet"});
+    const Finished refused = mesher(arguments);
+    EXPECT_EQ(refused.exit_code, 2) << arguments[0];
+    EXPECT_TRUE(holds(refused.err, "mesher: damaged.pm: is damaged: byte ")) << refused.err;
+    EXPECT_EQ(refused.out, "") << arguments[0];
+    for (const char* output : {"o.obj", "o.glb", "o.png"})
+      EXPECT_FALSE(std::filesystem::exists(folder_ / output)) << arguments[0];
+    arguments.emplace_back("--allow-damaged");
     const Finished run = mesher(arguments);
     ASSERT_EQ(run.exit_code, 0) << arguments[0] << ": " << run.err;
     EXPECT_TRUE(holds(run.err, "damaged.pm: DAMAGED: ")) << arguments[0] << ": " << run.err;
@@ -400,13 +416,20 @@ TEST_F(ProgressiveCommand, EveryCommandReportsDamage) {
     EXPECT_EQ(pm["complete"], false) << arguments[0];
     EXPECT_GT(pm["splits"], 0) << arguments[0];
     EXPECT_LT(pm["splits"], 1737) << arguments[0];
+    for (const char* output : {"o.obj", "o.glb", "o.png"})
+      std::filesystem::remove(folder_ / output);
   }
+  const std::vector<std::string> edit{"edit", "damaged.pm", "-o", "o.obj", "--do", "simplify"};
+  EXPECT_EQ(mesher(edit).exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "o.obj"));
   const Finished view =
       mesher({"view", "damaged.pm", "--screenshot", "v.png", "--size", "20", "--quiet"});
   EXPECT_EQ(view.exit_code, 0);
   EXPECT_TRUE(holds(view.err, "DAMAGED: damaged.pm: ")) << view.err;
-  const Finished compare = mesher({"compare", "damaged.pm", "bunny", "--json"});
+  const Finished compare = mesher({"compare", "damaged.pm", "bunny", "--json", "--allow-damaged"});
   EXPECT_EQ(nlohmann::json::parse(compare.out)["first_pm"]["complete"], false);
+  EXPECT_EQ(mesher({"compare", "bunny", "damaged.pm"}).exit_code, 2);
+  EXPECT_EQ(mesher({"compare", "bunny", "damaged.pm", "--allow-damaged"}).exit_code, 0);
 }
 
 TEST_F(ProgressiveCommand, MissingBaseIsAnError) {
