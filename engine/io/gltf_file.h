@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "engine/core/array.h"
@@ -29,7 +30,7 @@ class GltfFile {
   /// use. A buffer is the binary chunk, base64 data, or a regular file in or below the document's
   /// own folder.
   /// Reading the document is the current stage of `progress`, and so is each later query that reads
-  /// data. Each may throw Cancelled. `progress` may be null.
+  /// data, unless a Reports says otherwise. Each may throw Cancelled. `progress` may be null.
   GltfFile(const MappedFile& file, Progress* progress);
   ~GltfFile();
   GltfFile(const GltfFile&) = delete;
@@ -94,6 +95,21 @@ class GltfFile {
   std::size_t byte_count() const;
 
   [[noreturn]] void fail(std::string_view reason) const;
+
+  /// Has the queries of a document report to another progress, or to none, while it lives. Whoever
+  /// keeps a document for longer than the progress that it was read with needs one.
+  class Reports {
+   public:
+    Reports(GltfFile& gltf, Progress* progress)
+        : gltf_(gltf), before_(std::exchange(gltf.progress_, progress)) {}
+    ~Reports() { gltf_.progress_ = before_; }
+    Reports(const Reports&) = delete;
+    Reports& operator=(const Reports&) = delete;
+
+   private:
+    GltfFile& gltf_;
+    Progress* before_;
+  };
 
  private:
   struct Buffer;

@@ -114,6 +114,7 @@ std::size_t GltfRewriter::Slots::take(Json& array) {
 GltfRewriter::GltfRewriter(GltfFile& gltf, std::span<const GltfMeshEdit> edits, bool compresses,
                            Progress* progress)
     : gltf_(gltf), progress_(progress), document_(copy_of(gltf)), compresses_(compresses) {
+  const GltfFile::Reports reports(gltf, progress);
   try {
     plan(edits);
   } catch (const Json::exception&) {

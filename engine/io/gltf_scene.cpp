@@ -27,6 +27,7 @@ double stretch(const glm::dmat4& transform) {
 
 GltfScene::GltfScene(const std::filesystem::path& file, const ReadOptions& options, Keep keep)
     : file_(file, options.progress, keep), gltf_(file_, options.progress) {
+  const GltfFile::Reports reports(gltf_, options.progress);
   check_required_extensions(gltf_);
   note_contents(gltf_, contents_);
   graph_ = read_scene_graph(gltf_, options.progress);
@@ -37,6 +38,7 @@ GltfScene::GltfScene(const std::filesystem::path& file, const ReadOptions& optio
 }
 
 std::vector<GltfSceneMesh> GltfScene::read_meshes(const ReadOptions& options) {
+  const GltfFile::Reports reports(gltf_, options.progress);
   return read_unchanged(gltf_, [&] { return read_meshes_once(options); });
 }
 

@@ -52,6 +52,7 @@ class GltfScene {
 
   MappedFile file_;
   GltfFile gltf_;
+  GltfFile::Reports reports_{gltf_, nullptr};  ///< outside of the functions that have a progress
   FileContents contents_;
   scene::Scene graph_;
 };

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/core/error.h"
+#include "engine/core/progress.h"
+#include "engine/io/gltf_rewrite.h"
 #include "tests/support/gltf_scene_file.h"
 #include "tests/support/temp_folder.h"
 
@@ -23,6 +25,16 @@ TEST(GltfScene, CountsPlacementsOfEachMesh) {
   EXPECT_EQ(box.min, glm::vec3(10, 0, 0));
   EXPECT_EQ(box.max, glm::vec3(14, 2, 0));
   EXPECT_EQ(scene.contents()[Content::materials], 2U);
+}
+
+TEST(GltfScene, OutlivesTheProgressOfItsOpening) {
+  const TempFolder folder;
+  Progress opening;
+  GltfScene scene(folder.write("s.gltf", test::scene_file()), {.progress = &opening});
+  opening.cancel();  // whoever still reports to it throws
+  EXPECT_NO_THROW(scene.read_meshes());
+  EXPECT_NO_THROW(GltfRewriter(scene.document(), {}));
+  EXPECT_THROW(scene.read_meshes({.progress = &opening}), Cancelled);
 }
 
 TEST(GltfScene, WithoutNodesMeshesStandAlone) {

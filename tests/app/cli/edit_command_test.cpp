@@ -34,6 +34,12 @@ TEST_F(EditCommand, EqualsTheCommandsOfTheirOwn) {
   EXPECT_EQ(read_bytes(folder_ / "b.obj"), read_bytes(folder_ / "d.obj"));
 }
 
+TEST_F(EditCommand, EditsScenes) {
+  ASSERT_EQ(mesher({"convert", "knot", "k.glb"}).exit_code, 0);
+  const auto json = mesher_json({"edit", "k.glb", "-o", "e.glb", "--do", "simplify; subdivide"});
+  EXPECT_EQ(io::read_model(folder_ / "e.glb").mesh.face_count(), json["faces"]);
+}
+
 TEST_F(EditCommand, UsesLevelsOfAProgressiveMesh) {
   ASSERT_EQ(mesher({"progressive", "knot", "-o", "k.pm"}).exit_code, 0);
   const auto json =
