@@ -164,7 +164,7 @@ void Rounds::run_regions(std::uint32_t round) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       for (std::size_t k = region(i).begin; k < region(i).end; ++k) {
         VertexState& state = surface_.state(live_[k]);
-        state.region = static_cast<std::uint32_t>(i);
+        state.set_region(static_cast<std::uint32_t>(i));
         costs[k] = state.cost;
       }
     }

@@ -63,22 +63,25 @@ struct alignas(32) FaceState {
 /// per vertex.
 struct alignas(64) VertexState {
   static constexpr bool kLeftUninitialized = true;  ///< written in parallel, then read
-  static constexpr std::uint32_t kGone = kNone;
+  static constexpr std::uint32_t kGone = (1U << 30U) - 1;
 
   Quadric<float> quadric{};
   Vec3<float> position{};
-  float cost = kNever;       ///< of `best` when it was chosen
-  Halfedge best;             ///< cheapest half-edge out of the vertex; if removed: see merged_into
-  std::uint32_t region = 0;  ///< the only region that may change the vertex; kGone: removed
+  float cost = kNever;  ///< of `best` when it was chosen
+  Halfedge best;        ///< cheapest half-edge out of the vertex; if removed: see merged_into
+  /// The only region that may change the vertex; kGone: removed. Regions around read this and the
+  /// next, so both are in a word of their own, which only changes with the whole one-ring.
+  std::uint32_t region : 30 = 0;
+  VertexConstraint constraint : 2 = VertexConstraint::free;
   /// Highest CollapseRecord::rank of the collapses whose one-rings contained the vertex.
   std::uint16_t rank : 13 = 0;
-  VertexConstraint constraint : 2 = VertexConstraint::free;
   bool has_refused : 1 = false;  ///< one of its edges was refused because of its surroundings
   std::uint16_t retreat_bits = 0;
   /// Returns how far the surface around has retreated (appraisal.h): 8 significant bits, rounded
   /// down.
   float retreat() const { return std::bit_cast<float>(std::uint32_t{retreat_bits} << 16U); }
   void set_retreat(float d) { retreat_bits = std::bit_cast<std::uint32_t>(d) >> 16U & 0xFFFFU; }
+  void set_region(std::uint32_t new_region) { region = new_region & kGone; }
   void set_rank(std::uint32_t new_rank) { rank = new_rank & 0x1FFFU; }
   /// Returns the vertex into which a removed vertex was merged.
   Vertex merged_into() const { return Vertex(best.index()); }
