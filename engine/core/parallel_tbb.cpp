@@ -1,11 +1,10 @@
-#include "engine/core/parallel.h"
-
+// The parallel loops on TBB, whose work stealing balances uneven meshes.
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <atomic>
+#include "engine/core/parallel.h"
 
 namespace mesher {
 
@@ -45,18 +44,6 @@ void parallel_chunks(std::size_t n, std::size_t chunk,
     return;
   }
   tbb::parallel_for(std::size_t{0}, chunks, run);
-}
-
-void parallel_chunks(std::size_t n, std::size_t chunk, Progress* progress,
-                     const std::function<void(std::size_t, IndexRange)>& body) {
-  if (progress == nullptr) return parallel_chunks(n, chunk, body);
-  std::atomic<std::size_t> done{0};
-  parallel_chunks(n, chunk, [&](std::size_t i, IndexRange range) {
-    check_cancelled(progress);
-    body(i, range);
-    const std::size_t before = done.fetch_add(range.size(), std::memory_order_relaxed);
-    progress->set(static_cast<float>(before + range.size()) / static_cast<float>(n));
-  });
 }
 
 }  // namespace mesher

@@ -1,13 +1,12 @@
 #include "engine/io/weld.h"
 
-#include <tbb/parallel_sort.h>
-
 #include <cstring>
 #include <numeric>
 #include <span>
 #include <vector>
 
 #include "engine/core/parallel.h"
+#include "engine/core/parallel_sort.h"
 #include "engine/mesh/ids.h"
 
 namespace mesher::io {
@@ -81,7 +80,7 @@ void find_lowest(const std::uint32_t* items, std::size_t words, std::span<Entry>
   };
   // The hash only speeds up most comparisons. Equal hashes are resolved by comparing the items. A
   // bucket is large only if many items are equal, so it is sorted in parallel too.
-  tbb::parallel_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+  parallel_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
     if (a.hash != b.hash) return a.hash < b.hash;
     const int order = compare(a, b);
     return order != 0 ? order < 0 : a.item < b.item;
