@@ -79,10 +79,14 @@ class CommandLine {
   }
 
   int explain(const CLI::ParseError& error) const {
-    const bool is_help = app_.exit(error, std::cout, std::cerr) == 0;
-    if (!is_help) {
+    const bool is_help = error.get_exit_code() == 0;
+    if (is_help) {
+      app_.exit(error, std::cout, std::cerr);
+    } else {
+      say(error.what());
       for (const std::string& suggestion : suggestions_)
-        std::cerr << suggestion << '\n';
+        say(suggestion);
+      say("run with --help for more information");
     }
     return static_cast<int>(is_help ? ExitCode::done : ExitCode::usage);
   }
@@ -374,7 +378,7 @@ class CommandLine {
 };
 
 int fail(const char* what, ExitCode code) {
-  std::cerr << "mesher: " << what << '\n';
+  say(what);
   return static_cast<int>(code);
 }
 
