@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/memory.h"
 #include "engine/io/format.h"
 #include "engine/io/read.h"
 
@@ -39,7 +40,7 @@ Model read_model(const std::filesystem::path& file, const ReadOptions& options) 
     if (!error.file().empty()) throw;
     throw InputError(file.string(), error.line(), error.reason());
   } catch (const std::bad_alloc&) {
-    throw DeviceError(file.string() + ": out of memory");
+    throw_out_of_memory(file.string());
   }
 }
 
