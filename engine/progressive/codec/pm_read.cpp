@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/face_limit.h"
 #include "engine/core/text.h"
 #include "engine/mesh/outgoing.h"
 #include "engine/mesh/validate.h"
@@ -35,6 +36,7 @@ struct PmReader::State {
   ProgressiveMesh mesh;
   bool has_base = false;
   std::unique_ptr<SplitCoder<RangeDecoder>> coder;
+  std::uint32_t expected_splits = 0;  ///< 0: unknown
   std::string damage;
 
   explicit State(std::string&& file) : name(std::move(file)) {}
@@ -81,6 +83,7 @@ struct PmReader::State {
     if (bytes.size() < kPmHeaderBytes) return 0;
     const std::string_view why = pm_parse(bytes.first(kPmHeaderBytes), header);
     if (!why.empty()) refuse(used_bytes, why);
+    FaceLimit::check(header.base_faces);
     stage = Stage::base;
     return kPmHeaderBytes;
   }
@@ -142,17 +145,15 @@ struct PmReader::State {
     return {};
   }
 
-  /// Reserves memory for as many splits as the arrived bytes may hold (most splits take more
-  /// bytes), or for several times the current number: unwritten memory costs nothing, but moving
-  /// arrays does.
+  /// Reserves memory for the expected splits, or for half as many again as have arrived.
   void reserve(std::uint32_t count) {
-    constexpr std::uint64_t usual_bytes = 4;
-    constexpr std::uint64_t growth = 4;
     const std::uint64_t before = mesh.split_count();
     if (before + count <= mesh.split_capacity()) return;
-    const std::uint64_t expected =
-        std::max({before + count, before + waiting.size() / usual_bytes, growth * before});
-    mesh.reserve(static_cast<std::uint32_t>(std::min<std::uint64_t>(expected, header.splits)));
+    const std::uint64_t wanted =
+        std::max<std::uint64_t>({before + count, expected_splits, before + before / 2});
+    const auto splits = static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted, header.splits));
+    mesh.reserve(splits);
+    coder->reserve(mesh.base_vertex_count(), splits);
   }
 
   bool append(std::uint32_t count, std::span<const std::byte> payload) {
@@ -169,6 +170,7 @@ struct PmReader::State {
       }
       appender.append(split, coder->fan());
     }
+    FaceLimit::check(mesh.full_face_count());
     return true;
   }
 
@@ -195,6 +197,27 @@ PmReader& PmReader::operator=(PmReader&&) noexcept = default;
 bool PmReader::is_pm(std::span<const std::byte> begin) {
   return begin.size() >= kPmMagic.size() &&
          std::memcmp(begin.data(), kPmMagic.data(), kPmMagic.size()) == 0;
+}
+
+std::uint32_t PmReader::count_splits(std::span<const std::byte> file) {
+  PmHeader header;
+  if (file.size() < kPmHeaderBytes || !pm_parse(file.first(kPmHeaderBytes), header).empty())
+    return 0;
+  std::uint64_t splits = 0;
+  std::uint64_t at = kPmHeaderBytes + std::uint64_t{header.base_bytes};
+  while (at + kPmBlockHeaderBytes <= file.size()) {
+    const PmBlockHeader block = pm_parse_block(file.subspan(at, kPmBlockHeaderBytes));
+    at += kPmBlockHeaderBytes + std::uint64_t{block.bytes};
+    const bool is_held = block.splits > 0 && block.splits <= kPmMostBlockSplits &&
+                         block.bytes >= pm_least_bytes(block.splits) && at <= file.size();
+    if (!is_held) break;
+    splits += block.splits;
+  }
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(splits, header.splits));
+}
+
+void PmReader::expect_splits(std::uint32_t splits) {
+  state_->expected_splits = splits;
 }
 
 void PmReader::feed(std::span<const std::byte> bytes) {
