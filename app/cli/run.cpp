@@ -1,5 +1,7 @@
 #include "app/cli/run.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <functional>
@@ -21,7 +23,11 @@
 #include "app/document/progressive_view.h"
 #include "engine/analysis/distance.h"
 #include "engine/core/error.h"
+#include "engine/core/face_limit.h"
+#include "engine/core/memory.h"
 #include "engine/core/parallel.h"
+#include "engine/core/text.h"
+#include "engine/core/time_limit.h"
 #include "engine/io/format.h"
 
 namespace mesher::app {
@@ -41,7 +47,7 @@ class CommandLine {
         "Long options work with one dash: mesher -input bunny.obj -size 500 -gouraud\n"
         "A model named without a folder is also searched for in assets/.\n"
         "Exit codes: 0 done; 1 usage error; 2 unusable input;\n"
-        "3 missing device, driver or memory; 4 output cannot be written.");
+        "3 missing device, driver or memory; 4 output cannot be written; 5 --timeout.");
     add_view();
     add_render();
     add_info();
@@ -74,8 +80,22 @@ class CommandLine {
   }
 
   void run() {
-    const ThreadLimit limit(common_.threads);
-    action_();
+    const ThreadLimit threads(common_.threads);
+    const FaceLimit faces(limits_.faces);
+    const TimeLimit time(limits_.seconds);
+    std::optional<MemoryLimit> memory;
+    if (!limits_.memory.empty()) {
+      memory.emplace(parse_bytes("--max-memory", limits_.memory), MemoryLimit::Of::everything);
+    }
+    try {
+      action_();
+      if (!std::cout.flush()) throw OutputError("stdout", "cannot be written");
+    } catch (const Cancelled&) {
+      throw Error(ExitCode::timed_out,
+                  fmt::format("stopped after {} (--timeout)", seconds_text(limits_.seconds)));
+    } catch (const std::bad_alloc&) {
+      throw_out_of_memory("");
+    }
   }
 
   int explain(const CLI::ParseError& error) const {
@@ -92,12 +112,26 @@ class CommandLine {
   }
 
  private:
+  void add_limits(CLI::App* command) {
+    command->add_option("--max-memory", limits_.memory,
+                        "most memory to allocate at one time: 512MB, 2GiB (default: no limit)");
+    command
+        ->add_option("--timeout", limits_.seconds,
+                     "stop after this time, and write nothing [s] (default: no limit)")
+        ->check(number_between(0.001, 1e9));
+    command
+        ->add_option("--max-faces", limits_.faces,
+                     "refuse models and results of more faces (default: no limit)")
+        ->check(integer_between(1, std::numeric_limits<std::uint32_t>::max()));
+  }
+
   CLI::App* add_command(const char* name, const char* what, std::function<void()> action) {
     CLI::App* command = app_.add_subcommand(name, what);
     command->add_flag("--json", common_.json, "print one JSON object to stdout");
     command->add_flag("--quiet", common_.quiet, "print errors only");
     command->add_option("--threads", common_.threads, "number of threads; 0: all (default: 0)")
         ->check(CLI::Range(0U, 1024U));
+    if (std::string_view(name) != "view") add_limits(command);
     command->callback([this, action = std::move(action)] { action_ = action; });
     return command;
   }
@@ -358,6 +392,7 @@ class CommandLine {
 
   CLI::App app_{"mesher: a mesh level-of-detail workbench", "mesher"};
   CommonOptions common_;
+  LimitOptions limits_;
   InputOptions input_;
   LookOptions look_;
   ViewOptions view_;
@@ -389,7 +424,6 @@ int run(int argc, const char* const* argv) {
   try {
     line.parse(argc, argv);
     line.run();
-    if (!std::cout.flush()) throw OutputError("stdout", "cannot be written");
     return static_cast<int>(ExitCode::done);
   } catch (const CLI::ParseError& error) {
     return line.explain(error);
