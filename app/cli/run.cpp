@@ -18,6 +18,7 @@
 #include "app/cli/progressive_command.h"
 #include "app/cli/render_command.h"
 #include "app/cli/simplify_command.h"
+#include "app/cli/streams.h"
 #include "app/cli/subdivide_command.h"
 #include "app/cli/view.h"
 #include "app/document/progressive_view.h"
@@ -46,6 +47,7 @@ class CommandLine {
         "`view` is the default command: mesher bunny.obj\n"
         "Long options work with one dash: mesher -input bunny.obj -size 500 -gouraud\n"
         "A model named without a folder is also searched for in assets/.\n"
+        "- is standard input or output; --format names the format of a pipe.\n"
         "Exit codes: 0 done; 1 usage error; 2 unusable input;\n"
         "3 missing device, driver or memory; 4 output cannot be written; 5 --timeout.");
     add_view();
@@ -88,6 +90,7 @@ class CommandLine {
       memory.emplace(parse_bytes("--max-memory", limits_.memory), MemoryLimit::Of::everything);
     }
     try {
+      const Streams streams(stream_names(), formats_);
       action_();
       if (!std::cout.flush()) throw OutputError("stdout", "cannot be written");
     } catch (const Cancelled&) {
@@ -112,6 +115,42 @@ class CommandLine {
   }
 
  private:
+  /// The files of the parsed command.
+  StreamNames stream_names() {
+    const std::string command = app_.get_subcommands().front()->get_name();
+    StreamNames names;
+    names.inputs.push_back(&input_.model);
+    if (command == "compare") names.inputs.push_back(&second_.model);
+    if (command == "view") names.output = &view_.screenshot;
+    if (!output_.empty()) names.output = &output_;
+    if (command == "render" || command == "view") {
+      names.formats = {"png", "webp"};
+    } else if (command == "progressive") {
+      names.formats = {"pm"};
+      names.output_tells_format = true;
+    } else {
+      for (const io::FormatInfo& format : io::formats())
+        if (format.write != nullptr) names.formats.emplace_back(format.extension + 1);
+      if (command == "edit") names.formats.emplace_back("pm");
+    }
+    return names;
+  }
+
+  void add_formats(CLI::App* command) {
+    std::vector<std::string> models;
+    for (const io::FormatInfo& format : io::formats())
+      models.emplace_back(format.extension + 1);
+    std::vector<std::string> all = models;
+    all.insert(all.end(), {"png", "webp"});
+    command
+        ->add_option("--format", formats_.format,
+                     "format of the output if its name does not tell it (a pipe), or else of such "
+                     "an input (default: the one that the input begins like)")
+        ->check(CLI::IsMember(all));
+    command->add_option("--input-format", formats_.input_format, "format of the input")
+        ->check(CLI::IsMember(models));
+  }
+
   void add_limits(CLI::App* command) {
     command->add_option("--max-memory", limits_.memory,
                         "most memory to allocate at one time: 512MB, 2GiB (default: no limit)");
@@ -132,6 +171,7 @@ class CommandLine {
     command->add_option("--threads", common_.threads, "number of threads; 0: all (default: 0)")
         ->check(CLI::Range(0U, 1024U));
     if (std::string_view(name) != "view") add_limits(command);
+    add_formats(command);
     command->callback([this, action = std::move(action)] { action_ = action; });
     return command;
   }
@@ -393,6 +433,7 @@ class CommandLine {
   CLI::App app_{"mesher: a mesh level-of-detail workbench", "mesher"};
   CommonOptions common_;
   LimitOptions limits_;
+  FormatArguments formats_;
   InputOptions input_;
   LookOptions look_;
   ViewOptions view_;

@@ -1,6 +1,7 @@
 #include "engine/io/atomic_file.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 #include <system_error>
 
 #include "engine/core/error.h"
+#include "engine/core/progress.h"
 
 namespace mesher::io {
 namespace {
@@ -38,6 +40,13 @@ bool is_writable(int descriptor) {
   const int flags = ::fcntl(descriptor, F_GETFL);
   if (flags >= 0 && (flags & O_ACCMODE) == O_RDONLY) errno = EBADF;
   return flags >= 0 && (flags & O_ACCMODE) != O_RDONLY;
+}
+
+void wait_for_room(int descriptor) {
+  constexpr int kBetweenChecks_ms = 50;
+  check_cancelled(nullptr);
+  pollfd writable{descriptor, POLLOUT, 0};
+  ::poll(&writable, 1, kBetweenChecks_ms);
 }
 
 }  // namespace
@@ -128,6 +137,10 @@ void AtomicFile::write(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t done = ::write(descriptor_, bytes.data(), std::min(bytes.size(), kLargestWrite));
     if (done < 0 && errno == EINTR) continue;
+    if (done < 0 && errno == EAGAIN) {  // a pipe whose other end made it non-blocking
+      wait_for_room(descriptor_);
+      continue;
+    }
     if (done < 0) fail("cannot write");
     bytes.remove_prefix(static_cast<std::size_t>(done));
     size_ += static_cast<std::uint64_t>(done);
