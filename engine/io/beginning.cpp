@@ -50,7 +50,10 @@ bool is_binary_stl(std::string_view bytes) {
   constexpr std::size_t kHeader = 84;
   constexpr std::size_t kNumbers = 12;
   std::array<float, kNumbers> facet{};
+  std::uint32_t count = 0;
   if (bytes.size() < kHeader + sizeof facet) return false;
+  std::memcpy(&count, bytes.data() + kHeader - sizeof count, sizeof count);
+  if (count == 0) return false;
   std::memcpy(facet.data(), bytes.data() + kHeader, sizeof facet);
   return std::ranges::all_of(facet, [](float x) { return std::isfinite(x); });
 }

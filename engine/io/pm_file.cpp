@@ -203,9 +203,6 @@ PmContents read_pm_file(const fs::path& file, Progress* progress) {
     summary.bytes = rest.bytes;
     summary.damage = std::move(rest.damage);
     return contents;
-  } catch (const InputError& error) {
-    if (!error.file().empty()) throw;
-    throw InputError(file.string(), error.line(), error.reason());
   } catch (const std::bad_alloc&) {
     throw_out_of_memory(file.string());
   }

@@ -30,6 +30,7 @@ TEST(FormatOfBeginning, BinaryStlIsNoTextAndHasFiniteNumbers) {
   bytes.replace(84, 4, "\xFF\xFF\xFF\xFF");
   EXPECT_EQ(format_of_beginning(bytes), "");
   EXPECT_EQ(format_of_beginning(std::string(83, '\0')), "");
+  EXPECT_EQ(format_of_beginning(std::string(4096, '\0')), "") << "no facets";
 }
 
 TEST(FormatOfBeginning, DoesNotGuess) {

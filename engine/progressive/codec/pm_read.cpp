@@ -51,6 +51,14 @@ struct PmReader::State {
     throw InputError(name, 0, damage);
   }
 
+  void check_faces(std::uint64_t faces) const {
+    try {
+      FaceLimit::check(faces);
+    } catch (const InputError& error) {
+      throw InputError(name, 0, error.reason());
+    }
+  }
+
   void end_early(std::uint64_t byte, std::string_view reason) {
     stage = Stage::damaged;
     damage = fmt::format("{}; {} of {} splits were read", at_byte(byte, reason),
@@ -83,7 +91,7 @@ struct PmReader::State {
     if (bytes.size() < kPmHeaderBytes) return 0;
     const std::string_view why = pm_parse(bytes.first(kPmHeaderBytes), header);
     if (!why.empty()) refuse(used_bytes, why);
-    FaceLimit::check(header.base_faces);
+    check_faces(header.base_faces);
     stage = Stage::base;
     return kPmHeaderBytes;
   }
@@ -170,7 +178,7 @@ struct PmReader::State {
       }
       appender.append(split, coder->fan());
     }
-    FaceLimit::check(mesh.full_face_count());
+    check_faces(mesh.full_face_count());
     return true;
   }
 

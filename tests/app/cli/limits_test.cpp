@@ -35,6 +35,8 @@ TEST_F(Limits, MaxFacesHoldsForEveryFormat) {
     expect_refusal(run, 2, file + ": has ");
     EXPECT_TRUE(holds(run.err, "--max-faces allows 1,000\n")) << run.err;
     EXPECT_EQ(mesher({"info", file, "--max-faces", "100000"}).exit_code, 0);
+    expect_refusal(mesher({"edit", file, "out.ply", "--do", "subdivide", "--max-faces", "1000"}), 2,
+                   file + ": has ");
   }
 }
 
