@@ -62,7 +62,10 @@ std::vector<std::string> suggestions(const std::vector<std::string>& arguments,
     const std::string name = argument.substr(first, argument.find('=') - first);
     if (contains(long_options, name)) continue;
     const std::string meant = nearest_name(name, long_options);
-    if (!meant.empty()) lines.push_back(fmt::format("{}: did you mean --{}?", argument, meant));
+    // In the person's own style: -gourad is answered with -gouraud.
+    const char* const dashes = first == 1 ? "-" : "--";
+    if (!meant.empty())
+      lines.push_back(fmt::format("{}: did you mean {}{}?", argument, dashes, meant));
   }
   return lines;
 }

@@ -17,8 +17,8 @@ std::vector<std::string> normalized_arguments(std::vector<std::string> arguments
 /// none is so near. O(names times their length squared).
 std::string nearest_name(const std::string& word, const std::vector<std::string>& names);
 
-/// Returns what was probably meant by options that do not exist: "-gourad: did you mean
-/// --gouraud?", one line each. Names as for `normalized_arguments`.
+/// Returns what was probably meant by options that do not exist: "-gourad: did you mean -gouraud?",
+/// one line each, with as many dashes as were typed. Names as for `normalized_arguments`.
 std::vector<std::string> suggestions(const std::vector<std::string>& arguments,
                                      const std::vector<std::string>& long_options);
 

@@ -32,7 +32,7 @@ constexpr double kReadAndCountWeights[] = {0.87, 0.13};
 constexpr double kCompareWeights[] = {0.5, 0.35, 0.08, 0.07, 0.0};
 
 void print(const char* label, const std::string& value) {
-  std::cout << fmt::format("{:<22}{}\n", label, value);
+  std::cout << fmt::format("{:<22}{}\n", label, printable(value));
 }
 
 void print(const char* label, std::int64_t value) {
@@ -216,7 +216,8 @@ void add_pm(Json& json, const std::optional<io::PmSummary>& pm, const char* key)
 }
 
 void say(const std::string& words) {
-  std::cerr << "mesher: " << words << '\n';
+  // One write per line, so that lines of several processes do not mix.
+  std::cerr << "mesher: " + printable(words) + '\n';
 }
 
 void say_repairs(const BuildReport& report) {

@@ -24,7 +24,8 @@ void run_convert(const InputOptions& input, const std::string& output, bool asci
 void run_compare(const InputOptions& first, const InputOptions& second, std::uint64_t samples,
                  const CommonOptions& common);
 
-/// Prints one line on stderr.
+/// Prints one line on stderr, "mesher: " and the words. All messages are printed by it, since the
+/// words may hold names from files: control characters are escaped.
 void say(const std::string& words);
 /// Prints on stderr what was repaired, if anything was.
 void say_repairs(const BuildReport& report);

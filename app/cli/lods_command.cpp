@@ -11,6 +11,7 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/scene.h"
 #include "app/cli/scene_commands.h"
+#include "app/cli/streams.h"
 #include "app/document/json.h"
 #include "app/document/words.h"
 #include "app/edit/distance_from_input.h"
@@ -55,6 +56,7 @@ bool is_falling(const std::vector<double>& values) {
 
 std::vector<fs::path> files_for(const fs::path& output, std::size_t levels) {
   if (io::writable_format(output).write_levels != nullptr) return {output};
+  refuse_stream(output.string(), "one file per level");
   std::vector<fs::path> files;
   for (std::size_t i = 0; i < levels; ++i)
     files.push_back(level_file(output, i));

@@ -70,6 +70,22 @@ std::optional<std::vector<double>> parse_numbers(const std::string& text) {
   return values;
 }
 
+std::uint64_t parse_bytes(const std::string& option, const std::string& text) {
+  constexpr std::pair<const char*, double> kUnits[] = {
+      {"", 1.0},   {"B", 1.0},   {"kB", 1e3},     {"KB", 1e3},        {"MB", 1e6},
+      {"GB", 1e9}, {"TB", 1e12}, {"KiB", 1024.0}, {"MiB", 1048576.0}, {"GiB", 1073741824.0}};
+  const std::size_t end = text.find_first_not_of("0123456789.");
+  const std::size_t unit = text.find_first_not_of(' ', end);
+  const std::string word = unit == std::string::npos ? "" : text.substr(unit);
+  const auto value = number(text.substr(0, end));
+  for (const auto& [name, bytes] : kUnits) {
+    constexpr double kMost = 1e18;
+    if (word == name && value && *value * bytes >= 1.0 && *value * bytes <= kMost)
+      return static_cast<std::uint64_t>(*value * bytes);
+  }
+  throw UsageError(fmt::format("{}: '{}' is not a size such as 512MB or 1.5GiB", option, text));
+}
+
 Size parse_size(const std::string& text) {
   const std::vector<std::string> parts = split(text, 'x');
   if (parts.size() > 2) parse_side("", text);

@@ -28,6 +28,13 @@ struct CommonOptions {
   io::Flush flush() const { return no_fsync ? io::Flush::later : io::Flush::now; }
 };
 
+/// Limits for models from strangers.
+struct LimitOptions {
+  std::string memory;       ///< "512MB"; empty: none
+  double seconds = 0.0;     ///< 0: none
+  std::uint64_t faces = 0;  ///< 0: none
+};
+
 /// How a model is opened.
 struct InputOptions {
   std::string model;
@@ -62,6 +69,9 @@ struct LookOptions {
 
 /// Parses "1,0.5,0.25". None if a part is not a finite number.
 std::optional<std::vector<double>> parse_numbers(const std::string& text);
+
+/// Parses a number of bytes: "1000000", "512MB", "1.5 GiB". Throws UsageError.
+std::uint64_t parse_bytes(const std::string& option, const std::string& text);
 
 /// "500" or "640x480". Throws UsageError; sides are 1 to 16384.
 Size parse_size(const std::string& text);

@@ -1,6 +1,9 @@
 #include "app/cli/run.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
@@ -16,13 +19,19 @@
 #include "app/cli/progressive_command.h"
 #include "app/cli/render_command.h"
 #include "app/cli/simplify_command.h"
+#include "app/cli/streams.h"
 #include "app/cli/subdivide_command.h"
 #include "app/cli/view.h"
 #include "app/document/progressive_view.h"
 #include "engine/analysis/distance.h"
 #include "engine/core/error.h"
+#include "engine/core/face_limit.h"
+#include "engine/core/memory.h"
 #include "engine/core/parallel.h"
+#include "engine/core/text.h"
+#include "engine/core/time_limit.h"
 #include "engine/io/format.h"
+#include "engine/io/temporary_files.h"
 
 namespace mesher::app {
 namespace {
@@ -40,8 +49,9 @@ class CommandLine {
         "`view` is the default command: mesher bunny.obj\n"
         "Long options work with one dash: mesher -input bunny.obj -size 500 -gouraud\n"
         "A model named without a folder is also searched for in assets/.\n"
+        "- is standard input or output; --format names the format of a pipe.\n"
         "Exit codes: 0 done; 1 usage error; 2 unusable input;\n"
-        "3 missing device, driver or memory; 4 output cannot be written.");
+        "3 missing device, driver or memory; 4 output cannot be written; 5 --timeout.");
     add_view();
     add_render();
     add_info();
@@ -74,26 +84,96 @@ class CommandLine {
   }
 
   void run() {
-    const ThreadLimit limit(common_.threads);
-    action_();
+    const ThreadLimit threads(common_.threads);
+    const FaceLimit faces(limits_.faces);
+    const TimeLimit time(limits_.seconds, std::chrono::seconds(2), io::remove_temporaries);
+    std::optional<MemoryLimit> memory;
+    if (!limits_.memory.empty()) {
+      memory.emplace(parse_bytes("--max-memory", limits_.memory), MemoryLimit::Of::everything);
+    }
+    try {
+      const Streams streams(stream_names(), formats_);
+      action_();
+      if (!std::cout.flush()) throw OutputError("stdout", "cannot be written");
+    } catch (const Cancelled&) {
+      throw Error(ExitCode::timed_out,
+                  fmt::format("stopped after {} (--timeout)", seconds_text(limits_.seconds)));
+    } catch (const std::bad_alloc&) {
+      throw_out_of_memory("");
+    }
   }
 
   int explain(const CLI::ParseError& error) const {
-    const bool is_help = app_.exit(error, std::cout, std::cerr) == 0;
-    if (!is_help) {
+    const bool is_help = error.get_exit_code() == 0;
+    if (is_help) {
+      app_.exit(error, std::cout, std::cerr);
+    } else {
+      say(error.what());
       for (const std::string& suggestion : suggestions_)
-        std::cerr << suggestion << '\n';
+        say(suggestion);
+      say("run with --help for more information");
     }
     return static_cast<int>(is_help ? ExitCode::done : ExitCode::usage);
   }
 
  private:
+  /// The files of the parsed command.
+  StreamNames stream_names() {
+    const std::string command = app_.get_subcommands().front()->get_name();
+    StreamNames names;
+    names.inputs.push_back(&input_.model);
+    if (command == "compare") names.inputs.push_back(&second_.model);
+    if (command == "view") names.output = &view_.screenshot;
+    if (!output_.empty()) names.output = &output_;
+    if (command == "render" || command == "view") {
+      names.formats = {"png", "webp"};
+    } else if (command == "progressive") {
+      names.formats = {"pm"};
+      names.output_tells_format = true;
+    } else {
+      for (const io::FormatInfo& format : io::formats())
+        if (format.write != nullptr) names.formats.emplace_back(format.extension + 1);
+      if (command == "edit") names.formats.emplace_back("pm");
+    }
+    return names;
+  }
+
+  void add_formats(CLI::App* command) {
+    std::vector<std::string> models;
+    for (const io::FormatInfo& format : io::formats())
+      models.emplace_back(format.extension + 1);
+    std::vector<std::string> all = models;
+    all.insert(all.end(), {"png", "webp"});
+    command
+        ->add_option("--format", formats_.format,
+                     "format of the output if its name does not tell it (a pipe), or else of such "
+                     "an input (default: the one that the input begins like)")
+        ->check(CLI::IsMember(all));
+    command->add_option("--input-format", formats_.input_format, "format of the input")
+        ->check(CLI::IsMember(models));
+  }
+
+  void add_limits(CLI::App* command) {
+    command->add_option("--max-memory", limits_.memory,
+                        "most memory to allocate at one time: 512MB, 2GiB (default: no limit)");
+    command
+        ->add_option("--timeout", limits_.seconds,
+                     "stop after this time, and write nothing [s] (default: no limit)")
+        ->check(number_between(0.001, 1e9));
+    command
+        ->add_option("--max-faces", limits_.faces,
+                     "refuse models and results of more faces (default: no limit)")
+        ->check(integer_between(1, std::numeric_limits<std::uint32_t>::max()));
+  }
+
   CLI::App* add_command(const char* name, const char* what, std::function<void()> action) {
     CLI::App* command = app_.add_subcommand(name, what);
     command->add_flag("--json", common_.json, "print one JSON object to stdout");
     command->add_flag("--quiet", common_.quiet, "print errors only");
     command->add_option("--threads", common_.threads, "number of threads; 0: all (default: 0)")
         ->check(CLI::Range(0U, 1024U));
+    if (std::string_view(name) != "view") add_limits(command);
+    add_formats(command);
     command->callback([this, action = std::move(action)] { action_ = action; });
     return command;
   }
@@ -368,6 +448,8 @@ class CommandLine {
 
   CLI::App app_{"mesher: a mesh level-of-detail workbench", "mesher"};
   CommonOptions common_;
+  LimitOptions limits_;
+  FormatArguments formats_;
   InputOptions input_;
   LookOptions look_;
   ViewOptions view_;
@@ -388,7 +470,7 @@ class CommandLine {
 };
 
 int fail(const char* what, ExitCode code) {
-  std::cerr << "mesher: " << what << '\n';
+  say(what);
   return static_cast<int>(code);
 }
 
@@ -399,7 +481,6 @@ int run(int argc, const char* const* argv) {
   try {
     line.parse(argc, argv);
     line.run();
-    if (!std::cout.flush()) throw OutputError("stdout", "cannot be written");
     return static_cast<int>(ExitCode::done);
   } catch (const CLI::ParseError& error) {
     return line.explain(error);

@@ -10,6 +10,7 @@
 #include "app/cli/progress_line.h"
 #include "app/files/paths.h"
 #include "engine/core/error.h"
+#include "engine/core/face_limit.h"
 #include "engine/core/text.h"
 #include "engine/io/atomic_file.h"
 #include "engine/io/format.h"
@@ -26,6 +27,19 @@ constexpr double kWriteSceneWeights[] = {0.4, 0.6};
 bool is_gltf(const std::filesystem::path& file) {
   const io::FormatInfo* format = io::format_of(file);
   return format != nullptr && format->write_levels != nullptr;
+}
+
+/// Building a mesh does not know the file, so its errors get the name here.
+void read_meshes(LoadedScene& loaded, const io::ReadOptions& options) {
+  try {
+    loaded.meshes = loaded.scene->read_meshes(options);
+    for (const io::GltfSceneMesh& mesh : loaded.meshes)
+      loaded.shows_any |= mesh.placements > 0;
+    FaceLimit::check(loaded.face_count());
+  } catch (const InputError& error) {
+    if (!error.file().empty()) throw;
+    throw InputError(loaded.file.string(), error.line(), error.reason());
+  }
 }
 
 /// Makes each mesh one that is written anew.
@@ -73,11 +87,10 @@ LoadedScene load_scene(const InputOptions& input, const CommonOptions& common) {
     stages.next("reading");
     loaded.scene = std::make_unique<io::GltfScene>(loaded.file, options);
     stages.next();
-    loaded.meshes = loaded.scene->read_meshes(options);
+    read_meshes(loaded, options);
   }
   for (io::GltfSceneMesh& mesh : loaded.meshes) {
     loaded.report += mesh.model.report;
-    loaded.shows_any |= mesh.placements > 0;
     if (input.tag_creases_deg)
       tag_creases_by_angle(mesh.model.mesh, glm::radians(*input.tag_creases_deg));
   }

@@ -9,6 +9,7 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/scene.h"
 #include "app/cli/scene_commands.h"
+#include "app/cli/streams.h"
 #include "engine/core/error.h"
 #include "engine/mesh/statistics.h"
 #include "engine/simplify/attributes.h"
@@ -137,6 +138,7 @@ Json meshes_json(const std::vector<MeshOutcome>& parts) {
 
 void simplify_scene(const InputOptions& input, const std::string& output,
                     const SimplifyArguments& arguments, const CommonOptions& common) {
+  if (arguments.measure) refuse_stream(output, "--measure");
   LoadedScene scene = load_scene_with_faces(input, common, "simplify");
   std::vector<simplify::SimplifyOptions> options;
   for (const io::GltfSceneMesh& mesh : scene.meshes)

@@ -11,6 +11,7 @@
 #include "app/document/json.h"
 #include "app/edit/memory_budget.h"
 #include "engine/core/error.h"
+#include "engine/core/face_limit.h"
 #include "engine/core/memory.h"
 #include "engine/core/text.h"
 #include "engine/subdivide/attributes.h"
@@ -34,9 +35,16 @@ std::uint64_t check_memory(const Model& model, const subdivide::SubdivideOptions
   const subdivide::SubdivisionSize size = subdivide::subdivision_size(model.mesh, options);
   const std::uint64_t beside =
       subdivide::subdivided_attribute_bytes(model.mesh, model.attributes, options);
-  const std::string refusal =
-      subdivision_refusal(size, options.levels,
-                          {.available = available_memory_bytes(), .beside = beside, .held = held});
+  FaceLimit::check(size.faces, "the subdivided mesh ");
+  const std::uint64_t available = available_memory_bytes();
+  // Asking for it takes some memory itself.
+  constexpr std::uint64_t kAsking = std::uint64_t{1} << 20U;
+  const bool is_limited =
+      MemoryLimit::counts_everything() && MemoryLimit::left() <= available + kAsking;
+  const std::string refusal = subdivision_refusal(
+      size, options.levels,
+      {.available = available, .beside = beside, .held = held, .is_limited = is_limited});
+  if (!refusal.empty() && is_limited) throw LimitError(refusal);
   if (!refusal.empty()) throw DeviceError(refusal);
   return size.result_bytes + beside;
 }

@@ -225,8 +225,7 @@ void run_view(const InputOptions& input, const LookOptions& look, const ViewOpti
       const Image picture = scripted_picture(session, keys, look, view);
       output = free_picture_name("", session.document.file.stem().string()).string();
       io::write_png(output, picture, io::Flush::now);
-      std::cerr << "mesher: " << no_display.what() << "; wrote a picture instead: " << output
-                << '\n';
+      say(std::string(no_display.what()) + "; wrote a picture instead: " + output);
     }
   }
   if (common.json) print_state(session, output);

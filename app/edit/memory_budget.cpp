@@ -16,8 +16,9 @@ std::string subdivision_refusal(const subdivide::SubdivisionSize& size, std::uin
   const std::uint64_t needed = budget.held + size.peak_bytes + budget.beside +
                                (budget.copies - 1) * (size.result_bytes + budget.beside);
   if (needed <= budget.available / 5 * 4) return "";
-  return fmt::format("{} and need {} of memory; {} is free", what, bytes_text(needed),
-                     bytes_text(budget.available));
+  return fmt::format("{}, which needs {} of memory; the limit is four fifths of the {} that {}",
+                     what, bytes_text(needed), bytes_text(budget.available),
+                     budget.is_limited ? "--max-memory leaves" : "are free");
 }
 
 }  // namespace mesher::app

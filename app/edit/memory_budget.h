@@ -13,6 +13,7 @@ struct MemoryBudget {
   unsigned copies = 1;          ///< number of copies of the result at the end
   std::uint64_t beside = 0;     ///< bytes per copy of the result besides its mesh
   std::uint64_t held = 0;       ///< bytes that are needed for any result
+  bool is_limited = false;      ///< `available` is what --max-memory leaves
 };
 
 /// Returns why a subdivision does not fit into memory, as a message with the memory that it needs;

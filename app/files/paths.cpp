@@ -3,11 +3,11 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <cctype>
 #include <chrono>
 #include <cstdlib>
 
 #include "engine/core/error.h"
+#include "engine/io/extension.h"
 
 namespace mesher::app {
 namespace {
@@ -35,13 +35,6 @@ fs::path own_folder(const char* variable, const char* below_home) {
   // Below a relative path, each working folder would have journals of its own.
   const fs::path home = environment_path("HOME");
   return home.is_absolute() ? home / below_home / "mesher" : fs::path();
-}
-
-std::string lowered_extension(const fs::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension)
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
 }
 
 }  // namespace
@@ -118,11 +111,11 @@ std::string time_text(fs::file_time_type time) {
 }
 
 bool is_png_name(const fs::path& file) {
-  return lowered_extension(file) == ".png";
+  return io::extension_of(file) == ".png";
 }
 
 bool is_webp_name(const fs::path& file) {
-  return lowered_extension(file) == ".webp";
+  return io::extension_of(file) == ".webp";
 }
 
 fs::path typed_path(std::string text) {

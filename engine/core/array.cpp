@@ -150,11 +150,15 @@ void* allocate_array(std::size_t bytes) {
   } else {
     memory = map_pages(rounded(bytes));
   }
-  if (memory == nullptr) throw std::bad_alloc();
+  if (memory == nullptr) {
+    MemoryLimit::give_back(bytes);
+    throw std::bad_alloc();
+  }
   return memory;
 }
 
 void free_array(void* memory, std::size_t bytes) noexcept {
+  MemoryLimit::give_back(bytes);
   if (bytes < kSmall) {
     std::free(memory);
   } else if (bytes <= kShared) {

@@ -8,9 +8,9 @@
 #ifdef NDEBUG
 #define MESHER_ASSERT(condition) static_cast<void>(sizeof(!(condition)))
 #else
-#define MESHER_ASSERT(condition)                                                                 \
-  ((condition)                                                                                   \
-       ? static_cast<void>(0)                                                                    \
-       : (std::fprintf(stderr, "%s:%d: assertion failed: %s\n", __FILE__, __LINE__, #condition), \
-          std::abort()))
+#define MESHER_ASSERT(condition)                                                          \
+  ((condition) ? static_cast<void>(0)                                                     \
+               : (std::fprintf(stderr, "mesher: %s:%d: assertion failed: %s\n", __FILE__, \
+                               __LINE__, #condition),                                     \
+                  std::abort()))
 #endif

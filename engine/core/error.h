@@ -14,6 +14,7 @@ enum class ExitCode : int {
   bad_input = 2,      ///< an input file cannot be used
   machine_lacks = 3,  ///< missing Vulkan device, driver, display or memory
   output_failed = 4,  ///< a result cannot be written
+  timed_out = 5,      ///< the time limit is over
 };
 
 /// An error outside the program's control: a file, a driver, the command line. A bug in the caller
@@ -55,6 +56,12 @@ class InputError : public Error {
 class DeviceError : public Error {
  public:
   explicit DeviceError(const std::string& message) : Error(ExitCode::machine_lacks, message) {}
+};
+
+/// Thrown for an input that takes more memory than the person allows.
+class LimitError : public Error {
+ public:
+  explicit LimitError(const std::string& message) : Error(ExitCode::bad_input, message) {}
 };
 
 /// Thrown for a result that cannot be written. `what()` is "file: reason".

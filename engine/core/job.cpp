@@ -4,6 +4,7 @@
 
 #include "engine/core/assert.h"
 #include "engine/core/error.h"
+#include "engine/core/memory.h"
 
 namespace mesher {
 
@@ -36,7 +37,11 @@ void Job::run(std::function<void(Progress&)> work, void (*wake)()) {
     work(progress_);
     progress_.set(1.0F);
   } catch (const std::bad_alloc&) {
-    failure_ = std::make_exception_ptr(Error(ExitCode::machine_lacks, title_ + ": out of memory"));
+    try {
+      throw_out_of_memory(title_);
+    } catch (...) {
+      failure_ = std::current_exception();
+    }
   } catch (...) {
     failure_ = std::current_exception();
   }

@@ -1,5 +1,6 @@
 #include "engine/core/memory.h"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -8,6 +9,9 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+
+#include "engine/core/error.h"
+#include "engine/core/text.h"
 
 namespace mesher {
 namespace {
@@ -84,26 +88,102 @@ bool has_memory(const std::string& controllers) {
   return ("," + controllers + ",").find(",memory,") != std::string::npos;
 }
 
-/// The rest of the MemoryLimit's budget; kUnknown without a limit.
-std::atomic<std::uint64_t> left_of_limit{kUnknown};
+/// The state of the MemoryLimit. What was allocated before it began may be freed under it, so less
+/// than nothing may be taken.
+struct Account {
+  std::atomic<std::uint64_t> limit{kUnknown};  ///< kUnknown without a limit
+  std::atomic<std::int64_t> taken{0};
+  std::atomic<std::int64_t> peak{0};
+  std::atomic<std::uint64_t> refused{0};  ///< bytes of the last refusal
+  std::atomic<std::int64_t> taken_then{0};
+  std::atomic<bool> is_of_everything{false};
+};
+constinit Account account;
+
+std::uint64_t left_of(std::uint64_t limit, std::int64_t taken) {
+  if (taken <= 0) return limit;
+  return limit - std::min(limit, static_cast<std::uint64_t>(taken));
+}
+
+/// Counts bytes unless that would exceed the limit by more than `room`.
+bool take_within(std::uint64_t bytes, std::uint64_t room) noexcept {
+  const std::uint64_t limit = account.limit.load(std::memory_order_relaxed);
+  if (limit == kUnknown) return true;
+  std::int64_t taken = account.taken.load(std::memory_order_relaxed);
+  do {
+    if (bytes > left_of(limit < kUnknown - room ? limit + room : limit, taken)) {
+      account.refused = bytes;
+      account.taken_then = taken;
+      return false;
+    }
+  } while (!account.taken.compare_exchange_weak(taken, taken + static_cast<std::int64_t>(bytes),
+                                                std::memory_order_relaxed));
+  const std::int64_t now = taken + static_cast<std::int64_t>(bytes);
+  std::int64_t peak = account.peak.load(std::memory_order_relaxed);
+  while (peak < now && !account.peak.compare_exchange_weak(peak, now, std::memory_order_relaxed)) {
+  }
+  return true;
+}
 
 }  // namespace
 
-MemoryLimit::MemoryLimit(std::uint64_t bytes) {
-  left_of_limit = bytes;
+MemoryLimit::MemoryLimit(std::uint64_t bytes, Of what) {
+  account.taken = 0;
+  account.peak = 0;
+  account.refused = 0;
+  account.limit = bytes;
+  account.is_of_everything = what == Of::everything;
 }
 
 MemoryLimit::~MemoryLimit() {
-  left_of_limit = kUnknown;
+  account.is_of_everything = false;
+  account.limit = kUnknown;
 }
 
-bool MemoryLimit::take(std::uint64_t bytes) {
-  std::uint64_t left = left_of_limit.load(std::memory_order_relaxed);
-  while (left != kUnknown) {
-    if (bytes > left) return false;
-    if (left_of_limit.compare_exchange_weak(left, left - bytes)) return true;
-  }
-  return true;
+bool MemoryLimit::take(std::uint64_t bytes) noexcept {
+  return take_within(bytes, 0);
+}
+
+bool MemoryLimit::take_block(std::uint64_t bytes) noexcept {
+  constexpr std::uint64_t kSmallBlock = std::uint64_t{64} << 10U;
+  return take_within(bytes, bytes < kSmallBlock ? kRoomForSmallBlocks : 0);
+}
+
+void MemoryLimit::give_back(std::uint64_t bytes) noexcept {
+  if (account.limit.load(std::memory_order_relaxed) == kUnknown) return;
+  account.taken.fetch_sub(static_cast<std::int64_t>(bytes), std::memory_order_relaxed);
+}
+
+void MemoryLimit::correct(std::uint64_t taken, std::uint64_t allocated) noexcept {
+  account.taken.fetch_add(static_cast<std::int64_t>(allocated) - static_cast<std::int64_t>(taken),
+                          std::memory_order_relaxed);
+}
+
+std::uint64_t MemoryLimit::left() noexcept {
+  const std::uint64_t limit = account.limit.load(std::memory_order_relaxed);
+  return limit == kUnknown ? kUnknown : left_of(limit, account.taken);
+}
+
+std::uint64_t MemoryLimit::peak() noexcept {
+  return static_cast<std::uint64_t>(account.peak.load());
+}
+
+bool MemoryLimit::counts_everything() noexcept {
+  return account.is_of_everything.load(std::memory_order_relaxed);
+}
+
+std::string MemoryLimit::refusal() {
+  if (!counts_everything() || account.refused == 0) return "";
+  const auto taken = static_cast<std::uint64_t>(std::max<std::int64_t>(account.taken_then, 0));
+  return fmt::format("--max-memory is {}, of which {} are in use; {} more are needed",
+                     bytes_text(account.limit), bytes_text(taken), bytes_text(account.refused));
+}
+
+void throw_out_of_memory(const std::string& subject) {
+  const std::string start = subject.empty() ? "" : subject + ": ";
+  const std::string refusal = MemoryLimit::refusal();
+  if (!refusal.empty()) throw LimitError(start + refusal);
+  throw DeviceError(start + "out of memory");
 }
 
 // A line is "number:controllers:path". The only line of version 2 has no controllers.
@@ -136,7 +216,7 @@ std::uint64_t available_memory_bytes() {
   std::stringstream groups;
   groups << std::ifstream("/proc/self/cgroup").rdbuf();
   const GroupPaths paths = parse_group_paths(groups.str());
-  return std::min({system_available(), address_space_available(), left_of_limit.load(),
+  return std::min({system_available(), address_space_available(), MemoryLimit::left(),
                    groups_available(paths.v2, {"/sys/fs/cgroup", "memory.max", "memory.current",
                                                "inactive_file"}),
                    groups_available(paths.v1, {"/sys/fs/cgroup/memory", "memory.limit_in_bytes",

@@ -28,6 +28,7 @@ bool Progress::cancel() {
 }
 
 void Progress::seal() {
+  if (is_cancelled()) throw Cancelled();
   State expected = State::running;
   state_.compare_exchange_strong(expected, State::sealed);
   if (expected == State::cancelled) throw Cancelled();
@@ -96,23 +97,23 @@ void OpenStages::next() {
 }
 
 void report(Progress* progress, float fraction) {
-  if (progress == nullptr) return;
   check_cancelled(progress);
-  progress->set(fraction);
+  if (progress != nullptr) progress->set(fraction);
 }
 
 void check_cancelled(const Progress* progress) {
-  if (progress != nullptr && progress->is_cancelled()) throw Cancelled();
+  const bool is_over = progress == nullptr ? TimeLimit::is_over() : progress->is_cancelled();
+  if (is_over) throw Cancelled();
 }
 
 void seal(Progress* progress) {
+  check_cancelled(progress);
   if (progress != nullptr) progress->seal();
 }
 
 void begin_stage(Progress* progress, std::string_view stage) {
-  if (progress == nullptr) return;
   check_cancelled(progress);
-  progress->name_stage(stage);
+  if (progress != nullptr) progress->name_stage(stage);
 }
 
 }  // namespace mesher

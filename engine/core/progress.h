@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/core/time_limit.h"
+
 namespace mesher {
 
 /// The progress of a long operation, and whether it has been canceled. The worker writes the
@@ -44,7 +46,11 @@ class Progress {
 
   /// Cancels the operation. Returns false, and changes nothing, once it is sealed.
   bool cancel();
-  bool is_cancelled() const { return state_.load(std::memory_order_relaxed) == State::cancelled; }
+  /// Returns whether it was canceled, also by a TimeLimit.
+  bool is_cancelled() const {
+    const State state = state_.load(std::memory_order_relaxed);
+    return state == State::cancelled || (state == State::running && TimeLimit::is_over());
+  }
   /// The worker calls it before its result becomes visible to others, such as a file that gets its
   /// name. From then on the operation cannot be canceled, so that a canceled one leaves no trace.
   /// Throws Cancelled.
@@ -126,16 +132,18 @@ class OpenStages {
 };
 
 /// Sets the finished fraction of the current stage, or throws Cancelled if `progress` was canceled.
-/// Does nothing if it is null. Call it between units of work, not in inner loops.
+/// If it is null, throws Cancelled after the end of a TimeLimit. Call it between units of work, not
+/// in inner loops.
 void report(Progress* progress, float fraction);
 
-/// Throws Cancelled if `progress` was canceled. Does nothing if it is null.
+/// Throws Cancelled if `progress` was canceled; if it is null, after the end of a TimeLimit.
 void check_cancelled(const Progress* progress);
 
-/// Progress::seal. Does nothing if it is null.
+/// Progress::seal. If it is null, throws Cancelled after the end of a TimeLimit.
 void seal(Progress* progress);
 
-/// Names what begins, or throws Cancelled if `progress` was canceled. Does nothing if it is null.
+/// Names what begins, or throws Cancelled if `progress` was canceled; if it is null, after the end
+/// of a TimeLimit.
 void begin_stage(Progress* progress, std::string_view stage);
 
 }  // namespace mesher

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -16,6 +17,38 @@ constexpr double kRoundsToThousand = 999.5;
 /// Whole numbers up to here are exact in double precision.
 constexpr double kLargestWhole = 9e15;
 
+/// Returns the bytes of the UTF-8 character at the start of a text, or 0 if there is none.
+std::size_t utf8_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  if (first < 0x80) return 1;
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80) return 0;
+  }
+  // Forms that are too long, halves of surrogate pairs, and what lies beyond Unicode.
+  const unsigned char second = byte(1);
+  const bool is_valid = (first != 0xE0 || second >= 0xA0) && (first != 0xED || second < 0xA0) &&
+                        (first != 0xF0 || second >= 0x90) && (first != 0xF4 || second < 0x90);
+  return is_valid ? length : 0;
+}
+
+/// Returns whether a UTF-8 character controls a terminal: those below the space, DEL, and U+0080 to
+/// U+009F.
+bool is_control(std::string_view character) {
+  const auto first = static_cast<unsigned char>(character[0]);
+  if (character.size() == 1) return first < 0x20 || first == 0x7F;
+  return first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;
+}
+
+std::string escape(unsigned char byte) {
+  if (byte == '\n') return "\\n";
+  if (byte == '\r') return "\\r";
+  if (byte == '\t') return "\\t";
+  return fmt::format("\\x{:02x}", byte);
+}
+
 std::string three_digits(double value) {
   const double size = std::abs(value);
   if (size >= kRoundsToThousand && size <= kLargestWhole) return count_text(std::llround(value));
@@ -23,6 +56,22 @@ std::string three_digits(double value) {
 }
 
 }  // namespace
+
+std::string printable(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
+    if (length > 0 && !is_control(character)) {
+      result += character;
+    } else {
+      for (const char c : character)
+        result += escape(static_cast<unsigned char>(c));
+    }
+    text.remove_prefix(character.size());
+  }
+  return result;
+}
 
 std::string count_text(std::int64_t count) {
   // The negation of the least value has no signed representation.

@@ -6,6 +6,11 @@
 
 namespace mesher {
 
+/// Returns text from a stranger, such as a name in a file, as it may be printed on a terminal: with
+/// control characters, and bytes that are not UTF-8, as escapes ("\n", "\x1b"). All other
+/// characters stay, backslashes too. O(bytes).
+std::string printable(std::string_view text);
+
 // Numbers as people read them, in messages and panels. Files and JSON do not use these functions:
 // they hold all digits of a number.
 

@@ -1,18 +1,20 @@
 #include "engine/io/atomic_file.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <set>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/progress.h"
+#include "engine/io/extension.h"
 #include "engine/io/temporary_files.h"
 
 namespace mesher::io {
@@ -20,20 +22,6 @@ namespace {
 
 /// write(2) writes at most 2 GB. Smaller pieces also let the page cache drain steadily.
 constexpr std::size_t kLargestWrite = std::size_t{1} << 26;
-
-/// Returns the number of the process's own descriptor that `target` names (/dev/stdout, /dev/fd/3),
-/// or -1. The file behind it must not be replaced: with a shell's `>>`, its old content would be
-/// lost.
-int descriptor_named(const std::filesystem::path& target) {
-  if (target == "/dev/stdout") return STDOUT_FILENO;
-  if (target == "/dev/stderr") return STDERR_FILENO;
-  if (target.parent_path() != "/dev/fd" && target.parent_path() != "/proc/self/fd") return -1;
-  const std::string number = target.filename().string();
-  int descriptor = -1;
-  const auto [end, error] =
-      std::from_chars(number.data(), number.data() + number.size(), descriptor);
-  return error == std::errc() && end == number.data() + number.size() ? descriptor : -1;
-}
 
 /// Returns whether the descriptor is writable. Sets errno if not.
 bool is_writable(int descriptor) {
@@ -80,11 +68,18 @@ void flush_folder(const std::filesystem::path& folder) noexcept {
   ::close(descriptor);
 }
 
+void wait_for_room(int descriptor) {
+  constexpr int kBetweenChecks_ms = 50;
+  check_cancelled(nullptr);
+  pollfd writable{descriptor, POLLOUT, 0};
+  ::poll(&writable, 1, kBetweenChecks_ms);
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(const std::filesystem::path& target)
     : name_(target.string()), target_(target) {
-  const int named = descriptor_named(target);
+  const int named = descriptor_of(target);
   if (named < 0) {
     open_target(target);
   } else {
@@ -118,7 +113,7 @@ void AtomicFile::check(const std::filesystem::path& target) {
   const auto refuse_as_errno = [&] {
     refuse("cannot write: " + std::generic_category().message(errno));
   };
-  if (const int named = descriptor_named(target); named >= 0) {
+  if (const int named = descriptor_of(target); named >= 0) {
     if (!is_writable(named)) refuse_as_errno();
     return;
   }
@@ -180,6 +175,10 @@ void AtomicFile::write(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t done = ::write(descriptor_, bytes.data(), std::min(bytes.size(), kLargestWrite));
     if (done < 0 && errno == EINTR) continue;
+    if (done < 0 && errno == EAGAIN) {  // a pipe whose other end made it non-blocking
+      wait_for_room(descriptor_);
+      continue;
+    }
     if (done < 0) fail("cannot write");
     bytes.remove_prefix(static_cast<std::size_t>(done));
     size_ += static_cast<std::uint64_t>(done);

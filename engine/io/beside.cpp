@@ -30,7 +30,22 @@ std::optional<std::string> decode_uri(std::string_view uri) {
   return path;
 }
 
+/// Returns whether a name begins with a scheme of an address. One letter is a drive of Windows.
+bool is_address(std::string_view name) {
+  const std::size_t end = name.find("://");
+  if (end == std::string_view::npos || end < 2) return false;
+  return std::ranges::all_of(name.substr(0, end), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '+' || c == '-' || c == '.';
+  });
+}
+
 }  // namespace
+
+std::string_view Beside::reason() const {
+  if (is_address) return "mesher does not fetch from the network";
+  return is_outside ? "not opened, because it is outside of the model's folder"
+                    : "there is no such file";
+}
 
 bool stays_below(const std::filesystem::path& path) {
   if (path.empty() || path.is_absolute()) return false;
@@ -43,12 +58,14 @@ Beside find_beside(const std::filesystem::path& folder,
   Beside found;
   for (const std::string& name : spellings) {
     if (name.empty() || name.find('\0') != std::string::npos) continue;
+    found.is_address |= is_address(name);
     if (!stays_below(name)) {
       found.is_outside = true;
       continue;
     }
     std::error_code error;
-    if (std::filesystem::is_regular_file(folder / name, error)) return {folder / name, name, false};
+    if (std::filesystem::is_regular_file(folder / name, error))
+      return {.file = folder / name, .relative = name};
   }
   return found;
 }

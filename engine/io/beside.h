@@ -15,6 +15,10 @@ struct Beside {
   std::filesystem::path file;      ///< to be opened; empty: there is no such file
   std::filesystem::path relative;  ///< the same from the folder
   bool is_outside = false;         ///< not found, and the name leads out of the folder
+  bool is_address = false;         ///< not found, and the name is an address: "http://..."
+
+  /// Returns why a file that was not found is not read, for messages: "there is no such file".
+  std::string_view reason() const;
 };
 
 /// Looks for a regular file in or below `folder` under several spellings of its name. Other files

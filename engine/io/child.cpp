@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,6 +13,7 @@
 #include <fstream>
 
 #include "engine/core/error.h"
+#include "engine/core/memory.h"
 
 namespace mesher::io {
 namespace {
@@ -49,9 +51,11 @@ void limit(int resource, rlim_t most) {
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGINT, SIGPIPE})
     ::signal(signal, SIG_DFL);
   limit(RLIMIT_CORE, 0);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // not longer than the parent, which a TimeLimit may end
   limit_cpu_time(limits.cpu_s);
   // A sanitizer reserves terabytes.
-  if (!kHasSanitizer) limit(RLIMIT_AS, space + limits.memory);
+  const std::uint64_t memory = std::min<std::uint64_t>(limits.memory, MemoryLimit::left());
+  if (!kHasSanitizer) limit(RLIMIT_AS, space + memory);
   const int nothing = ::open("/dev/null", O_WRONLY);
   ::dup2(nothing, STDOUT_FILENO);
   ::dup2(nothing, STDERR_FILENO);

@@ -1,10 +1,10 @@
 #include "engine/io/format.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 #include <vector>
 
+#include "engine/io/extension.h"
 #include "engine/io/gltf_model.h"
 #include "engine/io/gltf_read.h"
 #include "engine/io/obj_read.h"
@@ -131,12 +131,16 @@ std::span<const FormatInfo> formats() {
 }
 
 const FormatInfo* format_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = extension_of(file);
   const auto found = std::ranges::find_if(
       kFormats, [&](const FormatInfo& format) { return extension == format.extension; });
   return found == std::end(kFormats) ? nullptr : &*found;
+}
+
+HoldsMaterials held_materials(const FormatInfo& format, const std::filesystem::path& file) {
+  const HoldsMaterials holds = format.holds.materials;
+  const bool needs_files = holds != HoldsMaterials::as_gltf;
+  return needs_files && is_open_file(file) ? HoldsMaterials::nothing : holds;
 }
 
 std::string readable_formats() {

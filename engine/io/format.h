@@ -77,9 +77,13 @@ struct FormatInfo {
 /// Returns all formats, in the order in which messages list them.
 std::span<const FormatInfo> formats();
 
-/// Returns the format of a file's extension, matched without case. Null: no format has that
-/// extension.
+/// Returns the format of a file's extension (extension_of), matched without case. Null: no format
+/// has that extension.
 const FormatInfo* format_of(const std::filesystem::path& file);
+
+/// Returns how a file stores materials: as its format does, or not at all if the format needs files
+/// beside it and it is a pipe (is_open_file).
+HoldsMaterials held_materials(const FormatInfo& format, const std::filesystem::path& file);
 
 /// Returns the formats that can be opened, for messages: "obj, ply, stl, off, gltf, glb or pm".
 std::string readable_formats();

@@ -16,6 +16,7 @@
 #include "engine/io/beside.h"
 #include "engine/io/gltf_types.h"
 #include "engine/io/text_cursor.h"
+#include "engine/mesh/contents.h"
 
 namespace mesher::io {
 namespace {
@@ -324,7 +325,8 @@ std::unique_ptr<GltfFile::Buffer> GltfFile::open_buffer(std::uint64_t index) {
     buffer->decoded = decoded_uri(uri);
     buffer->bytes = buffer->decoded;
   } else {
-    buffer->file = std::make_unique<MappedFile>(file_of(uri), progress_, file_.keep());
+    const std::string label = fmt::format("buffer {}", index);
+    buffer->file = std::make_unique<MappedFile>(file_of(uri, label), progress_, file_.keep());
     buffer->bytes = buffer->file->bytes();
   }
   const std::uint64_t length = find_number(json, "byteLength").value_or(0);
@@ -343,19 +345,17 @@ std::string GltfFile::decoded_uri(std::string_view uri) const {
   return std::move(*decoded);
 }
 
-/// Returns the file of a URI.
-std::filesystem::path GltfFile::file_of(std::string_view uri) const {
+/// Returns the file of a URI. `label`: what the document has there, for messages.
+std::filesystem::path GltfFile::file_of(std::string_view uri, std::string_view label) const {
   const Beside found = find_uri_beside(folder(), uri);
-  if (found.file.empty()) {
-    fail(found.is_outside ? "a buffer is outside the document's folder"
-                          : "a buffer's file is missing");
-  }
+  if (found.file.empty())
+    fail(fmt::format("{} is at {}: {}", label, FileContents::readable(uri), found.reason()));
   return found.file;
 }
 
 std::string GltfFile::resource(std::string_view uri) const {
   if (uri.starts_with("data:")) return decoded_uri(uri);
-  const MappedFile file(file_of(uri));
+  const MappedFile file(file_of(uri, "a resource"));
   return read_unchanged(file, [&] { return std::string(file.bytes()); });
 }
 

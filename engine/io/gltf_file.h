@@ -127,7 +127,7 @@ class GltfFile {
   std::string_view buffer_bytes(std::uint64_t index);
   std::unique_ptr<Buffer> open_buffer(std::uint64_t index);
   std::string decoded_uri(std::string_view uri) const;
-  std::filesystem::path file_of(std::string_view uri) const;
+  std::filesystem::path file_of(std::string_view uri, std::string_view label) const;
 
   const MappedFile& file_;
   Progress* progress_;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/core/face_limit.h"
 #include "engine/io/gltf_contents.h"
 #include "engine/io/gltf_triangles.h"
 #include "engine/io/gltf_types.h"
@@ -98,6 +99,7 @@ class GltfMeshReader {
     Array<std::uint32_t> triangles =
         packed != nullptr ? packed->mesh.indices : triangle_indices(gltf_, json, *mode, vertices);
     if (triangles.empty()) return;
+    FaceLimit::check((soup_.corners.size() + triangles.size()) / 3);
     // Many primitives may share one long accessor and each use a part of it.
     const auto [low, high] = std::minmax_element(triangles.begin(), triangles.end());
     const UsedVertices used{*low, *high - *low + std::size_t{1}};

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/face_limit.h"
 #include "engine/core/parallel.h"
 #include "engine/core/progress.h"
 #include "engine/io/color_byte.h"
@@ -191,6 +192,7 @@ class GltfReader {
       budget_.spend(gltf_, GltfBudget::kPrimitiveCost + primitive.positions.size() +
                                primitive.triangles.size());
       if (primitive.triangles.empty()) continue;
+      FaceLimit::check((soup_.corners.size() + primitive.triangles.size()) / 3);
       // The transform of the node of a skinned mesh does not count.
       if (primitive.transforms.empty()) {
         transform(primitive, placed.to_world);

@@ -10,6 +10,7 @@
 #include "engine/core/error.h"
 #include "engine/core/text.h"
 #include "engine/io/base64.h"
+#include "engine/io/beside.h"
 #include "engine/io/gltf_container.h"
 #include "engine/io/gltf_mesh.h"
 #include "engine/io/gltf_types.h"
@@ -221,10 +222,12 @@ void GltfRewriter::embed(Json& image) {
   } catch (const InputChanged&) {
     throw;
   } catch (const InputError&) {
-    FileContents readable;  // replaces control characters and truncates
+    FileContents readable;  // escapes control characters and truncates
     readable.add(Content::textures, uri);
-    losses_.push_back("the image of " + readable.phrase(Content::textures) +
-                      " (it is missing or outside the folder)");
+    const Beside found = find_uri_beside(gltf_.folder(), uri);
+    losses_.push_back(
+        fmt::format("the image of {} ({})", readable.phrase(Content::textures),
+                    found.is_address ? found.reason() : "it is missing or outside the folder"));
     return;
   }
   const std::string_view type = image_type(bytes);

@@ -23,10 +23,7 @@ void ImageFiles::load(EncodedImage& image, const Beside& found, std::string_view
   const auto warn = [&](std::string_view reason) {
     contents_.warn("texture " + std::string(text) + ": " + std::string(reason));
   };
-  if (found.file.empty()) {
-    return warn(found.is_outside ? "not opened, because it is outside of the model's folder"
-                                 : "there is no such file");
-  }
+  if (found.file.empty()) return warn(found.reason());
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(found.file, error);
   if (error) return warn(error.message());

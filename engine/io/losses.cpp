@@ -222,7 +222,8 @@ std::vector<std::string> losses_in_format(const std::filesystem::path& file, con
   std::vector<std::string> losses;
   const FormatInfo* format = format_of(file);
   if (format == nullptr) return losses;
-  const FormatContents& can = format->holds;
+  FormatContents can = format->holds;
+  can.materials = held_materials(*format, file);
   const std::size_t creases = can.creases ? 0 : count_creases(mesh);
   if (creases > 0) losses.push_back(std::to_string(creases) + " creases");
   if (!can.creases && !mesh.vertex_sharpnesses().empty()) {

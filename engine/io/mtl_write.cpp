@@ -17,12 +17,21 @@ namespace {
 
 constexpr std::string_view kMtlHeader = "# mesher: materials\n";
 
+/// Returns a name that a line can hold. Other bytes stay as they are, so that a name that is not
+/// UTF-8 is still the same in another program.
+std::string one_line_name(std::string_view name) {
+  std::string line(name.substr(0, kMaxNameBytes));
+  std::ranges::replace_if(
+      line, [](unsigned char c) { return c < ' '; }, '_');
+  return line;
+}
+
 /// Returns names that lines of OBJ and MTL can hold, and no two alike.
 std::vector<std::string> material_names(const Materials& materials) {
   std::vector<std::string> names;
   std::set<std::string> taken;
   for (const Material& material : materials.materials) {
-    std::string wanted = FileContents::readable(material.name);
+    std::string wanted = one_line_name(material.name);
     const std::size_t end = wanted.find_last_not_of(' ');
     wanted.resize(end == std::string::npos ? 0 : end + 1);
     wanted.erase(0, wanted.find_first_not_of(' '));

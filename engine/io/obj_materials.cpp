@@ -59,10 +59,7 @@ class ObjMaterials {
     const Beside found = find_named_beside(folder_, name);
     if (found.file.empty()) {
       materials_.missing_files.push_back(name);
-      soup_.contents.warn("material file " + name + ": " +
-                          (found.is_outside
-                               ? "not opened, because it is outside of the model's folder"
-                               : "there is no such file"));
+      soup_.contents.warn("material file " + name + ": " + std::string(found.reason()));
       return;
     }
     std::optional<MappedFile> file;

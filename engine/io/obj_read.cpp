@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "engine/core/error.h"
+#include "engine/core/face_limit.h"
 #include "engine/core/parallel.h"
 #include "engine/core/progress.h"
 #include "engine/io/far_origin.h"
@@ -157,6 +158,7 @@ class ObjAssembly {
     count_[kObjNormal] += chunk.normals.size();
     corner_count_ += chunk.corner_count();
     face_count_ += chunk.face_end.size();
+    FaceLimit::check(face_count_);
     has_colors_ = has_colors_ || !chunk.colors.empty();
     all_triangles_ = all_triangles_ && chunk.all_triangles;
     constexpr std::size_t kMost = kNone - 1;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/core/error.h"
+#include "engine/core/face_limit.h"
 #include "engine/core/parallel.h"
 #include "engine/core/progress.h"
 #include "engine/io/far_origin.h"
@@ -173,7 +174,8 @@ class OffReader {
     const OffKind kind = read_kind(text_);
     const std::size_t vertices = read_count(text_, 6);  // "0 0 0\n"
     const std::size_t faces = read_count(text_, 2);     // "0\n"
-    text_.skip_line();                                  // the number of edges, given or not
+    FaceLimit::check(faces);
+    text_.skip_line();  // the number of edges, given or not
     if (vertices == 0) text_.fail("no vertices");
     read_rows(vertices, [&] { read_vertex(kind); });
     soup_.face_start.push_back(0);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/core/error.h"
+#include "engine/core/face_limit.h"
 #include "engine/core/progress.h"
 #include "engine/core/text.h"
 #include "engine/io/far_origin.h"
@@ -95,6 +96,7 @@ class PlyReader {
       } else if (element.properties.empty()) {
         continue;  // any number of them takes no bytes
       } else if (element.name == "face") {
+        FaceLimit::check(element.count);
         find_face_colors(element);
         read_rows(element.count, [&](std::uint64_t) { read_face(element); });
       } else if (element.name == "tristrips") {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/core/memory.h"
 #include "engine/io/format.h"
 #include "engine/io/mapped_file.h"
 #include "engine/progressive/codec/pm_read.h"
@@ -114,6 +115,7 @@ std::uint64_t feed_file(progressive::PmReader& reader, const fs::path& file, Pro
   if (mapped.size() == 0) throw InputError(mapped.name(), 0, "is empty");
   const auto bytes = std::as_bytes(std::span(mapped.begin(), mapped.size()));
   if (!has_pm_ending(file)) check_kind(mapped.name(), bytes);
+  reader.expect_splits(progressive::PmReader::count_splits(bytes));
   return read_unchanged(mapped, [&] {
     feed_all(reader, bytes, progress);
     return bytes.size();
@@ -204,7 +206,7 @@ PmContents read_pm_file(const fs::path& file, Progress* progress) {
     summary.damage = std::move(rest.damage);
     return contents;
   } catch (const std::bad_alloc&) {
-    throw DeviceError(file.string() + ": out of memory");
+    throw_out_of_memory(file.string());
   }
 }
 

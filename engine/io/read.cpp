@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/core/error.h"
+#include "engine/core/memory.h"
 #include "engine/io/format.h"
 #include "engine/io/join.h"
 #include "engine/io/mapped_file.h"
@@ -39,10 +40,13 @@ Soup read_soup(const std::filesystem::path& file, const ReadOptions& options) {
   begin_stage(options.progress, "reading");
   try {
     return read_polygons(*format, file, options);
+  } catch (const InputError& error) {
+    if (!error.file().empty()) throw;
+    throw InputError(name, error.line(), error.reason());
   } catch (const std::bad_alloc&) {
-    throw DeviceError(name + ": out of memory");
+    throw_out_of_memory(name);
   } catch (const std::length_error&) {
-    throw DeviceError(name + ": out of memory");
+    throw_out_of_memory(name);
   }
 }
 

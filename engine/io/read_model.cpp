@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/memory.h"
 #include "engine/io/format.h"
 #include "engine/io/read.h"
 
@@ -15,15 +16,15 @@ constexpr double kBuildWeight = 1.0;
 
 Model read_model(const std::filesystem::path& file, const ReadOptions& options) {
   const FormatInfo* format = format_of(file);
-  if (options.keeps_scene && format != nullptr && format->read_scene != nullptr)
-    return format->read_scene(file, options);
-  Stages stages(options.progress, {format == nullptr ? 1.0 : format->read_weight, kBuildWeight});
-  stages.next();
-  Soup soup = read_soup(file, options);
-  FileContents contents = std::move(soup.contents);
-  const std::shared_ptr<const Materials> materials = soup.materials;
-  const glm::dvec3 origin = soup.origin;
   try {
+    if (options.keeps_scene && format != nullptr && format->read_scene != nullptr)
+      return format->read_scene(file, options);
+    Stages stages(options.progress, {format == nullptr ? 1.0 : format->read_weight, kBuildWeight});
+    stages.next();
+    Soup soup = read_soup(file, options);
+    FileContents contents = std::move(soup.contents);
+    const std::shared_ptr<const Materials> materials = soup.materials;
+    const glm::dvec3 origin = soup.origin;
     stages.next();
     BuildResult built = build_mesh(
         std::move(soup),
@@ -39,7 +40,7 @@ Model read_model(const std::filesystem::path& file, const ReadOptions& options) 
     if (!error.file().empty()) throw;
     throw InputError(file.string(), error.line(), error.reason());
   } catch (const std::bad_alloc&) {
-    throw DeviceError(file.string() + ": out of memory");
+    throw_out_of_memory(file.string());
   }
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "engine/core/error.h"
+#include "engine/core/face_limit.h"
 #include "engine/core/parallel.h"
 #include "engine/io/scan.h"
 #include "engine/io/text_cursor.h"
@@ -185,8 +186,10 @@ Array<glm::vec3> read_text(const MappedFile& file, Soup& soup, Progress* progres
     expect(text, "solid");
     skip_name(text, soup);
     for (;;) {
-      if (positions.size() % (3 * kFacetsBetweenReports) == 0)
+      if (positions.size() % (3 * kFacetsBetweenReports) == 0) {
+        FaceLimit::check(positions.size() / 3);
         report(progress, part_read(file, text.position()));
+      }
       const std::string_view word = text.word();
       if (is_keyword(word, "endsolid")) break;
       if (!is_keyword(word, "facet")) text.fail("expected \"facet\" or \"endsolid\"");
@@ -224,6 +227,7 @@ Soup read_stl(const MappedFile& file, Progress* progress) {
   if (!is_text && facets > kNone / 3) {
     throw InputError(file.name(), 0, "more elements than 32-bit indices can address");
   }
+  if (!is_text) FaceLimit::check(facets);
   Soup soup;
   if (is_text) {
     soup.positions = read_text(file, soup, progress);

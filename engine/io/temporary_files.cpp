@@ -35,8 +35,11 @@ std::atomic<bool> is_ending{false};  ///< a signal has begun to end the process
 std::atomic<pid_t> list_owner{0};    ///< the process that the list is of; not a child of it
 thread_local int depth = 0;          ///< of NoSignals
 
+}  // namespace
+
 /// Calls only functions that a signal handler may call.
-void remove_listed() {
+void remove_temporaries() {
+  is_ending.store(true);
   for (int waited = 0; changing.load() > 0 && waited < kMostWaitMs; ++waited)
     ::poll(nullptr, 0, 1);
   if (changing.load() > 0) return;  // a file system hangs: the next write sweeps
@@ -45,11 +48,10 @@ void remove_listed() {
   }
 }
 
+namespace {
+
 extern "C" void end_by_signal(int signal) {
-  if (::getpid() == list_owner.load()) {
-    is_ending.store(true);
-    remove_listed();
-  }
+  if (::getpid() == list_owner.load()) remove_temporaries();
   std::signal(signal, SIG_DFL);
   ::raise(signal);  // is delivered when this returns
 }

@@ -22,7 +22,9 @@ void write_model(const std::filesystem::path& file, const Mesh& mesh, const Attr
   Stages stages(options.progress, {1.0});
   stages.next("writing");
   AtomicFile out(file);
-  format.write(out, mesh, attributes, options);
+  WriteOptions written = options;
+  if (held_materials(format, file) == HoldsMaterials::nothing) written.materials = nullptr;
+  format.write(out, mesh, attributes, written);
   seal(options.progress);
   out.commit(options.flush);
 }

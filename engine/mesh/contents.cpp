@@ -8,11 +8,7 @@ namespace mesher {
 namespace {
 
 std::string readable_line(std::string_view text, std::size_t most_bytes) {
-  std::string line(text.substr(0, most_bytes));
-  for (char& c : line) {
-    if (static_cast<unsigned char>(c) < ' ') c = '_';
-  }
-  return line;
+  return printable(text.substr(0, most_bytes));
 }
 
 }  // namespace

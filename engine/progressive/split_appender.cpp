@@ -90,6 +90,7 @@ void SplitAppender::append(const NewSplit& split, const ParentFan& fan) {
   const bool is_pair = split.cut.right != kNone;
   const std::size_t moved = mesh_.moved_.size();
   try {
+    reserve_moved(fan.size());
     write_record(split, fan, mesh_.splits_.emplace_back());
     add_moved(fan, Parts(split.cut, fan.size()), mesh_.moved_);
     add_sharpness(split);
@@ -129,13 +130,24 @@ void SplitAppender::write_record(const NewSplit& split, const ParentFan& fan,
   find_outgoing(fan, Parts(split.cut, fan.size()), right != kNone, record);
 }
 
+/// Memory is reserved for 4 moved corners per split, and files may have 16. In between, there is no
+/// step, so that no third array of them is needed.
+void SplitAppender::reserve_moved(std::uint32_t count) {
+  constexpr std::size_t growth = 4;
+  Array<Halfedge>& all = mesh_.moved_;
+  const std::size_t needed = all.size() + count;
+  if (needed > all.capacity()) all.reserve(std::max(needed, growth * all.capacity()));
+}
+
 void SplitAppender::add_sharpness(const NewSplit& split) {
   auto& all = mesh_.sharpness_;
   if (mesh_.has_sharp_base_ || !all.empty() || !(split.sharpness == SplitSharpness{})) {
+    if (all.empty()) all.reserve(mesh_.splits_.capacity());
     all.resize(mesh_.level_, SplitSharpness{});
     all.push_back(split.sharpness);
   }
   if (at_.corner_sharpness != nullptr) {
+    if (mesh_.corner_sharpness_.empty()) mesh_.corner_sharpness_.reserve(mesh_.splits_.capacity());
     mesh_.corner_sharpness_.push_back({at_.corner_sharpness[split.parent.index()],
                                        split.parent_corner_sharpness,
                                        split.child_corner_sharpness});

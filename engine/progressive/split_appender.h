@@ -28,6 +28,7 @@ class SplitAppender {
 
  private:
   void write_record(const NewSplit& split, const ParentFan& fan, VertexSplit& record) const;
+  void reserve_moved(std::uint32_t count);
   void add_sharpness(const NewSplit& split);
 
   ProgressiveMesh& mesh_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/face_limit.h"
 #include "engine/mesh/parts.h"
 #include "engine/scene/influences.h"
 #include "engine/scene/morph.h"
@@ -68,7 +69,9 @@ Copies copied_elements(const Mesh& mesh, const Attributes& attributes, const Sce
   const std::vector<glm::dmat4> nodes = node_transforms(scene);
   const std::vector<Shape> parts =
       split(mesh, attributes, mesh_of_groups(attributes), scene.meshes.size());
-  const bool shows_all = copied_faces(attributes, scene, hidden) <= kMostCopiedFaces;
+  const std::uint64_t faces = copied_faces(attributes, scene, hidden);
+  FaceLimit::check(faces, "the scene ");
+  const bool shows_all = faces <= kMostCopiedFaces;
   Copies copies;
   std::vector<Shape> shapes;
   for (std::uint32_t m = 0; m < parts.size(); ++m) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/core/assert.h"
+#include "engine/core/face_limit.h"
 #include "engine/core/parallel.h"
 #include "engine/subdivide/butterfly.h"
 #include "engine/subdivide/features.h"
@@ -219,7 +220,9 @@ SubdivisionSize subdivision_size(const Mesh& mesh, const SubdivideOptions& optio
 }
 
 Subdivided subdivide(const Mesh& mesh, const SubdivideOptions& options) {
-  MESHER_ASSERT(subdivision_size(mesh, options).has_ids);
+  const SubdivisionSize size = subdivision_size(mesh, options);
+  MESHER_ASSERT(size.has_ids);
+  FaceLimit::check(size.faces, "the subdivided mesh ");
   Stages stages(options.progress, wants_limit(options) ? kLimitWeights : kStepWeights);
   stages.next();
   Subdivision subdivision(mesh, options);

@@ -7,9 +7,13 @@
 
 #include <array>
 #include <cstdlib>
+#include <memory>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "engine/core/array.h"
+#include "engine/core/error.h"
 
 namespace mesher {
 namespace {
@@ -55,6 +59,50 @@ TEST(MemoryLimit, BoundsArraysAndAvailableMemory) {
     EXPECT_NO_THROW(Array<std::uint8_t>(400'000));
   }
   EXPECT_NO_THROW(Array<std::uint8_t>(2'000'000));
+}
+
+TEST(MemoryLimit, IsOfWhatIsTakenAtOneTime) {
+  const MemoryLimit limit(1'000'000);
+  for (int i = 0; i < 10; ++i)
+    EXPECT_NO_THROW(Array<std::uint8_t>(900'000));
+  EXPECT_EQ(MemoryLimit::left(), 1'000'000U);
+  EXPECT_EQ(MemoryLimit::peak(), 900'000U);
+}
+
+TEST(MemoryLimit, OfEverythingCountsContainersToo) {
+  const MemoryLimit limit(1'000'000, MemoryLimit::Of::everything);
+  const std::vector<char> first(600'000);
+  EXPECT_LE(MemoryLimit::left(), 400'000U);
+  EXPECT_THROW(std::vector<char>(500'000), std::bad_alloc);
+  EXPECT_THROW(Array<char>(500'000), std::bad_alloc);
+  EXPECT_EQ(MemoryLimit::refusal().find("--max-memory is 1 MB, of which 6"), 0U)
+      << MemoryLimit::refusal();
+}
+
+TEST(MemoryLimit, SmallBlocksMayExceedItSomewhat) {
+  const MemoryLimit limit(1000, MemoryLimit::Of::everything);
+  std::vector<std::unique_ptr<char[]>> blocks;
+  EXPECT_NO_THROW(blocks.push_back(std::make_unique<char[]>(10'000))) << "room for messages";
+  blocks.reserve(4000);
+  EXPECT_THROW(for (int i = 0; i < 4000; ++i) blocks.push_back(std::make_unique<char[]>(10'000)),
+               std::bad_alloc)
+      << "but not for 40 MB";
+}
+
+TEST(MemoryLimit, RefusalIsOfTheInputAndHasFigures) {
+  {
+    const MemoryLimit limit(1'000'000, MemoryLimit::Of::everything);
+    EXPECT_FALSE(MemoryLimit::take(3'000'000));
+    EXPECT_THROW(throw_out_of_memory("a.obj"), LimitError);
+    try {
+      throw_out_of_memory("a.obj");
+    } catch (const LimitError& error) {
+      EXPECT_EQ(error.exit_code(), ExitCode::bad_input);
+      EXPECT_TRUE(std::string(error.what()).starts_with("a.obj: --max-memory is 1 MB, of which "));
+      EXPECT_TRUE(std::string(error.what()).ends_with("are in use; 3 MB more are needed"));
+    }
+  }
+  EXPECT_THROW(throw_out_of_memory("a.obj"), DeviceError);
 }
 
 TEST(ControlGroups, ParsesVersions1And2) {

@@ -10,6 +10,30 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+TEST(Printable, EscapesControlCharacters) {
+  EXPECT_EQ(printable("a\nb\tc\rd"), "a\\nb\\tc\\rd");
+  EXPECT_EQ(printable("\x1b[31mred\x07"), "\\x1b[31mred\\x07");
+  EXPECT_EQ(printable(std::string_view("\0\x7f", 2)), "\\x00\\x7f");
+  EXPECT_EQ(printable("\xC2\x9B"
+                      "31m"),
+            "\\xc2\\x9b31m")
+      << "the one-character form of ESC [";
+}
+
+TEST(Printable, KeepsText) {
+  for (const char* text : {"", "a b\\n", "Gr\u00fc\u00dfe", "\u732b \U0001F408", "\u00a0"})
+    EXPECT_EQ(printable(text), text);
+}
+
+TEST(Printable, EscapesBytesThatAreNotUtf8) {
+  EXPECT_EQ(printable("b\xff.obj"), "b\\xff.obj");
+  EXPECT_EQ(printable("\xE4\xBD"), "\\xe4\\xbd") << "cut short";
+  EXPECT_EQ(printable("\xC0\x8A"), "\\xc0\\x8a") << "a line feed in a form that is too long";
+  EXPECT_EQ(printable("\xED\xA0\x80"), "\\xed\\xa0\\x80") << "half of a surrogate pair";
+  EXPECT_EQ(printable("\xF4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80") << "beyond Unicode";
+  EXPECT_EQ(printable("\x9b"), "\\x9b");
+}
+
 TEST(CountText, HasCommasBetweenThousands) {
   EXPECT_EQ(count_text(0), "0");
   EXPECT_EQ(count_text(999), "999");

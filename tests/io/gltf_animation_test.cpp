@@ -303,7 +303,7 @@ TEST(GltfAnimation, UnknownNamesListTheAnimations) {
   const std::string refusal = pose_refusal(animated_square().text(animated_members(many)), "Jump");
   EXPECT_LT(refusal.size(), 1500U);
   EXPECT_EQ(refusal.find('\n'), std::string::npos);
-  EXPECT_TRUE(refusal.ends_with(R"(63 "a_b", ...)")) << refusal;
+  EXPECT_TRUE(refusal.ends_with(R"(63 "a\nb", ...)")) << refusal;
 }
 
 TEST(GltfAnimation, FormatsWithoutAnimationsAreRefused) {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "engine/core/error.h"
+#include "engine/io/gltf_scene.h"
 #include "engine/scene/placed.h"
 #include "tests/support/gltf_scene_file.h"
 #include "tests/support/meshes.h"

@@ -12,7 +12,7 @@ TEST(FileContents, CountsAndNames) {
   contents.add(Content::materials, "pa\nper");
   contents.add(Content::materials, "");
   EXPECT_EQ(contents[Content::materials], 3U);
-  EXPECT_EQ(contents.phrase(Content::materials), "3 materials: brick, pa_per");
+  EXPECT_EQ(contents.phrase(Content::materials), "3 materials: brick, pa\\nper");
   contents[Content::points] += 2;
   EXPECT_EQ(contents.phrase(Content::points), "2 points");
   EXPECT_EQ(contents.phrase(Content::points, 1), "1 point");

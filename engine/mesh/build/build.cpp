@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "engine/core/error.h"
+#include "engine/core/face_limit.h"
 #include "engine/core/parallel.h"
 #include "engine/mesh/build/diagonals.h"
 #include "engine/mesh/build/edge_matching.h"
@@ -111,6 +112,7 @@ class Builder {
   }
 
   void check_sizes() const {
+    FaceLimit::check(soup_.face_count());
     if (soup_.positions.size() >= kNone) throw InputError("too many vertices for 32-bit ids");
     if (soup_.corners.size() >= kNone) throw InputError("too many face corners for 32-bit ids");
     if (!soup_.face_start.empty()) {
@@ -162,6 +164,7 @@ class Builder {
   }
 
   void check_triangle_count() const {
+    FaceLimit::check(soup_.corners.size() / 3);
     if (soup_.corners.size() >= kNone) throw InputError("too many triangles for 32-bit ids");
   }
 
@@ -242,9 +245,8 @@ class Builder {
     compact(result_.vertex_source, drop, 1);
     parallel_chunks(soup_.corners.size(), kBuildGrain, options_.progress,
                     [&](std::size_t, IndexRange range) {
-                      for (std::size_t i = range.begin; i < range.end; ++i) {
+                      for (std::size_t i = range.begin; i < range.end; ++i)
                         soup_.corners[i] = new_index[soup_.corners[i]];
-                      }
                     });
     find_copies();
   }
@@ -393,9 +395,8 @@ class Builder {
     arrays_.origin.resize(soup_.corners.size());
     parallel_chunks(soup_.corners.size(), kBuildGrain, options_.progress,
                     [&](std::size_t, IndexRange range) {
-                      for (std::size_t i = range.begin; i < range.end; ++i) {
+                      for (std::size_t i = range.begin; i < range.end; ++i)
                         arrays_.origin[i] = Vertex(soup_.corners[i]);
-                      }
                     });
     soup_.corners = {};
   }

@@ -7,6 +7,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
+#include "engine/core/prefetch.h"
 #include "engine/mesh/outgoing.h"
 
 namespace mesher {
@@ -84,9 +85,25 @@ void ManifoldCutter::cut_disagreeing(std::uint64_t expected) {
   }
 }
 
+/// Visits the crowds in order. The faces of a crowd lie anywhere in memory, so they are prefetched
+/// a few crowds ahead: in dense polygon soup, each would otherwise wait for its cache lines.
+template <class Visit>
+void ManifoldCutter::for_each_crowd(Visit visit) const {
+  constexpr std::size_t kAhead = 64;  // half-edges
+  const std::vector<std::uint32_t>& all = matching_.crowded;
+  std::size_t ahead = 0;
+  for (std::size_t i = 0; i < matching_.crowd_count(); ++i) {
+    const std::size_t last = std::min(all.size(), matching_.crowd_start[i + 1] + kAhead);
+    for (; ahead < last; ++ahead) {
+      prefetch(&mesh_.origin[all[ahead]]);
+      prefetch(&mesh_.twin[all[ahead]]);
+    }
+    visit(i, matching_.crowd(i));
+  }
+}
+
 void ManifoldCutter::pair_crowds() {
-  for (std::size_t i = 0; i < matching_.crowd_count(); ++i)
-    pair_crowd(matching_.crowd(i));
+  for_each_crowd([this](std::size_t, std::span<const std::uint32_t> crowd) { pair_crowd(crowd); });
 }
 
 // Faces are sorted by angle around the edge, from its lower to its upper vertex. The inside of a
@@ -166,8 +183,18 @@ void ManifoldCutter::split_vertices(Progress* progress) {
       mesh_.origin[(*at).index()] = name;
     } while (at.advance());
   };
+  // A fan of polygon soup lies anywhere in memory.
+  const auto prefetch_fan = [&](std::uint32_t i) {
+    if (i >= mesh_.twin.size()) return;
+    const Halfedge second = mesh_.twin[Mesh::prev(Halfedge(i)).index()];
+    if (!second.is_valid()) return;
+    prefetch(&mesh_.origin[second.index()]);
+    prefetch(&mesh_.twin[second.index()]);
+  };
   ordered_chunks(mesh_.origin.size(), kHalfedgesBetweenReports, progress, [&](IndexRange range) {
+    constexpr std::uint32_t kAhead = 32;
     for (auto i = static_cast<std::uint32_t>(range.begin); i < range.end; ++i) {
+      prefetch_fan(i + kAhead);
       if (!is_done[i]) split(i);
     }
   });
@@ -198,9 +225,9 @@ bool ManifoldCutter::has_parallel_edges(std::span<const std::uint32_t> crowd) co
 // edges. Such a crowd is cut completely. Then at most one half-edge in each direction remains
 // between a fan's copy of one end and a fan's copy of the other, and those two are stitched.
 bool ManifoldCutter::cut_parallel_crowds() {
-  for (std::size_t i = 0; i < matching_.crowd_count(); ++i) {
-    if (has_parallel_edges(matching_.crowd(i))) cut_crowds_.push_back(i);
-  }
+  for_each_crowd([this](std::size_t i, std::span<const std::uint32_t> crowd) {
+    if (has_parallel_edges(crowd)) cut_crowds_.push_back(i);
+  });
   for (const std::size_t i : cut_crowds_) {
     for (const std::uint32_t h : matching_.crowd(i))
       mesh_.twin[h] = Halfedge{};
@@ -237,11 +264,10 @@ std::vector<Vertex> ManifoldCutter::fans_joined_by_cut_edges() const {
     join(mesh_.origin[g], is_same_way ? mesh_.origin[h] : target(h));
     join(target(g), is_same_way ? target(h) : mesh_.origin[h]);
   };
-  for (std::size_t i = 0; i < matching_.crowd_count(); ++i) {
-    const std::span<const std::uint32_t> crowd = matching_.crowd(i);
+  for_each_crowd([&](std::size_t, std::span<const std::uint32_t> crowd) {
     for (const std::uint32_t h : crowd)
       join_ends(crowd[0], h);
-  }
+  });
   for (std::size_t i = 0; i < cut_disagreeing_.size(); i += 2)
     join_ends(cut_disagreeing_[i], cut_disagreeing_[i + 1]);
   return parent;

@@ -31,6 +31,8 @@ class ManifoldCutter {
  private:
   void cut_disagreeing(std::uint64_t expected);
   void separate_fans(Progress* progress);
+  template <class Visit>
+  void for_each_crowd(Visit visit) const;
   void pair_crowds();
   void pair_crowd(std::span<const std::uint32_t> crowd);
   bool has_single_fans(Progress* progress) const;

@@ -13,7 +13,8 @@
 namespace mesher::progressive {
 namespace {
 
-/// Encodes or decodes a base. Arrays must have their final sizes before.
+/// Encodes or decodes a base. A decoder lets the arrays grow with what has been decoded, because
+/// the header may announce anything.
 template <class Coder>
 class BaseCoder {
  public:
@@ -22,7 +23,8 @@ class BaseCoder {
 
   std::string_view code_faces() {
     Array<Vertex>& origin = base_.arrays.origin;
-    for (std::size_t h = 0; h < origin.size(); ++h) {
+    for (std::size_t h = 0; h < 3 * std::size_t{header_.base_faces}; ++h) {
+      if constexpr (Coder::kDecodes) origin.push_back(Vertex(0));
       const std::uint32_t v = code_corner(h, origin[h].index());
       if (v >= header_.base_vertices) return "a face of the base has a vertex that is not there";
       origin[h] = Vertex(v);
@@ -32,10 +34,12 @@ class BaseCoder {
   }
 
   std::string_view code_positions() {
-    const Array<std::uint32_t> near = neighbors();
+    const Array<std::uint32_t> neighbor = neighbors();
     for (std::uint32_t v = 0; v < header_.base_vertices; ++v) {
-      const bool is_good =
-          header_.is_quantized() ? code_numbers(v, near[v]) : code_floats(v, near[v]);
+      if constexpr (Coder::kDecodes) add_vertex();
+      const std::uint32_t before = v == 0 ? kNone : v - 1;
+      const std::uint32_t near = v < neighbor.size() && neighbor[v] != kNone ? neighbor[v] : before;
+      const bool is_good = header_.is_quantized() ? code_numbers(v, near) : code_floats(v, near);
       if (!is_good) return "a vertex of the base is outside the range of coordinates";
     }
     return {};
@@ -43,6 +47,10 @@ class BaseCoder {
 
   std::string_view code_sharpness() {
     MeshArrays& a = base_.arrays;
+    if constexpr (Coder::kDecodes) {
+      a.sharpness.assign(a.origin.size(), 0.0F);
+      if (header_.has_sharp_vertices()) a.vertex_sharpness.assign(a.position.size(), 0.0F);
+    }
     bool is_good = true;
     for (std::size_t h = 0; header_.has_sharp_edges() && h < a.origin.size(); ++h) {
       const Halfedge twin = a.twin[h];
@@ -89,11 +97,15 @@ class BaseCoder {
     return result < 0 || result >= kNone ? kNone : static_cast<std::uint32_t>(result);
   }
 
-  /// Returns, by vertex, the highest lower vertex that shares a face with it; if none, the one
-  /// before it.
+  void add_vertex() {
+    base_.arrays.position.push_back(glm::vec3(0.0F));
+    if (header_.is_quantized()) base_.grid.push_back(glm::ivec3(0));
+  }
+
+  /// Returns, by vertex of a face, the highest lower vertex that shares a face with it, or kNone.
   Array<std::uint32_t> neighbors() const {
     Array<std::uint32_t> near;
-    near.assign(header_.base_vertices, kNone);
+    near.assign(next_, kNone);
     const Array<Vertex>& origin = base_.arrays.origin;
     for (std::size_t h = 0; h < origin.size(); ++h) {
       const std::size_t face = h - h % 3;
@@ -102,9 +114,6 @@ class BaseCoder {
         const std::uint32_t u = origin[other].index();
         if (u < v && (near[v] == kNone || near[v] < u)) near[v] = u;
       }
-    }
-    for (std::uint32_t v = 1; v < near.size(); ++v) {
-      if (near[v] == kNone) near[v] = v - 1;
     }
     return near;
   }
@@ -147,26 +156,19 @@ class BaseCoder {
 
 /// Finds twins. Returns whether no face uses a vertex twice and no edge is used twice in one
 /// direction.
-bool find_twins(const PmHeader& header, MeshArrays& arrays) {
+bool find_twins(MeshArrays& arrays) {
+  std::uint32_t vertices_of_faces = 0;
+  for (const Vertex v : arrays.origin)
+    vertices_of_faces = std::max(vertices_of_faces, v.index() + 1);
   for (std::size_t h = 0; h < arrays.origin.size(); h += 3) {
     const Vertex* v = &arrays.origin[h];
     if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) return false;
   }
-  EdgeMatching matching = match_edges(arrays.origin, header.base_vertices);
+  // The vertices after those of the faces have no edges.
+  EdgeMatching matching = match_edges(arrays.origin, vertices_of_faces);
   arrays.twin = std::move(matching.twin);
   return matching.disagreeing_edges == 0 && matching.crowded.empty() &&
          matching.duplicate_faces.empty();
-}
-
-void resize(const PmHeader& header, PmBase& base) {
-  MeshArrays& a = base.arrays;
-  const std::size_t vertices = header.base_vertices;
-  const std::size_t corners = 3 * std::size_t{header.base_faces};
-  a.position.assign(vertices, glm::vec3(0.0F));
-  if (header.is_quantized()) base.grid.assign(vertices, glm::ivec3(0));
-  a.origin.assign(corners, Vertex(0));
-  a.sharpness.assign(corners, 0.0F);
-  if (header.has_sharp_vertices()) a.vertex_sharpness.assign(vertices, 0.0F);
 }
 
 }  // namespace
@@ -183,11 +185,10 @@ Array<std::byte> encode_base(const PmHeader& header, const PmBase& base) {
 
 std::string_view decode_base(const PmHeader& header, std::span<const std::byte> payload,
                              PmBase& base) {
-  resize(header, base);
   RangeDecoder decoder(payload);
   BaseCoder<RangeDecoder> coder(header, base, decoder);
   if (const auto why = coder.code_faces(); !why.empty()) return why;
-  if (!find_twins(header, base.arrays)) return "the faces of the base are not those of a surface";
+  if (!find_twins(base.arrays)) return "the faces of the base are not those of a surface";
   if (const auto why = coder.code_positions(); !why.empty()) return why;
   return coder.code_sharpness();
 }

@@ -42,7 +42,7 @@ constexpr std::uint64_t pm_most_bytes(std::uint64_t splits) {
 }
 /// Maximum for all splits up to the end of a block together; ids of moved corners have 32 bits.
 constexpr std::uint64_t pm_most_moved(std::uint64_t splits) {
-  return std::min(64 * splits + 65'536, std::uint64_t{kNone});
+  return std::min(16 * splits + 65'536, std::uint64_t{kNone});
 }
 constexpr std::uint64_t pm_most_walked(std::uint64_t splits) {
   return 4096 * splits + (std::uint64_t{1} << 20U);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/core/face_limit.h"
 #include "engine/core/text.h"
 #include "engine/mesh/outgoing.h"
 #include "engine/mesh/validate.h"
@@ -36,6 +37,7 @@ struct PmReader::State {
   bool has_base = false;
   bool ignores_what_follows = false;
   std::unique_ptr<SplitCoder<RangeDecoder>> coder;
+  std::uint32_t expected_splits = 0;  ///< 0: unknown
   std::string damage;
 
   explicit State(std::string&& file) : name(std::move(file)) {}
@@ -48,6 +50,14 @@ struct PmReader::State {
     stage = Stage::damaged;
     damage = at_byte(byte, reason);
     throw InputError(name, 0, damage);
+  }
+
+  void check_faces(std::uint64_t faces) const {
+    try {
+      FaceLimit::check(faces);
+    } catch (const InputError& error) {
+      throw InputError(name, 0, error.reason());
+    }
   }
 
   void end_early(std::uint64_t byte, std::string_view reason) {
@@ -83,6 +93,7 @@ struct PmReader::State {
     if (bytes.size() < kPmHeaderBytes) return 0;
     const std::string_view why = pm_parse(bytes.first(kPmHeaderBytes), header);
     if (!why.empty()) refuse(used_bytes, why);
+    check_faces(header.base_faces);
     stage = Stage::base;
     return kPmHeaderBytes;
   }
@@ -144,17 +155,15 @@ struct PmReader::State {
     return {};
   }
 
-  /// Reserves memory for as many splits as the arrived bytes may hold (most splits take more
-  /// bytes), or for several times the current number: unwritten memory costs nothing, but moving
-  /// arrays does.
+  /// Reserves memory for the expected splits, or for half as many again as have arrived.
   void reserve(std::uint32_t count) {
-    constexpr std::uint64_t usual_bytes = 4;
-    constexpr std::uint64_t growth = 4;
     const std::uint64_t before = mesh.split_count();
     if (before + count <= mesh.split_capacity()) return;
-    const std::uint64_t expected =
-        std::max({before + count, before + waiting.size() / usual_bytes, growth * before});
-    mesh.reserve(static_cast<std::uint32_t>(std::min<std::uint64_t>(expected, header.splits)));
+    const std::uint64_t wanted =
+        std::max<std::uint64_t>({before + count, expected_splits, before + before / 2});
+    const auto splits = static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted, header.splits));
+    mesh.reserve(splits);
+    coder->reserve(mesh.base_vertex_count(), splits);
   }
 
   bool append(std::uint32_t count, std::span<const std::byte> payload) {
@@ -171,6 +180,7 @@ struct PmReader::State {
       }
       appender.append(split, coder->fan());
     }
+    check_faces(mesh.full_face_count());
     return true;
   }
 
@@ -201,6 +211,27 @@ bool PmReader::is_pm(std::span<const std::byte> begin) {
 
 void PmReader::ignore_what_follows() {
   state_->ignores_what_follows = true;
+}
+
+std::uint32_t PmReader::count_splits(std::span<const std::byte> file) {
+  PmHeader header;
+  if (file.size() < kPmHeaderBytes || !pm_parse(file.first(kPmHeaderBytes), header).empty())
+    return 0;
+  std::uint64_t splits = 0;
+  std::uint64_t at = kPmHeaderBytes + std::uint64_t{header.base_bytes};
+  while (at + kPmBlockHeaderBytes <= file.size()) {
+    const PmBlockHeader block = pm_parse_block(file.subspan(at, kPmBlockHeaderBytes));
+    at += kPmBlockHeaderBytes + std::uint64_t{block.bytes};
+    const bool is_held = block.splits > 0 && block.splits <= kPmMostBlockSplits &&
+                         block.bytes >= pm_least_bytes(block.splits) && at <= file.size();
+    if (!is_held) break;
+    splits += block.splits;
+  }
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(splits, header.splits));
+}
+
+void PmReader::expect_splits(std::uint32_t splits) {
+  state_->expected_splits = splits;
 }
 
 void PmReader::feed(std::span<const std::byte> bytes) {

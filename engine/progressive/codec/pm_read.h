@@ -14,8 +14,9 @@ namespace mesher::progressive {
 /// Reads a progressive mesh (docs/pm-format.md) while its bytes arrive, in pieces of any size: from
 /// a file, a pipe, or the network. The mesh grows by whole blocks and is valid at any time.
 ///
-/// The reader does not trust the file: it allocates memory only in proportion to the bytes that
-/// have arrived.
+/// The reader does not trust the file: it allocates memory only in proportion to what has been
+/// decoded, at most 256 bytes per split if their number is known (expect_splits), and 32 more if
+/// edges and vertices are sharp.
 class PmReader {
  public:
   /// `name`: name of the file, for messages.
@@ -30,6 +31,12 @@ class PmReader {
   /// Lets anything follow the last split: the mesh is from a pipe that goes on. Otherwise, bytes
   /// that follow are damage.
   void ignore_what_follows();
+  /// Returns how many splits the blocks of a whole file hold, by their headers, without decoding
+  /// them. 0 if it has no complete base. O(blocks).
+  static std::uint32_t count_splits(std::span<const std::byte> file);
+  /// Says how many splits will follow, so that exactly the memory for them is allocated. Without
+  /// it, the arrays grow with the splits that arrive.
+  void expect_splits(std::uint32_t splits);
 
   /// Reads the next bytes. O(bytes + splits). Throws InputError (file, byte, reason) if header or
   /// base are invalid; there is no mesh then. An invalid block ends the reading: see damage().

@@ -131,6 +131,7 @@ class GridPositionCoder {
  public:
   explicit GridPositionCoder(Array<glm::ivec3>&& numbers) : numbers_(std::move(numbers)) {}
 
+  void reserve(std::size_t vertices) { numbers_.reserve(vertices); }
   const glm::ivec3& at(Vertex v) const { return numbers_[v.index()]; }
 
   template <class Coder>
@@ -295,6 +296,11 @@ SplitCoder<Coder>::SplitCoder(const PmHeader& header, Array<glm::ivec3>&& grid)
 
 template <class Coder>
 SplitCoder<Coder>::~SplitCoder() = default;
+
+template <class Coder>
+void SplitCoder<Coder>::reserve(std::uint32_t base_vertices, std::uint32_t splits) {
+  if (state_->header.is_quantized()) state_->grid.reserve(std::size_t{base_vertices} + splits);
+}
 
 template <class Coder>
 void SplitCoder<Coder>::begin_block(std::uint32_t begin, std::uint32_t end) {

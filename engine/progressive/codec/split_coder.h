@@ -23,6 +23,8 @@ class SplitCoder {
   SplitCoder(const SplitCoder&) = delete;
   SplitCoder& operator=(const SplitCoder&) = delete;
 
+  /// Reserves memory for so many splits in total.
+  void reserve(std::uint32_t base_vertices, std::uint32_t splits);
   /// Begins a block with the splits [begin, end).
   void begin_block(std::uint32_t begin, std::uint32_t end);
   /// Encodes the split, or decodes into `split`. Returns what is wrong, or an empty string; a split

@@ -57,7 +57,7 @@ TEST(NearestName, IsWithinTwoLettersAndHalfOfTheName) {
 TEST(Suggestions, ListUnknownOptionsOnly) {
   const Words options{"gouraud", "size", "output"};
   EXPECT_EQ(suggestions({"cube", "-gourad", "--size", "5", "--ouput=x.png", "-o", "y"}, options),
-            (Words{"-gourad: did you mean --gouraud?", "--ouput=x.png: did you mean --output?"}));
+            (Words{"-gourad: did you mean -gouraud?", "--ouput=x.png: did you mean --output?"}));
   EXPECT_TRUE(suggestions({"cube", "--", "-gourad"}, options).empty());
   EXPECT_TRUE(suggestions({"-", "--", "-"}, options).empty());
 }

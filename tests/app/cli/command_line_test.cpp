@@ -488,8 +488,8 @@ TEST_F(CommandLine, UsageErrorsExitWithOne) {
 
 TEST_F(CommandLine, MistypedNamesGetASuggestion) {
   const std::pair<std::vector<std::string>, const char*> mistyped[] = {
-      {{"cube", "-gourad"}, "-gourad: did you mean --gouraud?"},
-      {{"-inptu", "cube"}, "-inptu: did you mean --input?"},
+      {{"cube", "-gourad"}, "mesher: -gourad: did you mean -gouraud?"},
+      {{"-inptu", "cube"}, "mesher: -inptu: did you mean -input?"},
       {{"simplify", "cube", "-o", "x.ply", "--face", "6"}, "--face: did you mean --faces?"},
       {{"simplfy"}, "did you mean simplify?"},
   };

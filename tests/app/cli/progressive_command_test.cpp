@@ -254,13 +254,11 @@ TEST_F(ProgressiveCommand, PipesAreReadAndWritten) {
   EXPECT_EQ(mesher_json({"info", "c.obj"})["statistics"]["faces"], 3674);
   EXPECT_EQ(shell("mkfifo f.pm; cat p.pm >f.pm & mesher info f.pm").exit_code, 0);
   EXPECT_EQ(shell("cat p.pm | mesher lods /dev/stdin -o l.glb").exit_code, 0);
-  for (const char* what : {"echo v 0 0 0 and more of it", "echo v"}) {
-    const Finished other = shell(std::string(what) + " | mesher info /dev/stdin");
-    EXPECT_EQ(other.exit_code, 2);
-    EXPECT_TRUE(
-        holds(other.err, "files of other formats, and named pipes, need one of the extensions"))
-        << other.err;
-  }
+  const Finished other = shell("mkfifo f; echo v 0 0 0 and more of it >f & mesher info f");
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_TRUE(
+      holds(other.err, "files of other formats, and named pipes, need one of the extensions"))
+      << other.err;
 }
 
 /// Discs with two hubs each that are close together. A collapse of the hubs moves thousands of
@@ -327,7 +325,7 @@ TEST_F(ProgressiveCommand, ReadsNoMoreOfPipeThanNeeded) {
   EXPECT_EQ(nlohmann::json::parse(after.out)["statistics"]["faces"], 3674);
   const Finished garbage = shell("(" + tail + ") | mesher info /dev/stdin");
   EXPECT_EQ(garbage.exit_code, 2);
-  EXPECT_TRUE(holds(garbage.err, "is not a progressive mesh")) << garbage.err;
+  EXPECT_TRUE(holds(garbage.err, "does not begin like any format")) << garbage.err;
   const Finished named = shell("mkfifo g.pm; (" + tail + ") >g.pm & mesher info g.pm");
   EXPECT_EQ(named.exit_code, 2);
   EXPECT_TRUE(holds(named.err, "not a progressive mesh")) << named.err;

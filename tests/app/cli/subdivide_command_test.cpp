@@ -113,8 +113,8 @@ TEST_F(SubdivideCommand, OutOfMemoryIsRejectedWithSize) {
   testing::internal::CaptureStderr();
   EXPECT_EQ(app::run(static_cast<int>(arguments.size()), arguments.data()), 3);
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE(said.find("would make 805,306,368 faces and need "), std::string::npos) << said;
-  EXPECT_NE(said.find(" of memory; "), std::string::npos) << said;
+  EXPECT_NE(said.find("would make 805,306,368 faces, which needs "), std::string::npos) << said;
+  EXPECT_NE(said.find(" of memory; the limit is four fifths of the "), std::string::npos) << said;
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
   EXPECT_EQ(folder_.count_files(), 0U);
 }

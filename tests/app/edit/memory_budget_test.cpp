@@ -25,12 +25,12 @@ TEST(SubdivisionRefusal, CountsEveryCopy) {
 
 TEST(SubdivisionRefusal, NamesNeededAndFreeMemory) {
   EXPECT_EQ(subdivision_refusal(kSize, 2, {.available = 40'000, .copies = 1}),
-            "subdividing 2 times would make 4,000,000 faces and need 160 kB of memory; 40 kB is "
-            "free");
+            "subdividing 2 times would make 4,000,000 faces, which needs 160 kB of memory; the "
+            "limit is four fifths of the 40 kB that are free");
   EXPECT_NE(subdivision_refusal(kSize, 1, {.available = 40'000, .copies = 1})
                 .find("subdividing 1 time would"),
             std::string::npos);
-  EXPECT_NE(subdivision_refusal(kSize, 2, {.available = 40'000, .copies = 2}).find("need 260 kB"),
+  EXPECT_NE(subdivision_refusal(kSize, 2, {.available = 40'000, .copies = 2}).find("needs 260 kB"),
             std::string::npos);
 }
 

@@ -121,21 +121,48 @@ TEST(EdgeMatching, ThirdFaceMakesTheEdgeNonManifold) {
   }
 }
 
+Corners random_faces(std::uint32_t vertices, std::size_t faces, std::mt19937& random) {
+  Corners corners;
+  for (; faces > 0; --faces) {
+    std::set<std::uint32_t> face;
+    while (face.size() < 3)
+      face.insert(static_cast<std::uint32_t>(random() % vertices));
+    std::vector<std::uint32_t> order(face.begin(), face.end());
+    std::shuffle(order.begin(), order.end(), random);
+    corners.insert(corners.end(), order.begin(), order.end());
+  }
+  return corners;
+}
+
 TEST(EdgeMatching, AgreesWithMapOnRandomFaces) {
   std::mt19937 random(5);
   for (int round = 0; round < 2000; ++round) {
     const auto vertices = static_cast<std::uint32_t>(3 + random() % 20);
-    Corners corners;
-    for (auto faces = random() % 60; faces > 0; --faces) {
-      std::set<std::uint32_t> face;
-      while (face.size() < 3)
-        face.insert(static_cast<std::uint32_t>(random() % vertices));
-      std::vector<std::uint32_t> order(face.begin(), face.end());
-      std::shuffle(order.begin(), order.end(), random);
-      corners.insert(corners.end(), order.begin(), order.end());
-    }
-    expect_as_by_map(corners, vertices);
+    expect_as_by_map(random_faces(vertices, random() % 60, random), vertices);
   }
+}
+
+TEST(EdgeMatching, AgreesWithMapOnDenseSoup) {
+  std::mt19937 random(6);
+  // Below and above the number of half-edges per vertex from which they are grouped.
+  for (const std::size_t faces : {100U, 700U, 800U, 900U, 4000U}) {
+    for (const std::uint32_t vertices : {20U, 50U, 100U})
+      expect_as_by_map(random_faces(vertices, faces, random), vertices);
+  }
+}
+
+TEST(EdgeMatching, DenseSoupIsTheSameForAnyThreadCount) {
+  std::mt19937 random(7);
+  const Array<Vertex> soup = origins(random_faces(200, 20'000, random));
+  const auto with = [&](unsigned threads) {
+    const ThreadLimit limit(threads);
+    return match_edges(soup, 200);
+  };
+  const EdgeMatching one = with(1);
+  const EdgeMatching three = with(3);
+  EXPECT_EQ(one.twin, three.twin);
+  EXPECT_EQ(one.crowded, three.crowded);
+  EXPECT_EQ(one.duplicate_faces, three.duplicate_faces);
 }
 
 TEST(EdgeMatching, SameForAnyThreadCount) {
