@@ -17,6 +17,7 @@
 #include "app/cli/render_command.h"
 #include "app/cli/simplify_command.h"
 #include "app/cli/subdivide_command.h"
+#include "app/cli/version.h"
 #include "app/cli/view.h"
 #include "app/document/progressive_view.h"
 #include "engine/analysis/distance.h"
@@ -35,7 +36,7 @@ class CommandLine {
   CommandLine() {
     app_.formatter(std::make_shared<HelpFormatter>());
     app_.require_subcommand(1);
-    app_.set_version_flag("--version", "mesher " MESHER_VERSION);
+    app_.set_version_flag("--version", version_text, "print version, commit and Vulkan device");
     app_.footer(
         "`view` is the default command: mesher bunny.obj\n"
         "Long options work with one dash: mesher -input bunny.obj -size 500 -gouraud\n"
