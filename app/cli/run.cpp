@@ -9,6 +9,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/batch.h"
+#include "app/cli/command_table.h"
 #include "app/cli/edit_command.h"
 #include "app/cli/help_formatter.h"
 #include "app/cli/lods_command.h"
@@ -78,6 +79,8 @@ class CommandLine {
     const ThreadLimit limit(common_.threads);
     action_();
   }
+
+  const CLI::App& grammar() const { return app_; }
 
   int explain(const CLI::ParseError& error) const {
     const bool is_help = app_.exit(error, std::cout, std::cerr) == 0;
@@ -380,6 +383,10 @@ int fail(const char* what, ExitCode code) {
 }
 
 }  // namespace
+
+CommandTable command_table() {
+  return command_table(CommandLine().grammar());
+}
 
 int run(int argc, const char* const* argv) {
   CommandLine line;
