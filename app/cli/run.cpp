@@ -12,6 +12,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/batch.h"
+#include "app/cli/command_table.h"
 #include "app/cli/edit_command.h"
 #include "app/cli/help_formatter.h"
 #include "app/cli/lods_command.h"
@@ -21,6 +22,7 @@
 #include "app/cli/simplify_command.h"
 #include "app/cli/streams.h"
 #include "app/cli/subdivide_command.h"
+#include "app/cli/version.h"
 #include "app/cli/view.h"
 #include "app/document/progressive_view.h"
 #include "engine/analysis/distance.h"
@@ -44,7 +46,7 @@ class CommandLine {
   CommandLine() {
     app_.formatter(std::make_shared<HelpFormatter>());
     app_.require_subcommand(1);
-    app_.set_version_flag("--version", "mesher " MESHER_VERSION);
+    app_.set_version_flag("--version", version_text, "print version, commit and Vulkan device");
     app_.footer(
         "`view` is the default command: mesher bunny.obj\n"
         "Long options work with one dash: mesher -input bunny.obj -size 500 -gouraud\n"
@@ -102,6 +104,8 @@ class CommandLine {
       throw_out_of_memory("");
     }
   }
+
+  const CLI::App& grammar() const { return app_; }
 
   int explain(const CLI::ParseError& error) const {
     const bool is_help = error.get_exit_code() == 0;
@@ -475,6 +479,10 @@ int fail(const char* what, ExitCode code) {
 }
 
 }  // namespace
+
+CommandTable command_table() {
+  return command_table(CommandLine().grammar());
+}
 
 int run(int argc, const char* const* argv) {
   CommandLine line;

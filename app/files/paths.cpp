@@ -100,7 +100,15 @@ fs::path home_folder() {
 }
 
 fs::path samples_folder() {
-  return MESHER_ASSETS_DIR;
+  static const fs::path folder = [] {
+    std::error_code ignored;
+    const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+    const fs::path share = program.parent_path().parent_path() / "share/mesher/assets";
+    // In a build folder, this is a link to the assets of the sources.
+    const fs::path resolved = fs::canonical(share, ignored);
+    return ignored ? share : resolved;
+  }();
+  return folder;
 }
 
 std::string time_text(fs::file_time_type time) {

@@ -46,7 +46,8 @@ std::filesystem::path state_folder();
 std::filesystem::path config_folder();
 /// The home folder; empty if there is none.
 std::filesystem::path home_folder();
-/// The folder of the models that come with the program.
+/// The folder of the models that come with the program: ../share/mesher/assets from the program's
+/// own folder, so that the program may be installed anywhere.
 std::filesystem::path samples_folder();
 
 /// Returns a time of a file as people read it: "2026-11-29 21:30", local time.

@@ -110,6 +110,17 @@ void set_range(GltfArray& array, const std::vector<float>& values) {
   array.json["max"] = largest;
 }
 
+/// Encodes each value by itself. Later versions of the library, as in Debian 13, ask whether values
+/// share exponents.
+void encode_exponents(std::string& bytes, const std::vector<float>& values, int bits) {
+#if MESHOPTIMIZER_VERSION >= 190
+  meshopt_encodeFilterExp(bytes.data(), values.size(), sizeof(float), bits, values.data(),
+                          meshopt_EncodeExpSeparate);
+#else
+  meshopt_encodeFilterExp(bytes.data(), values.size(), sizeof(float), bits, values.data());
+#endif
+}
+
 CompressedArray compress_floats(GltfArray& array) {
   const std::size_t count = count_of(array);
   std::vector<float> values = floats_of(array);
@@ -118,7 +129,7 @@ CompressedArray compress_floats(GltfArray& array) {
   const int bits = is_finite ? bits_for(values) : kMostBits + 1;
   if (bits > kMostBits) return encoded(array.bytes, count, {});
   std::string bytes(array.bytes.size(), '\0');
-  meshopt_encodeFilterExp(bytes.data(), values.size(), sizeof(float), bits, values.data());
+  encode_exponents(bytes, values, bits);
   CompressedArray result = encoded(bytes, count, "EXPONENTIAL");
   meshopt_decodeFilterExp(bytes.data(), values.size(), sizeof(float));
   std::memcpy(values.data(), bytes.data(), bytes.size());

@@ -56,8 +56,8 @@ void MtlReader::begin_material(std::string_view name) {
     if (!std::exchange(is_full_, true)) warn("further materials are ignored");
     return;
   }
-  materials_.materials.push_back(
-      {.name = std::string(name.substr(0, kMaxNameBytes)), .mtl_statements = {{}}});
+  materials_.materials.push_back({.name = std::string(name.substr(0, kMaxNameBytes)),
+                                  .mtl_statements = std::vector<std::string>()});
   look_.emplace([this](std::string_view file) { return image_of(file); });
 }
 

@@ -44,7 +44,7 @@ std::map<std::string, std::set<std::string>> files_by_type(const std::vector<Sou
 // The linker treats two types with one name in one namespace as one type, and does not report if
 // they differ.
 TEST(Names, NoTypeIsDefinedTwice) {
-  const auto files = files_by_type(source_files({"engine", "app"}, {".h", ".cpp"}));
+  const auto files = files_by_type(source_files({"engine", "app", "include"}, {".h", ".cpp"}));
   ASSERT_GT(files.size(), 150U);
   ASSERT_TRUE(files.contains("mesher::Mesh"));
   ASSERT_TRUE(files.contains("mesher::simplify::VertexState"));

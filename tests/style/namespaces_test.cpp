@@ -8,13 +8,15 @@
 namespace mesher {
 namespace {
 
-/// The namespace of a source file. What core and mesh declare is the vocabulary of all folders, so
-/// it is in `mesher` itself.
+/// The namespace of a source file. What core and mesh declare is the vocabulary of all folders, and
+/// library defines the face of the library: they are in `mesher` itself.
 std::string namespace_of(std::string_view path) {
   if (path.starts_with("app/")) return "mesher::app";
+  if (path.starts_with("include/")) return "mesher";
   const std::size_t begin = std::string_view("engine/").size();
   const std::string folder(path.substr(begin, path.find('/', begin) - begin));
-  return folder == "core" || folder == "mesh" ? "mesher" : "mesher::" + folder;
+  const bool is_common = folder == "core" || folder == "mesh" || folder == "library";
+  return is_common ? "mesher" : "mesher::" + folder;
 }
 
 /// Returns whether a line opens a namespace of the project other than `expected` or one inside it.
@@ -29,7 +31,7 @@ bool opens_other_namespace(std::string_view line, const std::string& expected) {
 
 TEST(Namespaces, EveryFolderHasItsOwn) {
   std::size_t found = 0;
-  for (const SourceFile& file : source_files({"engine", "app"}, {".h", ".cpp"})) {
+  for (const SourceFile& file : source_files({"engine", "app", "include"}, {".h", ".cpp"})) {
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
       found += file.lines[i].starts_with("namespace mesher") ? 1U : 0U;
       EXPECT_FALSE(opens_other_namespace(file.lines[i], namespace_of(file.path)))
