@@ -36,7 +36,8 @@ pkg-config need.")
 # The packages after the first are those of the static library, and of pkg-config's Requires.private.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   "libmesher${soversion} (= ${PROJECT_VERSION}), libdraco-dev, libfmt-dev, libmeshoptimizer-dev, \
-libspng-dev, libtbb-dev, libturbojpeg0-dev, libvulkan-dev, libwebp-dev, zlib1g-dev")
+libspng-dev, libtbb-dev, libturbojpeg0-dev, libvulkan-dev, libwebp-dev, pkgconf | pkg-config, \
+zlib1g-dev")
 
 install(FILES LICENSE RENAME copyright COMPONENT runtime DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/mesher)
 install(FILES CHANGELOG.md COMPONENT runtime DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/mesher)

@@ -129,16 +129,8 @@ class CommandLine {
     if (command == "compare") names.inputs.push_back(&second_.model);
     if (command == "view") names.output = &view_.screenshot;
     if (!output_.empty()) names.output = &output_;
-    if (command == "render" || command == "view") {
-      names.formats = {"png", "webp"};
-    } else if (command == "progressive") {
-      names.formats = {"pm"};
-      names.output_tells_format = true;
-    } else {
-      for (const io::FormatInfo& format : io::formats())
-        if (format.write != nullptr) names.formats.emplace_back(format.extension + 1);
-      if (command == "edit") names.formats.emplace_back("pm");
-    }
+    names.formats = written_formats(command);
+    names.output_tells_format = command == "progressive";
     return names;
   }
 

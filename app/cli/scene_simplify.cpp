@@ -163,13 +163,14 @@ void simplify_scene(const InputOptions& input, const std::string& output,
   }
   const SimplifyOutcome total = total_of(parts, scene.diagonal);
   if (!common.quiet) say_outcome(total, arguments.prune);
+  CommonOptions quiet = common;
+  quiet.quiet = true;
+  // The output may replace the input.
+  const Mesh before = arguments.measure ? load(input, quiet).model.mesh : Mesh();
   const std::vector<std::string> losses = write_scene(output, scene, edits, common);
   if (!common.quiet) say_scene(output, scene);
   Json measures = measures_json({}, {}, {}, common);
   if (arguments.measure) {
-    CommonOptions quiet = common;
-    quiet.quiet = true;
-    const Mesh before = load(input, quiet).model.mesh;
     const Mesh after = load({.model = output}, quiet).model.mesh;
     measures = measures_json(before, after, arguments, common);
   }

@@ -215,8 +215,8 @@ void run_simplify(const InputOptions& input, const std::string& output,
   const simplify::SimplifyOptions options =
       simplify_options(arguments, mesh.face_count(), loaded.statistics.box.diagonal());
   const SimplifyOutcome outcome = simplify_model(loaded, options, common, arguments.prune);
-  const std::vector<std::string> losses = write_result(output, loaded.model, common);
   const Json measures = measures_json(before, mesh, arguments, common);
+  const std::vector<std::string> losses = write_result(output, loaded.model, common);
   if (!common.json) return;
   Json json{{"input", loaded.file.string()}, {"output", output}};
   json.update(to_json(outcome));

@@ -53,6 +53,17 @@ std::string known_by_beginning(const std::string& file) {
 
 }  // namespace
 
+std::vector<std::string> written_formats(std::string_view command) {
+  if (command == "render" || command == "view") return {"png", "webp"};
+  if (command == "progressive") return {"pm"};
+  std::vector<std::string> formats;
+  for (const io::FormatInfo& format : io::formats()) {
+    if (format.write != nullptr) formats.emplace_back(format.extension + 1);
+  }
+  if (command == "edit") formats.emplace_back("pm");
+  return formats;
+}
+
 Streams::Streams(const StreamNames& names, const FormatArguments& formats) {
   std::string input_format = formats.input_format;
   bool is_format_used = formats.format.empty();

@@ -4,6 +4,7 @@
 #include <memory>
 #include <streambuf>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/core/progress.h"
@@ -24,6 +25,9 @@ struct StreamNames {
   std::vector<std::string> formats;  ///< that the command writes: "obj", "ply"
   bool output_tells_format = false;  ///< whatever its name is
 };
+
+/// Returns the formats that a command writes, without dots.
+std::vector<std::string> written_formats(std::string_view command);
 
 /// Makes pipes usable like files while it lives. Gives them the formats that the person named, or,
 /// to an input, the one that it begins like. An input that is a pipe is read into memory, unless it

@@ -153,7 +153,7 @@ bool AtomicFile::make_temporary() {
   temporary_ = target_.parent_path() / temporary_name();
   list_temporary(temporary_);
   descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) fail("cannot write");
+  if (descriptor_ < 0) fail_without_name();
   struct stat status = {};
   if (lock_temporary(descriptor_) && ::fstat(descriptor_, &status) == 0 && status.st_nlink > 0)
     return true;
@@ -188,7 +188,7 @@ void AtomicFile::write(std::string_view bytes) {
 /// The bytes have to be on the disk before the name is: otherwise, a power failure in between
 /// leaves an empty file in place of the old one.
 void AtomicFile::flush_bytes() {
-  // Some file systems cannot flush, and the file is valid without it.
+  // Some file systems cannot flush, and neither can pipes; the file is valid without it.
   if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOSYS) fail("cannot write");
 }
 
@@ -200,12 +200,15 @@ AtomicFile& AtomicFile::add_side(const std::filesystem::path& relative) {
        !folder.empty() && !std::filesystem::exists(folder, error); folder = folder.parent_path()) {
     missing.push_back(folder);
   }
-  const NoSignals no_signals;
+  made_folders_.reserve(made_folders_.size() + missing.size());
   for (auto folder = missing.rbegin(); folder != missing.rend(); ++folder) {
-    if (!std::filesystem::create_directory(*folder, error) && error)
-      throw OutputError(folder->string(), "cannot make the folder: " + error.message());
-    made_folders_.push_back(*folder);
+    const NoSignals no_signals;
     list_temporary(*folder);
+    if (!std::filesystem::create_directory(*folder, error) && error) {
+      unlist_temporary(*folder);
+      throw OutputError(folder->string(), "cannot make the folder: " + error.message());
+    }
+    made_folders_.push_back(*folder);
   }
   return *sides_.emplace_back(std::make_unique<AtomicFile>(side));
 }
@@ -236,8 +239,10 @@ void AtomicFile::commit_all(std::span<AtomicFile* const> files, Flush flush) {
         side->take_name();
         folders.insert(folder_of(side->target_));
       }
-      for (const auto& folder : file->made_folders_)
+      for (const auto& folder : file->made_folders_) {
         unlist_temporary(folder);
+        folders.insert(folder_of(folder));
+      }
       file->made_folders_.clear();
       file->take_name();
       if (!file->is_direct_) folders.insert(folder_of(file->target_));
@@ -250,7 +255,7 @@ void AtomicFile::commit_all(std::span<AtomicFile* const> files, Flush flush) {
 
 /// Brings all data to the temporary file, which has a name then. What can fail mostly fails here.
 void AtomicFile::finish_data(Flush flush) {
-  if (flush == Flush::now && !is_direct_) flush_bytes();
+  if (flush == Flush::now) flush_bytes();
   if (!is_direct_ && temporary_.empty()) name_temporary();
   // Network file systems report a full disk only when a descriptor is closed.
   const int copy = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
@@ -264,7 +269,7 @@ void AtomicFile::name_temporary() {
   temporary_ = target_.parent_path() / temporary_name();
   list_temporary(temporary_);
   if (::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) != 0)
-    fail("cannot write");
+    fail_without_name();
 }
 
 void AtomicFile::take_name() {
@@ -290,6 +295,15 @@ void AtomicFile::discard() noexcept {
     std::filesystem::remove(made_folders_.back(), error);
     unlist_temporary(made_folders_.back());
   }
+}
+
+/// The temporary name is not ours: whatever has it stays.
+void AtomicFile::fail_without_name() {
+  const int error = errno;
+  unlist_temporary(temporary_);
+  temporary_.clear();
+  errno = error;
+  fail("cannot write");
 }
 
 void AtomicFile::fail(const char* action) {

@@ -74,6 +74,7 @@ class AtomicFile {
   void flush_bytes();
   void take_name();
   void discard() noexcept;
+  [[noreturn]] void fail_without_name();
   [[noreturn]] void fail(const char* action);
 
   std::string name_;

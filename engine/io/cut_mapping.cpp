@@ -23,6 +23,7 @@ namespace {
 
 /// More files than one model has buffers and textures.
 std::array<Slot, 1024> slots;
+std::atomic<bool> is_surviving{false};
 
 /// Puts zeros in place of the rest of a mapping, from the page that could not be read. Returns
 /// false if the address is in none that is watched. Calls only what a signal handler may call.
@@ -31,6 +32,7 @@ bool put_zeros(std::uintptr_t address) {
   for (Slot& slot : slots) {
     const std::uintptr_t end = slot.end.load();
     if (address >= end || address < slot.begin.load()) continue;
+    if (slot.end.load() != end) continue;  // it has become another one's just now
     const std::uintptr_t from = address / page * page;
     slot.is_cut.store(true);
     return ::mmap(reinterpret_cast<void*>(from), end - from, PROT_READ,
@@ -41,18 +43,23 @@ bool put_zeros(std::uintptr_t address) {
 
 extern "C" void on_bus_error(int signal, siginfo_t* info, void*) {
   const int error = errno;
-  if (!put_zeros(reinterpret_cast<std::uintptr_t>(info->si_addr)))
+  const bool is_of_kernel = info->si_code > 0;  // and not sent by a process, without an address
+  if (!is_of_kernel || !put_zeros(reinterpret_cast<std::uintptr_t>(info->si_addr)))
     std::signal(signal, SIG_DFL);  // the instruction runs again, and ends the process as usual
   errno = error;
 }
 
 }  // namespace
 
+bool survives_cut_mappings() {
+  return is_surviving.load();
+}
+
 void survive_cut_mappings() {
   struct sigaction action = {};
   action.sa_sigaction = on_bus_error;
   action.sa_flags = SA_SIGINFO;
-  ::sigaction(SIGBUS, &action, nullptr);
+  is_surviving = ::sigaction(SIGBUS, &action, nullptr) == 0;
 }
 
 bool CutWatch::start(const void* begin, std::size_t bytes) noexcept {

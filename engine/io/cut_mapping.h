@@ -9,6 +9,8 @@ namespace mesher::io {
 /// ends it by SIGBUS when it reads beyond the new end. Afterwards, a CutWatch notes this, and zeros
 /// are read instead. Call once, in `main`: a library leaves the signals of its process alone.
 void survive_cut_mappings();
+/// Returns whether the process survives that.
+bool survives_cut_mappings();
 
 /// Notes when a mapping of a file loses its end. Has no effect without survive_cut_mappings.
 class CutWatch {

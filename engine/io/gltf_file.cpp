@@ -348,8 +348,11 @@ std::string GltfFile::decoded_uri(std::string_view uri) const {
 /// Returns the file of a URI. `label`: what the document has there, for messages.
 std::filesystem::path GltfFile::file_of(std::string_view uri, std::string_view label) const {
   const Beside found = find_uri_beside(folder(), uri);
-  if (found.file.empty())
-    fail(fmt::format("{} is at {}: {}", label, FileContents::readable(uri), found.reason()));
+  if (found.file.empty()) {
+    constexpr std::size_t kMostShown = 100;
+    const std::string shown = FileContents::readable(uri.substr(0, kMostShown));
+    fail(fmt::format("{} is at {}: {}", label, shown, found.reason()));
+  }
   return found.file;
 }
 

@@ -445,7 +445,12 @@ void GltfRewriter::write(AtomicFile& file, bool binary, Progress* progress) cons
     if (!compressed_.is_empty()) parts.buffers.push_back(compressed_.fallback().dump());
   }
   parts.document = document_.dump();
-  write_container(file, parts, binary, [&](auto& sink) { data_.write(sink, progress); });
+  try {
+    write_container(file, parts, binary, [&](auto& sink) { data_.write(sink, progress); });
+  } catch (const OutputError&) {
+    gltf_.check_unchanged();  // the system cannot write pages of a file that was cut short
+    throw;
+  }
   gltf_.check_unchanged();  // what is copied was read just now
 }
 

@@ -31,6 +31,8 @@ void ImageFiles::load(EncodedImage& image, const Beside& found, std::string_view
   std::optional<MappedFile> file;
   try {
     file.emplace(found.file);
+  } catch (const InputChanged&) {
+    throw;
   } catch (const InputError& failure) {
     return warn(failure.reason());
   }

@@ -37,7 +37,7 @@ void wait_for_data(int descriptor, Progress* progress) {
 }  // namespace
 
 MappedFile::MappedFile(const std::filesystem::path& file, Progress* progress, Keep keep)
-    : name_(file.string()), keep_(keep) {
+    : name_(file.string()), keep_(survives_cut_mappings() ? keep : Keep::copied) {
   // Open without blocking: a pipe without a writer must not delay cancellation.
   const Descriptor in{::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
   if (in.fd < 0) fail("cannot open");
@@ -49,7 +49,7 @@ MappedFile::MappedFile(const std::filesystem::path& file, Progress* progress, Ke
   // Files under /proc report size 0 but are not empty, so they are read block by block.
   stamp_ = FileStamp(in.fd);
   const auto size = static_cast<std::size_t>(stamp_.size());
-  if (S_ISREG(status.st_mode) && size > 0 && keep == Keep::mapped && map(in.fd, size)) return;
+  if (S_ISREG(status.st_mode) && size > 0 && keep_ == Keep::mapped && map(in.fd, size)) return;
   read_blocks(in.fd, progress);
   check_unchanged();
   stamp_ = {};

@@ -66,6 +66,8 @@ class ObjMaterials {
     try {
       file.emplace(found.file);
       reader_.read(*file);
+    } catch (const InputChanged&) {
+      throw;
     } catch (const InputError& error) {
       materials_.missing_files.push_back(name);
       soup_.contents.warn("material file " + name + ": " + error.reason());

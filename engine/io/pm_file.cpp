@@ -17,6 +17,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/memory.h"
+#include "engine/io/extension.h"
 #include "engine/io/format.h"
 #include "engine/io/mapped_file.h"
 #include "engine/progressive/codec/pm_read.h"
@@ -49,7 +50,10 @@ class Pipe {
  public:
   Pipe(std::string name, Progress* progress) : name_(std::move(name)), progress_(progress) {
     // Open without blocking: a pipe without a writer must not delay cancellation.
-    descriptor_ = ::open(name_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    // A socket can be duplicated, but not opened again.
+    const int own = descriptor_of(name_);
+    descriptor_ = own >= 0 ? ::fcntl(own, F_DUPFD_CLOEXEC, 0)
+                           : ::open(name_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor_ < 0) fail("cannot open");
   }
   ~Pipe() {
@@ -208,6 +212,10 @@ PmContents read_pm_file(const fs::path& file, Progress* progress) {
   } catch (const std::bad_alloc&) {
     throw_out_of_memory(file.string());
   }
+}
+
+void check_intact(const fs::path& file, const PmSummary& summary) {
+  if (!summary.damage.empty()) throw InputError(file.string(), 0, "is damaged: " + summary.damage);
 }
 
 progressive::PmSizes write_pm_file(AtomicFile& file, progressive::ProgressiveMesh& mesh,

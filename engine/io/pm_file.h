@@ -51,6 +51,9 @@ bool is_pipe(const std::filesystem::path& file);
 /// Cancelled.
 PmContents read_pm_file(const std::filesystem::path& file, Progress* progress = nullptr);
 
+/// Throws InputError if a file that was read is damaged.
+void check_intact(const std::filesystem::path& file, const PmSummary& summary);
+
 /// Writes the whole progressive mesh and leaves `mesh` at its level. Does not commit. Throws
 /// OutputError.
 progressive::PmSizes write_pm_file(AtomicFile& file, progressive::ProgressiveMesh& mesh,

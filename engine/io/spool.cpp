@@ -27,10 +27,11 @@ mode_t mode_of(int descriptor) {
   return ::fstat(descriptor, &status) == 0 ? status.st_mode : 0;
 }
 
-/// Waits a moment for the end of a pipe or socket. Returns whether its writers are gone.
+/// Waits a moment for the end of a pipe or socket. Returns whether nobody will write any more.
 bool has_ended(int descriptor) {
-  pollfd end{descriptor, 0, 0};
-  return ::poll(&end, 1, kBetweenChecks_ms) > 0 && (end.revents & (POLLHUP | POLLERR)) != 0;
+  pollfd end{descriptor, POLLRDHUP, 0};
+  return ::poll(&end, 1, kBetweenChecks_ms) > 0 &&
+         (end.revents & (POLLHUP | POLLERR | POLLRDHUP)) != 0;
 }
 
 /// Returns what has arrived in a pipe, without consuming it.

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <mutex>
@@ -57,8 +58,10 @@ extern "C" void end_by_signal(int signal) {
 }
 
 bool is_temporary_name(std::string_view name) {
-  return name.size() == kPrefix.size() + kDigits + kSuffix.size() && name.starts_with(kPrefix) &&
-         name.ends_with(kSuffix);
+  if (name.size() != kPrefix.size() + kDigits + kSuffix.size()) return false;
+  const std::string_view digits = name.substr(kPrefix.size(), kDigits);
+  return name.starts_with(kPrefix) && name.ends_with(kSuffix) &&
+         digits.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
 /// Removes a file that is ours and that nobody has locked.
@@ -140,7 +143,12 @@ void sweep_temporaries(const std::filesystem::path& folder) noexcept {
 
 std::string temporary_name() {
   std::uint64_t bits = 0;
-  static_cast<void>(::getrandom(&bits, sizeof(bits), 0));
+  if (::getrandom(&bits, sizeof(bits), 0) != static_cast<ssize_t>(sizeof(bits))) {
+    // A sandbox may refuse it. Then these differ between processes and within one.
+    static std::atomic<std::uint64_t> counter{0};
+    bits = (static_cast<std::uint64_t>(::getpid()) << 40U) ^ counter++ ^
+           static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
+  }
   std::string name(kPrefix);
   for (std::size_t i = 0; i < kDigits; ++i, bits >>= 4)
     name += "0123456789abcdef"[bits & 15U];

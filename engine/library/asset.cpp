@@ -1,6 +1,7 @@
 #include <mesher/asset.h>
 #include <mesher/error.h>
 
+#include <atomic>
 #include <glm/trigonometric.hpp>
 #include <numeric>
 #include <utility>
@@ -133,7 +134,12 @@ MeshStatistics Asset::statistics() const {
 
 /// Returns data that no other asset shares.
 Asset::Data& Asset::own_data() {
-  if (data_.use_count() > 1) data_ = std::make_shared<Data>(*data_);
+  if (data_.use_count() > 1) {
+    data_ = std::make_shared<Data>(*data_);
+  } else {
+    // Another thread may just have read the copy that it dropped.
+    std::atomic_thread_fence(std::memory_order_acquire);
+  }
   // All data are created without const.
   return const_cast<Data&>(*data_);
 }

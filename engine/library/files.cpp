@@ -13,7 +13,9 @@ Asset Asset::load(const std::filesystem::path& file, const LoadOptions& options)
   Watch watch(options.progress);
   auto data = std::make_shared<Data>();
   if (io::is_pm_file(file)) {
-    data->model.mesh = std::move(io::read_pm_file(file, watch.progress()).mesh.mesh());
+    io::PmContents contents = io::read_pm_file(file, watch.progress());
+    io::check_intact(file, contents.summary);
+    data->model.mesh = std::move(contents.mesh.mesh());
   } else {
     data->model = io::read_model(file, {.crease_index_base = options.crease_index_base,
                                         .keep_isolated_vertices = options.keep_isolated_vertices,
@@ -32,7 +34,8 @@ std::vector<std::string> Asset::save(const std::filesystem::path& file,
                    .compresses = options.compress,
                    .origin = model.origin,
                    .materials = model.materials,
-                   .progress = watch.progress()});
+                   .progress = watch.progress(),
+                   .flush = options.fsync ? io::Flush::now : io::Flush::later});
   return io::losses_in_format(file, model.mesh, model.attributes, model.materials.get(),
                               model.contents, model.origin);
 }

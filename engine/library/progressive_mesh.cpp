@@ -84,7 +84,7 @@ void ProgressiveMesh::save(const std::filesystem::path& file, unsigned coordinat
   io::write_pm_file(out, data_->mesh,
                     {.coordinate_bits = coordinate_bits, .progress = watch.progress()});
   seal(watch.progress());
-  out.commit();
+  out.commit(io::Flush::now);
 }
 
 std::uint32_t ProgressiveMesh::level() const {

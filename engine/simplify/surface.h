@@ -44,10 +44,9 @@ struct ShapeLanes {
 /// Cost of an edge that must not be merged.
 inline constexpr float kNever = std::numeric_limits<float>::infinity();
 
-/// Data kept per face: half a cache line. The costs of its half-edges are the last known costs of
-/// their edges. An edge stores its cost at one of its two half-edges, and the origin of that
-/// half-edge owns the edge. The other half-edge has kNever; both have kNever if the edge is refused
-/// or must not be merged.
+/// Data kept per face: half a cache line. The costs of its half-edges are the last known ones of
+/// their edges. An edge stores its cost at one of its two half-edges, whose origin owns the edge.
+/// The other one has kNever; both have it if the edge is refused or must not be merged.
 struct alignas(32) FaceState {
   static constexpr bool kLeftUninitialized = true;  ///< written in parallel, then read
 
@@ -69,21 +68,19 @@ struct alignas(64) VertexState {
   Vec3<float> position{};
   float cost = kNever;  ///< of `best` when it was chosen
   Halfedge best;        ///< cheapest half-edge out of the vertex; if removed: see merged_into
-  /// The only region that may change the vertex; kGone: removed. Regions around read this and the
-  /// next, so both are in a word of their own, which only changes with the whole one-ring.
+  /// The only region that may change the vertex; kGone: removed. Regions around read this word.
   std::uint32_t region : 30 = 0;
   VertexConstraint constraint : 2 = VertexConstraint::free;
   /// Highest CollapseRecord::rank of the collapses whose one-rings contained the vertex.
   std::uint16_t rank : 13 = 0;
   bool has_refused : 1 = false;  ///< one of its edges was refused because of its surroundings
   std::uint16_t retreat_bits = 0;
-  /// Returns how far the surface around has retreated (appraisal.h): 8 significant bits, rounded
-  /// down.
+  /// How far the surface around has retreated (appraisal.h): 8 significant bits, rounded down.
   float retreat() const { return std::bit_cast<float>(std::uint32_t{retreat_bits} << 16U); }
   void set_retreat(float d) { retreat_bits = std::bit_cast<std::uint32_t>(d) >> 16U & 0xFFFFU; }
   void set_region(std::uint32_t new_region) { region = new_region & kGone; }
   void set_rank(std::uint32_t new_rank) { rank = new_rank & 0x1FFFU; }
-  /// Returns the vertex into which a removed vertex was merged.
+  /// The vertex into which a removed vertex was merged.
   Vertex merged_into() const { return Vertex(best.index()); }
   void remove(Vertex into) {
     region = kGone;

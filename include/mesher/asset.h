@@ -39,6 +39,7 @@ struct LoadOptions {
 struct SaveOptions {
   bool ascii = false;           ///< PLY and STL as text
   bool compress = false;        ///< glTF with EXT_meshopt_compression
+  bool fsync = true;            ///< return only when the file is on the disk
   ProgressCallback progress{};  ///< may be empty
 };
 
@@ -96,7 +97,8 @@ class MESHER_API Asset {
   /// mesh (.pm) at full detail. A glTF scene becomes one mesh in world coordinates. Builds the mesh
   /// as `build` does; `repairs` says what was repaired. O(size of the file).
   ///
-  /// Throws InputError with file, line and reason; DeviceError if out of memory; Cancelled.
+  /// Throws InputError with file, line and reason, also for a damaged progressive mesh and for a
+  /// file that another program changes meanwhile; DeviceError if out of memory; Cancelled.
   static Asset load(const std::filesystem::path& file, const LoadOptions& options = {});
 
   /// Makes an oriented manifold of any polygons. Repairs what it can, and counts the repairs:

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/io/cut_mapping.h"
 #include "tests/bench/settings.h"
 
 namespace mesher::bench {
@@ -56,6 +57,7 @@ void run(int argc, char** argv) {
 }  // namespace mesher::bench
 
 int main(int argc, char** argv) {
+  mesher::io::survive_cut_mappings();  // as the program: files are mapped then
   if (argc <= mesher::bench::kArguments) {
     std::fprintf(stderr,
                  "usage: bench_engine FOLDER OBJ_BYTES TORUS_SIZE FRAME_TORUS_SIZE GROWTH_FACES "

@@ -37,6 +37,16 @@ struct TwoEnds {
   }
 };
 
+TEST(Peek, HalfClosedSocketHasEnded) {
+  int ends[2];
+  ASSERT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends), 0);
+  ASSERT_EQ(::write(ends[0], "v 0", 3), 3);
+  ASSERT_EQ(::shutdown(ends[0], SHUT_WR), 0);
+  EXPECT_EQ(io::peek(ends[1], 4096, nullptr), "v 0") << "the other end still waits for an answer";
+  ::close(ends[0]);
+  ::close(ends[1]);
+}
+
 TEST(Spool, PeekConsumesNothing) {
   for (const bool is_socket : {false, true}) {
     TwoEnds ends(is_socket);

@@ -45,7 +45,7 @@ TEST(TemporaryFiles, NextWriteSweepsWhatDeadWritersLeft) {
   const std::string living = io::temporary_name();
   const std::string pipe = io::temporary_name();
   folder.write(dead, "half a model");
-  folder.write(".mesher-notes.tmp", "of somebody else");
+  folder.write(".mesher-my-notes-of-2024.tmp", "of somebody else");
   folder.write("x" + io::temporary_name(), "of somebody else");
   ASSERT_EQ(mkfifo((folder / pipe).c_str(), 0600), 0);
   const LivingFile lock(folder / living);

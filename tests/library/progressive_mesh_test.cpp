@@ -80,6 +80,7 @@ TEST(ProgressiveMesh, FilesKeepEveryLevel) {
   folder.write("short.pm", bytes.substr(0, bytes.size() / 2));
   const ProgressiveMesh damaged = ProgressiveMesh::load(folder / "short.pm");
   EXPECT_FALSE(damaged.damage().empty());
+  EXPECT_THROW(Asset::load(folder / "short.pm"), InputError) << "not even a level is what it was";
   EXPECT_LT(damaged.level_count(), levels.level_count());
 }
 
