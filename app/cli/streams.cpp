@@ -1,6 +1,7 @@
 #include "app/cli/streams.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <iostream>
@@ -89,8 +90,6 @@ Streams::Streams(const StreamNames& names, const FormatArguments& formats) {
       throw UsageError(fmt::format("{}: name the format of the output by --format: {}",
                                    *names.output, joined(names.formats)));
     }
-    if (is_open && io::descriptor_of(*names.output) == 1)
-      stdout_ = std::cout.rdbuf(std::cerr.rdbuf());
   }
   for (const std::string* const input : names.inputs) {
     std::string format = input_format;
@@ -100,6 +99,9 @@ Streams::Streams(const StreamNames& names, const FormatArguments& formats) {
   }
   if (!is_format_used)
     throw UsageError("--format: the names of input and output say their formats already");
+  // Last, because only the destructor restores it.
+  if (names.output != nullptr && io::descriptor_of(*names.output) == STDOUT_FILENO)
+    stdout_ = std::cout.rdbuf(std::cerr.rdbuf());
 }
 
 Streams::~Streams() {

@@ -9,6 +9,10 @@
 namespace mesher::io {
 namespace {
 
+/// A smaller file is read in less than a tick, so that the chance of two changes in one, around and
+/// within the reading, is not worth the wait.
+constexpr off_t kSoonRead = off_t{1} << 20;
+
 std::int64_t nanoseconds(const timespec& time) {
   return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
 }
@@ -26,7 +30,7 @@ bool is_of_this_tick(const timespec& changed) {
 FileStamp::FileStamp(int descriptor) {
   struct stat status = {};
   if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return;
-  while (is_of_this_tick(status.st_ctim)) {
+  while (status.st_size > kSoonRead && is_of_this_tick(status.st_ctim)) {
     std::this_thread::sleep_for(std::chrono::microseconds(500));
     if (::fstat(descriptor, &status) != 0) return;
   }

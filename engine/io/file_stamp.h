@@ -11,8 +11,8 @@ class FileStamp {
  public:
   FileStamp() = default;
   /// Takes the stamp of an open file. File times have the resolution of the system's clock ticks, a
-  /// few milliseconds. If the file was changed in the present tick, waits for the next one, so that
-  /// a later change shows.
+  /// few milliseconds. If a large file was changed in the present tick, waits for the next one, so
+  /// that a later change shows.
   explicit FileStamp(int descriptor);
 
   std::uint64_t size() const { return size_; }

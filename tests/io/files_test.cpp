@@ -99,6 +99,7 @@ TEST(MappedFile, NoticesEveryKindOfChange) {
   const auto change = [&](const char* what, const std::function<void()>& how) {
     const io::MappedFile mapped(folder.write("f", "the old text"));
     EXPECT_NO_THROW(mapped.check_unchanged());
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // longer than a tick
     how();
     EXPECT_THROW(mapped.check_unchanged(), io::InputChanged) << what;
   };
