@@ -50,7 +50,9 @@ MappedFile::MappedFile(const std::filesystem::path& file, Progress* progress, Ke
   stamp_ = FileStamp(in.fd);
   const auto size = static_cast<std::size_t>(stamp_.size());
   if (S_ISREG(status.st_mode) && size > 0 && keep_ == Keep::mapped && map(in.fd, size)) return;
-  read_blocks(in.fd, progress);
+  // One byte more than a small file has, so that its end is found without another block.
+  const std::size_t first = size > 0 ? std::min(size + 1, kReadBlock) : kReadBlock;
+  read_blocks(in.fd, first, progress);
   check_unchanged();
   stamp_ = {};
 }
@@ -85,14 +87,14 @@ bool MappedFile::map(int descriptor, std::size_t size) {
   return true;
 }
 
-void MappedFile::read_blocks(int descriptor, Progress* progress) {
+void MappedFile::read_blocks(int descriptor, std::size_t first, Progress* progress) {
+  copy_.resize(first + kPadding);
   for (;;) {
     check_cancelled(progress);
     wait_for_data(descriptor, progress);
-    if (copy_.size() < size_ + kReadBlock) {
-      copy_.resize(std::max(2 * copy_.size(), size_ + kReadBlock) + kPadding);
-    }
-    const ssize_t got = ::read(descriptor, copy_.data() + size_, kReadBlock);
+    if (size_ + kPadding >= copy_.size()) copy_.resize(2 * copy_.size() + kReadBlock);
+    const std::size_t room = std::min(copy_.size() - kPadding - size_, kReadBlock);
+    const ssize_t got = ::read(descriptor, copy_.data() + size_, room);
     if (got < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     if (got < 0) fail("cannot read");
     if (got == 0) break;

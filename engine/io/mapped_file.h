@@ -66,7 +66,7 @@ class MappedFile {
 
  private:
   bool map(int descriptor, std::size_t size);
-  void read_blocks(int descriptor, Progress* progress);
+  void read_blocks(int descriptor, std::size_t first, Progress* progress);
   [[noreturn]] void fail(const char* action) const;
 
   std::string name_;
