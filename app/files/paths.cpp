@@ -100,7 +100,7 @@ fs::path home_folder() {
 }
 
 fs::path samples_folder() {
-  static const fs::path folder = [] {
+  static const fs::path kFolder = [] {
     std::error_code ignored;
     const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
     const fs::path share = program.parent_path().parent_path() / "share/mesher/assets";
@@ -108,7 +108,7 @@ fs::path samples_folder() {
     const fs::path resolved = fs::canonical(share, ignored);
     return ignored ? share : resolved;
   }();
-  return folder;
+  return kFolder;
 }
 
 std::string time_text(fs::file_time_type time) {
