@@ -1,4 +1,5 @@
 #include "engine/io/gltf_write.h"
+#include "engine/core/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -173,17 +174,23 @@ class LevelWriter {
   void write_layer(Sink& sink, Progress* progress, const AttributeLayer& layer) const {
     const AttributeType& type = layer.type();
     const std::size_t bytes = aligned_bytes(type);
-    AttributeLayer turned(type, 1);
+    const bool is_turned = type.kind == AttributeKind::texcoord && !type.counts_down;
+    const AttributeLayer turned = is_turned ? from_top(layer) : AttributeLayer(type, 0);
+    const AttributeLayer& written = is_turned ? turned : layer;
     write_elements(sink, layer.count(), bytes, progress, [&](Appender& out, std::size_t w) {
-      std::span<const std::byte> value = layer.value(w);
-      if (type.kind == AttributeKind::texcoord && !type.counts_down) {
-        store(turned, 0, from_top(load(layer, w)));
-        value = std::as_const(turned).value(0);
-      }
+      const std::span<const std::byte> value = written.value(w);
       char padded[AttributeType::kMostComponents * sizeof(float)] = {};
       std::memcpy(padded, value.data(), value.size());
       out << std::string_view(padded, bytes);
     });
+  }
+
+  static AttributeLayer from_top(const AttributeLayer& layer) {
+    constexpr std::size_t kGrain = std::size_t{1} << 13;
+    AttributeLayer turned(layer.type(), layer.count());
+    parallel_for_each(layer.count(), kGrain,
+                      [&](std::uint32_t w) { store(turned, w, from_top(load(layer, w))); });
+    return turned;
   }
 
   /// Texture coordinates of a corner without any are 0.

@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/core/parallel.h"
 #include "engine/io/read.h"
 #include "engine/io/write.h"
 #include "tests/support/attributes.h"
 #include "tests/support/bytes.h"
+#include "tests/support/meshes.h"
 #include "tests/support/temp_folder.h"
 
 namespace mesher {
@@ -252,6 +254,20 @@ TEST(GltfWrite, RejectsEmptyMesh) {
   const TempFolder folder;
   EXPECT_THROW(io::write_model(folder / "m.glb", Mesh(), Attributes()), OutputError);
   EXPECT_EQ(folder.count_files(), 0U);
+}
+
+TEST(WriteGltf, TextureCoordinatesDoNotDependOnThreads) {
+  Soup soup = test::torus(300, 200);
+  for (std::size_t i = 0; i < soup.corners.size(); ++i)
+    soup.attributes.texcoord.emplace_back(0.001F * static_cast<float>(i % 997), 0.25F);
+  const BuildResult model = test::built(std::move(soup));
+  const TempFolder folder;
+  io::write_model(folder / "many.glb", model.mesh, model.attributes);
+  {
+    const ThreadLimit one(1);
+    io::write_model(folder / "one.glb", model.mesh, model.attributes);
+  }
+  EXPECT_TRUE(read_bytes(folder / "many.glb") == read_bytes(folder / "one.glb"));
 }
 
 }  // namespace
