@@ -32,7 +32,7 @@ std::vector<std::string> choices_of(const std::string& type) {
 }
 
 /// Returns "N", "REAL" or "TEXT", whatever range CLI11 adds to the type.
-std::string placeholder_of(const CLI::Option& option) {
+std::string value_name_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const std::string word = type.substr(0, type.find(':'));
   if (word == "UINT" || word == "INT") return "N";
@@ -57,7 +57,7 @@ ArgumentInfo argument_of(const CLI::Option& option) {
   argument.help = option.get_description();
   argument.choices = choices_of(option.get_type_name());
   argument.kind = kind_of(option, argument);
-  if (argument.kind != ValueKind::none) argument.placeholder = placeholder_of(option);
+  if (argument.kind != ValueKind::none) argument.value_name = value_name_of(option);
   argument.is_required = option.get_required();
   return argument;
 }
@@ -69,7 +69,7 @@ CommandInfo command_of(const CLI::App& app) {
     if (option->get_positional()) {
       ArgumentInfo positional = argument;
       positional.names.clear();
-      positional.placeholder = option->get_name(true, false);
+      positional.value_name = option->get_name(true, false);
       command.positionals.push_back(std::move(positional));
     }
     // A positional argument can be given by its name instead, so the name is never required.

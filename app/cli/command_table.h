@@ -18,7 +18,7 @@ enum class ValueKind {
 /// An option or a positional argument.
 struct ArgumentInfo {
   std::vector<std::string> names;  ///< with dashes: "-o", "--output"; empty: positional
-  std::string placeholder;         ///< "MODEL", "TEXT", "WxH"; empty: there is no value
+  std::string value_name;          ///< "MODEL", "TEXT", "WxH"; empty: there is no value
   std::string help;
   ValueKind kind = ValueKind::none;
   std::vector<std::string> choices;

@@ -62,9 +62,9 @@ std::string zsh_value(const ArgumentInfo& argument) {
     case ValueKind::none:
       return "";
     case ValueKind::text:
-      return fmt::format(":{}: ", argument.placeholder);
+      return fmt::format(":{}: ", argument.value_name);
     case ValueKind::choice:
-      return fmt::format(":{}:({})", argument.placeholder, joined(argument.choices, " "));
+      return fmt::format(":{}:({})", argument.value_name, joined(argument.choices, " "));
     case ValueKind::file:
       return ":file:_files";
     case ValueKind::model:

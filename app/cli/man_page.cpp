@@ -39,8 +39,8 @@ std::string argument(const ArgumentInfo& info) {
   std::string text = ".TP\n";
   for (std::size_t i = 0; i < info.names.size(); ++i)
     text += (i > 0 ? ", " : "") + fmt::format("\\fB{}\\fR", roff(info.names[i]));
-  if (!info.placeholder.empty())
-    text += fmt::format("{}\\fI{}\\fR", info.names.empty() ? "" : " ", roff(info.placeholder));
+  if (!info.value_name.empty())
+    text += fmt::format("{}\\fI{}\\fR", info.names.empty() ? "" : " ", roff(info.value_name));
   text += '\n' + roff(info.help) + '\n';
   for (std::size_t i = 0; i < info.choices.size(); ++i) {
     const bool is_last = i + 1 == info.choices.size();
@@ -60,7 +60,7 @@ std::string synopsis(const CommandInfo& command) {
   std::string text =
       fmt::format(".SH SYNOPSIS\n\\fBmesher {}\\fR [\\fIOPTIONS\\fR]", roff(command.name));
   for (const ArgumentInfo& info : command.positionals) {
-    const std::string name = fmt::format("\\fI{}\\fR", info.placeholder);
+    const std::string name = fmt::format("\\fI{}\\fR", info.value_name);
     text += info.is_required ? " " + name : " [" + name + "]";
   }
   return text + '\n';

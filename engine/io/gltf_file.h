@@ -96,8 +96,8 @@ class GltfFile {
 
   [[noreturn]] void fail(std::string_view reason) const;
 
-  /// Has the queries of a document report to another progress, or to none, while it lives. Whoever
-  /// keeps a document for longer than the progress that it was read with needs one.
+  /// Has the queries of a document report to another progress, or to none, while it lives. Code
+  /// that keeps a document for longer than the progress that it was read with needs one.
   class Reports {
    public:
     Reports(GltfFile& gltf, Progress* progress)

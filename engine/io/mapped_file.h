@@ -32,7 +32,7 @@ enum class Keep : std::uint8_t {
 ///
 /// A regular file is memory-mapped, unless it is to be copied. A pipe is read block by block (so
 /// `/dev/stdin` works). Sizes are 64-bit. If another program changes a regular file while it is
-/// read, the bytes are neither the old file nor the new one: whoever reads calls check_unchanged
+/// read, the bytes are neither the old file nor the new one: the reader calls check_unchanged
 /// when it is done. If the file is cut short while it is mapped, zeros are read beyond its new end.
 /// This needs survive_cut_mappings (engine/io/cut_mapping.h): without it, files are copied.
 class MappedFile {

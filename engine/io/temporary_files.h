@@ -27,7 +27,7 @@ class NoSignals {
 void remove_temporaries_on_signals();
 
 /// Removes the listed files and folders. Call it just before the process ends without its
-/// destructors: whoever names files afterwards waits for that end.
+/// destructors: a thread that names files afterwards waits for that end.
 void remove_temporaries();
 
 /// Lists a file or an empty folder that has to go if a signal ends the process. Pre: the thread is

@@ -245,7 +245,8 @@ TEST(AtomicFile, OtherHardLinksKeepTheOldContent) {
   EXPECT_EQ(read_bytes(folder / "other"), "old");
 }
 
-/// Runs `ask` in a process of an ordinary user, whoever runs the test. Returns what it returns.
+/// Runs `ask` in a process of an ordinary user, also if the superuser runs the test. Returns what
+/// it returns.
 bool as_ordinary_user(const std::function<bool()>& ask) {
   constexpr uid_t kNobody = 65534;
   const pid_t child = fork();

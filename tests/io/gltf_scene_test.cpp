@@ -31,7 +31,7 @@ TEST(GltfScene, OutlivesTheProgressOfItsOpening) {
   const TempFolder folder;
   Progress opening;
   GltfScene scene(folder.write("s.gltf", test::scene_file()), {.progress = &opening});
-  opening.cancel();  // whoever still reports to it throws
+  opening.cancel();  // a report to it would throw
   EXPECT_NO_THROW(scene.read_meshes());
   EXPECT_NO_THROW(GltfRewriter(scene.document(), {}));
   EXPECT_THROW(scene.read_meshes({.progress = &opening}), Cancelled);

@@ -66,7 +66,7 @@ TEST(CommandTable, HasKindsAndChoices) {
   EXPECT_EQ(option(simplify, "-o").kind, ValueKind::file);
   EXPECT_EQ(option(simplify, "--input").kind, ValueKind::model);
   ASSERT_EQ(simplify.positionals.size(), 2U);
-  EXPECT_EQ(simplify.positionals[0].placeholder, "MODEL");
+  EXPECT_EQ(simplify.positionals[0].value_name, "MODEL");
   EXPECT_EQ(simplify.positionals[1].kind, ValueKind::file);
 }
 
