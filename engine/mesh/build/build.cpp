@@ -286,9 +286,9 @@ class Builder {
     EdgeMatching matching = match_and_flip_diagonals();
     // Polygons and triangles share the vertices of their sheet, so that a two-sided surface of both
     // holds together. If such a face coincides with another one in turn, it gets new vertices.
-    for (bool shares = true; !matching.duplicate_faces.empty(); shares = false) {
+    for (bool shares = true; !matching.coincident_faces.empty(); shares = false) {
       const CoincidentFaces found =
-          coincident_triangles(arrays_.origin, matching.duplicate_faces, soup_.attributes.group);
+          coincident_triangles(arrays_.origin, matching.coincident_faces, soup_.attributes.group);
       matching = {};
       SheetVertices new_vertices;
       for (const SecondSide& side : found.second_sides)
@@ -332,8 +332,7 @@ class Builder {
     result_.report[Repair::faces_flipped] = flips.size();
     for (const std::uint32_t f : flips)
       flip(f);
-    matching = {};
-    matching = match_edges(arrays_.origin, vertex_count(), options_.progress);
+    flip_faces(matching, arrays_.origin, flips);
   }
 
   void flip(std::uint32_t f) {

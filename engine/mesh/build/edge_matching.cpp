@@ -19,7 +19,7 @@ constexpr std::size_t kFacesBetweenReports = 1 << 16;
 /// Times of chaining and matching, measured with 0.1, 1.4 and 13 million faces.
 constexpr double kMatchWeights[] = {0.08, 0.92};
 
-/// From this number of half-edges per vertex on, they are grouped in memory. The links of a chain
+/// From this number of half-edges per vertex on, they are sorted in memory. The links of a chain
 /// would lead to another cache line at each step: 10^6 faces at 1,000 vertices took three times as
 /// long.
 constexpr std::size_t kDenseValence = 48;
@@ -43,6 +43,10 @@ Vertex apex(const Array<Vertex>& origin, std::uint32_t h) {
 /// Returns the edge's vertex other than `lower`, without a branch.
 std::uint32_t upper(const Array<Vertex>& origin, std::uint32_t h, std::uint32_t lower) {
   return origin[h].index() ^ target(origin, h).index() ^ lower;
+}
+
+Entry entry_of(const Array<Vertex>& origin, std::uint32_t h, std::uint32_t lower) {
+  return {upper(origin, h, lower), h, apex(origin, h).index()};
 }
 
 /// Chains the half-edges of each lower vertex by increasing index. `first` holds the head per
@@ -137,7 +141,7 @@ struct Findings {
   std::uint64_t disagreeing_edges = 0;
   std::vector<std::uint32_t> crowded;
   std::vector<std::uint32_t> crowd_sizes;
-  std::vector<std::uint32_t> duplicate_faces;
+  std::vector<std::uint32_t> coincident_faces;
 };
 
 class Matcher {
@@ -161,21 +165,14 @@ class Matcher {
     }
     many_.clear();
     for (h = first; h.is_valid(); h = twin_[h.index()])
-      many_.push_back(entry_of(h, lower));
-    match_group(many_);
+      many_.push_back(entry_of(origin_, h.index(), lower));
+    for (const Entry& entry : many_)
+      twin_[entry.h] = Halfedge{};
+    std::sort(many_.begin(), many_.end());
+    match_sorted(many_);
   }
 
-  /// Matches the edges of one lower vertex.
-  void match_group(std::span<Entry> entries) {
-    std::sort(entries.begin(), entries.end());
-    match_sorted(entries);
-  }
-
- private:
-  Entry entry_of(Halfedge h, std::uint32_t lower) const {
-    return {upper(origin_, h.index(), lower), h.index(), apex(origin_, h.index()).index()};
-  }
-
+  /// Matches the edges of one lower vertex. Pre: sorted; none of them has a twin.
   void match_sorted(std::span<const Entry> entries) {
     for (std::size_t begin = 0; begin < entries.size();) {
       std::size_t end = begin + 1;
@@ -186,6 +183,7 @@ class Matcher {
     }
   }
 
+ private:
   void match_edge(std::span<const Entry> edge) {
     if (edge.size() == 2) {
       const std::uint32_t a = edge[0].h;
@@ -193,12 +191,10 @@ class Matcher {
       twin_[a] = Halfedge(b);
       twin_[b] = Halfedge(a);
       findings_.disagreeing_edges += origin_[a] == origin_[b] ? 1 : 0;
-      if (edge[0].apex == edge[1].apex) findings_.duplicate_faces.push_back(b / 3);
-      return;
+      if (edge[0].apex == edge[1].apex) note_coincident(edge[0], edge[1]);
+    } else if (edge.size() > 2) {
+      note_crowd(edge);
     }
-    for (const Entry& entry : edge)
-      twin_[entry.h] = Halfedge{};
-    if (edge.size() > 2) note_crowd(edge);
   }
 
   void note_crowd(std::span<const Entry> edge) {
@@ -211,10 +207,13 @@ class Matcher {
       return a.apex != b.apex ? a.apex < b.apex : a.h < b.h;
     });
     for (std::size_t i = 1; i < by_apex_.size(); ++i) {
-      if (by_apex_[i].apex == by_apex_[i - 1].apex) {
-        findings_.duplicate_faces.push_back(by_apex_[i].h / 3);
-      }
+      if (by_apex_[i].apex == by_apex_[i - 1].apex) note_coincident(by_apex_[i - 1], by_apex_[i]);
     }
+  }
+
+  void note_coincident(const Entry& a, const Entry& b) {
+    findings_.coincident_faces.push_back(a.h / 3);
+    findings_.coincident_faces.push_back(b.h / 3);
   }
 
   const Array<Vertex>& origin_;
@@ -224,36 +223,57 @@ class Matcher {
   std::vector<Entry> by_apex_;  ///< scratch
 };
 
-/// All half-edges, those of each lower vertex side by side.
-struct Groups {
+/// The half-edges of all edges, sorted by lower vertex, then by upper vertex, then by index.
+struct SortedHalfedges {
   Array<Entry> entries;
-  std::vector<std::size_t> start;  ///< per vertex, and the end
+  std::vector<std::size_t> start;  ///< per lower vertex, and the end
 
-  std::span<Entry> of(std::size_t v) {
-    return std::span(entries).subspan(start[v], start[v + 1] - start[v]);
+  std::span<const Entry> of(std::size_t lower) const {
+    return std::span(entries).subspan(start[lower], start[lower + 1] - start[lower]);
   }
 };
 
-/// Groups the half-edges by a counting sort.
-Groups group(const Array<Vertex>& origin, std::uint32_t vertex_count, Progress* progress) {
+/// Returns where each key's values begin if they are sorted, and the end.
+template <class Key>
+std::vector<std::size_t> starts(std::uint32_t halfedges, std::uint32_t keys, const Key& key) {
+  std::vector<std::size_t> start(std::size_t{keys} + 1, 0);
+  for (std::uint32_t h = 0; h < halfedges; ++h)
+    ++start[key(h) + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  return start;
+}
+
+/// Sorts by two stable counting sorts, O(F + V).
+SortedHalfedges sort_by_ends(const Array<Vertex>& origin, std::uint32_t vertex_count,
+                             Progress* progress) {
   const auto lower = [&](std::uint32_t h) {
     return std::min(origin[h], target(origin, h)).index();
   };
-  Groups groups;
-  groups.start.assign(std::size_t{vertex_count} + 1, 0);
+  const auto higher = [&](std::uint32_t h) {
+    return std::max(origin[h], target(origin, h)).index();
+  };
   const auto halfedges = static_cast<std::uint32_t>(origin.size());
-  for (std::uint32_t h = 0; h < halfedges; ++h)
-    ++groups.start[lower(h) + 1];
-  std::partial_sum(groups.start.begin(), groups.start.end(), groups.start.begin());
-  groups.entries.resize(halfedges);
-  std::vector<std::size_t> next(groups.start.begin(), groups.start.end() - 1);
-  ordered_chunks(halfedges, 3 * kFacesBetweenReports, progress, [&](IndexRange range) {
-    for (auto h = static_cast<std::uint32_t>(range.begin); h < range.end; ++h) {
-      const std::uint32_t v = lower(h);
-      groups.entries[next[v]++] = {upper(origin, h, v), h, apex(origin, h).index()};
-    }
+  Stages stages(progress, {1.0, 1.0});
+  const auto each = [&](const auto& visit) {
+    stages.next();
+    ordered_chunks(halfedges, 3 * kFacesBetweenReports, progress, [&](IndexRange range) {
+      for (auto i = static_cast<std::uint32_t>(range.begin); i < range.end; ++i)
+        visit(i);
+    });
+  };
+  Array<std::uint32_t> by_upper(halfedges);
+  std::vector<std::size_t> next = starts(halfedges, vertex_count, higher);
+  each([&](std::uint32_t h) { by_upper[next[higher(h)]++] = h; });
+  SortedHalfedges sorted;
+  sorted.start = starts(halfedges, vertex_count, lower);
+  sorted.entries.resize(halfedges);
+  next.assign(sorted.start.begin(), sorted.start.end());
+  each([&](std::uint32_t i) {
+    const std::uint32_t h = by_upper[i];
+    const std::uint32_t v = lower(h);
+    sorted.entries[next[v]++] = entry_of(origin, h, v);
   });
-  return groups;
+  return sorted;
 }
 
 void join(const std::vector<Findings>& all, EdgeMatching& matching) {
@@ -263,11 +283,11 @@ void join(const std::vector<Findings>& all, EdgeMatching& matching) {
     for (const std::uint32_t size : part.crowd_sizes) {
       matching.crowd_start.push_back(matching.crowd_start.back() + size);
     }
-    matching.duplicate_faces.insert(matching.duplicate_faces.end(), part.duplicate_faces.begin(),
-                                    part.duplicate_faces.end());
+    matching.coincident_faces.insert(matching.coincident_faces.end(), part.coincident_faces.begin(),
+                                     part.coincident_faces.end());
   }
-  // Each duplicate was found at three edges.
-  auto& faces = matching.duplicate_faces;
+  // Each face was found at three edges.
+  auto& faces = matching.coincident_faces;
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
 }
@@ -296,9 +316,10 @@ EdgeMatching match_edges(const Array<Vertex>& origin, std::uint32_t vertex_count
       matcher.match_chain(static_cast<std::uint32_t>(v), first[v]);
     });
   } else {
-    Groups groups = group(origin, vertex_count, progress);
+    const SortedHalfedges sorted = sort_by_ends(origin, vertex_count, progress);
+    std::fill(matching.twin.begin(), matching.twin.end(), Halfedge{});
     match_all(kDenseChunk,
-              [&](Matcher& matcher, std::size_t v) { matcher.match_group(groups.of(v)); });
+              [&](Matcher& matcher, std::size_t v) { matcher.match_sorted(sorted.of(v)); });
   }
   return matching;
 }

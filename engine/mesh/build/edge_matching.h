@@ -23,8 +23,8 @@ struct EdgeMatching {
   /// by increasing index.
   std::vector<std::uint32_t> crowded;
   std::vector<std::size_t> crowd_start{0};
-  /// The faces with the same three vertices as an earlier face, in increasing order.
-  std::vector<std::uint32_t> duplicate_faces;
+  /// The faces with the same three vertices as another face, in increasing order.
+  std::vector<std::uint32_t> coincident_faces;
 
   std::size_t crowd_count() const { return crowd_start.size() - 1; }
   std::span<const std::uint32_t> crowd(std::size_t i) const {
@@ -35,11 +35,10 @@ struct EdgeMatching {
 /// Returns the half-edges matched by edge. Half-edges are chained by the lower vertex of their
 /// edge, in the memory of the twins. In a short chain, each half-edge is compared with all others
 /// at once. A long chain, or one with crowds or duplicates, is sorted by the other vertex. If there
-/// are many half-edges per vertex, as in dense polygon soup, they are grouped by a counting sort
-/// instead of chains.
+/// are many half-edges per vertex, as in dense polygon soup, two counting sorts replace the chains.
 ///
 /// O(F + V) if valences are bounded, O(k log k) for a chain of k; scratch memory of 4 bytes per
-/// vertex, and 36 per face of dense soup. Chains are matched in parallel; the result does not
+/// vertex, and 48 per face of dense soup. Chains are matched in parallel; the result does not
 /// depend on the number of threads. Pre: `origin` holds 3F vertices below `vertex_count`; no face
 /// uses a vertex twice. Throws Cancelled.
 EdgeMatching match_edges(const Array<Vertex>& origin, std::uint32_t vertex_count,

@@ -1,42 +1,80 @@
 #include "engine/mesh/build/manifold_cutter.h"
-#include "engine/mesh/circulators.h"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
+#include <span>
 
 #include "engine/core/error.h"
-#include "engine/core/parallel.h"
 #include "engine/core/prefetch.h"
+#include "engine/mesh/build/crowd_pairing.h"
+#include "engine/mesh/circulators.h"
 #include "engine/mesh/outgoing.h"
 
 namespace mesher {
 
-/// A half-edge of a crowded edge, keyed by the vertices of its ends after splitting.
-struct CrowdEntry {
-  Vertex low, high;
-  std::uint32_t h;
-  friend auto operator<=>(const CrowdEntry&, const CrowdEntry&) = default;
-  bool joins_same(const CrowdEntry& other) const { return low == other.low && high == other.high; }
-};
-
 namespace {
 
+constexpr std::size_t kCrowdChunk = std::size_t{1} << 12;
 constexpr std::size_t kFanChunk = std::size_t{1} << 14;
 constexpr std::size_t kHalfedgesBetweenReports = std::size_t{1} << 16;
 /// Times of finding outgoing half-edges, counting fans (measured with 0.1, 1.4 and 13 million
 /// faces), and separating them, which few models need.
 constexpr double kCutWeights[] = {0.32, 0.68, 0.2};
-/// Times of splitting vertices and finding outgoing half-edges again.
-constexpr double kSeparateWeights[] = {1.0, 1.0};
+/// Times of finding the fans, cutting crowds, splitting vertices, and finding outgoing half-edges
+/// again.
+constexpr double kSeparateWeights[] = {0.4, 0.2, 0.3, 0.1};
 
-/// Finds the root with path halving.
+/// The half-edges of one crowd, sorted by the fans at both ends: those of parallel edges are
+/// neighbors.
+class CrowdByFans {
+ public:
+  CrowdByFans(const Array<std::uint32_t>& fan, std::span<const std::uint32_t> crowd) {
+    reset(fan, crowd);
+  }
+  CrowdByFans() = default;
+
+  void reset(const Array<std::uint32_t>& fan, std::span<const std::uint32_t> crowd) {
+    entries_.clear();
+    for (const std::uint32_t h : crowd) {
+      const auto [low, high] = std::minmax({fan[h], fan[Mesh::next(Halfedge(h)).index()]});
+      entries_.push_back({low, high, h});
+    }
+    std::sort(entries_.begin(), entries_.end());
+  }
+
+  /// Visits neighbors that join the same two fans, until `visit` returns false.
+  template <class Visit>
+  void for_each_parallel(Visit visit) const {
+    for (std::size_t i = 1; i < entries_.size(); ++i) {
+      const Entry& a = entries_[i - 1];
+      const Entry& b = entries_[i];
+      if (a.low == b.low && a.high == b.high && !visit(a.h, b.h)) return;
+    }
+  }
+
+ private:
+  struct Entry {
+    std::uint32_t low, high;
+    std::uint32_t h;
+    friend auto operator<=>(const Entry&, const Entry&) = default;
+  };
+
+  std::vector<Entry> entries_;
+};
+
+/// Returns the root, with path halving.
 Vertex root_of(std::vector<Vertex>& parent, Vertex v) {
   while (parent[v.index()] != v) {
     parent[v.index()] = parent[parent[v.index()].index()];
     v = parent[v.index()];
   }
   return v;
+}
+
+/// Joins the trees of two vertices. The lowest vertex of a tree is its root: most copies then hang
+/// on a vertex of the input, and those are few enough to stay in the cache.
+void join_trees(std::vector<Vertex>& parent, Vertex a, Vertex b) {
+  const auto [low, high] = std::minmax({root_of(parent, a), root_of(parent, b)});
+  parent[high.index()] = low;
 }
 
 }  // namespace
@@ -49,29 +87,12 @@ void ManifoldCutter::run(EdgeMatching&& matching, Progress* progress) {
   original_vertices_ = mesh_.position.size();
   cut_disagreeing(matching_.disagreeing_edges);
   report_[Repair::non_manifold_edges_cut] += matching_.crowd_count();
-  pair_crowds();
+  pair_crowds(progress);
   fill_outgoing(mesh_, progress);
   stages.next();
-  if (has_single_fans(progress) && matching_.crowd_count() == 0) return;
+  if (matching_.crowd_count() == 0 && has_single_fans(progress)) return;
   stages.next();
   separate_fans(progress);
-}
-
-void ManifoldCutter::separate_fans(Progress* progress) {
-  Stages stages(progress, kSeparateWeights);
-  stages.next();
-  split_vertices(progress);
-  if (cut_parallel_crowds()) {
-    undo_splits();
-    split_vertices(progress);
-    for (const std::size_t i : cut_crowds_)
-      stitch(matching_.crowd(i));
-  }
-  report_[Repair::non_manifold_vertices_cut] += count_split_vertices();
-  check_cancelled(progress);
-  list_bow_tie_copies();
-  stages.next();
-  fill_outgoing(mesh_, progress);
 }
 
 void ManifoldCutter::cut_disagreeing(std::uint64_t expected) {
@@ -85,14 +106,14 @@ void ManifoldCutter::cut_disagreeing(std::uint64_t expected) {
   }
 }
 
-/// Visits the crowds in order. The faces of a crowd lie anywhere in memory, so they are prefetched
+/// Visits some crowds in order. The faces of a crowd lie anywhere in memory, so they are prefetched
 /// a few crowds ahead: in dense polygon soup, each would otherwise wait for its cache lines.
 template <class Visit>
-void ManifoldCutter::for_each_crowd(Visit visit) const {
+void ManifoldCutter::for_each_crowd(IndexRange range, Visit visit) const {
   constexpr std::size_t kAhead = 64;  // half-edges
   const std::vector<std::uint32_t>& all = matching_.crowded;
-  std::size_t ahead = 0;
-  for (std::size_t i = 0; i < matching_.crowd_count(); ++i) {
+  std::size_t ahead = matching_.crowd_start[range.begin];
+  for (std::size_t i = range.begin; i < range.end; ++i) {
     const std::size_t last = std::min(all.size(), matching_.crowd_start[i + 1] + kAhead);
     for (; ahead < last; ++ahead) {
       prefetch(&mesh_.origin[all[ahead]]);
@@ -102,46 +123,12 @@ void ManifoldCutter::for_each_crowd(Visit visit) const {
   }
 }
 
-void ManifoldCutter::pair_crowds() {
-  for_each_crowd([this](std::size_t, std::span<const std::uint32_t> crowd) { pair_crowd(crowd); });
-}
-
-// Faces are sorted by angle around the edge, from its lower to its upper vertex. The inside of a
-// face is the side that its normal points away from. It lies toward lower angles if the half-edge
-// runs up, and toward higher angles if it runs down. So a "down" face and the next "up" face bound
-// a wedge of solid. They are paired like brackets, and solids that touch along an edge are
-// separated whole.
-void ManifoldCutter::pair_crowd(std::span<const std::uint32_t> crowd) {
-  const Vertex low = std::min(mesh_.origin[crowd[0]], target(crowd[0]));
-  const Vertex high = std::max(mesh_.origin[crowd[0]], target(crowd[0]));
-  const glm::dvec3 base = mesh_.position[low.index()];
-  const glm::dvec3 axis = glm::dvec3(mesh_.position[high.index()]) - base;
-  const glm::dvec3 aside =
-      std::abs(axis.x) <= std::abs(axis.y) && std::abs(axis.x) <= std::abs(axis.z)
-          ? glm::dvec3(1, 0, 0)
-      : std::abs(axis.y) <= std::abs(axis.z) ? glm::dvec3(0, 1, 0)
-                                             : glm::dvec3(0, 0, 1);
-  const glm::dvec3 u = glm::cross(axis, aside);
-  const glm::dvec3 v = glm::cross(axis, u) / std::max(glm::length(axis), 1e-300);
-  std::vector<std::pair<double, std::uint32_t>> by_angle;
-  for (const std::uint32_t h : crowd) {
-    const Vertex apex = mesh_.origin[Mesh::prev(Halfedge(h)).index()];
-    const glm::dvec3 d = glm::dvec3(mesh_.position[apex.index()]) - base;
-    by_angle.emplace_back(std::atan2(glm::dot(d, v), glm::dot(d, u)), h);
-  }
-  std::sort(by_angle.begin(), by_angle.end());
-  std::vector<std::uint32_t> open;
-  for (int round = 0; round < 2; ++round) {
-    for (const auto& [angle, h] : by_angle) {
-      if (mesh_.twin[h].is_valid()) continue;
-      const bool runs_up = mesh_.origin[h] == low;
-      if (!runs_up && round == 0) open.push_back(h);
-      if (!runs_up || open.empty()) continue;
-      mesh_.twin[h] = Halfedge(open.back());
-      mesh_.twin[open.back()] = Halfedge(h);
-      open.pop_back();
-    }
-  }
+void ManifoldCutter::pair_crowds(Progress* progress) {
+  const auto pair = [this](std::size_t, IndexRange range) {
+    CrowdPairing pairing(mesh_);
+    for_each_crowd(range, [&](std::size_t, auto crowd) { pairing.run(crowd); });
+  };
+  parallel_chunks(matching_.crowd_count(), kCrowdChunk, progress, pair);
 }
 
 bool ManifoldCutter::has_single_fans(Progress* progress) const {
@@ -162,92 +149,128 @@ bool ManifoldCutter::has_single_fans(Progress* progress) const {
   return met == mesh_.origin.size();
 }
 
-void ManifoldCutter::split_vertices(Progress* progress) {
-  std::vector<bool> is_done(mesh_.origin.size(), false);
-  std::vector<bool> is_taken(original_vertices_, false);
-  const TwinView twins{mesh_.twin};
-  const auto split = [&](std::uint32_t i) {
-    const Vertex v = mesh_.origin[i];
-    Vertex name = v;
-    if (is_taken[v.index()]) {
-      if (mesh_.position.size() >= kNone) throw InputError("too many vertices for 32-bit ids");
-      name = Vertex(static_cast<std::uint32_t>(mesh_.position.size()));
-      mesh_.position.push_back(glm::vec3(mesh_.position[v.index()]));
-      vertex_source_.push_back(std::uint32_t{vertex_source_[v.index()]});
-      split_from_.push_back(v);
-    }
-    is_taken[v.index()] = true;
-    Circulator at(twins, first_of_fan(twins, Halfedge(i)));
-    do {
-      is_done[(*at).index()] = true;
-      mesh_.origin[(*at).index()] = name;
-    } while (at.advance());
-  };
+void ManifoldCutter::separate_fans(Progress* progress) {
+  Stages stages(progress, kSeparateWeights);
+  stages.next();
+  find_fans(progress);
+  stages.next();
+  cut_parallel_crowds(progress);
+  stages.next();
+  split_vertices(progress);
+  list_bow_tie_copies();
+  stages.next();
+  fill_outgoing(mesh_, progress);
+}
+
+void ManifoldCutter::find_fans(Progress* progress) {
+  fan_.assign(mesh_.origin.size(), kNone);
   // A fan of polygon soup lies anywhere in memory.
   const auto prefetch_fan = [&](std::uint32_t i) {
     if (i >= mesh_.twin.size()) return;
     const Halfedge second = mesh_.twin[Mesh::prev(Halfedge(i)).index()];
     if (!second.is_valid()) return;
-    prefetch(&mesh_.origin[second.index()]);
+    prefetch(&fan_[second.index()]);
     prefetch(&mesh_.twin[second.index()]);
   };
   ordered_chunks(mesh_.origin.size(), kHalfedgesBetweenReports, progress, [&](IndexRange range) {
     constexpr std::uint32_t kAhead = 32;
     for (auto i = static_cast<std::uint32_t>(range.begin); i < range.end; ++i) {
       prefetch_fan(i + kAhead);
-      if (!is_done[i]) split(i);
+      if (fan_[i] == kNone) visit_fan(Halfedge(i), [&](Halfedge h) { fan_[h.index()] = i; });
     }
   });
 }
 
-std::vector<CrowdEntry> ManifoldCutter::sorted_by_ends(std::span<const std::uint32_t> crowd) const {
-  std::vector<CrowdEntry> entries;
-  for (const std::uint32_t h : crowd) {
-    const auto [low, high] = std::minmax({mesh_.origin[h], target(h)});
-    entries.push_back({low, high, h});
-  }
-  std::sort(entries.begin(), entries.end());
-  return entries;
-}
-
-bool ManifoldCutter::has_parallel_edges(std::span<const std::uint32_t> crowd) const {
-  const std::vector<CrowdEntry> entries = sorted_by_ends(crowd);
-  for (std::size_t i = 1; i < entries.size(); ++i) {
-    if (entries[i].joins_same(entries[i - 1]) &&
-        mesh_.twin[entries[i].h] != Halfedge(entries[i - 1].h)) {
-      return true;
-    }
-  }
-  return false;
+/// Visits the half-edges out of the origin of `h` that edges join with `h`: counterclockwise from
+/// `h`, then clockwise if a boundary ends the walk.
+template <class Visit>
+void ManifoldCutter::visit_fan(Halfedge h, Visit visit) const {
+  const TwinView twins{mesh_.twin};
+  Circulator ccw(twins, h);
+  do {
+    visit(*ccw);
+  } while (ccw.advance());
+  if (ccw.is_closed()) return;
+  for (Circulator<TwinView, Turn::cw> cw(twins, h); cw.advance();)
+    visit(*cw);
 }
 
 // Pairing can leave two edges between the same two vertices, if the fans at both ends contain both
 // edges. Such a crowd is cut completely. Then at most one half-edge in each direction remains
-// between a fan's copy of one end and a fan's copy of the other, and those two are stitched.
-bool ManifoldCutter::cut_parallel_crowds() {
-  for_each_crowd([this](std::size_t i, std::span<const std::uint32_t> crowd) {
-    if (has_parallel_edges(crowd)) cut_crowds_.push_back(i);
-  });
-  for (const std::size_t i : cut_crowds_) {
+// between a fan of one end and a fan of the other, and those two are stitched.
+void ManifoldCutter::cut_parallel_crowds(Progress* progress) {
+  const std::vector<std::size_t> crowds = crowds_with_parallel_edges(progress);
+  for (const std::size_t i : crowds) {
     for (const std::uint32_t h : matching_.crowd(i))
       mesh_.twin[h] = Halfedge{};
   }
-  return !cut_crowds_.empty();
-}
-
-void ManifoldCutter::undo_splits() {
-  for (Vertex& v : mesh_.origin) {
-    if (v.index() >= original_vertices_) v = split_from_[v.index() - original_vertices_];
+  // Each half-edge of a crowd now bounds the two fans at its ends, so no fan is visited more often
+  // than it has ends.
+  for (const std::size_t i : crowds) {
+    for (const std::uint32_t h : matching_.crowd(i)) {
+      rename_fan(Halfedge(h));
+      rename_fan(Mesh::next(Halfedge(h)));
+    }
   }
-  mesh_.position.resize(original_vertices_);
-  vertex_source_.resize(original_vertices_);
-  split_from_.clear();
+  for (const std::size_t i : crowds) {
+    CrowdByFans(fan_, matching_.crowd(i)).for_each_parallel([&](std::uint32_t a, std::uint32_t b) {
+      if (mesh_.origin[a] == mesh_.origin[b]) return true;
+      mesh_.twin[a] = Halfedge(b);
+      mesh_.twin[b] = Halfedge(a);
+      return true;
+    });
+  }
 }
 
-std::uint64_t ManifoldCutter::count_split_vertices() const {
-  std::vector<Vertex> split = split_from_;  // a vertex occurs once per copy
-  std::sort(split.begin(), split.end());
-  return static_cast<std::uint64_t>(std::unique(split.begin(), split.end()) - split.begin());
+std::vector<std::size_t> ManifoldCutter::crowds_with_parallel_edges(Progress* progress) const {
+  std::vector<std::vector<std::size_t>> found(chunk_count(matching_.crowd_count(), kCrowdChunk));
+  parallel_chunks(matching_.crowd_count(), kCrowdChunk, progress,
+                  [&](std::size_t chunk, IndexRange range) {
+                    CrowdByFans by_fans;
+                    for_each_crowd(range, [&](std::size_t i, auto crowd) {
+                      by_fans.reset(fan_, crowd);
+                      by_fans.for_each_parallel([&](std::uint32_t a, std::uint32_t b) {
+                        if (mesh_.twin[a] == Halfedge(b)) return true;
+                        found[chunk].push_back(i);
+                        return false;
+                      });
+                    });
+                  });
+  std::vector<std::size_t> all;
+  for (const std::vector<std::size_t>& part : found)
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+void ManifoldCutter::rename_fan(Halfedge h) {
+  std::uint32_t lowest = h.index();
+  visit_fan(h, [&](Halfedge i) { lowest = std::min(lowest, i.index()); });
+  visit_fan(h, [&](Halfedge i) { fan_[i.index()] = lowest; });
+}
+
+/// The first fan of a vertex keeps the vertex, and each other one gets a copy.
+void ManifoldCutter::split_vertices(Progress* progress) {
+  std::vector<bool> is_taken(original_vertices_, false);
+  std::vector<bool> is_split(original_vertices_, false);
+  const auto name = [&](Vertex v) {
+    if (!is_taken[v.index()]) {
+      is_taken[v.index()] = true;
+      return v;
+    }
+    is_split[v.index()] = true;
+    if (mesh_.position.size() >= kNone) throw InputError("too many vertices for 32-bit ids");
+    const Vertex copy(static_cast<std::uint32_t>(mesh_.position.size()));
+    mesh_.position.push_back(glm::vec3(mesh_.position[v.index()]));
+    vertex_source_.push_back(std::uint32_t{vertex_source_[v.index()]});
+    split_from_.push_back(v);
+    return copy;
+  };
+  ordered_chunks(mesh_.origin.size(), kHalfedgesBetweenReports, progress, [&](IndexRange range) {
+    for (std::size_t h = range.begin; h < range.end; ++h)
+      mesh_.origin[h] = fan_[h] == h ? name(mesh_.origin[h]) : Vertex(mesh_.origin[fan_[h]]);
+  });
+  report_[Repair::non_manifold_vertices_cut] +=
+      static_cast<std::uint64_t>(std::count(is_split.begin(), is_split.end(), true));
 }
 
 /// Returns a forest over the vertices, as the parent of each. Copies of a vertex are in one tree if
@@ -256,15 +279,12 @@ std::vector<Vertex> ManifoldCutter::fans_joined_by_cut_edges() const {
   std::vector<Vertex> parent;
   for (std::uint32_t v = 0; v < mesh_.position.size(); ++v)
     parent.emplace_back(v);
-  const auto join = [&](Vertex a, Vertex b) {
-    parent[root_of(parent, a).index()] = root_of(parent, b);
-  };
   const auto join_ends = [&](std::uint32_t g, std::uint32_t h) {
     const bool is_same_way = before_split(mesh_.origin[g]) == before_split(mesh_.origin[h]);
-    join(mesh_.origin[g], is_same_way ? mesh_.origin[h] : target(h));
-    join(target(g), is_same_way ? target(h) : mesh_.origin[h]);
+    join_trees(parent, mesh_.origin[g], is_same_way ? mesh_.origin[h] : target(h));
+    join_trees(parent, target(g), is_same_way ? target(h) : mesh_.origin[h]);
   };
-  for_each_crowd([&](std::size_t, std::span<const std::uint32_t> crowd) {
+  for_each_crowd({0, matching_.crowd_count()}, [&](std::size_t, auto crowd) {
     for (const std::uint32_t h : crowd)
       join_ends(crowd[0], h);
   });
@@ -289,17 +309,6 @@ void ManifoldCutter::list_bow_tie_copies() {
   for (std::size_t i = 0; i < split_from_.size(); ++i) {
     const Vertex copy(static_cast<std::uint32_t>(original_vertices_ + i));
     if (is_bow_tie[split_from_[i].index()]) copies.push_back({copy, split_from_[i]});
-  }
-}
-
-void ManifoldCutter::stitch(std::span<const std::uint32_t> crowd) {
-  const std::vector<CrowdEntry> entries = sorted_by_ends(crowd);
-  for (std::size_t i = 1; i < entries.size(); ++i) {
-    const std::uint32_t a = entries[i - 1].h;
-    const std::uint32_t b = entries[i].h;
-    if (!entries[i].joins_same(entries[i - 1]) || mesh_.origin[a] == mesh_.origin[b]) continue;
-    mesh_.twin[a] = Halfedge(b);
-    mesh_.twin[b] = Halfedge(a);
   }
 }
 

@@ -4,13 +4,12 @@
 #include <vector>
 
 #include "engine/core/array.h"
+#include "engine/core/parallel.h"
 #include "engine/mesh/build/edge_matching.h"
 #include "engine/mesh/build/report.h"
 #include "engine/mesh/mesh.h"
 
 namespace mesher {
-
-struct CrowdEntry;
 
 /// Makes matched triangles manifold, so that the invariants of Mesh hold. Crowded edges (three or
 /// more faces) are paired around the edge, and vertices where several fans meet are split. If no
@@ -30,21 +29,20 @@ class ManifoldCutter {
 
  private:
   void cut_disagreeing(std::uint64_t expected);
-  void separate_fans(Progress* progress);
   template <class Visit>
-  void for_each_crowd(Visit visit) const;
-  void pair_crowds();
-  void pair_crowd(std::span<const std::uint32_t> crowd);
+  void for_each_crowd(IndexRange range, Visit visit) const;
+  void pair_crowds(Progress* progress);
   bool has_single_fans(Progress* progress) const;
+  void separate_fans(Progress* progress);
+  void find_fans(Progress* progress);
+  template <class Visit>
+  void visit_fan(Halfedge h, Visit visit) const;
+  void cut_parallel_crowds(Progress* progress);
+  std::vector<std::size_t> crowds_with_parallel_edges(Progress* progress) const;
+  void rename_fan(Halfedge h);
   void split_vertices(Progress* progress);
-  bool has_parallel_edges(std::span<const std::uint32_t> crowd) const;
-  bool cut_parallel_crowds();
-  void undo_splits();
-  std::uint64_t count_split_vertices() const;
   void list_bow_tie_copies();
   std::vector<Vertex> fans_joined_by_cut_edges() const;
-  void stitch(std::span<const std::uint32_t> crowd);
-  std::vector<CrowdEntry> sorted_by_ends(std::span<const std::uint32_t> crowd) const;
   /// Returns the vertex of the input that `v` is a copy of, or `v` itself.
   Vertex before_split(Vertex v) const {
     return v.index() < original_vertices_ ? v : split_from_[v.index() - original_vertices_];
@@ -56,8 +54,8 @@ class ManifoldCutter {
   BuildReport& report_;
   EdgeMatching matching_;
   std::size_t original_vertices_ = 0;
-  std::vector<Vertex> split_from_;  ///< per vertex past the original ones
-  std::vector<std::size_t> cut_crowds_;
+  Array<std::uint32_t> fan_;                    ///< per half-edge: the lowest half-edge of its fan
+  std::vector<Vertex> split_from_;              ///< per vertex past the original ones
   std::vector<std::uint32_t> cut_disagreeing_;  ///< pairs: each cut half-edge and its twin
 };
 

@@ -14,4 +14,10 @@ namespace mesher {
 std::vector<std::uint32_t> faces_to_flip(const Array<Vertex>& origin, const EdgeMatching& matching,
                                          Progress* progress);
 
+/// Gives the matching of the faces as they are after corners 1 and 2 of each face in `flips` were
+/// swapped, without matching them again. O(F). Pre: `origin` has the flipped faces; the matching is
+/// that of the faces before, and lists no duplicate; `flips` has no face twice.
+void flip_faces(EdgeMatching& matching, const Array<Vertex>& origin,
+                const std::vector<std::uint32_t>& flips);
+
 }  // namespace mesher

@@ -2,20 +2,21 @@
 
 #include <algorithm>
 #include <array>
-#include <unordered_map>
 
 #include "engine/mesh/build/duplicate_polygons.h"
 
 namespace mesher {
 namespace {
 
-/// The vertices of a triangle in increasing order, and whether that changes its direction.
-struct SortedTriangle {
-  std::array<std::uint32_t, 3> vertices;
-  bool is_reversed;
+struct Triangle {
+  std::array<std::uint32_t, 3> vertices;  ///< in increasing order
+  CoincidentFace face;
+  bool operator<(const Triangle& other) const {
+    return vertices != other.vertices ? vertices < other.vertices : face.face < other.face.face;
+  }
 };
 
-SortedTriangle sorted_triangle(const Array<Vertex>& origin, std::uint32_t face) {
+Triangle sorted_triangle(const Array<Vertex>& origin, std::uint32_t face, std::uint32_t group) {
   std::array<std::uint32_t, 3> v;
   for (std::size_t c = 0; c < 3; ++c)
     v[c] = origin[3 * std::size_t{face} + c].index();
@@ -28,17 +29,8 @@ SortedTriangle sorted_triangle(const Array<Vertex>& origin, std::uint32_t face) 
   order(0, 1);
   order(1, 2);
   order(0, 1);
-  return {v, is_reversed};
+  return {v, {face, is_reversed, group}};
 }
-
-struct TriangleHash {
-  std::size_t operator()(const std::array<std::uint32_t, 3>& v) const {
-    std::uint64_t hash = 0;
-    for (const std::uint32_t x : v)
-      hash = (hash ^ x) * 0xD6E8FEB86659FD93U, hash ^= hash >> 32U;
-    return static_cast<std::size_t>(hash);
-  }
-};
 
 }  // namespace
 
@@ -62,20 +54,20 @@ void sort_coincident(std::span<const CoincidentFace> faces, CoincidentFaces& res
 }
 
 CoincidentFaces coincident_triangles(const Array<Vertex>& origin,
-                                     const std::vector<std::uint32_t>& duplicates,
+                                     const std::vector<std::uint32_t>& faces,
                                      const Array<std::uint32_t>& group) {
-  std::unordered_map<std::array<std::uint32_t, 3>, std::vector<CoincidentFace>, TriangleHash> sets;
-  for (const std::uint32_t face : duplicates)
-    sets.try_emplace(sorted_triangle(origin, face).vertices);
-  for (std::uint32_t face = 0; face < origin.size() / 3; ++face) {
-    const SortedTriangle triangle = sorted_triangle(origin, face);
-    const auto set = sets.find(triangle.vertices);
-    if (set == sets.end()) continue;
-    set->second.push_back({face, triangle.is_reversed, group.empty() ? 0 : group[face]});
-  }
+  std::vector<Triangle> triangles;
+  for (const std::uint32_t face : faces)
+    triangles.push_back(sorted_triangle(origin, face, group.empty() ? 0 : group[face]));
+  std::sort(triangles.begin(), triangles.end());
   CoincidentFaces result;
-  for (const auto& [vertices, faces] : sets)
-    sort_coincident(faces, result);
+  std::vector<CoincidentFace> same;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    same.push_back(triangles[i].face);
+    if (i + 1 < triangles.size() && triangles[i + 1].vertices == triangles[i].vertices) continue;
+    sort_coincident(same, result);
+    same.clear();
+  }
   std::sort(result.duplicates.begin(), result.duplicates.end());
   std::sort(result.second_sides.begin(), result.second_sides.end(),
             [](const SecondSide& a, const SecondSide& b) { return a.face < b.face; });

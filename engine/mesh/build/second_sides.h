@@ -37,10 +37,10 @@ struct CoincidentFaces {
 /// which differ in direction or group.
 void sort_coincident(std::span<const CoincidentFace> faces, CoincidentFaces& result);
 
-/// Returns the triangles among `duplicates` (EdgeMatching::duplicate_faces) by kind, each list in
-/// increasing order. `group` is empty or has one entry per face. O(F).
+/// Returns the triangles among `faces` (EdgeMatching::coincident_faces) by kind, each list in
+/// increasing order. `group` is empty or has one entry per face. O(k log k) for k faces.
 CoincidentFaces coincident_triangles(const Array<Vertex>& origin,
-                                     const std::vector<std::uint32_t>& duplicates,
+                                     const std::vector<std::uint32_t>& faces,
                                      const Array<std::uint32_t>& group);
 
 /// The vertices of second sides. Second sides of the same sheet share them, so that a two-sided

@@ -168,7 +168,7 @@ bool find_twins(MeshArrays& arrays) {
   EdgeMatching matching = match_edges(arrays.origin, vertices_of_faces);
   arrays.twin = std::move(matching.twin);
   return matching.disagreeing_edges == 0 && matching.crowded.empty() &&
-         matching.duplicate_faces.empty();
+         matching.coincident_faces.empty();
 }
 
 }  // namespace
