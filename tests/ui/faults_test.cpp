@@ -2,11 +2,15 @@
 // that ends. Each time there is a message, nothing is lost, and the program goes on.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "engine/io/read.h"
 #include "tests/support/fault_layer.h"
+#include "tests/support/file_faults.h"
 #include "tests/support/small_disk.h"
 #include "tests/support/temp_folder.h"
 #include "tests/ui/window_fixture.h"
@@ -79,6 +83,36 @@ TEST_F(FaultsTest, FullDiskLosesNoModelAndNoPicture) {
   EXPECT_REACHES(*v, s["unsaved"] == false);
   EXPECT_EQ(io::read_model(v->folder() / "kept.obj").mesh.face_count(), 2592U);
   quit(*v);
+}
+
+TEST_F(FaultsTest, SignalDuringASaveLeavesNoPartialFileAndKeepsTheEdits) {
+  FileFaults faults;
+  faults.has_no_tmpfile = true;
+  faults.slow_us = 20'000;
+  for (const int milliseconds : {0, 40, 120, 400}) {
+    SCOPED_TRACE(milliseconds);
+    const TempFolder state;
+    const TempFolder target;
+    const auto v = std::make_unique<ViewerProcess>(
+        *server_, std::vector<std::string>{"knot", "--size", "800x600"}, state.path(),
+        "unix:path=/nonexistent", faults.environment());
+    v->key("s");
+    EXPECT_REACHES(*v, s["faces"] == 11'520);
+    v->key("ctrl+s");
+    EXPECT_REACHES(*v, s["save_dialog"] == true);
+    v->settle();
+    server_->xdotool({"type", "--delay", "60", (target / "saved.obj").string()});
+    v->settle();
+    v->key("Return");
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    v->send(SIGTERM);
+    EXPECT_EQ(v->wait_for_end(), 128 + SIGTERM);
+    for (const auto& entry : fs::directory_iterator(target.path())) {
+      EXPECT_EQ(entry.path().filename(), "saved.obj");
+      EXPECT_EQ(io::read_model(entry.path()).mesh.face_count(), 11'520U);
+    }
+    EXPECT_TRUE(fs::exists(target / "saved.obj") || !only_journal(state.path()).empty());
+  }
 }
 
 TEST_F(FaultsTest, JournalOnAFullDiskIsSaidOnceAndWrittenOnceThereIsRoom) {

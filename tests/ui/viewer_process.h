@@ -60,6 +60,7 @@ class ViewerProcess {
   std::string errors() const { return read_bytes(folder_ / "err"); }
   /// Ends the program by SIGKILL.
   void kill() { program_->kill_at_once(); }
+  void send(int signal) { program_->send(signal); }
   /// Waits until the program ends. Returns its exit code, or -1 after a timeout.
   int wait_for_end() { return program_->wait(60.0); }
 
