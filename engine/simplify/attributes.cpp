@@ -13,6 +13,7 @@
 #include "engine/core/parallel.h"
 #include "engine/mesh/circulators.h"
 #include "engine/mesh/wedges.h"
+#include "engine/simplify/attribute_metric.h"
 #include "engine/simplify/prune.h"
 
 namespace mesher::simplify {
@@ -301,20 +302,28 @@ Attributes carried_groups(const Attributes& attributes, std::span<const Face> fa
   return carried;
 }
 
+/// The attributes that a simplification followed.
+struct Followed {
+  const AttributeMetric& metric;
+  const CornerVectors& corners;
+};
+
 class Carrier {
  public:
   Carrier(const Attributed& input, const Mesh& result, std::span<const Face> face_source,
-          Progress* progress)
+          const Followed* followed, Progress* progress)
       : input_(input),
         seams_(input.mesh, input.attributes),
         result_(result),
         face_source_(face_source),
+        followed_(followed),
         progress_(progress) {}
 
   Attributes run() {
     Stages stages(progress_, {0.7, 0.3});
     stages.next();
-    find_points();
+    const std::size_t known = followed_ != nullptr ? followed_->metric.layers.size() : 0;
+    if (known < input_.attributes.layers.size()) find_points();
     stages.next();
     Attributes carried = make_wedges(result_, {streams()}, progress_);
     Attributes groups = carried_groups(input_.attributes, face_source_);
@@ -361,19 +370,63 @@ class Carrier {
     AttributeStream stream;
     stream.index.resize(result_.halfedge_count());
     std::iota(stream.index.begin(), stream.index.end(), 0U);
-    for (const AttributeLayer& from : input_.attributes.layers) {
+    for (std::size_t i = 0; i < input_.attributes.layers.size(); ++i) {
+      const AttributeLayer& from = input_.attributes.layers[i];
       AttributeLayer& to = stream.layers.emplace_back(from.type(), result_.halfedge_count());
       if (from.type().kind == AttributeKind::normal && has_normal_per_face(from)) {
         set_face_normals(to);
         continue;
       }
+      if (set_followed(i, from, to)) continue;
       const Blend blend(seams_, from, to);
       parallel_chunks(point_.size(), kCarryGrain, progress_, [&](std::size_t, IndexRange range) {
-        for (std::size_t h = range.begin; h < range.end; ++h)
-          blend(point_[h], h);
+        for (std::size_t h = range.begin; h < range.end; ++h) {
+          if (!keep(from, h, to)) blend(point_[h], h);
+        }
       });
     }
     return stream;
+  }
+
+  /// Copies the value of a corner that kept its wedge. Returns false if it did not.
+  bool keep(const AttributeLayer& from, std::size_t h, AttributeLayer& to) const {
+    if (followed_ == nullptr || followed_->corners.source[h] == kNone) return false;
+    std::ranges::copy(from.value(followed_->corners.source[h]), to.value(h).begin());
+    return true;
+  }
+
+  /// Sets the values of a layer of the metric. Returns false if it is none.
+  bool set_followed(std::size_t index, const AttributeLayer& from, AttributeLayer& to) const {
+    if (followed_ == nullptr) return false;
+    const AttributeMetric& metric = followed_->metric;
+    std::size_t first = 0;
+    for (const auto& [layer, factor] : metric.layers) {
+      if (layer == index) {
+        set_values(first, factor, from, to);
+        return true;
+      }
+      first += input_.attributes.layers[layer].type().components;
+    }
+    return false;
+  }
+
+  void set_values(std::size_t first, double factor, const AttributeLayer& from,
+                  AttributeLayer& to) const {
+    const std::size_t size = followed_->metric.size;
+    const bool has_unit_length = from.type().kind == AttributeKind::normal;
+    parallel_for(to.count(), kCarryGrain, [&](IndexRange range) {
+      for (std::size_t h = range.begin; h < range.end; ++h) {
+        if (keep(from, h, to)) continue;
+        AttributeValue value{};
+        for (std::size_t k = 0; k < from.type().components; ++k)
+          value[k] = double{followed_->corners.values[size * h + first + k]} / factor;
+        if (has_unit_length) {
+          const glm::dvec3 n = unit(vector_of(value));
+          value = {n.x, n.y, n.z, value[3]};
+        }
+        store(to, h, value);
+      }
+    });
   }
 
   bool has_normal_per_face(const AttributeLayer& normals) const {
@@ -402,6 +455,7 @@ class Carrier {
   SeamTest seams_;
   const Mesh& result_;
   std::span<const Face> face_source_;
+  const Followed* followed_;
   Progress* progress_;
   Array<SurfacePoint> point_;  ///< per corner of the result
 };
@@ -427,14 +481,16 @@ void unmark_seams(Mesh& mesh) {
 
 SimplifiedModel simplify_model(Mesh&& mesh, const Attributes& attributes,
                                const SimplifyOptions& options, bool prunes) {
-  const auto run = [&](Mesh&& input) {
-    return prunes ? simplify_pruned(std::move(input), options)
-                  : simplify(std::move(input), options);
+  const auto run = [&](Mesh&& input, const AttributeMetric* metric) {
+    SimplifyOptions run_options = options;
+    run_options.metric = metric != nullptr && metric->size > 0 ? metric : nullptr;
+    return prunes ? simplify_pruned(std::move(input), run_options)
+                  : simplify(std::move(input), run_options);
   };
   SimplifiedModel result;
   const bool has_lines = may_have_lines(attributes);
   if (attributes.layers.empty() && !has_lines) {
-    result.simplified = run(std::move(mesh));
+    result.simplified = run(std::move(mesh), nullptr);
     result.attributes = carried_groups(attributes, result.simplified.face_source);
     return result;
   }
@@ -442,19 +498,33 @@ SimplifiedModel simplify_model(Mesh&& mesh, const Attributes& attributes,
   stages.next();
   Mesh marked(mesh);
   mark_seams(marked, attributes);
-  result.simplified = run(std::move(marked));
+  AttributeWeights weights;
+  if (const char* e = getenv("WT"))
+    sscanf(e, "%f,%f,%f", &weights.texcoord, &weights.normal, &weights.color);
+  const AttributeMetric metric = attribute_metric(mesh, attributes, weights);
+  result.simplified = run(std::move(marked), &metric);
   const bool is_stuck = result.simplified.report.reason == StopReason::no_legal_collapse &&
                         result.simplified.report.faces_reached > options.target_faces;
   if (has_lines && options.target_faces > 0 && is_stuck) {
-    Simplified across = run(Mesh(mesh));
+    Simplified across = run(Mesh(mesh), nullptr);
     result.crosses_seams = across.report.faces_reached < result.simplified.report.faces_reached;
     if (result.crosses_seams) result.simplified = std::move(across);
   }
   unmark_seams(result.simplified.mesh);
   stages.next();
-  result.attributes = carry_attributes({mesh, attributes}, result.simplified.mesh,
-                                       result.simplified.face_source, options.progress);
+  result.attributes =
+      carry_attributes({mesh, attributes}, result.simplified, metric, options.progress);
   return result;
+}
+
+Attributes carry_attributes(const Attributed& input, const Simplified& result,
+                            const AttributeMetric& metric, Progress* progress) {
+  if (input.attributes.layers.empty() || result.mesh.face_count() == 0 ||
+      result.corners.is_empty()) {
+    return carry_attributes(input, result.mesh, result.face_source, progress);
+  }
+  const Followed followed{metric, result.corners};
+  return Carrier(input, result.mesh, result.face_source, &followed, progress).run();
 }
 
 Attributes carry_attributes(const Attributed& input, const Mesh& result,
@@ -463,7 +533,7 @@ Attributes carry_attributes(const Attributed& input, const Mesh& result,
   if (input.attributes.layers.empty() || result.face_count() == 0) {
     return carried_groups(input.attributes, face_source);
   }
-  return Carrier(input, result, face_source, progress).run();
+  return Carrier(input, result, face_source, nullptr, progress).run();
 }
 
 }  // namespace mesher::simplify

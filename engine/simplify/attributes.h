@@ -43,6 +43,11 @@ struct Attributed {
 Attributes carry_attributes(const Attributed& input, const Mesh& result,
                             std::span<const Face> face_source, Progress* progress = nullptr);
 
+/// Same for a result of `simplify` with a metric: the layers of the metric get the values that the
+/// simplification found.
+Attributes carry_attributes(const Attributed& input, const Simplified& result,
+                            const AttributeMetric& metric, Progress* progress = nullptr);
+
 /// A simplified mesh with its attributes.
 struct SimplifiedModel {
   Simplified simplified;

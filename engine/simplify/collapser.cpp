@@ -403,12 +403,12 @@ void Collapser::collapse(Halfedge h, const Candidate& candidate, const Appraisal
   queue_.remove(kept);
   state(removed).remove(kept);
   state(kept).set_retreat(appraisal.retreat);
+  context_.policy.collapsing(surface, h, fan_, candidate.position);
   if (fan_.is_smooth()) {
     merge_smooth(h, candidate.position);
   } else {
     merge_near_feature(h, candidate.position);
   }
-  context_.policy.collapsed(removed, kept);
   if (context_.bound != nullptr) context_.bound->collapsed(removed, kept, candidate.position);
   if (guard_) guard_->collapsed(surface, fan_);
   if (context_.samples != nullptr) context_.samples->collapsed(fan_);

@@ -18,7 +18,7 @@ void CollapsePolicy::evaluate_around(const Surface& surface, Vertex, const Fan& 
   evaluate_costs(surface, {&last, 1}, precision, costs + fan.size());
 }
 
-void CollapsePolicy::collapsed(Vertex, Vertex) {}
+void CollapsePolicy::collapsing(const Surface&, Halfedge, const Fan&, const glm::vec3&) {}
 
 Placed place(const Surface& surface, Halfedge h, const EdgeQuadric<float>& edge,
              Placement placement, AllowedPlacement allowed) {

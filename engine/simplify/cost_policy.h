@@ -10,6 +10,8 @@
 
 namespace mesher::simplify {
 
+class AttributeField;
+
 /// Cost and result of merging an edge.
 struct Candidate {
   float cost = kNever;  ///< order of collapses, >= 0
@@ -22,7 +24,7 @@ struct Candidate {
 enum class CostPrecision { guess, exact };
 
 /// Decides which edge is collapsed first and where its vertex is placed. Several threads may call
-/// `evaluate` and its siblings at once, and `collapsed` for vertices of different regions.
+/// `evaluate` and its siblings at once, and `collapsing` for vertices of different regions.
 class CollapsePolicy {
  public:
   virtual ~CollapsePolicy() = default;
@@ -46,11 +48,15 @@ class CollapsePolicy {
   /// with them (appraisal.h). If not, a collapse that turns or folds a face is refused.
   virtual bool costs_are_errors() const { return false; }
 
-  /// Called after `removed` was merged into `kept`.
-  virtual void collapsed(Vertex removed, Vertex kept);
+  /// Called before the edge of `h` is merged at `p`: its origin into its target. Pre: `fan` is that
+  /// of `h`.
+  virtual void collapsing(const Surface& surface, Halfedge h, const Fan& fan, const glm::vec3& p);
+
+  /// Returns the attributes that the policy follows, or null.
+  virtual AttributeField* attributes() { return nullptr; }
 };
 
-/// Returns the policy selected by the options.
+/// Returns the policy selected by the options. Only the default one counts their metric.
 std::unique_ptr<CollapsePolicy> make_policy(const SimplifyOptions& options, const Surface& surface);
 
 /// Position of a merged vertex, as an offset from the edge's midpoint and in model space. At an end

@@ -11,6 +11,7 @@
 namespace mesher::simplify {
 
 class CollapseObserver;
+struct AttributeMetric;
 
 /// Which edge is collapsed first.
 enum class CostPolicy : std::uint8_t {
@@ -129,6 +130,9 @@ struct SimplifyOptions {
   /// Refuses collapses that would make two faces intersect that did not before (`do_intersect` in
   /// engine/analysis/triangle_pair.h defines an intersection).
   bool no_intersections = false;
+
+  /// Attributes of the mesh that the cost counts; null: none.
+  const AttributeMetric* metric = nullptr;
 
   ResultOrder order = ResultOrder::input;
   CollapseObserver* observer = nullptr;  ///< told of every collapse

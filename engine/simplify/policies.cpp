@@ -1,4 +1,4 @@
-#include "engine/simplify/quadric_policy.h"
+#include "engine/simplify/attribute_policy.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -159,8 +159,9 @@ class AccumulatedPolicy : public CollapsePolicy {
     return {error + kTieBreak * area * length, error, position};
   }
 
-  void collapsed(Vertex removed, Vertex kept) override {
-    quadrics_[kept.index()] += quadrics_[removed.index()];
+  void collapsing(const Surface& surface, Halfedge h, const Fan&, const glm::vec3&) override {
+    const Mesh& mesh = surface.mesh();
+    quadrics_[mesh.target(h).index()] += quadrics_[mesh.origin(h).index()];
   }
 
  private:
@@ -235,6 +236,9 @@ std::unique_ptr<CollapsePolicy> make_policy(const SimplifyOptions& options,
       return std::make_unique<RandomPolicy>(placement, options.seed);
     case CostPolicy::quadric:
       break;
+  }
+  if (options.metric != nullptr && options.metric->size > 0) {
+    return std::make_unique<AttributePolicy>(placement, surface, *options.metric);
   }
   return std::make_unique<QuadricPolicy>(placement);
 }

@@ -1,5 +1,7 @@
 #include "engine/simplify/prune.h"
 
+#include "engine/simplify/attribute_metric.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -185,7 +187,13 @@ class Pruning {
     stages.next();
     const KeptIds kept = parts_.select(input_, size, false);
     const bool is_whole = kept.faces.size() == input_.face_count();
-    Simplified result = simplify(is_whole ? Mesh(input_) : compact(input_, kept), options_);
+    SimplifyOptions options = options_;
+    AttributeMetric metric;
+    if (options.metric != nullptr && !is_whole) {
+      metric = of_faces(*options.metric, kept.faces);
+      options.metric = &metric;
+    }
+    Simplified result = simplify(is_whole ? Mesh(input_) : compact(input_, kept), options);
     for (Vertex& source : result.vertex_source)
       source = kept.vertices[source.index()];
     for (Face& source : result.face_source)

@@ -168,12 +168,12 @@ class Factors {
 /// where the surface has a distinct side (g is not small against the area). The vertex stays in the
 /// ball whose diameter is the edge; otherwise a tip whose planes all run along it would be placed
 /// far off the surface.
+/// `area`: the sum of the areas of the faces, which is the trace of a quadric of planes alone.
 template <class F>
-Vec3<F> best_offset(const EdgeQuadric<F>& edge) {
+Vec3<F> best_offset(const EdgeQuadric<F>& edge, const F& area) {
   constexpr float kTiny = 1e-30F;
   constexpr float kHasSide = 0.01F;
   const F tiny = broadcast<F>(kTiny);
-  const F area = edge.both.trace();
   const Factors<F> factors(edge.both, greater_of(area * broadcast<F>(kPlacementDamping), tiny));
   const Vec3<F> free = factors.solve(edge.linear);
   const Vec3<F>& g = edge.both.g;
@@ -186,6 +186,11 @@ Vec3<F> best_offset(const EdgeQuadric<F>& edge) {
   const F distance = dot(y, y);
   const F shrink = square_root(reach / greater_of(distance, tiny));
   return y * select(distance > reach, shrink, broadcast<F>(1.0F));
+}
+
+template <class F>
+Vec3<F> best_offset(const EdgeQuadric<F>& edge) {
+  return best_offset(edge, edge.both.trace());
 }
 
 /// Returns whether the target is the better of the two ends. The quadratic terms of both are equal,

@@ -8,9 +8,6 @@
 namespace mesher::simplify {
 namespace {
 
-// By how many tie-breaks an end must be cheaper than the optimum to replace it.
-constexpr float kClearlyCheaper = 10.0F;
-
 template <class F>
 StateLanes<F> broadcast_state(const VertexState& s) {
   const auto all = [](float x) { return broadcast<F>(x); };

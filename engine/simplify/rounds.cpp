@@ -7,6 +7,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/progress.h"
+#include "engine/simplify/attribute_field.h"
 #include "engine/simplify/checkpoint.h"
 #include "engine/simplify/morton.h"
 
@@ -226,6 +227,9 @@ void Rounds::run_to_the_error() {
   while (faces_to_remove() > 0) {
     drop_removed();
     const Checkpoint before(surface_.mesh(), live_);
+    AttributeField* const attributes = policy_->attributes();
+    const auto attributes_before =
+        attributes != nullptr ? attributes->save() : AttributeField::Saved{};
     const auto counts = std::tuple(faces_, collapses_, paid_, rejected_);
     held_.emplace();
     collapse_to(next_step(error));
@@ -233,6 +237,7 @@ void Rounds::run_to_the_error() {
     const double next = estimated_error();
     if (faces_ < options_.stop_below_faces && next > options_.stop_before_error) {
       before.restore(surface_.mesh(), live_);
+      if (attributes != nullptr) attributes->restore(attributes_before);
       std::tie(faces_, collapses_, paid_, rejected_) = counts;
       error_at_stop_ = error;
       return;

@@ -38,6 +38,8 @@ class Rounds {
   void run(SimplifyReport& report);
 
   const Surface& surface() const { return surface_; }
+  /// Returns the attributes of the remaining faces, or null if the options have no metric.
+  const AttributeField* attributes() const { return policy_->attributes(); }
   /// Returns the vertices that `run` left, in unspecified order.
   Array<Vertex> vertices_left() const;
 

@@ -11,6 +11,7 @@
 #include "engine/core/progress.h"
 #include "engine/mesh/bow_tie_follower.h"
 #include "engine/mesh/statistics.h"
+#include "engine/simplify/attribute_field.h"
 #include "engine/simplify/measured.h"
 #include "engine/simplify/new_intersections.h"
 #include "engine/simplify/reorder.h"
@@ -181,6 +182,20 @@ void finish(const Rounds& rounds, const Units& units, Trace& trace) {
   }
 }
 
+CornerVectors corner_vectors(const AttributeField& field, std::span<const Face> faces,
+                             float scale) {
+  CornerVectors corners;
+  for (const Face f : faces) {
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      const Halfedge h = Mesh::halfedge(f, c);
+      for (const float x : field.at(h))
+        corners.values.push_back(scale * x);
+      corners.source.push_back(field.source(h));
+    }
+  }
+  return corners;
+}
+
 Simplified finish(const Rounds& rounds, const Reordered& order, const Units& units,
                   const SimplifyOptions& options) {
   const KeptIds kept{in_order(order.vertex_source, options.order, rounds.vertices_left()),
@@ -197,6 +212,8 @@ Simplified finish(const Rounds& rounds, const Reordered& order, const Units& uni
   result.face_source.reserve(kept.faces.size());
   for (const Face f : kept.faces)
     result.face_source.push_back(order.face_source[f.index()]);
+  if (const AttributeField* field = rounds.attributes())
+    result.corners = corner_vectors(*field, kept.faces, 1.0F / units.scale());
   return result;
 }
 
@@ -221,6 +238,11 @@ Simplified run_once(Mesh&& mesh, const SimplifyOptions& options, std::span<const
   stages.next();
   if (trace != nullptr) trace->before = order.mesh;
   const Units units(order.mesh);
+  AttributeMetric metric;
+  if (options.metric != nullptr) {
+    metric = of_faces(*options.metric, order.face_source, units.scale());
+    observed.metric = &metric;
+  }
   Rounds rounds(std::move(order.mesh), units.scale(), observed, Translator(order, units),
                 Array<float>(shares.begin(), shares.end()));
   seconds.prepare = watch.lap();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/mesh/mesh.h"
+#include "engine/simplify/attribute_metric.h"
 #include "engine/simplify/observer.h"
 #include "engine/simplify/options.h"
 #include "engine/simplify/report.h"
@@ -13,6 +14,7 @@ struct Simplified {
   SimplifyReport report;
   Array<Vertex> vertex_source;  ///< by id in the result, the id in the input
   Array<Face> face_source;  ///< by id in the result, the id in the input; corners keep their order
+  CornerVectors corners;    ///< empty if SimplifyOptions::metric is null
 };
 
 /// Simplifies a mesh by edge collapse. The cheapest legal edge goes first, up to a tolerance that

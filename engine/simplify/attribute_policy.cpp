@@ -1,0 +1,127 @@
+#include "engine/simplify/attribute_policy.h"
+
+#include <algorithm>
+
+#include "engine/simplify/plane_cost.h"
+
+namespace mesher::simplify {
+namespace {
+
+/// A position of the merged vertex, and what it costs.
+struct Choice {
+  glm::vec3 position;
+  float surface;
+  float attributes;
+  float total() const { return surface + attributes; }
+};
+
+class Choices {
+ public:
+  Choices(const Surface& surface, const AttributeField& field, Halfedge h)
+      : surface_(surface), field_(field), h_(h), edge_(surface.edge_quadric(h)) {}
+
+  Choice at_target() const {
+    return {surface_.mesh().position(surface_.mesh().target(h_)), surface_cost(edge_.half),
+            field_.cost_at_target(surface_, h_)};
+  }
+  Choice at_origin() const {
+    return {surface_.mesh().position(surface_.mesh().origin(h_)), surface_cost(edge_.half * -1.0F),
+            field_.cost_at_origin(surface_, h_)};
+  }
+  Choice at_end() const {
+    const Choice origin = at_origin();
+    const Choice target = at_target();
+    return target.total() <= origin.total() ? target : origin;
+  }
+  Choice at_midpoint() const { return at({0.0F, 0.0F, 0.0F}, field_.quadric(surface_, h_)); }
+  Choice best() const {
+    const AttributeQuadric attributes = field_.quadric(surface_, h_);
+    EdgeQuadric<float> sum = edge_;
+    sum.both = sum.both + attributes.a;
+    sum.linear = sum.linear + attributes.linear;
+    return at(best_offset(sum, edge_.both.trace()), attributes);
+  }
+
+  float tie_break() const { return kTieBreak * edge_.scale(); }
+  /// Computes the cost of the surface without cancellation if it is small. If the vertex may move,
+  /// an end that is clearly cheaper replaces the position.
+  Choice refined(Choice choice, bool may_move) const {
+    if (choice.surface >= kQuadricDoubt * edge_.scale()) return choice;
+    const std::optional<PlaneCosts> costs = plane_costs(surface_, h_, choice.position);
+    if (!costs) return choice;
+    choice.surface = costs->at_point;
+    if (!may_move) return choice;
+    Choice origin = at_origin();
+    Choice target = at_target();
+    origin.surface = costs->at_origin;
+    target.surface = costs->at_target;
+    for (const Choice& end : {origin, target}) {
+      if (end.total() + kClearlyCheaper * tie_break() < choice.total()) choice = end;
+    }
+    return choice;
+  }
+
+ private:
+  float surface_cost(const Vec3<float>& y) const { return std::max(edge_.cost(y), 0.0F); }
+  Choice at(const Vec3<float>& y, const AttributeQuadric& attributes) const {
+    const Vec3<float> p = surface_.midpoint(h_) + y;
+    return {{p.x, p.y, p.z}, surface_cost(y), attributes.cost(y)};
+  }
+
+  const Surface& surface_;
+  const AttributeField& field_;
+  Halfedge h_;
+  EdgeQuadric<float> edge_;
+};
+
+Choice choose(const Choices& choices, AllowedPlacement allowed, Placement placement) {
+  switch (allowed) {
+    case AllowedPlacement::at_origin:
+      return choices.at_origin();
+    case AllowedPlacement::at_target:
+      return choices.at_target();
+    default:
+      break;
+  }
+  switch (placement) {
+    case Placement::endpoint:
+      return choices.at_end();
+    case Placement::midpoint:
+      return choices.at_midpoint();
+    default:
+      return choices.best();
+  }
+}
+
+}  // namespace
+
+Candidate AttributePolicy::evaluate(const Surface& surface, Halfedge h,
+                                    AllowedPlacement allowed) const {
+  const Choices choices(surface, field_, h);
+  const bool may_move = allowed == AllowedPlacement::anywhere && placement() == Placement::optimal;
+  const Choice choice = choices.refined(choose(choices, allowed, placement()), may_move);
+  return {choice.total() + choices.tie_break(), choice.surface, choice.position};
+}
+
+void AttributePolicy::evaluate_costs(const Surface& surface, std::span<const Halfedge> edges,
+                                     CostPrecision precision, float* costs) const {
+  if (placement() != Placement::optimal || precision == CostPrecision::exact) {
+    return CollapsePolicy::evaluate_costs(surface, edges, precision, costs);
+  }
+  // Constrained edges are evaluated exactly.
+  QuadricPolicy::evaluate_costs(surface, edges, precision, costs);
+  constexpr float kGuessedShare = 0.5F;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Halfedge h = edges[i];
+    if (surface.is_feature(h) || surface.allowed_placement(h) != AllowedPlacement::anywhere)
+      continue;
+    costs[i] += kGuessedShare * std::max(field_.quadric(surface, h).constant, 0.0F);
+  }
+}
+
+void AttributePolicy::evaluate_around(const Surface& surface, Vertex v, const Fan& fan,
+                                      CostPrecision precision, float* costs) const {
+  CollapsePolicy::evaluate_around(surface, v, fan, precision, costs);
+}
+
+}  // namespace mesher::simplify
