@@ -1,6 +1,7 @@
 #include "engine/simplify/attribute_field.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/core/parallel.h"
 #include "engine/mesh/circulators.h"
@@ -13,23 +14,12 @@ constexpr std::size_t kFieldGrain = std::size_t{1} << 12;
 // sliver is noise, and its rounding would stay in the sums.
 constexpr float kThinnest = 0.01F;
 
-Quadric<float> matrix(const float* sums) {
-  return {sums[1], sums[2], sums[3], sums[4], sums[5], sums[6], {0.0F, 0.0F, 0.0F}};
-}
-
-/// Four components of gradients: three coordinates of four attributes.
-Vec3<Float4> four_gradients(const float* sums, std::size_t size) {
-  return {load4(sums), load4(sums + size), load4(sums + 2 * size)};
+Quadric<float> matrix(const float* record) {
+  return {record[1], record[2], record[3], record[4], record[5], record[6], {0.0F, 0.0F, 0.0F}};
 }
 
 float sum_of(Float4 lanes) {
   return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
-}
-Vec3<float> sum_of(const Vec3<Float4>& lanes) {
-  return {sum_of(lanes.x), sum_of(lanes.y), sum_of(lanes.z)};
-}
-Vec3<Float4> in_lanes(const Vec3<float>& v) {
-  return {broadcast<Float4>(v.x), broadcast<Float4>(v.y), broadcast<Float4>(v.z)};
 }
 
 /// The directions by which differences of a value become its gradient over a face.
@@ -52,15 +42,40 @@ GradientBasis gradient_basis(const std::array<Vec3<float>, 3>& p) {
   return {cross(second, normal) * inverse, cross(normal, first) * inverse, 0.5F * std::sqrt(area2)};
 }
 
+/// Four rows as columns: the same component of four records.
+struct Columns {
+  Float4 a, b, c, d;
+  explicit Columns(const std::array<const float*, 4>& rows, std::size_t offset)
+      : a(load4(rows[0] + offset)),
+        b(load4(rows[1] + offset)),
+        c(load4(rows[2] + offset)),
+        d(load4(rows[3] + offset)) {
+    transpose(a, b, c, d);
+  }
+  Vec3<Float4> xyz() const { return {a, b, c}; }
+};
+
+/// Four sums of areas and of matrices.
+struct Headers {
+  Float4 area;
+  Quadric<Float4> matrix;
+  explicit Headers(const std::array<const float*, 4>& records) {
+    const Columns first(records, 0);
+    const Columns second(records, 4);
+    area = first.a;
+    matrix = Quadric<Float4>{first.b, first.c, first.d, second.a, second.b, second.c, {}};
+  }
+};
+
 }  // namespace
 
-/// What one face adds to the sums of its corners' wedges.
+/// What one face adds to the record of its corners' wedges.
 struct AttributeField::Contribution {
-  std::array<Float4, kHeader / 4 + 3 * kMost / 4> rows;
+  std::array<Float4, 2 + kMost> rows;
 };
 
 AttributeField::AttributeField(const Surface& surface, const AttributeMetric& metric)
-    : size_((metric.size + 3) / 4 * 4), used_(metric.size), stride_(kHeader + 3 * size_) {
+    : size_(metric.size), stride_(row(metric.size)) {
   find_wedges(surface, metric);
   find_sums(surface);
 }
@@ -69,24 +84,22 @@ AttributeField::AttributeField(const Surface& surface, const AttributeMetric& me
 void AttributeField::find_wedges(const Surface& surface, const AttributeMetric& metric) {
   const Mesh& mesh = surface.mesh();
   wedge_.assign(mesh.halfedge_count(), kNone);
-  std::uint32_t count = 0;
-  const auto begin_wedge = [&] {
-    values_.insert(values_.end(), size_, 0.0F);
-    return count++;
-  };
+  records_.reserve(stride_ * mesh.vertex_count());
+  source_.reserve(mesh.vertex_count());
   std::vector<Halfedge> run;
-  const auto end_run = [&] {
-    if (run.empty()) return;
-    const std::uint32_t wedge = begin_wedge();
+  const auto make_wedge = [&] {
+    const auto wedge = static_cast<std::uint32_t>(source_.size());
     const std::uint32_t source = metric.of_corner[run.front().index()];
     const bool is_one =
         std::ranges::all_of(run, [&](Halfedge h) { return metric.of_corner[h.index()] == source; });
     source_.push_back(is_one ? source : kNone);
-    const float share = 1.0F / static_cast<float>(run.size());
-    for (const Halfedge h : run) {
+    records_.insert(records_.end(), stride_, 0.0F);
+    const float share = is_one ? 1.0F : 1.0F / static_cast<float>(run.size());
+    for (const Halfedge h : run)
       wedge_[h.index()] = wedge;
-      for (std::size_t j = 0; j < used_; ++j)
-        values_[size_ * wedge + j] += share * metric.at(h.index())[j];
+    for (const Halfedge h : std::span(run).first(is_one ? 1 : run.size())) {
+      for (std::size_t j = 0; j < size_; ++j)
+        record(wedge)[row(j) + 3] += share * metric.at(h.index())[j];
     }
     run.clear();
   };
@@ -102,20 +115,19 @@ void AttributeField::find_wedges(const Surface& surface, const AttributeMetric& 
     do {
       run.push_back(*at);
     } while (!surface.is_feature(Mesh::prev(*at)) && at.advance());
-    end_run();
+    make_wedge();
   }
 }
 
 void AttributeField::find_sums(const Surface& surface) {
   const Mesh& mesh = surface.mesh();
-  sums_.assign(stride_ * source_.size(), 0.0F);
   parallel_for(mesh.vertex_count(), kFieldGrain, [&](IndexRange range) {
     Contribution contribution;
     for (std::size_t v = range.begin; v < range.end; ++v) {
       for (const Halfedge h : halfedges_around(mesh, Vertex(static_cast<std::uint32_t>(v)))) {
         const Corners corners = this->corners(surface, h);
-        contribute(corners, contribution);
-        add(corners.wedge[0], contribution);
+        contribute(corners, nullptr, contribution);
+        change(corners.wedge[0], contribution, 1.0F);
       }
     }
   });
@@ -127,60 +139,50 @@ AttributeField::Corners AttributeField::corners(const Surface& surface, Halfedge
   for (std::size_t c = 0; c < 3; ++c) {
     corners.position[c] = surface.state(surface.mesh().origin(around[c])).position;
     corners.wedge[c] = wedge_[around[c].index()];
-    corners.values[c] = values(corners.wedge[c]);
   }
   return corners;
 }
 
-void AttributeField::contribute(const Corners& corners, Contribution& to) const {
-  const auto& [a, b, c] = corners.values;
+/// `first`: the values at the first corner if they are not those of its wedge.
+void AttributeField::contribute(const Corners& corners, const Values* first,
+                                Contribution& to) const {
   const GradientBasis basis = gradient_basis(corners.position);
-  const Vec3<Float4> first = in_lanes(basis.of_first * basis.area);
-  const Vec3<Float4> second = in_lanes(basis.of_second * basis.area);
-  // A gradient is a combination of two vectors, so three sums give that of the outer products.
-  Float4 both_first{}, mixed{}, both_second{};
-  for (std::size_t j = 0; j < size_; j += 4) {
-    const Float4 at_first = load4(b + j) - load4(a + j);
-    const Float4 at_second = load4(c + j) - load4(a + j);
-    both_first += at_first * at_first;
-    mixed += at_first * at_second;
-    both_second += at_second * at_second;
-    const Vec3<Float4> gradients = first * at_first + second * at_second;
-    Float4* rows = &to.rows[(kHeader + j) / 4];
-    rows[0] = gradients.x;
-    rows[size_ / 4] = gradients.y;
-    rows[2 * (size_ / 4)] = gradients.z;
-  }
-  const float m = sum_of(mixed);
-  const Vec3<float> with_first = basis.of_first * sum_of(both_first) + basis.of_second * m;
-  const Vec3<float> with_second = basis.of_first * m + basis.of_second * sum_of(both_second);
   const Vec3<float> u = basis.of_first * basis.area;
   const Vec3<float> v = basis.of_second * basis.area;
+  const Float4 along_first{u.x, u.y, u.z, 0.0F};
+  const Float4 along_second{v.x, v.y, v.z, 0.0F};
+  // A gradient is a combination of two vectors, so three sums give that of the outer products.
+  float both_first = 0.0F;
+  float mixed = 0.0F;
+  float both_second = 0.0F;
+  for (std::size_t j = 0; j < size_; ++j) {
+    const float a = first != nullptr ? (*first)[j] : value(corners.wedge[0], j);
+    const float b = value(corners.wedge[1], j) - a;
+    const float c = value(corners.wedge[2], j) - a;
+    both_first += b * b;
+    mixed += b * c;
+    both_second += c * c;
+    to.rows[2 + j] = along_first * broadcast<Float4>(b) + along_second * broadcast<Float4>(c);
+  }
+  const Vec3<float> s = basis.of_first * both_first + basis.of_second * mixed;
+  const Vec3<float> t = basis.of_first * mixed + basis.of_second * both_second;
   to.rows[0] =
-      Float4{basis.area, with_first.x * u.x + with_second.x * v.x,
-             with_first.x * u.y + with_second.x * v.y, with_first.x * u.z + with_second.x * v.z};
-  to.rows[1] =
-      Float4{with_first.y * u.y + with_second.y * v.y, with_first.y * u.z + with_second.y * v.z,
-             with_first.z * u.z + with_second.z * v.z, 0.0F};
+      Float4{basis.area, s.x * u.x + t.x * v.x, s.x * u.y + t.x * v.y, s.x * u.z + t.x * v.z};
+  to.rows[1] = Float4{s.y * u.y + t.y * v.y, s.y * u.z + t.y * v.z, s.z * u.z + t.z * v.z, 0.0F};
 }
 
-void AttributeField::add(std::uint32_t wedge, const Contribution& contribution) {
-  float* to = sums(wedge);
+void AttributeField::change(std::uint32_t wedge, const Contribution& by, float sign) {
+  float* to = record(wedge);
+  const Float4 signs = broadcast<Float4>(sign);
   for (std::size_t k = 0; k < stride_; k += 4)
-    store4(to + k, load4(to + k) + contribution.rows[k / 4]);
+    store4(to + k, load4(to + k) + signs * by.rows[k / 4]);
 }
 
-void AttributeField::replace(std::uint32_t wedge, const Contribution& before,
-                             const Contribution& after) {
-  float* to = sums(wedge);
+/// Clears the sums; the values stay.
+void AttributeField::clear(std::uint32_t wedge) {
+  float* to = record(wedge);
   for (std::size_t k = 0; k < stride_; k += 4)
-    store4(to + k, load4(to + k) + (after.rows[k / 4] - before.rows[k / 4]));
-}
-
-void AttributeField::subtract(std::uint32_t wedge, const Contribution& contribution) {
-  float* to = sums(wedge);
-  for (std::size_t k = 0; k < stride_; k += 4)
-    store4(to + k, load4(to + k) - contribution.rows[k / 4]);
+    store4(to + k, Float4{0.0F, 0.0F, 0.0F, k < row(0) ? 0.0F : to[k + 3]});
 }
 
 AttributeField::Pairs AttributeField::pairs(const Mesh& mesh, Halfedge h) const {
@@ -192,70 +194,92 @@ AttributeField::Pairs AttributeField::pairs(const Mesh& mesh, Halfedge h) const 
   return result;
 }
 
-void AttributeField::add(const Pair& pair, const Vec3<float>& half, AttributeQuadric& to) const {
-  const float* s0 = sums(pair.origin);
-  const float* s1 = sums(pair.target);
-  const float* a0 = values(pair.origin);
-  const float* a1 = values(pair.target);
-  const Quadric<float> m0 = matrix(s0);
-  const Quadric<float> m1 = matrix(s1);
-  const Vec3<float> of_origin = m0.times(half);
-  const Vec3<float> of_target = m1.times(half);
-  const float area = s0[0] + s1[0];
-  const float inverse = area > 0.0F ? 1.0F / area : 0.0F;
-  const Vec3<Float4> half4 = in_lanes(half);
-  const Float4 inverse4 = broadcast<Float4>(inverse);
-  const Float4 target_area = broadcast<Float4>(s1[0]);
-  Float4 constant{};
-  Vec3<Float4> linear{};
-  Vec3<Float4> xyz{};    // with x
-  Vec3<Float4> yz_zz{};  // yy, yz, zz
-  for (std::size_t j = 0; j < size_; j += 4) {
-    const Vec3<Float4> g0 = four_gradients(s0 + kHeader + j, size_);
-    const Vec3<Float4> g1 = four_gradients(s1 + kHeader + j, size_);
-    const Vec3<Float4> g = g0 + g1;
-    const Float4 d = load4(a1 + j) - load4(a0 + j);
-    // The mean is (c + g.y) / area, relative to the value at the origin.
-    const Float4 c = target_area * d + dot(g0 - g1, half4);
-    const Float4 mean = c * inverse4;
-    constant += d * (target_area * d - broadcast<Float4>(2.0F) * dot(g1, half4)) - c * mean;
-    linear = linear - g1 * d + g * mean;
-    const Vec3<Float4> w = g * inverse4;
-    xyz = xyz + g * w.x;
-    yz_zz = yz_zz + Vec3<Float4>{g.y * w.y, g.y * w.z, g.z * w.z};
+AttributeQuadric<Float4> AttributeField::quadrics(const std::array<Pair, 4>& pairs,
+                                                  const Vec3<Float4>& half) const {
+  std::array<const float*, 4> from, to;
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    from[lane] = record(pairs[lane].origin);
+    to[lane] = record(pairs[lane].target);
   }
-  const Vec3<float> with_x = sum_of(xyz);
-  const Vec3<float> others = sum_of(yz_zz);
-  to.a =
-      to.a + (m0 + m1 -
-              Quadric<float>{
-                  with_x.x, with_x.y, with_x.z, others.x, others.y, others.z, {0.0F, 0.0F, 0.0F}});
-  to.linear = to.linear + (of_target - of_origin) + sum_of(linear);
-  to.constant += dot(half, of_origin + of_target) + sum_of(constant);
+  const Headers of_origin(from);
+  const Headers of_target(to);
+  const Vec3<Float4> at_origin = of_origin.matrix.times(half);
+  const Vec3<Float4> at_target = of_target.matrix.times(half);
+  const Float4 zero = broadcast<Float4>(0.0F);
+  const Float4 two = broadcast<Float4>(2.0F);
+  const Float4 area = of_origin.area + of_target.area;
+  const Float4 inverse = select(area > zero, broadcast<Float4>(1.0F) / area, zero);
+  AttributeQuadric<Float4> result{of_origin.matrix + of_target.matrix, at_target - at_origin,
+                                  dot(half, at_origin + at_target)};
+  for (std::size_t j = 0; j < size_; ++j) {
+    const Columns first(from, row(j));
+    const Columns second(to, row(j));
+    const Vec3<Float4> g = first.xyz() + second.xyz();
+    const Float4 d = second.d - first.d;
+    const Float4 weighted = of_target.area * d;
+    // The mean is (c + g.y) / area, relative to the value at the origin.
+    const Float4 c = weighted + dot(first.xyz() - second.xyz(), half);
+    const Float4 mean = c * inverse;
+    result.constant += d * (weighted - two * dot(second.xyz(), half)) - c * mean;
+    result.linear = result.linear - second.xyz() * d + g * mean;
+    const Vec3<Float4> w = g * inverse;
+    result.a.xx -= g.x * w.x;
+    result.a.xy -= g.x * w.y;
+    result.a.xz -= g.x * w.z;
+    result.a.yy -= g.y * w.y;
+    result.a.yz -= g.y * w.z;
+    result.a.zz -= g.z * w.z;
+  }
+  return result;
 }
 
-AttributeQuadric AttributeField::quadric(const Surface& surface, Halfedge h) const {
+AttributeQuadric<Float8> AttributeField::quadrics(const std::array<Halfedge, 8>& edges,
+                                                  const Vec3<Float8>& half) const {
+  std::array<std::array<Pair, 4>, 2> pairs;
+  for (std::size_t lane = 0; lane < 8; ++lane) {
+    const Halfedge h = edges[lane];
+    pairs[lane / 4][lane % 4] = {wedge_[h.index()], wedge_[Mesh::next(h).index()]};
+  }
+  const auto p = quadrics(pairs[0], {half.x.low, half.y.low, half.z.low});
+  const auto q = quadrics(pairs[1], {half.x.high, half.y.high, half.z.high});
+  return {{{p.a.xx, q.a.xx},
+           {p.a.xy, q.a.xy},
+           {p.a.xz, q.a.xz},
+           {p.a.yy, q.a.yy},
+           {p.a.yz, q.a.yz},
+           {p.a.zz, q.a.zz},
+           {}},
+          pair(p.linear, q.linear),
+          {p.constant, q.constant}};
+}
+
+AttributeQuadric<float> AttributeField::quadric(const Surface& surface, Halfedge h) const {
   const Mesh& mesh = surface.mesh();
   const Vec3<float> half =
       (surface.state(mesh.target(h)).position - surface.state(mesh.origin(h)).position) * 0.5F;
-  AttributeQuadric result;
-  for (const Pair& pair : pairs(mesh, h).all())
-    add(pair, half, result);
-  return result;
+  const Pairs sides = pairs(mesh, h);
+  std::array<Pair, 4> lanes;
+  lanes.fill(sides.pair[0]);
+  lanes[1] = sides.pair[sides.count - 1];
+  const AttributeQuadric<Float4> q = quadrics(
+      lanes, {broadcast<Float4>(half.x), broadcast<Float4>(half.y), broadcast<Float4>(half.z)});
+  const auto sum = [&](Float4 four) { return sides.count == 1 ? four[0] : four[0] + four[1]; };
+  return {{sum(q.a.xx), sum(q.a.xy), sum(q.a.xz), sum(q.a.yy), sum(q.a.yz), sum(q.a.zz), {}},
+          {sum(q.linear.x), sum(q.linear.y), sum(q.linear.z)},
+          sum(q.constant)};
 }
 
 /// Cost of moving the vertex of one wedge by `y`, where it gets the values of another one.
 float AttributeField::moving_cost(std::uint32_t moving, std::uint32_t fixed,
                                   const Vec3<float>& y) const {
-  const float* s = sums(moving);
-  const Vec3<Float4> y4 = in_lanes(y);
-  Float4 sum{};
-  for (std::size_t j = 0; j < size_; j += 4) {
-    const Float4 d = load4(values(moving) + j) - load4(values(fixed) + j);
-    const Float4 along = dot(four_gradients(s + kHeader + j, size_), y4);
-    sum += d * (broadcast<Float4>(2.0F) * along + broadcast<Float4>(s[0]) * d);
+  const float* s = record(moving);
+  const Float4 along{y.x, y.y, y.z, 0.0F};
+  float cost = dot(y, matrix(s).times(y));
+  for (std::size_t j = 0; j < size_; ++j) {
+    const float d = value(moving, j) - value(fixed, j);
+    cost += d * (2.0F * sum_of(load4(s + row(j)) * along) + s[0] * d);
   }
-  return std::max(dot(y, matrix(s).times(y)) + sum_of(sum), 0.0F);
+  return std::max(cost, 0.0F);
 }
 
 float AttributeField::cost_at_target(const Surface& surface, Halfedge h) const {
@@ -280,20 +304,19 @@ float AttributeField::cost_at_origin(const Surface& surface, Halfedge h) const {
 
 void AttributeField::merged_values(const Pair& pair, const Vec3<float>& half, const Vec3<float>& y,
                                    Values& to) const {
-  const float* s0 = sums(pair.origin);
-  const float* s1 = sums(pair.target);
+  const float* s0 = record(pair.origin);
+  const float* s1 = record(pair.target);
   const float area = s0[0] + s1[0];
-  const Vec3<Float4> from_origin = in_lanes(y + half);
-  const Vec3<Float4> from_target = in_lanes(y - half);
-  for (std::size_t j = 0; j < size_; j += 4) {
-    const Float4 a = load4(values(pair.origin) + j);
-    const Float4 d = load4(values(pair.target) + j) - a;
-    const Float4 sum = d * broadcast<Float4>(s1[0]) +
-                       dot(four_gradients(s0 + kHeader + j, size_), from_origin) +
-                       dot(four_gradients(s1 + kHeader + j, size_), from_target);
-    const Float4 share =
-        area > 0.0F ? sum * broadcast<Float4>(1.0F / area) : d * broadcast<Float4>(0.5F);
-    store4(to.data() + j, a + share);
+  const Vec3<float> from_origin = y + half;
+  const Vec3<float> from_target = y - half;
+  const Float4 along_origin{from_origin.x, from_origin.y, from_origin.z, 0.0F};
+  const Float4 along_target{from_target.x, from_target.y, from_target.z, 0.0F};
+  for (std::size_t j = 0; j < size_; ++j) {
+    const float a = value(pair.origin, j);
+    const float d = value(pair.target, j) - a;
+    const float sum =
+        s1[0] * d + sum_of(load4(s0 + row(j)) * along_origin + load4(s1 + row(j)) * along_target);
+    to[j] = area > 0.0F ? a + sum / area : a + 0.5F * d;
   }
 }
 
@@ -313,8 +336,8 @@ AttributeField::Merged AttributeField::merged(const Surface& surface, Halfedge h
     }
     const std::uint32_t end = is_at_target ? pair.target : pair.origin;
     result.source[i] = source_[end];
-    for (std::size_t j = 0; j < size_; j += 4)
-      store4(result.values[i].data() + j, load4(values(end) + j));
+    for (std::size_t j = 0; j < size_; ++j)
+      result.values[i][j] = value(end, j);
   }
   return result;
 }
@@ -323,48 +346,57 @@ void AttributeField::collapsing(const Surface& surface, Halfedge h, const Fan& f
                                 const glm::vec3& p) {
   const Mesh& mesh = surface.mesh();
   const Merged merged = this->merged(surface, h, p);
+  const auto side_of = [&](std::uint32_t wedge, std::uint32_t Pair::*end) {
+    std::size_t i = 0;
+    while (i < merged.pairs.count && merged.pairs.pair[i].*end != wedge)
+      ++i;
+    return i;
+  };
+  const auto name_after = [&](Halfedge spoke) {
+    const std::uint32_t wedge = wedge_[spoke.index()];
+    const std::size_t side = side_of(wedge, &Pair::origin);
+    return side < merged.pairs.count ? merged.pairs.pair[side].target : wedge;
+  };
   Contribution before, after;
   for (const Halfedge side : {h, mesh.twin(h)}) {
     if (!side.is_valid()) continue;
     const Corners corners = this->corners(surface, Mesh::prev(side));
-    contribute(corners, before);
-    subtract(corners.wedge[0], before);
+    contribute(corners, nullptr, before);
+    change(corners.wedge[0], before, -1.0F);
   }
-  // The wedges around the merged vertex are summed anew; no corner has those of `joined` any more.
-  const auto name_after = [&](Halfedge spoke) {
-    const std::uint32_t wedge = wedge_[spoke.index()];
-    for (std::size_t i = 0; i < merged.pairs.count; ++i) {
-      if (wedge == merged.pairs.pair[i].origin) return merged.pairs.pair[i].target;
-    }
-    return wedge;
-  };
-  const auto values_after = [&](std::uint32_t wedge) {
-    for (std::size_t i = 0; i < merged.pairs.count; ++i) {
-      if (wedge == merged.pairs.pair[i].target) return merged.values[i].data();
-    }
-    return static_cast<const float*>(values(wedge));
-  };
-  for (const Halfedge spoke : fan.spokes())
-    std::fill_n(sums(name_after(spoke)), stride_, 0.0F);
+  // The wedges of the merged vertex are summed anew.
+  std::uint32_t cleared = kNone;
+  for (const Halfedge spoke : fan.spokes()) {
+    const std::uint32_t wedge = name_after(spoke);
+    if (wedge != cleared) clear(wedge);
+    cleared = wedge;
+  }
   for (const Halfedge spoke : fan.spokes()) {
     Corners corners = this->corners(surface, spoke);
-    contribute(corners, before);
+    contribute(corners, nullptr, before);
     corners.wedge[0] = name_after(spoke);
-    corners.values[0] = values_after(corners.wedge[0]);
     corners.position[0] = {p.x, p.y, p.z};
-    contribute(corners, after);
-    add(corners.wedge[0], after);
-    replace(corners.wedge[1], before, after);
-    replace(corners.wedge[2], before, after);
+    const std::size_t side = side_of(corners.wedge[0], &Pair::target);
+    contribute(corners, side < merged.pairs.count ? &merged.values[side] : nullptr, after);
+    change(corners.wedge[0], after, 1.0F);
+    for (std::size_t k = 0; k < stride_ / 4; ++k)
+      after.rows[k] = after.rows[k] - before.rows[k];
+    change(corners.wedge[1], after, 1.0F);
+    change(corners.wedge[2], after, 1.0F);
   }
   for (const Halfedge spoke : fan.spokes())
     wedge_[spoke.index()] = name_after(spoke);
   for (std::size_t i = 0; i < merged.pairs.count; ++i) {
     const std::uint32_t wedge = merged.pairs.pair[i].target;
-    for (std::size_t j = 0; j < size_; j += 4)
-      store4(values(wedge) + j, load4(merged.values[i].data() + j));
+    for (std::size_t j = 0; j < size_; ++j)
+      record(wedge)[row(j) + 3] = merged.values[i][j];
     source_[wedge] = merged.source[i];
   }
+}
+
+void AttributeField::append_values(Halfedge h, float scale, Array<float>& to) const {
+  for (std::size_t j = 0; j < size_; ++j)
+    to.push_back(scale * value(wedge_[h.index()], j));
 }
 
 }  // namespace mesher::simplify

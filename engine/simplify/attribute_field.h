@@ -14,13 +14,15 @@ namespace mesher::simplify {
 
 /// What attributes add to the cost of merging an edge at midpoint + y: constant - 2 linear.y + y^T
 /// a y, as in EdgeQuadric.
+template <class F>
 struct AttributeQuadric {
-  Quadric<float> a{};  ///< g is not used
-  Vec3<float> linear{0.0F, 0.0F, 0.0F};
-  float constant = 0.0F;
+  Quadric<F> a;  ///< g is not used
+  Vec3<F> linear;
+  F constant;
 
-  float cost(const Vec3<float>& y) const {
-    return greater_of(constant - 2.0F * dot(linear, y) + dot(y, a.times(y)), 0.0F);
+  F cost(const Vec3<F>& y) const {
+    return greater_of(constant - broadcast<F>(2.0F) * dot(linear, y) + dot(y, a.times(y)),
+                      broadcast<F>(0.0F));
   }
 };
 
@@ -42,7 +44,11 @@ class AttributeField {
   AttributeField(const Surface& surface, const AttributeMetric& metric);
 
   /// Returns the cost of merging the edge of `h`, if the vertex may be placed anywhere. O(1).
-  AttributeQuadric quadric(const Surface& surface, Halfedge h) const;
+  AttributeQuadric<float> quadric(const Surface& surface, Halfedge h) const;
+  /// Returns those of eight edges at once. `half`: half the vectors from origin to target. Pre:
+  /// none of them is a feature.
+  AttributeQuadric<Float8> quadrics(const std::array<Halfedge, 8>& edges,
+                                    const Vec3<Float8>& half) const;
   /// Returns the cost of merging the edge of `h` into its target, whose attributes stay. O(1).
   float cost_at_target(const Surface& surface, Halfedge h) const;
   /// Same, into its origin.
@@ -52,26 +58,25 @@ class AttributeField {
   /// Pre: `fan` is that of `h`. O(valence).
   void collapsing(const Surface& surface, Halfedge h, const Fan& fan, const glm::vec3& p);
 
-  /// Returns the values at a corner, in the order and unit of the metric.
-  std::span<const float> at(Halfedge h) const { return {values(wedge_[h.index()]), used_}; }
+  /// Appends the values at a corner, in the order and unit of the metric.
+  void append_values(Halfedge h, float scale, Array<float>& to) const;
   /// Returns the wedge of the metric whose values a corner has kept, or kNone.
   std::uint32_t source(Halfedge h) const { return source_[wedge_[h.index()]]; }
 
-  /// What the corners show. Sums are not kept, so only reading is possible after `restore`.
+  /// What the corners show.
   struct Saved {
     Array<std::uint32_t> wedge;
-    Array<float> values;
+    Array<float> records;
     Array<std::uint32_t> source;
   };
-  Saved save() const { return {wedge_, values_, source_}; }
+  Saved save() const { return {wedge_, records_, source_}; }
   void restore(const Saved& saved) {
     wedge_ = saved.wedge;
-    values_ = saved.values;
+    records_ = saved.records;
     source_ = saved.source;
   }
 
  private:
-  static constexpr std::size_t kHeader = 8;  ///< area, six of the matrix, one unused
   static constexpr std::size_t kMost = AttributeMetric::kMost;
   using Values = std::array<float, kMost>;
   struct Contribution;
@@ -81,12 +86,12 @@ class AttributeField {
     std::uint32_t origin, target;
     friend bool operator==(const Pair&, const Pair&) = default;
   };
+  /// One, or two at a feature edge.
   struct Pairs {
     std::array<Pair, 2> pair;
     std::size_t count;
     std::span<const Pair> all() const { return {pair.data(), count}; }
   };
-
   /// What the wedges of `pairs` become by a collapse.
   struct Merged {
     Pairs pairs;
@@ -97,37 +102,35 @@ class AttributeField {
   struct Corners {
     std::array<Vec3<float>, 3> position;
     std::array<std::uint32_t, 3> wedge;
-    std::array<const float*, 3> values;
   };
 
   Pairs pairs(const Mesh& mesh, Halfedge h) const;
-  void add(const Pair& pair, const Vec3<float>& half, AttributeQuadric& to) const;
+  AttributeQuadric<Float4> quadrics(const std::array<Pair, 4>& pairs,
+                                    const Vec3<Float4>& half) const;
   float moving_cost(std::uint32_t moving, std::uint32_t fixed, const Vec3<float>& y) const;
   void merged_values(const Pair& pair, const Vec3<float>& half, const Vec3<float>& y,
                      Values& to) const;
   Merged merged(const Surface& surface, Halfedge h, const glm::vec3& p) const;
   Corners corners(const Surface& surface, Halfedge h) const;
-  void contribute(const Corners& corners, Contribution& to) const;
-  void add(std::uint32_t wedge, const Contribution& contribution);
-  void subtract(std::uint32_t wedge, const Contribution& contribution);
-  void replace(std::uint32_t wedge, const Contribution& before, const Contribution& after);
+  void contribute(const Corners& corners, const Values* first, Contribution& to) const;
+  void clear(std::uint32_t wedge);
+  void change(std::uint32_t wedge, const Contribution& by, float sign);
   void find_wedges(const Surface& surface, const AttributeMetric& metric);
   void find_sums(const Surface& surface);
 
-  float* sums(std::uint32_t wedge) { return &sums_[stride_ * wedge]; }
-  const float* sums(std::uint32_t wedge) const { return &sums_[stride_ * wedge]; }
-  float* values(std::uint32_t wedge) { return &values_[size_ * wedge]; }
-  const float* values(std::uint32_t wedge) const { return &values_[size_ * wedge]; }
+  // A record has four floats per row: the sum of areas, and of areas times outer products of all
+  // gradients (xx, xy, xz; yy, yz, zz, and one unused); then for each attribute the sum of areas
+  // times gradients, and the value.
+  float* record(std::uint32_t wedge) { return &records_[stride_ * wedge]; }
+  const float* record(std::uint32_t wedge) const { return &records_[stride_ * wedge]; }
+  static std::size_t row(std::size_t attribute) { return 8 + 4 * attribute; }
+  float value(std::uint32_t wedge, std::size_t j) const { return record(wedge)[row(j) + 3]; }
 
-  std::size_t size_;  ///< numbers per value, a multiple of four: the last ones may be 0
-  std::size_t used_;  ///< of them, those of the metric
+  std::size_t size_;
   std::size_t stride_;
   Array<std::uint32_t> wedge_;   ///< per half-edge
-  Array<float> values_;          ///< size_ per wedge
+  Array<float> records_;         ///< per wedge
   Array<std::uint32_t> source_;  ///< per wedge
-  /// Per wedge: the sum of areas; of areas times outer products of all gradients; and of areas
-  /// times gradients, first the x of all attributes, then y, then z.
-  Array<float> sums_;
 };
 
 }  // namespace mesher::simplify

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/simplify/eight_edges.h"
 #include "engine/simplify/plane_cost.h"
 
 namespace mesher::simplify {
@@ -35,7 +36,7 @@ class Choices {
   }
   Choice at_midpoint() const { return at({0.0F, 0.0F, 0.0F}, field_.quadric(surface_, h_)); }
   Choice best() const {
-    const AttributeQuadric attributes = field_.quadric(surface_, h_);
+    const AttributeQuadric<float> attributes = field_.quadric(surface_, h_);
     EdgeQuadric<float> sum = edge_;
     sum.both = sum.both + attributes.a;
     sum.linear = sum.linear + attributes.linear;
@@ -63,7 +64,7 @@ class Choices {
 
  private:
   float surface_cost(const Vec3<float>& y) const { return std::max(edge_.cost(y), 0.0F); }
-  Choice at(const Vec3<float>& y, const AttributeQuadric& attributes) const {
+  Choice at(const Vec3<float>& y, const AttributeQuadric<float>& attributes) const {
     const Vec3<float> p = surface_.midpoint(h_) + y;
     return {{p.x, p.y, p.z}, surface_cost(y), attributes.cost(y)};
   }
@@ -103,25 +104,53 @@ Candidate AttributePolicy::evaluate(const Surface& surface, Halfedge h,
   return {choice.total() + choices.tie_break(), choice.surface, choice.position};
 }
 
+/// Returns the costs of eight edges that may be merged anywhere.
+Float8 AttributePolicy::costs(const EdgeQuadric<Float8>& edges,
+                              const std::array<Halfedge, 8>& halfedges) const {
+  const AttributeQuadric<Float8> attributes = field_.quadrics(halfedges, edges.half);
+  EdgeQuadric<Float8> sum = edges;
+  sum.both = sum.both + attributes.a;
+  sum.linear = sum.linear + attributes.linear;
+  const Vec3<Float8> y = best_offset(sum, edges.both.trace());
+  return edges.ranked_cost(y) + attributes.cost(y);
+}
+
+/// Same, quickly: as guessed_cost, half the cost of merging at the midpoint.
+Float8 AttributePolicy::guessed_costs(const StateLanes<Float8>& from, const StateLanes<Float8>& to,
+                                      const std::array<Halfedge, 8>& halfedges) const {
+  const Vec3<Float8> edge = to.position - from.position;
+  const Float8 attributes = field_.quadrics(halfedges, edge * broadcast<Float8>(0.5F)).constant;
+  return guessed_cost(from.quadric, to.quadric, edge) +
+         greater_of(attributes, broadcast<Float8>(0.0F)) * broadcast<Float8>(0.5F);
+}
+
 void AttributePolicy::evaluate_costs(const Surface& surface, std::span<const Halfedge> edges,
                                      CostPrecision precision, float* costs) const {
-  if (placement() != Placement::optimal || precision == CostPrecision::exact) {
+  if (placement() != Placement::optimal)
     return CollapsePolicy::evaluate_costs(surface, edges, precision, costs);
-  }
-  // Constrained edges are evaluated exactly.
-  QuadricPolicy::evaluate_costs(surface, edges, precision, costs);
-  constexpr float kGuessedShare = 0.5F;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const Halfedge h = edges[i];
-    if (surface.is_feature(h) || surface.allowed_placement(h) != AllowedPlacement::anywhere)
-      continue;
-    costs[i] += kGuessedShare * std::max(field_.quadric(surface, h).constant, 0.0F);
-  }
+  const auto eight = [&](const EightHalfedges& halfedges) {
+    if (precision == CostPrecision::exact)
+      return this->costs(surface.edge_quadrics(halfedges), halfedges);
+    const auto [from, to] = surface.ends(halfedges);
+    return guessed_costs(from, to, halfedges);
+  };
+  const auto one = [&](Halfedge h, AllowedPlacement allowed) {
+    return evaluate(surface, h, allowed).cost;
+  };
+  evaluate_edges(surface, edges, eight, one, costs);
 }
 
 void AttributePolicy::evaluate_around(const Surface& surface, Vertex v, const Fan& fan,
                                       CostPrecision precision, float* costs) const {
-  CollapsePolicy::evaluate_around(surface, v, fan, precision, costs);
+  if (placement() != Placement::optimal || !fan.is_smooth())
+    return CollapsePolicy::evaluate_around(surface, v, fan, precision, costs);
+  const auto eight = [&](const StateLanes<Float8>& from, const StateLanes<Float8>& to,
+                         const EightHalfedges& halfedges, std::size_t first) {
+    return precision == CostPrecision::guess
+               ? guessed_costs(from, to, halfedges)
+               : this->costs(spoke_quadrics(fan, first, from, to), halfedges);
+  };
+  evaluate_spokes(surface, v, fan, eight, costs);
 }
 
 }  // namespace mesher::simplify

@@ -24,6 +24,10 @@ class AttributePolicy : public QuadricPolicy {
   AttributeField* attributes() override { return &field_; }
 
  private:
+  Float8 costs(const EdgeQuadric<Float8>& edges, const std::array<Halfedge, 8>& halfedges) const;
+  Float8 guessed_costs(const StateLanes<Float8>& from, const StateLanes<Float8>& to,
+                       const std::array<Halfedge, 8>& halfedges) const;
+
   AttributeField field_;
 };
 

@@ -1,68 +1,12 @@
 #include "engine/simplify/quadric_policy.h"
 
 #include <algorithm>
-#include <array>
 
+#include "engine/simplify/eight_edges.h"
 #include "engine/simplify/plane_cost.h"
 
 namespace mesher::simplify {
 namespace {
-
-template <class F>
-StateLanes<F> broadcast_state(const VertexState& s) {
-  const auto all = [](float x) { return broadcast<F>(x); };
-  const Quadric<float>& q = s.quadric;
-  return {{all(q.xx),
-           all(q.xy),
-           all(q.xz),
-           all(q.yy),
-           all(q.yz),
-           all(q.zz),
-           {all(q.g.x), all(q.g.y), all(q.g.z)}},
-          {all(s.position.x), all(s.position.y), all(s.position.z)}};
-}
-
-/// Collects edges and evaluates them in batches of eight.
-class EightEdges {
- public:
-  EightEdges(const Surface& surface, CostPrecision precision, float* costs)
-      : surface_(surface), precision_(precision), costs_(costs) {}
-
-  void add(Halfedge h, std::size_t index) {
-    edges_[count_] = h;
-    indices_[count_] = index;
-    if (++count_ == 8) flush();
-  }
-
-  void flush() {
-    if (count_ == 0) return;
-    std::fill(edges_.begin() + static_cast<std::ptrdiff_t>(count_), edges_.end(), edges_[0]);
-    const Float8 found = evaluate();
-    std::array<float, 8> all{};
-    store4(all.data(), found.low);
-    store4(all.data() + 4, found.high);
-    for (std::size_t lane = 0; lane < count_; ++lane)
-      costs_[indices_[lane]] = all[lane];
-    count_ = 0;
-  }
-
- private:
-  Float8 evaluate() const {
-    if (precision_ == CostPrecision::guess) {
-      const auto [from, to] = surface_.ends(edges_);
-      return guessed_cost(from.quadric, to.quadric, to.position - from.position);
-    }
-    const EdgeQuadric<Float8> quadrics = surface_.edge_quadrics(edges_);
-    return quadrics.ranked_cost(best_offset(quadrics));
-  }
-
-  const Surface& surface_;
-  CostPrecision precision_;
-  float* costs_;
-  std::array<Halfedge, 8> edges_{};
-  std::array<std::size_t, 8> indices_{};
-  std::size_t count_ = 0;
-};
 
 /// Recomputes the cost without cancellation. Damping moves the optimum off a corner of flat parts,
 /// so an end that is cheaper by more than `clearly` replaces it.
@@ -101,18 +45,21 @@ void QuadricPolicy::evaluate_costs(const Surface& surface, std::span<const Halfe
   if (placement_ != Placement::optimal) {
     return CollapsePolicy::evaluate_costs(surface, edges, precision, costs);
   }
-  EightEdges eight(surface, precision, costs);
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const AllowedPlacement allowed =
-        surface.is_constrained() ? surface.allowed_placement(edges[i]) : AllowedPlacement::anywhere;
-    if (allowed == AllowedPlacement::anywhere && !surface.is_feature(edges[i])) {
-      eight.add(edges[i], i);
-    } else {
-      costs[i] =
-          allowed == AllowedPlacement::nowhere ? kNever : evaluate(surface, edges[i], allowed).cost;
-    }
+  const auto one = [&](Halfedge h, AllowedPlacement allowed) {
+    return evaluate(surface, h, allowed).cost;
+  };
+  if (precision == CostPrecision::guess) {
+    const auto eight = [&](const EightHalfedges& halfedges) {
+      const auto [from, to] = surface.ends(halfedges);
+      return guessed_cost(from.quadric, to.quadric, to.position - from.position);
+    };
+    return evaluate_edges(surface, edges, eight, one, costs);
   }
-  eight.flush();
+  const auto eight = [&](const EightHalfedges& halfedges) {
+    const EdgeQuadric<Float8> quadrics = surface.edge_quadrics(halfedges);
+    return quadrics.ranked_cost(best_offset(quadrics));
+  };
+  evaluate_edges(surface, edges, eight, one, costs);
 }
 
 void QuadricPolicy::evaluate_around(const Surface& surface, Vertex v, const Fan& fan,
@@ -120,24 +67,14 @@ void QuadricPolicy::evaluate_around(const Surface& surface, Vertex v, const Fan&
   if (placement_ != Placement::optimal || !fan.is_smooth()) {
     return CollapsePolicy::evaluate_around(surface, v, fan, precision, costs);
   }
-  const StateLanes<Float8> from = broadcast_state<Float8>(surface.state(v));
-  for (std::size_t i = 0; i < fan.size(); i += 8) {
-    std::array<Vertex, 8> neighbors;
-    for (std::size_t lane = 0; lane < 8; ++lane)
-      neighbors[lane] = fan.ring()[std::min(i + lane, fan.size())];
-    const StateLanes<Float8> to = surface.states(neighbors);
-    const Vec3<Float8> edge = to.position - from.position;
-    Float8 found;
-    if (precision == CostPrecision::guess) {
-      found = guessed_cost(from.quadric, to.quadric, edge);
-    } else {
-      const Vec3<Float8> shared = fan.area_vectors_before(i) + fan.area_vectors(i);
-      const EdgeQuadric<Float8> edges(from.quadric, to.quadric, shared, edge);
-      found = edges.ranked_cost(best_offset(edges));
-    }
-    store4(costs + i, found.low);
-    store4(costs + i + 4, found.high);
-  }
+  const auto eight = [&](const StateLanes<Float8>& from, const StateLanes<Float8>& to,
+                         const EightHalfedges&, std::size_t first) {
+    if (precision == CostPrecision::guess)
+      return guessed_cost(from.quadric, to.quadric, to.position - from.position);
+    const EdgeQuadric<Float8> edges = spoke_quadrics(fan, first, from, to);
+    return edges.ranked_cost(best_offset(edges));
+  };
+  evaluate_spokes(surface, v, fan, eight, costs);
 }
 
 }  // namespace mesher::simplify

@@ -188,8 +188,7 @@ CornerVectors corner_vectors(const AttributeField& field, std::span<const Face> 
   for (const Face f : faces) {
     for (std::uint32_t c = 0; c < 3; ++c) {
       const Halfedge h = Mesh::halfedge(f, c);
-      for (const float x : field.at(h))
-        corners.values.push_back(scale * x);
+      field.append_values(h, scale, corners.values);
       corners.source.push_back(field.source(h));
     }
   }
