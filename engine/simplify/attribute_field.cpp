@@ -76,6 +76,9 @@ struct AttributeField::Contribution {
 
 AttributeField::AttributeField(const Surface& surface, const AttributeMetric& metric)
     : size_(metric.size), stride_(row(metric.size)) {
+  for (const AttributeMetric::Layer& layer : metric.layers) {
+    if (layer.is_texcoord) texcoords_.push_back(layer.first);
+  }
   find_wedges(surface, metric);
   find_sums(surface);
 }
@@ -342,21 +345,34 @@ AttributeField::Merged AttributeField::merged(const Surface& surface, Halfedge h
   return result;
 }
 
+bool AttributeField::flips_texture(const Surface& surface, Halfedge h, const Fan& fan,
+                                   const glm::vec3& p) const {
+  if (texcoords_.empty()) return false;
+  const Merged merged = this->merged(surface, h, p);
+  for (const Halfedge spoke : fan.spokes()) {
+    const std::uint32_t a = wedge_[spoke.index()];
+    const std::uint32_t b = wedge_[Mesh::next(spoke).index()];
+    const std::uint32_t c = wedge_[Mesh::prev(spoke).index()];
+    const std::uint32_t name = merged.name_after(a);
+    const Values* const values = merged.values_after(name);
+    if (values == nullptr) continue;  // none of its corners changes
+    for (const std::size_t j : texcoords_) {
+      const auto area = [&](float u, float v) {
+        return (value(b, j) - u) * (value(c, j + 1) - v) -
+               (value(b, j + 1) - v) * (value(c, j) - u);
+      };
+      const float before = area(value(a, j), value(a, j + 1));
+      const float after = area((*values)[j], (*values)[j + 1]);
+      if (before != 0.0F && !(before * after > 0.0F)) return true;
+    }
+  }
+  return false;
+}
+
 void AttributeField::collapsing(const Surface& surface, Halfedge h, const Fan& fan,
                                 const glm::vec3& p) {
   const Mesh& mesh = surface.mesh();
   const Merged merged = this->merged(surface, h, p);
-  const auto side_of = [&](std::uint32_t wedge, std::uint32_t Pair::*end) {
-    std::size_t i = 0;
-    while (i < merged.pairs.count && merged.pairs.pair[i].*end != wedge)
-      ++i;
-    return i;
-  };
-  const auto name_after = [&](Halfedge spoke) {
-    const std::uint32_t wedge = wedge_[spoke.index()];
-    const std::size_t side = side_of(wedge, &Pair::origin);
-    return side < merged.pairs.count ? merged.pairs.pair[side].target : wedge;
-  };
   Contribution before, after;
   for (const Halfedge side : {h, mesh.twin(h)}) {
     if (!side.is_valid()) continue;
@@ -367,17 +383,16 @@ void AttributeField::collapsing(const Surface& surface, Halfedge h, const Fan& f
   // The wedges of the merged vertex are summed anew.
   std::uint32_t cleared = kNone;
   for (const Halfedge spoke : fan.spokes()) {
-    const std::uint32_t wedge = name_after(spoke);
+    const std::uint32_t wedge = merged.name_after(wedge_[spoke.index()]);
     if (wedge != cleared) clear(wedge);
     cleared = wedge;
   }
   for (const Halfedge spoke : fan.spokes()) {
     Corners corners = this->corners(surface, spoke);
     contribute(corners, nullptr, before);
-    corners.wedge[0] = name_after(spoke);
+    corners.wedge[0] = merged.name_after(corners.wedge[0]);
     corners.position[0] = {p.x, p.y, p.z};
-    const std::size_t side = side_of(corners.wedge[0], &Pair::target);
-    contribute(corners, side < merged.pairs.count ? &merged.values[side] : nullptr, after);
+    contribute(corners, merged.values_after(corners.wedge[0]), after);
     change(corners.wedge[0], after, 1.0F);
     for (std::size_t k = 0; k < stride_ / 4; ++k)
       after.rows[k] = after.rows[k] - before.rows[k];
@@ -385,7 +400,7 @@ void AttributeField::collapsing(const Surface& surface, Halfedge h, const Fan& f
     change(corners.wedge[2], after, 1.0F);
   }
   for (const Halfedge spoke : fan.spokes())
-    wedge_[spoke.index()] = name_after(spoke);
+    wedge_[spoke.index()] = merged.name_after(wedge_[spoke.index()]);
   for (std::size_t i = 0; i < merged.pairs.count; ++i) {
     const std::uint32_t wedge = merged.pairs.pair[i].target;
     for (std::size_t j = 0; j < size_; ++j)

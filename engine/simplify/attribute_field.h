@@ -54,6 +54,9 @@ class AttributeField {
   /// Same, into its origin.
   float cost_at_origin(const Surface& surface, Halfedge h) const;
 
+  /// Returns whether a face would turn over in texture space, or lose its area there. Faces without
+  /// area there may. Pre: `fan` is that of `h`. O(valence).
+  bool flips_texture(const Surface& surface, Halfedge h, const Fan& fan, const glm::vec3& p) const;
   /// Follows a collapse that is about to happen. Regions may do so at once, each for its vertices.
   /// Pre: `fan` is that of `h`. O(valence).
   void collapsing(const Surface& surface, Halfedge h, const Fan& fan, const glm::vec3& p);
@@ -97,6 +100,24 @@ class AttributeField {
     Pairs pairs;
     std::array<Values, 2> values;
     std::array<std::uint32_t, 2> source{kNone, kNone};
+
+    /// Returns the side whose wedge at one end of the edge is `wedge`, or pairs.count.
+    std::size_t side(std::uint32_t wedge, std::uint32_t Pair::*end) const {
+      std::size_t i = 0;
+      while (i < pairs.count && pairs.pair[i].*end != wedge)
+        ++i;
+      return i;
+    }
+    /// Returns what a wedge at the edge's origin becomes; others stay.
+    std::uint32_t name_after(std::uint32_t wedge) const {
+      const std::size_t i = side(wedge, &Pair::origin);
+      return i < pairs.count ? pairs.pair[i].target : wedge;
+    }
+    /// Returns the values that a wedge will have if they change, or null.
+    const Values* values_after(std::uint32_t wedge) const {
+      const std::size_t i = side(wedge, &Pair::target);
+      return i < pairs.count ? &values[i] : nullptr;
+    }
   };
   /// A face, from one of its corners on.
   struct Corners {
@@ -128,9 +149,10 @@ class AttributeField {
 
   std::size_t size_;
   std::size_t stride_;
-  Array<std::uint32_t> wedge_;   ///< per half-edge
-  Array<float> records_;         ///< per wedge
-  Array<std::uint32_t> source_;  ///< per wedge
+  std::vector<std::size_t> texcoords_;  ///< first of two numbers each
+  Array<std::uint32_t> wedge_;          ///< per half-edge
+  Array<float> records_;                ///< per wedge
+  Array<std::uint32_t> source_;         ///< per wedge
 };
 
 }  // namespace mesher::simplify

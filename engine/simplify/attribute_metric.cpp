@@ -83,7 +83,7 @@ void choose_layers(const Mesh& mesh, const Attributes& attributes, const Attribu
     const double factor = factor_of(mesh, attributes, layer, weights);
     const std::size_t size = metric.size + layer.type().components;
     if (!(factor > 0.0) || !std::isfinite(factor) || size > AttributeMetric::kMost) continue;
-    metric.layers.push_back({i, factor});
+    metric.layers.push_back({i, factor, metric.size, layer.type().kind == AttributeKind::texcoord});
     metric.size = size;
   }
 }
@@ -100,11 +100,11 @@ AttributeMetric attribute_metric(const Mesh& mesh, const Attributes& attributes,
   parallel_for(wedges, kMetricGrain, [&](IndexRange range) {
     for (std::size_t w = range.begin; w < range.end; ++w) {
       float* to = &metric.values[metric.size * w];
-      for (const auto& [index, factor] : metric.layers) {
-        const AttributeLayer& layer = attributes.layers[index];
+      for (const AttributeMetric::Layer& counted : metric.layers) {
+        const AttributeLayer& layer = attributes.layers[counted.index];
         const AttributeValue value = load(layer, w);
         for (std::size_t k = 0; k < layer.type().components; ++k) {
-          const auto x = static_cast<float>(factor * value[k]);
+          const auto x = static_cast<float>(counted.factor * value[k]);
           *to++ = std::isfinite(x) ? x : 0.0F;
         }
       }

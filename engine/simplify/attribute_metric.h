@@ -37,6 +37,8 @@ struct AttributeMetric {
   struct Layer {
     std::size_t index;  ///< in Attributes::layers
     double factor;      ///< from its values to lengths
+    std::size_t first;  ///< of its numbers in a vector
+    bool is_texcoord;
   };
 
   std::size_t size = 0;            ///< numbers per vector, 0 to kMost

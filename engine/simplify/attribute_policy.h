@@ -18,6 +18,10 @@ class AttributePolicy : public QuadricPolicy {
                       CostPrecision precision, float* costs) const override;
   void evaluate_around(const Surface& surface, Vertex v, const Fan& fan, CostPrecision precision,
                        float* costs) const override;
+  bool allows(const Surface& surface, Halfedge h, const Fan& fan,
+              const glm::vec3& p) const override {
+    return !field_.flips_texture(surface, h, fan, p);
+  }
   void collapsing(const Surface& surface, Halfedge h, const Fan& fan, const glm::vec3& p) override {
     field_.collapsing(surface, h, fan, p);
   }

@@ -398,14 +398,10 @@ class Carrier {
   /// Sets the values of a layer of the metric. Returns false if it is none.
   bool set_followed(std::size_t index, const AttributeLayer& from, AttributeLayer& to) const {
     if (followed_ == nullptr) return false;
-    const AttributeMetric& metric = followed_->metric;
-    std::size_t first = 0;
-    for (const auto& [layer, factor] : metric.layers) {
-      if (layer == index) {
-        set_values(first, factor, from, to);
-        return true;
-      }
-      first += input_.attributes.layers[layer].type().components;
+    for (const AttributeMetric::Layer& layer : followed_->metric.layers) {
+      if (layer.index != index) continue;
+      set_values(layer.first, layer.factor, from, to);
+      return true;
     }
     return false;
   }
@@ -498,10 +494,7 @@ SimplifiedModel simplify_model(Mesh&& mesh, const Attributes& attributes,
   stages.next();
   Mesh marked(mesh);
   mark_seams(marked, attributes);
-  AttributeWeights weights;
-  if (const char* e = getenv("WT"))
-    sscanf(e, "%f,%f,%f", &weights.texcoord, &weights.normal, &weights.color);
-  const AttributeMetric metric = attribute_metric(mesh, attributes, weights);
+  const AttributeMetric metric = attribute_metric(mesh, attributes, options.weights());
   result.simplified = run(std::move(marked), &metric);
   const bool is_stuck = result.simplified.report.reason == StopReason::no_legal_collapse &&
                         result.simplified.report.faces_reached > options.target_faces;

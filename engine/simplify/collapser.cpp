@@ -320,6 +320,9 @@ std::optional<Rejection> Collapser::check(Halfedge h, const Candidate& candidate
   if (cause == Fan::kLegal && fan_.turned_area() > 0.0F && !context_.policy.costs_are_errors()) {
     cause = Rejection::fold_over;
   }
+  if (cause == Fan::kLegal && !context_.policy.allows(surface, h, fan_, candidate.position)) {
+    cause = Rejection::fold_over;
+  }
   if (cause == Fan::kLegal && context_.bound != nullptr) {
     const Mesh& mesh = surface.mesh();
     const bool is_near =

@@ -18,6 +18,10 @@ void CollapsePolicy::evaluate_around(const Surface& surface, Vertex, const Fan& 
   evaluate_costs(surface, {&last, 1}, precision, costs + fan.size());
 }
 
+bool CollapsePolicy::allows(const Surface&, Halfedge, const Fan&, const glm::vec3&) const {
+  return true;
+}
+
 void CollapsePolicy::collapsing(const Surface&, Halfedge, const Fan&, const glm::vec3&) {}
 
 Placed place(const Surface& surface, Halfedge h, const EdgeQuadric<float>& edge,

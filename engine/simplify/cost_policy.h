@@ -48,6 +48,9 @@ class CollapsePolicy {
   /// with them (appraisal.h). If not, a collapse that turns or folds a face is refused.
   virtual bool costs_are_errors() const { return false; }
 
+  /// Returns whether a collapse keeps what the policy protects. Pre: `fan` is that of `h`.
+  virtual bool allows(const Surface& surface, Halfedge h, const Fan& fan, const glm::vec3& p) const;
+
   /// Called before the edge of `h` is merged at `p`: its origin into its target. Pre: `fan` is that
   /// of `h`.
   virtual void collapsing(const Surface& surface, Halfedge h, const Fan& fan, const glm::vec3& p);

@@ -7,11 +7,11 @@
 #include "engine/core/choice.h"
 #include "engine/core/option.h"
 #include "engine/core/progress.h"
+#include "engine/simplify/attribute_metric.h"
 
 namespace mesher::simplify {
 
 class CollapseObserver;
-struct AttributeMetric;
 
 /// Which edge is collapsed first.
 enum class CostPolicy : std::uint8_t {
@@ -131,8 +131,14 @@ struct SimplifyOptions {
   /// engine/analysis/triangle_pair.h defines an intersection).
   bool no_intersections = false;
 
-  /// Attributes of the mesh that the cost counts; null: none.
+  /// Attributes of the mesh that the default cost counts; null: none. simplify_model sets it.
   const AttributeMetric* metric = nullptr;
+
+  /// See AttributeWeights.
+  float weight_uv = AttributeWeights{}.texcoord;
+  float weight_normal = AttributeWeights{}.normal;
+  float weight_color = AttributeWeights{}.color;
+  AttributeWeights weights() const { return {weight_uv, weight_normal, weight_color}; }
 
   ResultOrder order = ResultOrder::input;
   CollapseObserver* observer = nullptr;  ///< told of every collapse
@@ -140,6 +146,11 @@ struct SimplifyOptions {
 
   friend bool operator==(const SimplifyOptions&, const SimplifyOptions&) = default;
 };
+
+inline constexpr double kMostWeight = 100.0;
+inline bool counts_attributes(const SimplifyOptions& options) {
+  return options.cost == CostPolicy::quadric;
+}
 
 /// The rules of simplification, which every command and panel that simplifies takes.
 inline constexpr std::array kSimplifyRules{
@@ -169,6 +180,28 @@ inline constexpr std::array kSimplifyRules{
         .help = "seed of the random policy: the same seed gives the same mesh",
         .member = &SimplifyOptions::seed,
         .applies = [](const SimplifyOptions& o) { return o.cost == CostPolicy::random; }},
+    Option<SimplifyOptions>{
+        .key = "weight-uv",
+        .label = "weight of textures",
+        .help = "how much a texture that slides counts against a surface that moves as far",
+        .member = &SimplifyOptions::weight_uv,
+        .most = kMostWeight,
+        .applies = counts_attributes},
+    Option<SimplifyOptions>{
+        .key = "weight-normal",
+        .label = "weight of normals",
+        .help = "how much normals count: 1 weighs a radian like a hundredth of the diagonal",
+        .member = &SimplifyOptions::weight_normal,
+        .most = kMostWeight,
+        .applies = counts_attributes},
+    Option<SimplifyOptions>{
+        .key = "weight-color",
+        .label = "weight of colors",
+        .help = "how much colors count: 1 weighs black against white like a hundredth of the "
+                "diagonal",
+        .member = &SimplifyOptions::weight_color,
+        .most = kMostWeight,
+        .applies = counts_attributes},
     Option<SimplifyOptions>{.key = "no-intersections",
                             .label = "no intersections",
                             .help = "refuse collapses that make faces intersect",
