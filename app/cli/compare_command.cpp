@@ -90,7 +90,7 @@ Json comparison_json(const LoadedModel& a, const LoadedModel& b, const CompareAr
   json["first_self_intersections"] = found.first_pairs;
   json["second_self_intersections"] = found.second_pairs;
   if (!found.scenes.meshes.empty()) add_meshes(json, found.scenes);
-  add_look(json, found.look);
+  add_look(json, found.look, found.distance.diagonal);
   if (found.pictures) json["pictures"] = to_json(*found.pictures);
   add_pm(json, a.pm, "first_pm");
   add_pm(json, b.pm, "second_pm");
@@ -118,7 +118,7 @@ void print_text(const Comparison& found) {
                                          percent_text(distance.percent(certified.upper))));
   for (const auto& [label, text] : rows_of(found.scenes))
     print_row(label, text);
-  for (const auto& [label, text] : rows_of(found.look))
+  for (const auto& [label, text] : rows_of(found.look, distance.diagonal))
     print_row(label, text);
   if (!found.pictures) return;
   for (const auto& [label, text] : rows_of(*found.pictures))

@@ -18,9 +18,10 @@ std::vector<analysis::FaceTexture> face_textures(const Model& model);
 analysis::LookDeviation look_deviation(const Model& a, const Model& b, std::uint64_t samples,
                                        Progress* progress);
 
-/// Adds the measures, and why others are missing.
-void add_look(Json& json, const analysis::LookDeviation& look);
+/// Adds the measures, and why others are missing. `diagonal` is what percentages are of.
+void add_look(Json& json, const analysis::LookDeviation& look, double diagonal);
 /// A label and what is printed behind it.
-std::vector<std::pair<std::string, std::string>> rows_of(const analysis::LookDeviation& look);
+std::vector<std::pair<std::string, std::string>> rows_of(const analysis::LookDeviation& look,
+                                                         double diagonal);
 
 }  // namespace mesher::app

@@ -10,15 +10,13 @@
 
 namespace mesher::analysis {
 
-/// Returns `measure(i)` for each sample, in their order, without those that are not finite.
-/// Parallel.
+/// Returns `measure(i)` for each sample, in their order. Parallel.
 template <class Measure>
 std::vector<float> values_at_samples(std::size_t samples, const Measure& measure) {
   constexpr std::size_t kGrain = 4096;
   std::vector<float> values(samples);
   parallel_for_each(samples, kGrain,
                     [&](std::uint32_t i) { values[i] = static_cast<float>(measure(i)); });
-  std::erase_if(values, [](float value) { return !std::isfinite(value); });
   return values;
 }
 

@@ -8,6 +8,7 @@
 namespace mesher::analysis {
 
 Spread::Spread(std::vector<float> values) : values_(std::move(values)) {
+  std::erase_if(values_, [](float value) { return !std::isfinite(value); });
   std::sort(values_.begin(), values_.end());
   double sum = 0.0;
   double squares = 0.0;

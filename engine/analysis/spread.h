@@ -5,11 +5,11 @@
 
 namespace mesher::analysis {
 
-/// A measure at samples that stand for equal areas, and its statistics. Values are finite.
+/// A measure at samples that stand for equal areas, and its statistics.
 class Spread {
  public:
   Spread() = default;
-  /// Sorts the values. O(n log n).
+  /// Leaves out values that are not finite: samples that cannot be measured. O(n log n).
   explicit Spread(std::vector<float> values);
 
   bool is_empty() const { return values_.empty(); }

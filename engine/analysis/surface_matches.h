@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "engine/analysis/surface_point.h"
 #include "engine/analysis/triangle_tree.h"
@@ -32,13 +33,33 @@ class SurfaceMatches {
   Array<SurfacePoint> candidates_;
 };
 
-/// The most candidates of a sample.
-inline constexpr std::size_t kMostCandidates = 32;
+/// Returns the distance within which faces of a mesh count as equally near: a millionth of its
+/// diagonal. O(V).
+double equally_near(const Mesh& mesh);
 
-/// Returns the matches of `samples` points of `from` on `to`, whose tree is `tree`. Faces count as
-/// equally near within a millionth of the diagonal of `to`. The same for any number of threads;
-/// O(samples log F) expected, parallel. Memory: about 50 bytes per sample. Throws Cancelled. Pre:
-/// both meshes have faces.
+/// Finds the nearest points of a surface, for one thread. If more than kMostCandidates faces are
+/// equally near, the others are left out.
+class NearestPoints {
+ public:
+  static constexpr std::size_t kMostCandidates = 32;
+
+  /// `tree` must outlive this object; `tolerance` is equally_near() of its mesh.
+  NearestPoints(const TriangleTree& tree, double tolerance) : tree_(tree), tolerance_(tolerance) {}
+  /// Returns the points, at least one, until the next call. The same whatever was asked before.
+  /// O(log F) expected.
+  std::span<const SurfacePoint> nearest(const glm::dvec3& position);
+
+ private:
+  const TriangleTree& tree_;
+  double tolerance_;
+  Face hint_{0};
+  std::vector<Face> faces_;
+  std::vector<SurfacePoint> points_;
+};
+
+/// Returns the matches of `samples` points of `from` on `to`, whose tree is `tree`. The same for
+/// any number of threads; O(samples log F) expected, parallel. Memory: about 50 bytes per sample.
+/// Throws Cancelled. Pre: both meshes have faces.
 SurfaceMatches match_surfaces(const Mesh& from, const Mesh& to, const TriangleTree& tree,
                               std::uint64_t samples, Progress* progress = nullptr);
 
