@@ -63,7 +63,8 @@ UvTree::UvTree(const AttributedSurface& surface) {
     levels_.push_back(std::move(above));
   }
   const UvBox& all = levels_.back().front();
-  tolerance_ = 1e-6 * glm::length(all.uv_max - all.uv_min);
+  const glm::dvec2 largest = glm::max(glm::abs(all.uv_min), glm::abs(all.uv_max));
+  tolerance_ = 1e-6 * glm::max(largest.x, largest.y);
 }
 
 double UvTree::squared_distance(const glm::dvec2& uv, const glm::dvec3& near) const {

@@ -21,7 +21,7 @@ class UvTree {
   explicit UvTree(const AttributedSurface& surface);
 
   /// Returns the squared distance from `near` to the nearest point with these texture coordinates,
-  /// up to a millionth of the box of all of them; infinity if there is none. O(log F) expected if
+  /// up to a millionth of the largest one; infinity if there is none. O(log F) expected if
   /// few charts overlap near that point.
   double squared_distance(const glm::dvec2& uv, const glm::dvec3& near) const;
 
