@@ -162,16 +162,19 @@ void run_compare(const InputOptions& first, const InputOptions& second,
     }
   }
   Comparison found;
+  std::optional<PictureDifferences> pictures;
   {
     ProgressLine line(!common.quiet);
-    Stages stages(line.progress(), {1.0, 0.0, arguments.pictures.folder.empty() ? 0.0 : 1.0});
+    const bool draws = !arguments.pictures.folder.empty();
+    Stages stages(line.progress(), {draws ? 1.0 : 0.0, 1.0, 0.0});
+    // First, because a machine may have no device to draw with.
+    stages.next();
+    if (draws) pictures = compare_pictures(a, b, arguments.pictures, line.progress());
     stages.next();
     found = compare(a, b, arguments, line.progress());
     stages.next();
     found.scenes = compare_scenes(first, second, arguments.samples, line.progress());
-    stages.next();
-    if (!arguments.pictures.folder.empty())
-      found.pictures = compare_pictures(a, b, arguments.pictures, line.progress());
+    found.pictures = std::move(pictures);
   }
   if (common.json) return print_json(comparison_json(a, b, arguments, found));
   print_text(found);

@@ -99,8 +99,8 @@ std::string texture_text(const analysis::LookDeviation& look, double diagonal) {
     const double value = two_sided(*look.texture, figure);
     return fmt::format("{} ({})", figure_text(value), percent_text(percent_of(value, diagonal)));
   };
-  return fmt::format("rms {}, 95 % {}, max {}; {} of the area", text(rms), text(percentile<95>),
-                     text(most), percent_text(100.0 * look.texture_covered));
+  return fmt::format("rms {}, 95 % {}, max {}; over {} of the area", text(rms),
+                     text(percentile<95>), text(most), percent_text(100.0 * look.texture_covered));
 }
 
 }  // namespace
