@@ -13,9 +13,9 @@ namespace mesher::analysis {
 /// Returns `measure(i)` for each sample, in their order. Parallel.
 template <class Measure>
 std::vector<float> values_at_samples(std::size_t samples, const Measure& measure) {
-  constexpr std::size_t kGrain = 4096;
+  constexpr std::size_t kSamplesPerChunk = 4096;
   std::vector<float> values(samples);
-  parallel_for_each(samples, kGrain,
+  parallel_for_each(samples, kSamplesPerChunk,
                     [&](std::uint32_t i) { values[i] = static_cast<float>(measure(i)); });
   return values;
 }
