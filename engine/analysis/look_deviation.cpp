@@ -41,6 +41,29 @@ void measure_normals(const MatchedSurfaces& both, LookDeviation& look) {
                   normal_deviation(both.b, both.a, both.backward)};
 }
 
+/// Models may have texture coordinates that tell nothing: one color per face.
+void leave_out_empty(LookDeviation& look) {
+  if (look.uv_slide->is_empty()) {
+    look.uv_slide.reset();
+    look.not_measured.push_back({"UV slide", "no nearest points have texture coordinates"});
+  }
+  if (look.texture->is_empty()) {
+    look.texture.reset();
+    look.not_measured.push_back(
+        {"texture deviation", "the models have no texture coordinates in common"});
+  }
+  if (look.stretch->mean.is_empty()) {
+    look.stretch.reset();
+    look.not_measured.push_back(
+        {"UV stretch", "no faces near each other have texture coordinates with an area"});
+  }
+  if (look.flipped->compared == 0) {
+    look.flipped.reset();
+    look.not_measured.push_back(
+        {"flipped UVs", "no faces near each other have texture coordinates with an area"});
+  }
+}
+
 void measure_texture(const MatchedSurfaces& both, LookDeviation& look, Progress* progress) {
   if (!both_have(!UvLayers(both.a).is_empty(), !UvLayers(both.b).is_empty(), "texture coordinates",
                  look)) {
@@ -57,6 +80,7 @@ void measure_texture(const MatchedSurfaces& both, LookDeviation& look, Progress*
   check_cancelled(progress);
   look.stretch = uv_stretch(both.a, both.b, both.backward);
   look.flipped = flipped_uvs(both.a, both.tree_a, both.b);
+  leave_out_empty(look);
 }
 
 void measure_colors(const MatchedSurfaces& both, LookDeviation& look) {

@@ -85,6 +85,11 @@ double UvTree::bound(const UvQuery& query, const UvBox& box) const {
 }
 
 double UvTree::squared_distance(const UvQuery& query, const UvTriangle& t) const {
+  // Nearly all triangles end here.
+  const glm::dvec2 least = glm::min(glm::min(t.uv[0], t.uv[1]), t.uv[2]) - tolerance_;
+  const glm::dvec2 most = glm::max(glm::max(t.uv[0], t.uv[1]), t.uv[2]) + tolerance_;
+  if (query.uv.x < least.x || query.uv.y < least.y || query.uv.x > most.x || query.uv.y > most.y)
+    return kNoPoint;
   const double longest = longest_side(t.uv);
   if (longest <= tolerance_) return analysis::squared_distance(query.near, t.position);
   const auto point = [&](const glm::dvec3& w) {

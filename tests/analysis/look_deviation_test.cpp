@@ -102,6 +102,20 @@ TEST(LookDeviation, SaysWhatIsMissing) {
   EXPECT_EQ(look.not_measured[1].why, "the models have no vertex colors");
 }
 
+// A palette: each face has one point of the texture.
+TEST(LookDeviation, TextureWithoutAreaIsNotStretched) {
+  const auto palette = [](float u) {
+    return painted(grid(3), {.uv = [=](const glm::vec3&, std::size_t) { return glm::vec2(u); }});
+  };
+  const Painted a = palette(0.25F);
+  const Painted b = palette(0.5F);
+  const analysis::LookDeviation look =
+      analysis::look_deviation(a.surface(), b.surface(), {.samples = 1000});
+  EXPECT_TRUE(look.uv_slide);
+  EXPECT_FALSE(look.texture || look.stretch || look.flipped);
+  EXPECT_EQ(look.not_measured.size(), 4U) << "and colors";
+}
+
 TEST(LookDeviation, OfItselfIsNothing) {
   const Painted a = painted(
       torus(20, 12),

@@ -137,6 +137,18 @@ TEST(TextureDeviation, FacesOfOneColorCountAsAWhole) {
   EXPECT_EQ(deviation(all_at({0.5F, 0.5F}), all_at({0.75F, 0.5F})).covered, 0.0);
 }
 
+TEST(TextureDeviation, FacesOfAnotherColorDoNotCount) {
+  // The left half has one color, the right half another; in `b` they are exchanged.
+  const auto halves = [](float left, float right) {
+    return painted(grid(2), {.uv = [=](const glm::vec3&, std::size_t face) {
+                     return glm::vec2(face % 4 < 2 ? left : right, 0.5F);
+                   }});
+  };
+  const analysis::TextureDeviation d = deviation(halves(0.25F, 0.75F), halves(0.75F, 0.25F));
+  EXPECT_NEAR(d.distances.mean(), 0.5, 0.02);
+  EXPECT_EQ(d.covered, 1.0);
+}
+
 TEST(TextureDeviation, TextureOfOneLineIsMeasuredAcrossFaces) {
   const auto along_x = [](float shift) {
     return painted(grid(4), {.uv = [=](const glm::vec3& p, std::size_t) {
