@@ -135,10 +135,12 @@ analysis::LookDeviation look_deviation(const Model& a, const Model& b, std::uint
 }
 
 void add_look(Json& json, const analysis::LookDeviation& look, double diagonal) {
-  json["normal_deviation_deg"] =
-      figures_json(look.normals, {{"mean", mean}, {"p95", percentile<95>}, {"max", most}});
-  json["normal_deviation_deg"]["first_normals"] = source_of_normals(look.first_has_normals);
-  json["normal_deviation_deg"]["second_normals"] = source_of_normals(look.second_has_normals);
+  if (look.normals) {
+    Json& normals = json["normal_deviation_deg"];
+    normals = figures_json(*look.normals, {{"mean", mean}, {"p95", percentile<95>}, {"max", most}});
+    normals["first_normals"] = source_of_normals(look.first_has_normals);
+    normals["second_normals"] = source_of_normals(look.second_has_normals);
+  }
   if (look.texture) json["texture_deviation"] = texture_json(look, diagonal);
   if (look.uv_slide) {
     json["uv_slide_texels"] = figures_json(
@@ -164,9 +166,11 @@ std::vector<std::pair<std::string, std::string>> rows_of(const analysis::LookDev
   const auto both = [](const TwoSidedSpread& spread, Figure figure) {
     return figure_text(two_sided(spread, figure));
   };
-  rows.emplace_back("normals [deg]",
-                    fmt::format("mean {}, 95 % {}, max {}", both(look.normals, mean),
-                                both(look.normals, percentile<95>), both(look.normals, most)));
+  if (look.normals) {
+    rows.emplace_back("normals [deg]",
+                      fmt::format("mean {}, 95 % {}, max {}", both(*look.normals, mean),
+                                  both(*look.normals, percentile<95>), both(*look.normals, most)));
+  }
   if (look.texture) rows.emplace_back("texture deviation", texture_text(look, diagonal));
   if (look.uv_slide) {
     rows.emplace_back(

@@ -31,25 +31,42 @@ bool has_colors(const Model& model) {
   return has_materials || model.attributes.find(AttributeKind::color) != nullptr;
 }
 
-/// Returns the shape of a model, with the file's normals, in one gray material.
+/// Returns whether both sides of a group's faces are shown.
+bool is_two_sided(const FaceGroup& group, const Materials* materials) {
+  if (materials == nullptr || group.material >= materials->materials.size()) return true;
+  return materials->materials[group.material].is_two_sided;
+}
+
+/// Returns a gray material that is lit, with one or two sides.
+Material gray_material(bool is_two_sided) {
+  Material gray;
+  gray.base_color = {0.4F, 0.4F, 0.4F, 1.0F};
+  gray.metallic = 0.0F;
+  gray.roughness = 0.7F;
+  gray.is_two_sided = is_two_sided;
+  return gray;
+}
+
+/// Returns the shape of a model in gray, with the file's normals. Faces keep their number of sides:
+/// the two sheets of a leaf would flicker if both were shown from both sides.
 Model clay_of(const Model& model) {
   Model clay;
   clay.name = model.name;
   clay.mesh = model.mesh;
   clay.origin = model.origin;
   clay.attributes = model.attributes;
-  std::erase_if(clay.attributes.layers, [](const AttributeLayer& layer) {
+  Attributes& attributes = clay.attributes;
+  std::erase_if(attributes.layers, [](const AttributeLayer& layer) {
     return layer.type().kind != AttributeKind::normal;
   });
-  clay.attributes.group.assign(model.mesh.face_count(), 0);
-  clay.attributes.groups = {FaceGroup{.material = 0}};
+  if (attributes.group.empty()) {
+    attributes.group.assign(model.mesh.face_count(), 0);
+    attributes.groups = {FaceGroup{}};
+  }
+  for (FaceGroup& group : attributes.groups)
+    group = {.material = is_two_sided(group, model.materials.get()) ? 1U : 0U};
   Materials materials;
-  Material gray;
-  gray.base_color = {0.4F, 0.4F, 0.4F, 1.0F};
-  gray.metallic = 0.0F;
-  gray.roughness = 0.7F;
-  gray.is_two_sided = true;
-  materials.materials.push_back(gray);
+  materials.materials = {gray_material(false), gray_material(true)};
   clay.materials = std::make_shared<const Materials>(std::move(materials));
   return clay;
 }

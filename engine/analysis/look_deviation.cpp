@@ -39,6 +39,9 @@ void measure_normals(const MatchedSurfaces& both, LookDeviation& look) {
   look.second_has_normals = ShadingNormals(both.b).is_of_file();
   look.normals = {normal_deviation(both.a, both.b, both.forward),
                   normal_deviation(both.b, both.a, both.backward)};
+  if (!look.normals->is_empty()) return;
+  look.normals.reset();
+  look.not_measured.push_back({"normals", "no faces have an area"});
 }
 
 /// Models may have texture coordinates that tell nothing: one color per face.

@@ -28,7 +28,7 @@ struct NotMeasured {
 /// are missing.
 struct LookDeviation {
   /// Angles between shading normals, in degrees.
-  TwoSidedSpread normals;
+  std::optional<TwoSidedSpread> normals;
   bool first_has_normals = false;   ///< those of the file; otherwise those of the faces count
   bool second_has_normals = false;  ///< likewise
   /// Distances between points with the same texture coordinates, in model units.

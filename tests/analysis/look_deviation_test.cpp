@@ -123,7 +123,7 @@ TEST(LookDeviation, OfItselfIsNothing) {
        .color = [](const glm::vec3& p) { return glm::u8vec4(40.0F * (p + 3.0F), 255); }});
   const analysis::LookDeviation look =
       analysis::look_deviation(a.surface(), a.surface(), {.samples = 5000});
-  EXPECT_NEAR(look.normals.forward.max(), 0.0, 1e-3);
+  EXPECT_NEAR(look.normals->forward.max(), 0.0, 1e-3);
   EXPECT_LT(look.texture->forward.max(), 1e-4);
   EXPECT_LT(look.uv_slide->backward.max(), 1e-2);
   EXPECT_EQ(look.flipped->flipped, 0U);
@@ -139,8 +139,17 @@ TEST(LookDeviation, StrangeInputIsMeasuredWithoutNumbers) {
                 {.uv = [=](const glm::vec3& p, std::size_t) { return uv * p.x; }});
     const analysis::LookDeviation look =
         analysis::look_deviation(a.surface(), a.surface(), {.samples = 500});
-    EXPECT_TRUE(std::isfinite(look.normals.forward.mean()));
+    EXPECT_TRUE(std::isfinite(look.normals->forward.mean()));
   }
+}
+
+TEST(LookDeviation, SurfacesWithoutAreaAreNotMeasured) {
+  const Painted line =
+      painted(soup_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {0, 1, 2}),
+              {.uv = [](const glm::vec3& p, std::size_t) { return glm::vec2(p); }});
+  const analysis::LookDeviation look =
+      analysis::look_deviation(line.surface(), line.surface(), {.samples = 100});
+  EXPECT_FALSE(look.normals || look.texture || look.uv_slide || look.stretch || look.flipped);
 }
 
 TEST(LookDeviation, CancellationStops) {
