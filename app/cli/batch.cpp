@@ -8,9 +8,7 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/scene.h"
 #include "app/cli/scene_commands.h"
-#include "app/cli/scene_compare.h"
 #include "app/files/paths.h"
-#include "engine/analysis/self_intersections.h"
 #include "engine/core/error.h"
 #include "engine/core/text.h"
 #include "engine/io/atomic_file.h"
@@ -27,10 +25,6 @@ namespace {
 
 /// Times of reading a model, and of its statistics; measured as kLoadWeights in load_job.cpp.
 constexpr double kReadAndCountWeights[] = {0.87, 0.13};
-/// Times of bounding the distance, of measuring it, and of looking for intersections in each model:
-/// 1.4 million faces compared with 0.1 million. Then that of the meshes of scenes one by one.
-constexpr double kCompareWeights[] = {0.5, 0.35, 0.08, 0.07, 0.0};
-
 void print(const char* label, const std::string& value) {
   std::cout << fmt::format("{:<22}{}\n", label, printable(value));
 }
@@ -164,17 +158,6 @@ void print_pm(const io::PmSummary& pm) {
   print("complete", pm.damage.empty() ? "yes" : "no: " + pm.damage);
 }
 
-/// Expresses the positions of a model about another origin.
-void move_origin(Model& model, const glm::dvec3& origin) {
-  const glm::dvec3 offset = model.origin - origin;
-  if (offset == glm::dvec3(0.0)) return;
-  for (std::uint32_t v = 0; v < model.mesh.vertex_count(); ++v) {
-    model.mesh.set_position(Vertex(v),
-                            glm::vec3(glm::dvec3(model.mesh.position(Vertex(v))) + offset));
-  }
-  model.origin = origin;
-}
-
 void write_model(const std::string& output, const Model& model, bool ascii,
                  const CommonOptions& common) {
   ProgressLine line(!common.quiet, std::filesystem::path(output).filename().string());
@@ -191,18 +174,6 @@ Json model_json(const LoadedModel& loaded) {
   Json json = to_json(loaded.model, loaded.statistics, loaded.file);
   add_pm(json, loaded.pm);
   return json;
-}
-
-/// Adds the distance of each mesh of two scenes.
-void add_meshes(Json& json, const SceneDistance& scenes) {
-  for (const MeshDistance& mesh : scenes.meshes) {
-    Json one = to_json(mesh.distance);
-    one["name"] = mesh.name;
-    one["first_faces"] = mesh.first_faces;
-    one["second_faces"] = mesh.second_faces;
-    json["meshes"].push_back(std::move(one));
-  }
-  json["meshes_of_one_file"] = scenes.alone;
 }
 
 }  // namespace
@@ -353,68 +324,6 @@ void run_convert(const InputOptions& input, const std::string& output, bool asci
     json["lost"] = losses;
     print_json(json);
   }
-}
-
-void run_compare(const InputOptions& first, const InputOptions& second, std::uint64_t samples,
-                 const CommonOptions& common) {
-  const LoadedModel a = load(first, common);
-  LoadedModel b = load(second, common);
-  move_origin(b.model, a.model.origin);
-  for (const LoadedModel* const model : std::initializer_list<const LoadedModel*>{&a, &b}) {
-    if (model->statistics.faces == 0) {
-      throw InputError(model->file.string(), 0, "has no faces to compare");
-    }
-  }
-  analysis::SurfaceDistance distance;
-  std::uint64_t first_pairs = 0;
-  std::uint64_t second_pairs = 0;
-  analysis::DistanceInterval certified;
-  SceneDistance scenes;
-  {
-    ProgressLine line(!common.quiet);
-    Stages stages(line.progress(), kCompareWeights);
-    stages.next();
-    certified =
-        analysis::hausdorff_bounds(a.model.mesh, b.model.mesh, {.progress = line.progress()})
-            .two_sided();
-    stages.next();
-    distance = analysis::surface_distance(a.model.mesh, b.model.mesh,
-                                          {.samples = samples, .progress = line.progress()});
-    stages.next("looking for intersections");
-    first_pairs = analysis::count_self_intersections(a.model.mesh, line.progress());
-    stages.next();
-    second_pairs = analysis::count_self_intersections(b.model.mesh, line.progress());
-    stages.next();
-    scenes = compare_scenes(first, second, samples, line.progress());
-  }
-  if (common.json) {
-    Json json = to_json(distance, certified);
-    json["first"] = a.file.string();
-    json["second"] = b.file.string();
-    json["samples"] = samples;
-    json["first_self_intersections"] = first_pairs;
-    json["second_self_intersections"] = second_pairs;
-    if (!scenes.meshes.empty()) add_meshes(json, scenes);
-    add_pm(json, a.pm, "first_pm");
-    add_pm(json, b.pm, "second_pm");
-    return print_json(json);
-  }
-  const auto row = [&](const char* label, const analysis::OneSidedDistance& side) {
-    print(label, fmt::format("rms {} ({}), mean {}, max {} ({})", number_text(side.rms),
-                             percent_text(distance.percent(side.rms)), number_text(side.mean),
-                             number_text(side.max), percent_text(distance.percent(side.max))));
-  };
-  row("first to second", distance.forward);
-  row("second to first", distance.backward);
-  row("two-sided", distance.two_sided());
-  print("self-intersections", fmt::format("{} pairs of faces in the first, {} in the second",
-                                          count_text(first_pairs), count_text(second_pairs)));
-  print("certified max",
-        fmt::format("{} to {} ({} to {})", number_text(certified.lower),
-                    number_text(certified.upper), percent_text(distance.percent(certified.lower)),
-                    percent_text(distance.percent(certified.upper))));
-  for (const auto& [label, text] : rows_of(scenes))
-    print(label.c_str(), text);
 }
 
 }  // namespace mesher::app

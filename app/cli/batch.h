@@ -19,11 +19,6 @@ void run_info(const InputOptions& input, const CommonOptions& common);
 void run_convert(const InputOptions& input, const std::string& output, bool ascii, bool repairs,
                  const CommonOptions& common);
 
-/// Prints the distance between two surfaces, in both directions, in model units and in percent of
-/// the first one's diagonal.
-void run_compare(const InputOptions& first, const InputOptions& second, std::uint64_t samples,
-                 const CommonOptions& common);
-
 /// Prints one line on stderr, "mesher: " and the words. All messages are printed by it, since the
 /// words may hold names from files: control characters are escaped.
 void say(const std::string& words);

@@ -13,6 +13,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/batch.h"
 #include "app/cli/command_table.h"
+#include "app/cli/compare_command.h"
 #include "app/cli/edit_command.h"
 #include "app/cli/help_formatter.h"
 #include "app/cli/lods_command.h"
@@ -25,7 +26,6 @@
 #include "app/cli/version.h"
 #include "app/cli/view.h"
 #include "app/document/progressive_view.h"
-#include "engine/analysis/distance.h"
 #include "engine/core/error.h"
 #include "engine/core/face_limit.h"
 #include "engine/core/memory.h"
@@ -416,17 +416,13 @@ class CommandLine {
 
   void add_compare() {
     CLI::App* command = add_command(
-        "compare", "measure the distance between two surfaces (RMS, mean, max; both directions)",
-        [this] {
+        "compare", "measure how much a model differs from another in shape and look", [this] {
           second_.allow_damaged = input_.allow_damaged;
-          run_compare(input_, second_, samples_, common_);
+          run_compare(input_, second_, compare_, common_);
         });
     add_batch_input(command);
     command->add_option("SECOND", second_.model, "the other model")->required();
-    command
-        ->add_option("--samples", samples_,
-                     "sample points per surface, distributed uniformly by area (default: 300000)")
-        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
+    add_compare_options(*command, compare_);
   }
 
   void add_edit() {
@@ -456,7 +452,7 @@ class CommandLine {
   DetailArguments detail_;
   PictureArguments picture_;
   InputOptions second_;
-  std::uint64_t samples_ = analysis::DistanceOptions{}.samples;
+  CompareArguments compare_;
   std::string output_;
   std::string script_;
   std::vector<std::string> suggestions_;  ///< for a command line that cannot be parsed

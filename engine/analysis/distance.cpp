@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <vector>
 
+#include "engine/analysis/surface_samples.h"
 #include "engine/analysis/triangle_tree.h"
 #include "engine/core/parallel.h"
 #include "engine/mesh/statistics.h"
@@ -35,50 +34,14 @@ struct Sums {
   }
 };
 
-glm::dvec3 corner(const Mesh& mesh, std::size_t face, std::uint32_t c) {
-  return mesh.position(mesh.origin(Mesh::halfedge(Face(static_cast<std::uint32_t>(face)), c)));
-}
-
-double area(const Mesh& mesh, std::size_t face) {
-  const glm::dvec3 a = corner(mesh, face, 0);
-  return 0.5 * glm::length(glm::cross(corner(mesh, face, 1) - a, corner(mesh, face, 2) - a));
-}
-
-/// Returns the total area of the faces before each face; one entry more than faces.
-std::vector<double> area_before(const Mesh& mesh) {
-  std::vector<double> before(std::size_t{mesh.face_count()} + 1, 0.0);
-  for (std::size_t f = 0; f < mesh.face_count(); ++f)
-    before[f + 1] = before[f] + area(mesh, f);
-  return before;
-}
-
-double fraction(double x) {
-  return x - std::floor(x);
-}
-
-/// Returns the i-th point of a sequence that fills a triangle evenly (M. Roberts, "The unreasonable
-/// effectiveness of quasirandom sequences", 2018: powers of the plastic number).
-glm::dvec3 point_in_triangle(const Mesh& mesh, std::size_t face, std::uint64_t i) {
-  const double u = std::sqrt(fraction(0.5 + 0.7548776662466927 * static_cast<double>(i)));
-  const double v = fraction(0.5 + 0.5698402909980532 * static_cast<double>(i));
-  return (1.0 - u) * corner(mesh, face, 0) + u * (1.0 - v) * corner(mesh, face, 1) +
-         u * v * corner(mesh, face, 2);
-}
-
-/// Each face gets the samples whose position along the cumulative area falls into it.
 Sums sample_faces(const Mesh& from, const TriangleTree& to, const DistanceOptions& options) {
-  const std::vector<double> before = area_before(from);
-  const double per_area =
-      before.back() > 0.0 ? static_cast<double>(options.samples) / before.back() : 0.0;
-  const auto sample_at = [&](std::size_t f) {
-    return static_cast<std::uint64_t>(before[f] * per_area);
-  };
+  const SurfaceSamples samples(from, options.samples);
   return parallel_sum<Sums>(from.face_count(), kChunk, options.progress, [&](IndexRange faces) {
     Sums sums;
     Face hint(0);
     for (std::size_t f = faces.begin; f < faces.end; ++f) {
-      for (std::uint64_t i = sample_at(f); i < sample_at(f + 1); ++i) {
-        const TriangleTree::Nearest hit = to.nearest(point_in_triangle(from, f, i), hint);
+      for (std::uint64_t i = samples.begin(f); i < samples.begin(f + 1); ++i) {
+        const TriangleTree::Nearest hit = to.nearest(samples.position(f, i), hint);
         hint = hit.face;
         sums.add(hit.squared_distance);
       }

@@ -243,4 +243,26 @@ TriangleTree::Nearest TriangleTree::nearest_beyond(const glm::dvec3& p, Face hin
   return {Face(order_[best]), least};
 }
 
+void TriangleTree::within(const glm::dvec3& p, double squared, std::size_t most,
+                          std::vector<Face>& found) const {
+  Query query(p);
+  query.push(static_cast<std::uint32_t>(nodes_.size() - 1));
+  // The bounds of boxes must be below this.
+  const double beyond = std::nextafter(squared, std::numeric_limits<double>::infinity());
+  while (!query.is_done() && found.size() < most) {
+    const std::uint32_t node = Query::node(query.take());
+    query.measure(nodes_[node]);
+    if (node >= leaves_) {
+      query.push(children_[node - leaves_], beyond);
+      continue;
+    }
+    const std::uint32_t first = node * kWidth;
+    const auto count = std::min(kWidth, static_cast<std::uint32_t>(corners_.size()) - first);
+    for (std::uint32_t i = 0; i < count && found.size() < most; ++i) {
+      if (query.bound(i) <= squared && squared_distance(p, corners(first + i)) <= squared)
+        found.push_back(Face(order_[first + i]));
+    }
+  }
+}
+
 }  // namespace mesher::analysis

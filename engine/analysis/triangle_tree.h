@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <vector>
 
 #include "engine/core/array.h"
 #include "engine/mesh/mesh.h"
@@ -46,6 +47,11 @@ class TriangleTree {
   /// Returns any triangle within `enough` (a squared distance) if there is one, otherwise the
   /// nearest triangle.
   Nearest nearest_beyond(const glm::dvec3& p, Face hint, double enough) const;
+
+  /// Appends the triangles within a squared distance of a point to `found`, at most `most` of them,
+  /// in an order that depends on the mesh alone. O(log F + found) expected.
+  void within(const glm::dvec3& p, double squared, std::size_t most,
+              std::vector<Face>& found) const;
 
   /// Returns the corners of a face at the time of the build. O(1).
   std::array<glm::dvec3, 3> triangle(Face f) const { return corners(index_in_order_[f.index()]); }
