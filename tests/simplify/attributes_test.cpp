@@ -68,6 +68,81 @@ TEST(CarryAttributes, LinearFunctionsOfAPlaneAreReproduced) {
   }
 }
 
+/// A bumpy sheet whose attributes do not vary.
+TEST(CarryAttributes, ConstantAttributesChangeNothing) {
+  Mesh mesh = built(torus(40, 30)).mesh;
+  CornerAttributes constant;
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+    constant.texcoord.push_back({0.5F, 0.5F});
+    constant.normal.push_back({0.0F, 1.0F, 0.0F});
+    constant.color.push_back({1, 2, 3, 255});
+  }
+  for (const std::uint32_t target : {1000U, 200U, 40U}) {
+    const SimplifiedModel with = simplify_model(
+        Mesh(mesh), to_wedges(mesh, CornerAttributes(constant)), {.target_faces = target});
+    const SimplifiedModel without = simplify_model(Mesh(mesh), {}, {.target_faces = target});
+    EXPECT_TRUE(is_identical(with.simplified.mesh, without.simplified.mesh)) << target;
+  }
+}
+
+TEST(CarryAttributes, SizeOfTheTextureChangesNothingElse) {
+  const Mesh mesh = built(torus(40, 30)).mesh;
+  const auto simplified = [&](float size) {
+    CornerAttributes corners;
+    for (const Vertex v : mesh.origins()) {
+      const glm::vec3 p = mesh.position(v);
+      corners.texcoord.push_back({size * p.x, size * (p.y + p.x * p.x)});
+    }
+    return simplify_model(Mesh(mesh), to_wedges(mesh, std::move(corners)), {.target_faces = 300});
+  };
+  const SimplifiedModel one = simplified(1.0F);
+  const SimplifiedModel large = simplified(1024.0F);
+  EXPECT_TRUE(is_identical(one.simplified.mesh, large.simplified.mesh));
+  const auto a = one.attributes.layers[0].values<glm::vec2>();
+  const auto b = large.attributes.layers[0].values<glm::vec2>();
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+    EXPECT_LT(glm::distance(1024.0F * a[i], b[i]), 1e-2F);
+}
+
+TEST(CarryAttributes, SameForAnyThreadCount) {
+  const Mesh mesh = built(torus(200, 100)).mesh;
+  CornerAttributes corners;
+  for (const Vertex v : mesh.origins()) {
+    const glm::vec3 p = mesh.position(v);
+    corners.texcoord.push_back({std::sin(9.0F * p.x), p.y * p.z});
+    corners.normal.push_back(glm::normalize(p));
+  }
+  const Attributes attributes = to_wedges(mesh, std::move(corners));
+  const auto with = [&](unsigned threads) {
+    const ThreadLimit limit(threads);
+    return simplify_model(Mesh(mesh), attributes, {.target_faces = 4000});
+  };
+  const SimplifiedModel one = with(1);
+  const SimplifiedModel seven = with(7);
+  EXPECT_TRUE(is_identical(one.simplified.mesh, seven.simplified.mesh));
+  for (std::size_t i = 0; i < one.attributes.layers.size(); ++i)
+    EXPECT_EQ(one.attributes.layers[i].bytes(), seven.attributes.layers[i].bytes());
+}
+
+TEST(CarryAttributes, TextureThatVariesDrawsFacesToIt) {
+  // Half of a flat sheet has a wavy texture: the faces that are left are where it is.
+  const Mesh mesh = built(grid(60)).mesh;
+  CornerAttributes corners;
+  const auto is_wavy = [](const glm::vec3& p) { return p.x > 30.0F; };
+  for (const Vertex v : mesh.origins()) {
+    const glm::vec3 p = mesh.position(v);
+    corners.texcoord.push_back({p.x, p.y + (is_wavy(p) ? 2.0F * std::sin(0.5F * p.x) : 0.0F)});
+  }
+  const SimplifiedModel model =
+      simplify_model(Mesh(mesh), to_wedges(mesh, std::move(corners)), {.target_faces = 300});
+  std::size_t wavy = 0;
+  const Mesh& result = model.simplified.mesh;
+  for (std::uint32_t v = 0; v < result.vertex_count(); ++v)
+    wavy += is_wavy(result.position(Vertex(v))) ? 1 : 0;
+  EXPECT_GT(wavy, result.vertex_count() * 3 / 4);
+}
+
 TEST(CarryAttributes, GroupsStayWithTheirFaces) {
   const SimplifiedModel model = Sheet().simplified(60);
   ASSERT_EQ(model.attributes.group.size(), model.simplified.mesh.face_count());
