@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numbers>
 #include <numeric>
-#include <queue>
 #include <vector>
 
 #include "engine/core/parallel.h"
@@ -15,6 +12,8 @@
 #include "engine/mesh/wedges.h"
 #include "engine/simplify/attribute_metric.h"
 #include "engine/simplify/prune.h"
+#include "engine/simplify/seams.h"
+#include "engine/simplify/surface_walk.h"
 
 namespace mesher::simplify {
 namespace {
@@ -22,42 +21,6 @@ namespace {
 constexpr std::size_t kCarryGrain = std::size_t{1} << 10;
 /// Times of simplifying, and of carrying attributes over.
 constexpr double kModelWeights[] = {0.8, 0.2};
-// A walk ends when so many faces in a row were not nearer.
-constexpr int kPatience = 12;
-// Squared ratio of distances within which faces are in the vicinity of a point.
-constexpr double kVicinity2 = 4.0;
-// Faces between the ends of two walks that lead to one place, at most.
-constexpr std::size_t kMostBetween = 256;
-
-/// Whether the values of a layer differ across an edge.
-class SeamTest {
- public:
-  SeamTest(const Mesh& mesh, const Attributes& attributes) : mesh_(mesh), attributes_(attributes) {}
-
-  Wedge wedge(Halfedge h) const { return attributes_.wedge(mesh_.origins(), h); }
-
-  /// Returns whether an edge separates wedges. A boundary does not.
-  bool is_seam(Halfedge h) const {
-    const Halfedge t = mesh_.twin(h);
-    if (!t.is_valid() || !attributes_.has_seams()) return false;
-    return wedge(h) != wedge(Mesh::next(t)) || wedge(Mesh::next(h)) != wedge(t);
-  }
-  /// Returns whether the values of one layer differ across an edge. Pre: it is not a boundary.
-  bool is_seam(Halfedge h, const AttributeLayer& layer) const {
-    const Halfedge t = mesh_.twin(h);
-    return differ(layer, wedge(h), wedge(Mesh::next(t))) ||
-           differ(layer, wedge(Mesh::next(h)), wedge(t));
-  }
-
- private:
-  static bool differ(const AttributeLayer& layer, Wedge a, Wedge b) {
-    return a != b && std::memcmp(layer.value(a.index()).data(), layer.value(b.index()).data(),
-                                 layer.type().value_bytes()) != 0;
-  }
-
-  const Mesh& mesh_;
-  const Attributes& attributes_;
-};
 
 glm::dvec3 vector_of(const AttributeValue& value) {
   return {value[0], value[1], value[2]};
@@ -69,189 +32,13 @@ glm::dvec3 unit(const glm::dvec3& v) {
   return length > 0.0 ? v / length : v;
 }
 
-/// Returns the cosine between the normals on both sides of an edge, the smaller of its two ends.
-double normal_cosine(const SeamTest& test, const AttributeLayer& normals, const Mesh& mesh,
-                     Halfedge h) {
-  const Halfedge t = mesh.twin(h);
-  const auto normal = [&](Halfedge corner) {
-    return unit(vector_of(load(normals, test.wedge(corner).index())));
-  };
-  return std::min(glm::dot(normal(h), normal(Mesh::next(t))),
-                  glm::dot(normal(Mesh::next(h)), normal(t)));
-}
-
-/// Returns whether the faces of an edge differ in material, or belong to different primitives.
-bool is_material_border(const Mesh& mesh, const Attributes& attributes, Halfedge h) {
-  const Halfedge t = mesh.twin(h);
-  if (attributes.group.empty() || !t.is_valid()) return false;
-  const std::uint32_t a = attributes.group[Mesh::face(h).index()];
-  const std::uint32_t b = attributes.group[Mesh::face(t).index()];
-  if (a == b) return false;
-  return attributes.groups[a].material != attributes.groups[b].material ||
-         attributes.groups[a].primitive != attributes.groups[b].primitive;
-}
-
-/// Returns false if no edge can separate values or materials.
-bool may_have_lines(const Attributes& attributes) {
-  const auto is_like_first = [&](const FaceGroup& group) {
-    return group.material == attributes.groups.front().material &&
-           group.primitive == attributes.groups.front().primitive;
-  };
-  return attributes.has_seams() || !std::ranges::all_of(attributes.groups, is_like_first);
-}
-
-/// Morph targets that only shade.
-bool is_shading_delta(const AttributeType& type) {
-  return type.kind == AttributeKind::delta &&
-         (type.name.ends_with("NORMAL") || type.name.ends_with("TANGENT"));
-}
-
-bool is_line(const SeamTest& test, const Mesh& mesh, const Attributes& attributes, Halfedge h) {
-  if (is_material_border(mesh, attributes, h)) return true;
-  if (!test.is_seam(h)) return false;
-  for (const AttributeLayer& layer : attributes.layers) {
-    // A tangent follows from the normal and the texture coordinates.
-    if (layer.type().kind == AttributeKind::tangent || is_shading_delta(layer.type())) continue;
-    if (!test.is_seam(h, layer)) continue;
-    if (layer.type().kind != AttributeKind::normal) return true;
-    if (normal_cosine(test, layer, mesh, h) < std::cos(kHardEdgeDegrees * std::numbers::pi / 180.0))
-      return true;
-  }
-  return false;
-}
-
-/// A point of the input's surface.
-struct SurfacePoint {
-  Face face;
-  glm::dvec3 weights{1.0, 0.0, 0.0};  ///< barycentric
-  double distance2 = std::numeric_limits<double>::infinity();
-};
-
-/// Returns the weights of the nearest point of a segment.
-glm::dvec2 nearest_on_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
-  const glm::dvec3 ab = b - a;
-  const double length2 = glm::dot(ab, ab);
-  const double t = length2 > 0.0 ? std::clamp(glm::dot(p - a, ab) / length2, 0.0, 1.0) : 0.0;
-  return {1.0 - t, t};
-}
-
-/// Returns the nearest point of a triangle. A corner has the weight 1 exactly.
-SurfacePoint nearest_on_face(const Mesh& mesh, Face f, const glm::dvec3& p) {
-  glm::dvec3 corner[3];
-  for (std::uint32_t c = 0; c < 3; ++c)
-    corner[c] = glm::dvec3(mesh.position(mesh.origin(Mesh::halfedge(f, c))));
-  SurfacePoint nearest{.face = f};
-  const auto offer = [&](const glm::dvec3& weights) {
-    const glm::dvec3 q = weights.x * corner[0] + weights.y * corner[1] + weights.z * corner[2];
-    const double distance2 = glm::dot(p - q, p - q);
-    if (distance2 < nearest.distance2) nearest = {f, weights, distance2};
-  };
-  const glm::dvec3 ab = corner[1] - corner[0];
-  const glm::dvec3 ac = corner[2] - corner[0];
-  const glm::dvec3 normal = glm::cross(ab, ac);
-  const double area2 = glm::dot(normal, normal);
-  if (area2 > 0.0) {
-    const double y = glm::dot(glm::cross(p - corner[0], ac), normal) / area2;
-    const double z = glm::dot(glm::cross(ab, p - corner[0]), normal) / area2;
-    if (y >= 0.0 && z >= 0.0 && y + z <= 1.0) {
-      offer({1.0 - y - z, y, z});
-      return nearest;
-    }
-  }
-  for (int c = 0; c < 3; ++c) {
-    const int next = (c + 1) % 3;
-    const glm::dvec2 share = nearest_on_segment(p, corner[c], corner[next]);
-    glm::dvec3 weights(0.0);
-    weights[c] = share.x;
-    weights[next] = share.y;
-    offer(weights);
-  }
-  return nearest;
-}
-
-/// Walks over the faces of the input without crossing a seam.
-class SeamlessWalk {
- public:
-  SeamlessWalk(const Mesh& mesh, const SeamTest& seams) : mesh_(mesh), seams_(seams) {}
-
-  /// Returns the nearest point to `p` that a walk from `start` towards it finds. The nearest face
-  /// is always expanded first. A walk does not leave the vicinity of `p`, or it could go around a
-  /// seam to its other side.
-  SurfacePoint nearest(Face start, const glm::dvec3& p) {
-    begin();
-    const auto is_further = [](const SurfacePoint& a, const SurfacePoint& b) {
-      return a.distance2 > b.distance2;
-    };
-    const auto visit = [&](Face f) {
-      visited_.push_back(f);
-      front_.push_back(nearest_on_face(mesh_, f, p));
-      std::push_heap(front_.begin(), front_.end(), is_further);
-    };
-    visit(start);
-    SurfacePoint best;
-    for (int worse = 0; !front_.empty() && worse < kPatience && best.distance2 > 0.0;) {
-      std::pop_heap(front_.begin(), front_.end(), is_further);
-      const SurfacePoint at = front_.back();
-      front_.pop_back();
-      if (at.distance2 > kVicinity2 * best.distance2) break;
-      if (at.distance2 < best.distance2) {
-        best = at;
-        worse = 0;
-      } else {
-        ++worse;
-      }
-      for_each_neighbor(at.face, visit);
-    }
-    return best;
-  }
-
-  /// Returns whether a walk leads from one point near `p` to another without leaving its vicinity.
-  bool are_connected(const SurfacePoint& a, const SurfacePoint& b, const glm::dvec3& p) {
-    if (a.face == b.face) return true;
-    const double reach2 = kVicinity2 * std::max(a.distance2, b.distance2);
-    begin();
-    visited_.push_back(a.face);
-    bool is_found = false;
-    for (std::size_t i = 0; i < visited_.size() && !is_found; ++i) {
-      if (visited_.size() >= kMostBetween) break;
-      for_each_neighbor(visited_[i], [&](Face f) {
-        is_found |= f == b.face;
-        if (nearest_on_face(mesh_, f, p).distance2 <= reach2) visited_.push_back(f);
-      });
-    }
-    return is_found;
-  }
-
- private:
-  void begin() {
-    visited_.clear();
-    front_.clear();
-  }
-  /// Calls `visit` for the neighbors that were not visited.
-  template <class Visit>
-  void for_each_neighbor(Face f, Visit&& visit) {
-    for (std::uint32_t c = 0; c < 3; ++c) {
-      const Halfedge h = Mesh::halfedge(f, c);
-      const Halfedge t = mesh_.twin(h);
-      if (!t.is_valid() || seams_.is_seam(h)) continue;
-      const Face other = Mesh::face(t);
-      if (std::find(visited_.rbegin(), visited_.rend(), other) == visited_.rend()) visit(other);
-    }
-  }
-
-  const Mesh& mesh_;
-  const SeamTest& seams_;
-  std::vector<Face> visited_;  // short: walks are
-  std::vector<SurfacePoint> front_;
-};
-
 /// Sets a value to that of a point of the input's surface.
 class Blend {
  public:
   Blend(const SeamTest& seams, const AttributeLayer& from, AttributeLayer& to)
       : seams_(seams), from_(from), to_(to) {}
 
-  void operator()(const SurfacePoint& point, std::size_t i) const {
+  void operator()(const NearPoint& point, std::size_t i) const {
     std::uint32_t nearest = 0;
     std::size_t wedges[3];
     for (std::uint32_t c = 0; c < 3; ++c) {
@@ -336,25 +123,29 @@ class Carrier {
   /// Finds a point of the input for each run of corners around a vertex that lead to one place.
   void find_points() {
     point_.resize(result_.halfedge_count());
+    const Lines lines(input_.mesh, input_.attributes);
+    const WalkRescue rescue(input_.mesh, lines);
     parallel_chunks(result_.vertex_count(), kCarryGrain, progress_,
                     [&](std::size_t, IndexRange range) {
-                      SeamlessWalk walk(input_.mesh, seams_);
+                      SurfaceWalk walk(input_.mesh, lines);
                       for (std::size_t v = range.begin; v < range.end; ++v)
-                        find_points_at(Vertex(static_cast<std::uint32_t>(v)), walk);
+                        find_points_at(Vertex(static_cast<std::uint32_t>(v)), walk, rescue);
                     });
   }
 
-  void find_points_at(Vertex v, SeamlessWalk& walk) {
+  void find_points_at(Vertex v, SurfaceWalk& walk, const WalkRescue& rescue) {
     const glm::dvec3 p(result_.position(v));
     const bool may_differ = input_.attributes.has_seams();
-    std::vector<SurfacePoint> found;  // one per place
+    std::vector<NearPoint> found;  // one per place
     for (const Halfedge h : halfedges_around(result_, v)) {
       if (!found.empty() && !may_differ) {
         point_[h.index()] = found.front();
         continue;
       }
-      const SurfacePoint point = walk.nearest(face_source_[Mesh::face(h).index()], p);
-      const auto same = std::find_if(found.begin(), found.end(), [&](const SurfacePoint& other) {
+      NearPoint point = walk.nearest(face_source_[Mesh::face(h).index()], p);
+      if (const std::optional<Face> nearer = rescue.nearer(point, p))
+        point = walk.nearest(*nearer, p);
+      const auto same = std::find_if(found.begin(), found.end(), [&](const NearPoint& other) {
         return walk.are_connected(other, point, p);
       });
       if (same != found.end()) {
@@ -453,27 +244,10 @@ class Carrier {
   std::span<const Face> face_source_;
   const Followed* followed_;
   Progress* progress_;
-  Array<SurfacePoint> point_;  ///< per corner of the result
+  Array<NearPoint> point_;  ///< per corner of the result
 };
 
 }  // namespace
-
-void mark_seams(Mesh& mesh, const Attributes& attributes) {
-  if (!may_have_lines(attributes)) return;
-  const SeamTest test(mesh, attributes);
-  const MeshArrays::InPlace arrays = MeshArrays::open(mesh);
-  parallel_for_each(mesh.halfedge_count(), kCarryGrain, [&](std::uint32_t h) {
-    if (!(arrays.sharpness[h] > 0.0F) && is_line(test, mesh, attributes, Halfedge(h)))
-      arrays.sharpness[h] = kSeamSharpness;
-  });
-}
-
-void unmark_seams(Mesh& mesh) {
-  const MeshArrays::InPlace arrays = MeshArrays::open(mesh);
-  for (float& sharpness : arrays.sharpness) {
-    if (sharpness == kSeamSharpness) sharpness = 0.0F;
-  }
-}
 
 SimplifiedModel simplify_model(Mesh&& mesh, const Attributes& attributes,
                                const SimplifyOptions& options, bool prunes) {

@@ -1,27 +1,14 @@
 #pragma once
 
-#include <limits>
 #include <span>
 
 #include "engine/core/progress.h"
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/mesh.h"
+#include "engine/simplify/seams.h"
 #include "engine/simplify/simplify.h"
 
 namespace mesher::simplify {
-
-/// The sharpness that `mark_seams` gives to edges: the largest finite one, which no file means.
-inline constexpr float kSeamSharpness = std::numeric_limits<float>::max();
-
-/// Marks the edges along which values or materials differ, so that they simplify as creases: only
-/// along themselves. Edges that are creases stay so. Where only normals differ, the edge is marked
-/// if they differ by more than kHardEdgeDegrees, since a model with a normal per face has no other
-/// edges. O(F). Notes nothing in the change log.
-void mark_seams(Mesh& mesh, const Attributes& attributes);
-/// Makes marked edges smooth again. O(F).
-void unmark_seams(Mesh& mesh);
-
-inline constexpr double kHardEdgeDegrees = 30.0;
 
 /// A mesh with its attributes.
 struct Attributed {
