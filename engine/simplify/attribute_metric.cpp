@@ -70,9 +70,14 @@ double factor_of(const Mesh& mesh, const Attributes& attributes, const Attribute
       return double{weights.normal} * unit;
     case AttributeKind::color:
       return double{weights.color} * unit;
-    default:
-      return 0.0;
+    case AttributeKind::tangent:
+    case AttributeKind::joints:
+    case AttributeKind::weights:
+    case AttributeKind::delta:
+    case AttributeKind::custom:
+      break;
   }
+  return 0.0;
 }
 
 /// Chooses the layers and their factors.

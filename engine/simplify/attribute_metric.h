@@ -19,7 +19,7 @@ namespace mesher::simplify {
 ///  - Normals and colors: 1 counts a difference of one radian, or between black and full intensity,
 ///    like a distance of a hundredth of the diagonal.
 struct AttributeWeights {
-  float texcoord = 0.5F;
+  float texcoord = 0.3F;
   float normal = 0.2F;
   float color = 0.5F;
 

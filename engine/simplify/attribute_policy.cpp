@@ -76,22 +76,17 @@ class Choices {
 };
 
 Choice choose(const Choices& choices, AllowedPlacement allowed, Placement placement) {
-  switch (allowed) {
-    case AllowedPlacement::at_origin:
-      return choices.at_origin();
-    case AllowedPlacement::at_target:
-      return choices.at_target();
-    default:
-      break;
-  }
+  if (allowed == AllowedPlacement::at_origin) return choices.at_origin();
+  if (allowed == AllowedPlacement::at_target) return choices.at_target();
   switch (placement) {
     case Placement::endpoint:
       return choices.at_end();
     case Placement::midpoint:
       return choices.at_midpoint();
-    default:
-      return choices.best();
+    case Placement::optimal:
+      break;
   }
+  return choices.best();
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ struct SimplifyOptions {
   friend bool operator==(const SimplifyOptions&, const SimplifyOptions&) = default;
 };
 
-inline constexpr double kMostWeight = 100.0;
+inline constexpr double kMostWeight = 10.0;
 inline bool counts_attributes(const SimplifyOptions& options) {
   return options.cost == CostPolicy::quadric;
 }
@@ -182,21 +182,21 @@ inline constexpr std::array kSimplifyRules{
         .applies = [](const SimplifyOptions& o) { return o.cost == CostPolicy::random; }},
     Option<SimplifyOptions>{
         .key = "weight-uv",
-        .label = "weight of textures",
+        .label = "weight uv",
         .help = "how much a texture that slides counts against a surface that moves as far",
         .member = &SimplifyOptions::weight_uv,
         .most = kMostWeight,
         .applies = counts_attributes},
     Option<SimplifyOptions>{
         .key = "weight-normal",
-        .label = "weight of normals",
+        .label = "weight normal",
         .help = "how much normals count: 1 weighs a radian like a hundredth of the diagonal",
         .member = &SimplifyOptions::weight_normal,
         .most = kMostWeight,
         .applies = counts_attributes},
     Option<SimplifyOptions>{
         .key = "weight-color",
-        .label = "weight of colors",
+        .label = "weight color",
         .help = "how much colors count: 1 weighs black against white like a hundredth of the "
                 "diagonal",
         .member = &SimplifyOptions::weight_color,
