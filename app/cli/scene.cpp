@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/trigonometric.hpp>
 #include <string_view>
 
@@ -105,6 +106,18 @@ LoadedScene load_scene_with_faces(const InputOptions& input, const CommonOptions
   if (loaded.meshes.empty())
     throw InputError(loaded.file.string(), 0, std::string("has no faces to ") + what);
   return loaded;
+}
+
+std::vector<simplify::SceneShape> shapes_of(const LoadedScene& scene) {
+  std::vector<simplify::SceneShape> shapes;
+  for (const io::GltfSceneMesh& mesh : scene.meshes)
+    shapes.push_back({mesh.model.mesh, mesh.model.attributes, scene.weight(mesh), mesh.scale});
+  return shapes;
+}
+
+std::uint64_t scene_faces_for(double ratio, const LoadedScene& scene) {
+  return std::max<std::uint64_t>(
+      1, static_cast<std::uint64_t>(std::llround(ratio * double(scene.face_count()))));
 }
 
 io::GltfMeshEdit edit_of(const io::GltfSceneMesh& mesh) {

@@ -10,6 +10,7 @@
 #include "app/document/json.h"
 #include "engine/io/gltf_rewrite.h"
 #include "engine/io/gltf_scene.h"
+#include "engine/simplify/shapes.h"
 
 namespace mesher::app {
 
@@ -42,6 +43,12 @@ LoadedScene load_scene(const InputOptions& input, const CommonOptions& common);
 /// As load_scene; throws InputError if no mesh has triangles: "has no faces to simplify".
 LoadedScene load_scene_with_faces(const InputOptions& input, const CommonOptions& common,
                                   const char* what);
+
+/// Returns the meshes of a scene for simplification. They refer to those of `scene`.
+std::vector<simplify::SceneShape> shapes_of(const LoadedScene& scene);
+
+/// Returns a share of the faces that the scene shows, at least 1.
+std::uint64_t scene_faces_for(double ratio, const LoadedScene& scene);
 
 /// Returns an edit that replaces a mesh by what its model is now.
 io::GltfMeshEdit edit_of(const io::GltfSceneMesh& mesh);

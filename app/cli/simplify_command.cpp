@@ -19,7 +19,9 @@
 #include "engine/io/losses.h"
 #include "engine/io/write.h"
 #include "engine/simplify/attributes.h"
+#include "engine/simplify/cards.h"
 #include "engine/simplify/prune.h"
+#include "engine/simplify/shapes.h"
 #include "engine/simplify/simplify.h"
 
 namespace mesher::app {
@@ -88,6 +90,31 @@ std::optional<std::uint64_t> counted(const Mesh& mesh, const SimplifyArguments& 
   return analysis::count_self_intersections(mesh, line.progress());
 }
 
+/// Simplifies a model in place; if it has loose cards, they share its budget.
+void reduce(Model& model, const simplify::SimplifyOptions& options, bool prunes, bool keeps_cards,
+            SimplifyOutcome& outcome) {
+  const bool may_thin = !keeps_cards && !std::isfinite(options.max_error);
+  if (may_thin && !simplify::find_cards(model.mesh, model.attributes).sets.empty()) {
+    const Shape input{std::move(model.mesh), std::move(model.attributes)};
+    simplify::ShapesReducer reducer({{input.mesh, input.attributes}},
+                                    {.rules = options, .prunes = prunes});
+    simplify::ReducedShape reduced =
+        std::move(reducer.reduce(options.target_faces, options.progress).front());
+    model.mesh = std::move(reduced.shape.mesh);
+    model.attributes = std::move(reduced.shape.attributes);
+    outcome.report = reduced.report;
+    outcome.crosses_seams = reduced.crosses_seams;
+    outcome.cards = reduced.cards;
+    return;
+  }
+  auto [simplified, carried, crosses_seams] =
+      simplify::simplify_model(std::move(model.mesh), model.attributes, options, prunes);
+  model.mesh = std::move(simplified.mesh);
+  model.attributes = std::move(carried);
+  outcome.report = simplified.report;
+  outcome.crosses_seams = crosses_seams;
+}
+
 }  // namespace
 
 void say_outcome(const SimplifyOutcome& outcome, bool prunes) {
@@ -120,6 +147,7 @@ void say_outcome(const SimplifyOutcome& outcome, bool prunes) {
     say("certified bound (max): " + with_percent(outcome, r.certified_bound));
   }
   if (outcome.crosses_seams) say(kCrossesSeams);
+  if (outcome.cards.removed > 0) say(cards_words(outcome.cards));
 }
 
 Json measures_json(const Mesh& before, const Mesh& after, const SimplifyArguments& arguments,
@@ -169,7 +197,7 @@ simplify::SimplifyOptions simplify_options(const SimplifyArguments& arguments, s
 }
 
 SimplifyOutcome simplify_model(LoadedModel& loaded, simplify::SimplifyOptions options,
-                               const CommonOptions& common, bool prunes) {
+                               const CommonOptions& common, bool prunes, bool keeps_cards) {
   Model& model = loaded.model;
   SimplifyOutcome outcome;
   outcome.diagonal = loaded.statistics.box.diagonal();
@@ -178,13 +206,8 @@ SimplifyOutcome simplify_model(LoadedModel& loaded, simplify::SimplifyOptions op
     Stages stages(line.progress(), kCommandWeights);
     stages.next("simplifying");
     options.progress = line.progress();
-    auto [simplified, carried, crosses_seams] =
-        simplify::simplify_model(std::move(model.mesh), model.attributes, options, prunes);
+    reduce(model, options, prunes, keeps_cards, outcome);
     stages.next("finishing");
-    outcome.report = simplified.report;
-    outcome.crosses_seams = crosses_seams;
-    model.attributes = std::move(carried);
-    model.mesh = std::move(simplified.mesh);
     stages.next();
     loaded.statistics = statistics(model.mesh, line.progress());
   }
@@ -203,6 +226,11 @@ std::string pruned_words(const SimplifyOutcome& outcome) {
       percent_text(outcome.percent(r.error_unpruned)));
 }
 
+std::string cards_words(const simplify::ThinnedCards& cards) {
+  return fmt::format("{} of {} removed, the others enlarged by {}", count_text(cards.removed),
+                     count_text(cards.cards, "loose card"), number_text(cards.enlarged));
+}
+
 void run_simplify(const InputOptions& input, const std::string& output,
                   const SimplifyArguments& arguments, const CommonOptions& common) {
   simplify_options(arguments, 1, 1.0);  // reject bad arguments before the work starts
@@ -214,13 +242,15 @@ void run_simplify(const InputOptions& input, const std::string& output,
   const Mesh before = arguments.measure ? mesh : Mesh();
   const simplify::SimplifyOptions options =
       simplify_options(arguments, mesh.face_count(), loaded.statistics.box.diagonal());
-  const SimplifyOutcome outcome = simplify_model(loaded, options, common, arguments.prune);
+  const SimplifyOutcome outcome =
+      simplify_model(loaded, options, common, arguments.prune, arguments.keeps_cards);
   const Json measures = measures_json(before, mesh, arguments, common);
   const std::vector<std::string> losses = write_result(output, loaded.model, common);
   if (!common.json) return;
   Json json{{"input", loaded.file.string()}, {"output", output}};
   json.update(to_json(outcome));
   json.update(measures);
+  if (outcome.cards.cards > 0) json["loose_cards"] = to_json(outcome.cards);
   json["lost"] = losses;
   json["repairs"] = to_json(loaded.model.report);
   add_pm(json, loaded.pm);
