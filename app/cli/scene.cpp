@@ -124,24 +124,28 @@ io::GltfMeshEdit edit_of(const io::GltfSceneMesh& mesh) {
   return {.mesh = mesh.index, .levels = {{&mesh.model.mesh, &mesh.model.attributes}}};
 }
 
-std::vector<std::string> write_scene(const std::string& output, LoadedScene& scene,
+std::vector<std::string> write_scene(io::AtomicFile& file, LoadedScene& scene,
                                      std::vector<io::GltfMeshEdit> edits,
                                      const CommonOptions& common) {
   if (common.compresses) replace_all(edits, scene);
-  std::vector<std::string> losses;
-  {
-    ProgressLine line(!common.quiet, std::filesystem::path(output).filename().string());
-    Stages stages(line.progress(), kWriteSceneWeights);
-    stages.next("writing");
-    const io::GltfRewriter rewriter(scene.scene->document(), edits, common.compresses,
-                                    line.progress());
-    losses = rewriter.losses();
-    stages.next();
-    io::AtomicFile file(output);
-    rewriter.write(file, std::string_view(io::format_of(output)->extension) == ".glb",
-                   line.progress());
-    file.commit(common.flush());
-  }
+  const std::filesystem::path target = file.name();
+  ProgressLine line(!common.quiet, target.filename().string());
+  Stages stages(line.progress(), kWriteSceneWeights);
+  stages.next("writing");
+  const io::GltfRewriter rewriter(scene.scene->document(), edits, common.compresses,
+                                  line.progress());
+  stages.next();
+  rewriter.write(file, std::string_view(io::format_of(target)->extension) == ".glb",
+                 line.progress());
+  return rewriter.losses();
+}
+
+std::vector<std::string> write_scene(const std::string& output, LoadedScene& scene,
+                                     std::vector<io::GltfMeshEdit> edits,
+                                     const CommonOptions& common) {
+  io::AtomicFile file(output);
+  const std::vector<std::string> losses = write_scene(file, scene, std::move(edits), common);
+  file.commit(common.flush());
   if (!common.quiet) say_losses(output, losses);
   return losses;
 }

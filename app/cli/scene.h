@@ -8,6 +8,7 @@
 
 #include "app/cli/options.h"
 #include "app/document/json.h"
+#include "engine/io/atomic_file.h"
 #include "engine/io/gltf_rewrite.h"
 #include "engine/io/gltf_scene.h"
 #include "engine/simplify/shapes.h"
@@ -53,9 +54,14 @@ std::uint64_t scene_faces_for(double ratio, const LoadedScene& scene);
 /// Returns an edit that replaces a mesh by what its model is now.
 io::GltfMeshEdit edit_of(const io::GltfSceneMesh& mesh);
 
-/// Writes the scene with some meshes edited. With `common.compresses` all meshes are
-/// compressed, also those without an edit. Returns what the file does not hold of the input.
-/// Unless `common.quiet`, also prints that on stderr. Throws OutputError.
+/// Writes the scene with some meshes edited, and does not commit. With `common.compresses` all
+/// meshes are compressed, also those without an edit. Returns what the file does not hold of the
+/// input. Throws OutputError.
+std::vector<std::string> write_scene(io::AtomicFile& file, LoadedScene& scene,
+                                     std::vector<io::GltfMeshEdit> edits,
+                                     const CommonOptions& common);
+
+/// Does that and commits. Unless `common.quiet`, also prints on stderr what the file does not hold.
 std::vector<std::string> write_scene(const std::string& output, LoadedScene& scene,
                                      std::vector<io::GltfMeshEdit> edits,
                                      const CommonOptions& common);

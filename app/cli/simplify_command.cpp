@@ -90,31 +90,6 @@ std::optional<std::uint64_t> counted(const Mesh& mesh, const SimplifyArguments& 
   return analysis::count_self_intersections(mesh, line.progress());
 }
 
-/// Simplifies a model in place; if it has loose cards, they share its budget.
-void reduce(Model& model, const simplify::SimplifyOptions& options, bool prunes, bool keeps_cards,
-            SimplifyOutcome& outcome) {
-  const bool may_thin = !keeps_cards && !std::isfinite(options.max_error);
-  if (may_thin && !simplify::find_cards(model.mesh, model.attributes).sets.empty()) {
-    const Shape input{std::move(model.mesh), std::move(model.attributes)};
-    simplify::ShapesReducer reducer({{input.mesh, input.attributes}},
-                                    {.rules = options, .prunes = prunes});
-    simplify::ReducedShape reduced =
-        std::move(reducer.reduce(options.target_faces, options.progress).front());
-    model.mesh = std::move(reduced.shape.mesh);
-    model.attributes = std::move(reduced.shape.attributes);
-    outcome.report = reduced.report;
-    outcome.crosses_seams = reduced.crosses_seams;
-    outcome.cards = reduced.cards;
-    return;
-  }
-  auto [simplified, carried, crosses_seams] =
-      simplify::simplify_model(std::move(model.mesh), model.attributes, options, prunes);
-  model.mesh = std::move(simplified.mesh);
-  model.attributes = std::move(carried);
-  outcome.report = simplified.report;
-  outcome.crosses_seams = crosses_seams;
-}
-
 }  // namespace
 
 void say_outcome(const SimplifyOutcome& outcome, bool prunes) {
@@ -167,6 +142,36 @@ Json measures_json(const Mesh& before, const Mesh& after, const SimplifyArgument
   return json;
 }
 
+SimplifyOutcome reduce_model(Model& model, const simplify::SimplifyOptions& options, bool prunes,
+                             bool keeps_cards) {
+  SimplifyOutcome outcome;
+  if (!keeps_cards && has_loose_cards(model, options)) {
+    const Shape input{std::move(model.mesh), std::move(model.attributes)};
+    simplify::ShapesReducer reducer({{input.mesh, input.attributes}},
+                                    {.rules = options, .prunes = prunes});
+    simplify::ReducedShape reduced =
+        std::move(reducer.reduce(options.target_faces, options.progress).front());
+    model.mesh = std::move(reduced.shape.mesh);
+    model.attributes = std::move(reduced.shape.attributes);
+    outcome.report = reduced.report;
+    outcome.crosses_seams = reduced.crosses_seams;
+    outcome.cards = reduced.cards;
+    return outcome;
+  }
+  auto [simplified, carried, crosses_seams] =
+      simplify::simplify_model(std::move(model.mesh), model.attributes, options, prunes);
+  model.mesh = std::move(simplified.mesh);
+  model.attributes = std::move(carried);
+  outcome.report = simplified.report;
+  outcome.crosses_seams = crosses_seams;
+  return outcome;
+}
+
+bool has_loose_cards(const Model& model, const simplify::SimplifyOptions& options) {
+  return !std::isfinite(options.max_error) &&
+         !simplify::find_cards(model.mesh, model.attributes).sets.empty();
+}
+
 std::uint32_t faces_for(double ratio, std::uint32_t faces) {
   return std::max(1U, static_cast<std::uint32_t>(std::llround(ratio * faces)));
 }
@@ -200,13 +205,13 @@ SimplifyOutcome simplify_model(LoadedModel& loaded, simplify::SimplifyOptions op
                                const CommonOptions& common, bool prunes, bool keeps_cards) {
   Model& model = loaded.model;
   SimplifyOutcome outcome;
-  outcome.diagonal = loaded.statistics.box.diagonal();
   {
     ProgressLine line(!common.quiet);
     Stages stages(line.progress(), kCommandWeights);
     stages.next("simplifying");
     options.progress = line.progress();
-    reduce(model, options, prunes, keeps_cards, outcome);
+    outcome = reduce_model(model, options, prunes, keeps_cards);
+    outcome.diagonal = loaded.statistics.box.diagonal();
     stages.next("finishing");
     stages.next();
     loaded.statistics = statistics(model.mesh, line.progress());

@@ -33,6 +33,14 @@ std::uint32_t faces_for(double ratio, std::uint32_t faces);
 simplify::SimplifyOptions simplify_options(const SimplifyArguments& arguments, std::uint32_t faces,
                                            double diagonal);
 
+/// Simplifies a model and its attributes in place. If it has loose cards, they share its target.
+/// The outcome has no diagonal. Options as those of simplify_model below.
+SimplifyOutcome reduce_model(Model& model, const simplify::SimplifyOptions& options, bool prunes,
+                             bool keeps_cards);
+
+/// Returns whether a model has loose cards that may be removed, which an error bound forbids.
+bool has_loose_cards(const Model& model, const simplify::SimplifyOptions& options);
+
 /// Simplifies a model and its attributes in place, with a line of progress. Reports on stderr
 /// unless `common.quiet`. `prunes`: uses `simplify_pruned`. `keeps_cards`: removes no loose cards.
 SimplifyOutcome simplify_model(LoadedModel& loaded, simplify::SimplifyOptions options,
