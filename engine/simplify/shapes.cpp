@@ -269,7 +269,7 @@ class Reducible {
 class ShapesReducer::Impl {
  public:
   Impl(const std::vector<SceneShape>& shapes, const ShapesOptions& options)
-      : per_shape_(options.per_shape) {
+      : per_shape_(options.per_shape), prunes_(options.prunes) {
     shapes_.reserve(shapes.size());
     for (const SceneShape& shape : shapes) {
       shapes_.emplace_back(shape, options);
@@ -285,7 +285,7 @@ class ShapesReducer::Impl {
     std::vector<ReducedShape> results(shapes_.size());
     run(targets, {}, results, progress);
     for (int repeat = 0; repeat < kMostRepeats && is_missed(results, faces); ++repeat) {
-      if (!limit_stuck(targets, results)) break;
+      if (prunes_ || !limit_stuck(targets, results)) break;
       const std::vector<ShapeTarget> before = std::exchange(targets, find_targets(faces, nullptr));
       run(targets, before, results, nullptr);
     }
@@ -344,6 +344,13 @@ class ShapesReducer::Impl {
     std::span<const std::uint32_t> left = counts;
     for (const std::size_t i : group)
       targets[i] = shapes_[i].take_target(left);
+    if (!prunes_ || fewest(items) <= faces) return;
+    // Collapses alone do not get there. Parts are removed where fewer faces are asked for.
+    const double ratio = double(faces) / double(most(items));
+    for (const std::size_t i : group) {
+      const auto share = static_cast<std::uint32_t>(std::llround(ratio * shapes_[i].full().rest));
+      targets[i].rest = std::max(1U, share);
+    }
   }
 
   void record(const Group& group, bool across, Progress* progress) {
@@ -362,6 +369,13 @@ class ShapesReducer::Impl {
     for (const std::size_t i : group)
       shapes_[i].add_items(items);
     return items;
+  }
+
+  static std::uint64_t most(std::span<const BudgetItem> items) {
+    std::uint64_t faces = 0;
+    for (const BudgetItem& item : items)
+      faces += item.weight * item.faces;
+    return faces;
   }
 
   static std::uint64_t fewest(std::span<const BudgetItem> items) {
@@ -411,6 +425,7 @@ class ShapesReducer::Impl {
   }
 
   bool per_shape_;
+  bool prunes_;
   std::vector<Reducible> shapes_;
   std::uint64_t shown_ = 0;
 };
