@@ -14,6 +14,7 @@
 #include "app/document/json.h"
 #include "app/document/words.h"
 #include "app/edit/distance_from_input.h"
+#include "engine/analysis/hausdorff.h"
 #include "engine/core/error.h"
 #include "engine/core/text.h"
 #include "engine/io/format.h"
@@ -105,8 +106,20 @@ LodLevel facts_of(const Mesh& mesh, const LodTarget& target, std::uint32_t full_
           .faces = mesh.face_count()};
 }
 
+/// Returns a certified bound of the distance of a level, if it was asked for; otherwise -1.
+double bound_of(const Mesh& full, const Mesh& level, const LodArguments& arguments,
+                const CommonOptions& common) {
+  if (!arguments.simplify.bound || level.face_count() == 0) return -1.0;
+  ProgressLine line(!common.quiet);
+  begin_stage(line.progress(), "measuring");
+  const analysis::HausdorffOptions options{.ratio = simplify::bound_ratio(full.face_count()),
+                                           .progress = line.progress()};
+  return analysis::hausdorff_bounds(full, level, options).two_sided().upper;
+}
+
 /// Leaves the progressive mesh at the coarsest of these levels.
-void take_levels(Source& source, const std::vector<LodTarget>& targets, Levels& levels) {
+void take_levels(Source& source, const std::vector<LodTarget>& targets,
+                 const LodArguments& arguments, const CommonOptions& common, Levels& levels) {
   progressive::ProgressiveMesh& progressive = source.progressive.mesh;
   const Model& full = source.loaded.model;
   for (const LodTarget& target : targets) {
@@ -122,8 +135,12 @@ void take_levels(Source& source, const std::vector<LodTarget>& targets, Levels& 
       level.attributes = attributes_of(source, level.mesh);
     }
     LodLevel facts = facts_of(level.mesh, target, progressive.full_face_count());
-    if (level.level != progressive.split_count())
+    if (level.level != progressive.split_count()) {
       facts.rms = distance_from_input(full.mesh, level.mesh);
+      facts.bound = bound_of(full.mesh, level.mesh, arguments, common);
+    } else {
+      facts.bound = 0.0;
+    }
     levels.report.levels.push_back(facts);
     levels.shapes.push_back(std::move(level));
   }
@@ -288,7 +305,7 @@ void run_lods(const InputOptions& input, const std::string& output, const LodArg
     make_levels(source, targets, arguments, common, levels);
   } else {
     make_progressive(source, opened, *targets.back().ratio, arguments, common);
-    take_levels(source, targets, levels);
+    take_levels(source, targets, arguments, common, levels);
   }
   set_coverage(levels.report.levels, arguments, model.mesh.face_count());
   write_levels(output, files, levels, source, common);

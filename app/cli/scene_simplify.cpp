@@ -11,6 +11,7 @@
 #include "app/cli/scene_commands.h"
 #include "app/cli/streams.h"
 #include "engine/core/error.h"
+#include "engine/core/text.h"
 #include "engine/mesh/statistics.h"
 #include "engine/simplify/shapes.h"
 
@@ -137,6 +138,19 @@ SimplifyOutcome total_of(const std::vector<MeshOutcome>& parts, std::uint64_t ta
   return total;
 }
 
+/// Says why a scene has fewer faces than were asked for, if a mesh with many instances is the
+/// reason.
+void say_steps(const std::vector<MeshOutcome>& parts, const SimplifyOutcome& total) {
+  std::uint64_t most = 1;
+  for (const MeshOutcome& part : parts)
+    most = std::max(most, part.outcome.report.collapses > 0 ? part.weight : 1);
+  const simplify::SimplifyReport& r = total.report;
+  if (most == 1 || r.faces_reached + 2 >= r.faces_asked) return;
+  say(fmt::format("a collapse in a mesh that is shown {} times removes up to {}",
+                  count_text(static_cast<std::int64_t>(most)),
+                  count_text(static_cast<std::int64_t>(2 * most), "face")));
+}
+
 Json meshes_json(const std::vector<MeshOutcome>& parts) {
   Json json = Json::array();
   for (const MeshOutcome& part : parts) {
@@ -177,7 +191,10 @@ void simplify_scene(const InputOptions& input, const std::string& output,
     }
   }
   const SimplifyOutcome total = total_of(parts, target, scene.diagonal);
-  if (!common.quiet) say_outcome(total, arguments.prune);
+  if (!common.quiet) {
+    say_outcome(total, arguments.prune);
+    say_steps(parts, total);
+  }
   CommonOptions quiet = common;
   quiet.quiet = true;
   // The output may replace the input.

@@ -78,6 +78,8 @@ void add_lods_flags(CLI::App& command, LodArguments& arguments) {
   command.add_option("--coverage", arguments.coverage,
                      "minimum screen coverage of each level, decreasing (default: the next level's "
                      "ratio; 0 for the last)");
+  command.add_flag("--bound", arguments.simplify.bound,
+                   "report a certified bound on the error of each level, instead of the RMS error");
   command.add_flag("--separate", arguments.is_separate,
                    "glTF: one file per level (OUT_lod0.glb, ...) instead of MSFT_lod");
   add_options(command, simplify::kSimplifyRules, arguments.simplify.rules);

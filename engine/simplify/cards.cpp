@@ -205,6 +205,7 @@ class CardFinder {
 
   void keep_alike(std::vector<std::uint32_t>& cards) const {
     std::vector<double> areas;
+    areas.reserve(cards.size());
     for (const std::uint32_t card : cards)
       areas.push_back(cards_[card].area);
     const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);

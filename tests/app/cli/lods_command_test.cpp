@@ -219,6 +219,16 @@ TEST_F(LodsCommand, EveryLevelReportsItsError) {
   EXPECT_NEAR(halved["screen"]["pixels_per_unit"].get<double>(), 0.5 * pixels, 1e-9);
 }
 
+TEST_F(LodsCommand, BoundsAreCertifiedOnRequest) {
+  const auto json = mesher_json({"lods", "bunny", "-o", "b.ply", "--ratios", "1,0.2", "--bound"});
+  const double max = mesher_json({"compare", "bunny", "b_lod1.ply"})["two_sided"]["max"];
+  EXPECT_EQ(json["levels"][0]["error_bound"], 0.0);
+  EXPECT_GE(json["levels"][1]["error_bound"].get<double>(), max);
+  EXPECT_LE(json["levels"][1]["error_bound"].get<double>(), 1.2 * max);
+  EXPECT_EQ(nlohmann::json::parse(read_bytes(folder_ / "b.json"))["levels"][1]["error_is"],
+            "certified bound");
+}
+
 TEST_F(LodsCommand, ErrorsChooseLevels) {
   const auto json = mesher_json({"lods", "bunny", "-o", "b.ply", "--max-error", "0,0.5%,2%"});
   const auto& levels = json["levels"];

@@ -263,6 +263,22 @@ TEST_F(SceneCommands, LooseCardsAreThinnedInsteadOfTheRest) {
   EXPECT_EQ(mesher_json({"info", "p.pm"})["statistics"]["components"], 101);
 }
 
+TEST_F(SceneCommands, SaysWhatACollapseOfManyInstancesRemoves) {
+  write_bunnies("in.gltf");
+  json scene = document("in.gltf");
+  scene["nodes"] = json::array();
+  scene["scenes"][0]["nodes"] = json::array();
+  for (int i = 0; i < 50; ++i) {
+    scene["nodes"].push_back({{"mesh", 0}, {"translation", {10 * i, 0, 0}}});
+    scene["scenes"][0]["nodes"].push_back(i);
+  }
+  folder_.write("in.gltf", scene.dump());
+  const Finished run = mesher({"simplify", "in.gltf", "-o", "out.gltf", "--faces", "10099"});
+  EXPECT_TRUE(holds(run.err, "asked for 10,099 faces, reached 10,000 of 183,700")) << run.err;
+  EXPECT_TRUE(holds(run.err, "a collapse in a mesh that is shown 50 times removes up to 100 faces"))
+      << run.err;
+}
+
 TEST_F(SceneCommands, LodsMayBeSeparateScenes) {
   write_bunnies("bunnies.gltf");
   const json report = mesher_json(
