@@ -18,8 +18,9 @@ struct LooseCard {
 };
 
 /// Cards that are alike: of one material, and of areas within a factor of kAlike of their
-/// median. `order` lists them in the order in which they survive; it is random, but always the
-/// same, so that what a coarse level shows is part of what a finer one shows.
+/// median. `order` lists them in the order in which they survive. It is random, but any beginning
+/// of it is spread evenly over the places of the cards. It is always the same, so that a coarse
+/// level shows a part of what a finer one shows.
 struct CardSet {
   std::vector<LooseCard> cards;
   std::uint32_t faces = 0;
