@@ -105,6 +105,7 @@ std::vector<std::uint32_t> order_of_survival(std::span<const LooseCard> cards) {
   }
   std::ranges::sort(places);
   std::vector<std::uint32_t> order;
+  order.reserve(places.size());
   for (const auto& [place, card] : places)
     order.push_back(card);
   return order;
