@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/lod_targets.h"
 #include "app/cli/options.h"
 #include "app/cli/simplify_command.h"
 
@@ -17,29 +18,24 @@ inline constexpr const char* kUsualRatios = "1,0.5,0.25";
 struct LodArguments {
   /// None: kUsualRatios, without levels that are far from the model.
   std::optional<std::string> ratios;
+  std::string max_errors;      ///< of the levels, instead of ratios
+  std::string pixels;          ///< the same on the screen
   std::string coverage;        ///< empty: see default_coverage
+  bool is_separate = false;    ///< one file per level, also of a format that holds several
+  ScreenArguments screen;      ///< for errors in pixels
   SimplifyArguments simplify;  ///< its targets are ignored
 };
 
-/// Parses the shares of the faces, finest level first. Throws UsageError unless they decrease and
-/// are above 0 and at most 1.
-std::vector<double> parse_ratios(const std::string& text);
-
-/// Parses the minimum screen coverage of each level. Throws UsageError unless there are `levels`
-/// numbers that decrease and are from 0 to 1.
-std::vector<double> parse_coverage(const std::string& text, std::size_t levels);
-
-/// Returns as the minimum coverage of each level the ratio of the next one, and 0 for the last. At
-/// that coverage the triangles of the next level are as large on the screen as those of the full
-/// model when it covers the whole screen.
-std::vector<double> default_coverage(const std::vector<double>& ratios);
-
-/// The file of level i in a format that holds one level per file: "out_lod0.obj".
+/// The file of level i if each has its own: "out_lod0.obj".
 std::filesystem::path level_file(const std::filesystem::path& output, std::size_t level);
 
-/// Reads a model and writes it in several levels of detail. All levels come from one
-/// simplification, or from the progressive mesh that was read; if parts may be pruned, each level
-/// is simplified separately. glTF gets one file, by MSFT_lod; other formats get one file per level.
+/// The file that lists separate levels: "out.json".
+std::filesystem::path manifest_file(const std::filesystem::path& output);
+
+/// Reads a model and writes it in several levels of detail. Levels by ratio come from one
+/// simplification, or from the progressive mesh that was read; each level is simplified separately
+/// if parts may be pruned, if the model has loose cards, or if an error chooses it. glTF gets one
+/// file, by MSFT_lod; otherwise each level gets a file, and a manifest lists them.
 void run_lods(const InputOptions& input, const std::string& output, const LodArguments& arguments,
               const CommonOptions& common);
 

@@ -21,6 +21,7 @@
 #include "app/cli/progressive_command.h"
 #include "app/cli/render_command.h"
 #include "app/cli/simplify_command.h"
+#include "app/cli/simplify_flags.h"
 #include "app/cli/streams.h"
 #include "app/cli/subdivide_command.h"
 #include "app/cli/version.h"
@@ -310,15 +311,10 @@ class CommandLine {
   }
 
   CLI::Option* add_detail(CLI::App* command, const char* faces, const char* lod) {
-    CLI::Option* option = add_faces(command, detail_.faces, faces);
+    CLI::Option* option = add_faces(*command, detail_.faces, faces);
     return command->add_option("--lod", detail_.lod, lod)
         ->check(number_between(0.0, 1.0))
         ->excludes(option);
-  }
-
-  CLI::Option* add_faces(CLI::App* command, std::optional<std::uint32_t>& faces, const char* what) {
-    return command->add_option("--faces", faces, what)
-        ->check(CLI::Range(1U, std::numeric_limits<std::uint32_t>::max()));
   }
 
   void add_simplify() {
@@ -326,29 +322,13 @@ class CommandLine {
                                     [this] { run_simplify(input_, output_, simplify_, common_); });
     add_batch_input(command);
     add_output(command, "OUT,-o,--output", "file to write");
-    CLI::Option* faces = add_faces(command, simplify_.faces, "number of faces to keep");
-    command
-        ->add_option("--ratio", simplify_.ratio,
-                     "share of the faces to keep, above 0 and at most 1")
-        ->excludes(faces);
-    command->add_option(
-        "--max-error", simplify_.max_error,
-        "upper bound on the distance between input and result, in model units or in percent of the "
-        "diagonal (0.5%); with --faces or --ratio, stop at the first limit reached");
-    add_options(*command, simplify::kSimplifyRules, simplify_.rules);
-    add_prune(command, simplify_);
+    add_simplify_flags(*command, simplify_);
     add_compress(command);
     command->add_flag("--bound", simplify_.bound,
                       "print a certified upper bound on the distance between input and result");
     command->add_flag("--measure", simplify_.measure,
                       "measure the distance between input and result, and count the intersecting "
                       "pairs of faces in both");
-  }
-
-  void add_prune(CLI::App* command, SimplifyArguments& words) {
-    command->add_flag("--prune", words.prune,
-                      "remove parts that are smaller than the error, so that the others keep their "
-                      "shape");
   }
 
   void add_compress(CLI::App* command) {
@@ -389,16 +369,7 @@ class CommandLine {
         [this] { run_lods(input_, output_, lods_, common_); });
     add_batch_input(command);
     add_output(command, "OUT,-o,--output", "file to write");
-    command->add_option(
-        "--ratios", lods_.ratios,
-        "share of the faces that each level keeps, decreasing (default: 1,0.5,0.25, "
-        "but no level further than 5 % of the diagonal from the model)");
-    command->add_option(
-        "--coverage", lods_.coverage,
-        "minimum screen coverage of each level, decreasing (default: the next level's "
-        "ratio; 0 for the last)");
-    add_options(*command, simplify::kSimplifyRules, lods_.simplify.rules);
-    add_prune(command, lods_.simplify);
+    add_lods_flags(*command, lods_);
     add_compress(command);
   }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/trigonometric.hpp>
 #include <string_view>
 
@@ -107,28 +108,44 @@ LoadedScene load_scene_with_faces(const InputOptions& input, const CommonOptions
   return loaded;
 }
 
+std::vector<simplify::SceneShape> shapes_of(const LoadedScene& scene) {
+  std::vector<simplify::SceneShape> shapes;
+  for (const io::GltfSceneMesh& mesh : scene.meshes)
+    shapes.push_back({mesh.model.mesh, mesh.model.attributes, scene.weight(mesh), mesh.scale});
+  return shapes;
+}
+
+std::uint64_t scene_faces_for(double ratio, const LoadedScene& scene) {
+  return std::max<std::uint64_t>(
+      1, static_cast<std::uint64_t>(std::llround(ratio * double(scene.face_count()))));
+}
+
 io::GltfMeshEdit edit_of(const io::GltfSceneMesh& mesh) {
   return {.mesh = mesh.index, .levels = {{&mesh.model.mesh, &mesh.model.attributes}}};
+}
+
+std::vector<std::string> write_scene(io::AtomicFile& file, LoadedScene& scene,
+                                     std::vector<io::GltfMeshEdit> edits,
+                                     const CommonOptions& common) {
+  if (common.compresses) replace_all(edits, scene);
+  const std::filesystem::path target = file.name();
+  ProgressLine line(!common.quiet, target.filename().string());
+  Stages stages(line.progress(), kWriteSceneWeights);
+  stages.next("writing");
+  const io::GltfRewriter rewriter(scene.scene->document(), edits, common.compresses,
+                                  line.progress());
+  stages.next();
+  rewriter.write(file, std::string_view(io::format_of(target)->extension) == ".glb",
+                 line.progress());
+  return rewriter.losses();
 }
 
 std::vector<std::string> write_scene(const std::string& output, LoadedScene& scene,
                                      std::vector<io::GltfMeshEdit> edits,
                                      const CommonOptions& common) {
-  if (common.compresses) replace_all(edits, scene);
-  std::vector<std::string> losses;
-  {
-    ProgressLine line(!common.quiet, std::filesystem::path(output).filename().string());
-    Stages stages(line.progress(), kWriteSceneWeights);
-    stages.next("writing");
-    const io::GltfRewriter rewriter(scene.scene->document(), edits, common.compresses,
-                                    line.progress());
-    losses = rewriter.losses();
-    stages.next();
-    io::AtomicFile file(output);
-    rewriter.write(file, std::string_view(io::format_of(output)->extension) == ".glb",
-                   line.progress());
-    file.commit(common.flush());
-  }
+  io::AtomicFile file(output);
+  const std::vector<std::string> losses = write_scene(file, scene, std::move(edits), common);
+  file.commit(common.flush());
   if (!common.quiet) say_losses(output, losses);
   return losses;
 }

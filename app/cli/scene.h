@@ -8,8 +8,10 @@
 
 #include "app/cli/options.h"
 #include "app/document/json.h"
+#include "engine/io/atomic_file.h"
 #include "engine/io/gltf_rewrite.h"
 #include "engine/io/gltf_scene.h"
+#include "engine/simplify/shapes.h"
 
 namespace mesher::app {
 
@@ -43,12 +45,23 @@ LoadedScene load_scene(const InputOptions& input, const CommonOptions& common);
 LoadedScene load_scene_with_faces(const InputOptions& input, const CommonOptions& common,
                                   const char* what);
 
+/// Returns the meshes of a scene for simplification. They refer to those of `scene`.
+std::vector<simplify::SceneShape> shapes_of(const LoadedScene& scene);
+
+/// Returns a share of the faces that the scene shows, at least 1.
+std::uint64_t scene_faces_for(double ratio, const LoadedScene& scene);
+
 /// Returns an edit that replaces a mesh by what its model is now.
 io::GltfMeshEdit edit_of(const io::GltfSceneMesh& mesh);
 
-/// Writes the scene with some meshes edited. With `common.compresses` all meshes are
-/// compressed, also those without an edit. Returns what the file does not hold of the input.
-/// Unless `common.quiet`, also prints that on stderr. Throws OutputError.
+/// Writes the scene with some meshes edited, and does not commit. With `common.compresses` all
+/// meshes are compressed, also those without an edit. Returns what the file does not hold of the
+/// input. Throws OutputError.
+std::vector<std::string> write_scene(io::AtomicFile& file, LoadedScene& scene,
+                                     std::vector<io::GltfMeshEdit> edits,
+                                     const CommonOptions& common);
+
+/// Does that and commits. Unless `common.quiet`, also prints on stderr what the file does not hold.
 std::vector<std::string> write_scene(const std::string& output, LoadedScene& scene,
                                      std::vector<io::GltfMeshEdit> edits,
                                      const CommonOptions& common);

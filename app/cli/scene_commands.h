@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -18,18 +19,20 @@ namespace mesher::app {
 void convert_scene(const InputOptions& input, const std::string& output, bool repairs,
                    const CommonOptions& common);
 
-/// Simplifies each mesh to the same share of its faces, or within the same distance in the scene.
-/// A number of faces is that of the scene, where a mesh counts as often as it is shown.
+/// Simplifies all meshes to one budget of faces, by error in the scene (ShapesReducer), or within
+/// the same distance in the scene. A number of faces is that of the scene, where a mesh counts as
+/// often as it is shown.
 void simplify_scene(const InputOptions& input, const std::string& output,
                     const SimplifyArguments& arguments, const CommonOptions& common);
 
 void subdivide_scene(const InputOptions& input, const std::string& output,
                      const subdivide::SubdivideOptions& options, const CommonOptions& common);
 
-/// Writes levels of each mesh; each node that shows it lists them by MSFT_lod. `coverage` has the
-/// least coverage of each level.
+/// Writes levels of a scene; each has one budget, or one error, for all meshes. Into one file,
+/// where each node that shows a mesh lists its levels by MSFT_lod; or into `files`, one scene per
+/// level, with a manifest.
 void write_scene_lods(const InputOptions& input, const std::string& output,
-                      const std::vector<double>& ratios, const std::vector<double>& coverage,
+                      const std::vector<std::filesystem::path>& files,
                       const LodArguments& arguments, const CommonOptions& common);
 
 }  // namespace mesher::app

@@ -11,8 +11,9 @@
 #include "app/cli/scene_commands.h"
 #include "app/cli/streams.h"
 #include "engine/core/error.h"
+#include "engine/core/text.h"
 #include "engine/mesh/statistics.h"
-#include "engine/simplify/attributes.h"
+#include "engine/simplify/shapes.h"
 
 namespace mesher::app {
 namespace {
@@ -25,18 +26,22 @@ struct MeshOutcome {
   SimplifyOutcome outcome;   ///< lengths are those of the scene
 };
 
-/// Returns the rules for one mesh: the same share of faces for all, and the same distance.
-simplify::SimplifyOptions options_for(const io::GltfSceneMesh& mesh, const LoadedScene& scene,
-                                      SimplifyArguments arguments) {
-  if (arguments.faces) {
-    arguments.ratio =
-        std::min(1.0, double(*arguments.faces) / std::max(1.0, double(scene.face_count())));
-    arguments.faces.reset();
-  }
-  simplify::SimplifyOptions options =
-      simplify_options(arguments, mesh.model.mesh.face_count(), scene.diagonal);
-  if (!arguments.max_error.empty()) options.max_error /= mesh.scale;
+/// Returns what the arguments mean for a scene.
+simplify::ShapesOptions options_for(const LoadedScene& scene, SimplifyArguments arguments) {
+  simplify::ShapesOptions options;
+  arguments.faces.reset();
+  if (!arguments.ratio && arguments.max_error.empty()) arguments.ratio = 1.0;
+  options.rules = simplify_options(arguments, 1, scene.diagonal);
+  options.prunes = arguments.prune;
+  options.keeps_cards = arguments.keeps_cards;
+  options.per_shape = arguments.per_mesh;
   return options;
+}
+
+/// Returns the number of faces that the scene should show; 0: no target.
+std::uint64_t target_for(const LoadedScene& scene, const SimplifyArguments& arguments) {
+  if (arguments.faces) return *arguments.faces;
+  return arguments.ratio ? scene_faces_for(*arguments.ratio, scene) : 0;
 }
 
 void scale_lengths(simplify::SimplifyReport& report, double scale) {
@@ -46,16 +51,16 @@ void scale_lengths(simplify::SimplifyReport& report, double scale) {
   }
 }
 
-MeshOutcome simplify_mesh(io::GltfSceneMesh& mesh, const simplify::SimplifyOptions& options,
-                          bool prunes) {
+/// Makes the mesh what became of it.
+MeshOutcome outcome_of(io::GltfSceneMesh& mesh, const LoadedScene& scene,
+                       simplify::ReducedShape&& reduced) {
   const double area = statistics(mesh.model.mesh).area * mesh.scale * mesh.scale;
-  auto [simplified, carried, crosses_seams] =
-      simplify::simplify_model(std::move(mesh.model.mesh), mesh.model.attributes, options, prunes);
-  mesh.model.mesh = std::move(simplified.mesh);
-  mesh.model.attributes = std::move(carried);
-  MeshOutcome result{.mesh = &mesh, .area = area};
-  result.outcome.report = simplified.report;
-  result.outcome.crosses_seams = crosses_seams;
+  mesh.model.mesh = std::move(reduced.shape.mesh);
+  mesh.model.attributes = std::move(reduced.shape.attributes);
+  MeshOutcome result{.mesh = &mesh, .weight = scene.weight(mesh), .area = area};
+  result.outcome.report = reduced.report;
+  result.outcome.crosses_seams = reduced.crosses_seams;
+  result.outcome.cards = reduced.cards;
   scale_lengths(result.outcome.report, mesh.scale);
   return result;
 }
@@ -85,9 +90,17 @@ void add(simplify::SimplifyReport& sum, const MeshOutcome& part) {
   sum.seconds += r.seconds;
 }
 
+void add(simplify::ThinnedCards& sum, const simplify::ThinnedCards& part) {
+  sum.cards += part.cards;
+  sum.removed += part.removed;
+  sum.enlarged = std::max(sum.enlarged, part.enlarged);
+}
+
 /// Returns the report of the whole scene. Its reason is that of the mesh that missed its target by
-/// most; errors are the root mean square over the area of the scene, bounds the largest.
-SimplifyOutcome total_of(const std::vector<MeshOutcome>& parts, double diagonal) {
+/// most; errors are the root mean square over the area of the scene, bounds the largest. `target`:
+/// number of faces; 0: none.
+SimplifyOutcome total_of(const std::vector<MeshOutcome>& parts, std::uint64_t target,
+                         double diagonal) {
   SimplifyOutcome total;
   total.diagonal = diagonal;
   simplify::SimplifyReport& sum = total.report;
@@ -100,6 +113,7 @@ SimplifyOutcome total_of(const std::vector<MeshOutcome>& parts, double diagonal)
     const simplify::SimplifyReport& r = part.outcome.report;
     add(sum, part);
     total.crosses_seams |= part.outcome.crosses_seams;
+    add(total.cards, part.outcome.cards);
     const double weight = part.area * double(part.weight);
     area += weight;
     squares += weight * r.estimated_error * r.estimated_error;
@@ -110,11 +124,31 @@ SimplifyOutcome total_of(const std::vector<MeshOutcome>& parts, double diagonal)
     if (is_worse || is_first) sum.reason = r.reason;
     missed = std::max(missed, by);
   }
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+  sum.faces_asked = static_cast<std::uint32_t>(std::min(target, kMost));
+  const bool has_reason = missed > 0 || target == 0;
+  if (!has_reason && sum.faces_reached > sum.faces_asked)
+    sum.reason = simplify::StopReason::no_legal_collapse;  // each mesh has as few as it can
+  else if (!has_reason && sum.faces_reached < sum.faces_before)
+    sum.reason = simplify::StopReason::target_reached;
   if (area > 0.0) {
     sum.estimated_error = std::sqrt(squares / area);
     sum.error_unpruned = std::sqrt(squares_unpruned / area);
   }
   return total;
+}
+
+/// Says why a scene has fewer faces than were asked for, if a mesh with many instances is the
+/// reason.
+void say_steps(const std::vector<MeshOutcome>& parts, const SimplifyOutcome& total) {
+  std::uint64_t most = 1;
+  for (const MeshOutcome& part : parts)
+    most = std::max(most, part.outcome.report.collapses > 0 ? part.weight : 1);
+  const simplify::SimplifyReport& r = total.report;
+  if (most == 1 || r.faces_reached + 2 >= r.faces_asked) return;
+  say(fmt::format("a collapse in a mesh that is shown {} times removes up to {}",
+                  count_text(static_cast<std::int64_t>(most)),
+                  count_text(static_cast<std::int64_t>(2 * most), "face")));
 }
 
 Json meshes_json(const std::vector<MeshOutcome>& parts) {
@@ -129,7 +163,8 @@ Json meshes_json(const std::vector<MeshOutcome>& parts) {
                     {"faces_reached", r.faces_reached},
                     {"stop_reason", key(r.reason)},
                     {"estimated_error", r.estimated_error},
-                    {"crosses_seams", part.outcome.crosses_seams}});
+                    {"crosses_seams", part.outcome.crosses_seams},
+                    {"loose_cards", to_json(part.outcome.cards)}});
   }
   return json;
 }
@@ -140,29 +175,26 @@ void simplify_scene(const InputOptions& input, const std::string& output,
                     const SimplifyArguments& arguments, const CommonOptions& common) {
   if (arguments.measure) refuse_stream(output, "--measure");
   LoadedScene scene = load_scene_with_faces(input, common, "simplify");
-  std::vector<simplify::SimplifyOptions> options;
-  for (const io::GltfSceneMesh& mesh : scene.meshes)
-    options.push_back(options_for(mesh, scene, arguments));
+  const std::uint64_t target = target_for(scene, arguments);
   std::vector<MeshOutcome> parts;
   std::vector<io::GltfMeshEdit> edits;
   {
     ProgressLine line(!common.quiet);
-    std::vector<double> sizes;
-    for (const io::GltfSceneMesh& mesh : scene.meshes)
-      sizes.push_back(mesh.model.mesh.face_count());
-    Stages stages(line.progress(), sizes);
+    simplify::ShapesReducer reducer(shapes_of(scene), options_for(scene, arguments));
+    std::vector<simplify::ReducedShape> reduced = reducer.reduce(target, line.progress());
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-      stages.next("simplifying");
-      options[i].progress = line.progress();
-      parts.push_back(simplify_mesh(scene.meshes[i], options[i], arguments.prune));
-      parts.back().weight = scene.weight(scene.meshes[i]);
-      const simplify::SimplifyReport& report = parts.back().outcome.report;
-      const bool is_edited = report.collapses > 0 || report.pruned_parts > 0;
+      parts.push_back(outcome_of(scene.meshes[i], scene, std::move(reduced[i])));
+      const SimplifyOutcome& outcome = parts.back().outcome;
+      const bool is_edited = outcome.report.collapses > 0 || outcome.report.pruned_parts > 0 ||
+                             outcome.cards.removed > 0;
       if (is_edited) edits.push_back(edit_of(scene.meshes[i]));
     }
   }
-  const SimplifyOutcome total = total_of(parts, scene.diagonal);
-  if (!common.quiet) say_outcome(total, arguments.prune);
+  const SimplifyOutcome total = total_of(parts, target, scene.diagonal);
+  if (!common.quiet) {
+    say_outcome(total, arguments.prune);
+    say_steps(parts, total);
+  }
   CommonOptions quiet = common;
   quiet.quiet = true;
   // The output may replace the input.
@@ -178,6 +210,7 @@ void simplify_scene(const InputOptions& input, const std::string& output,
   Json json{{"input", scene.file.string()}, {"output", output}};
   json.update(to_json(total));
   json.update(measures);
+  json["loose_cards"] = to_json(total.cards);
   json["meshes"] = meshes_json(parts);
   json["lost"] = losses;
   json["repairs"] = to_json(scene.report);

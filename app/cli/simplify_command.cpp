@@ -19,7 +19,9 @@
 #include "engine/io/losses.h"
 #include "engine/io/write.h"
 #include "engine/simplify/attributes.h"
+#include "engine/simplify/cards.h"
 #include "engine/simplify/prune.h"
+#include "engine/simplify/shapes.h"
 #include "engine/simplify/simplify.h"
 
 namespace mesher::app {
@@ -120,6 +122,7 @@ void say_outcome(const SimplifyOutcome& outcome, bool prunes) {
     say("certified bound (max): " + with_percent(outcome, r.certified_bound));
   }
   if (outcome.crosses_seams) say(kCrossesSeams);
+  if (outcome.cards.removed > 0) say(cards_words(outcome.cards));
 }
 
 Json measures_json(const Mesh& before, const Mesh& after, const SimplifyArguments& arguments,
@@ -137,6 +140,36 @@ Json measures_json(const Mesh& before, const Mesh& after, const SimplifyArgument
   json["self_intersections_before"] = intersections_before ? Json(*intersections_before) : Json();
   json["self_intersections_after"] = intersections_after ? Json(*intersections_after) : Json();
   return json;
+}
+
+SimplifyOutcome reduce_model(Model& model, const simplify::SimplifyOptions& options, bool prunes,
+                             bool keeps_cards) {
+  SimplifyOutcome outcome;
+  if (!keeps_cards && has_loose_cards(model, options)) {
+    const Shape input{std::move(model.mesh), std::move(model.attributes)};
+    simplify::ShapesReducer reducer({{input.mesh, input.attributes}},
+                                    {.rules = options, .prunes = prunes});
+    simplify::ReducedShape reduced =
+        std::move(reducer.reduce(options.target_faces, options.progress).front());
+    model.mesh = std::move(reduced.shape.mesh);
+    model.attributes = std::move(reduced.shape.attributes);
+    outcome.report = reduced.report;
+    outcome.crosses_seams = reduced.crosses_seams;
+    outcome.cards = reduced.cards;
+    return outcome;
+  }
+  auto [simplified, carried, crosses_seams] =
+      simplify::simplify_model(std::move(model.mesh), model.attributes, options, prunes);
+  model.mesh = std::move(simplified.mesh);
+  model.attributes = std::move(carried);
+  outcome.report = simplified.report;
+  outcome.crosses_seams = crosses_seams;
+  return outcome;
+}
+
+bool has_loose_cards(const Model& model, const simplify::SimplifyOptions& options) {
+  return !std::isfinite(options.max_error) &&
+         !simplify::find_cards(model.mesh, model.attributes).sets.empty();
 }
 
 std::uint32_t faces_for(double ratio, std::uint32_t faces) {
@@ -169,22 +202,17 @@ simplify::SimplifyOptions simplify_options(const SimplifyArguments& arguments, s
 }
 
 SimplifyOutcome simplify_model(LoadedModel& loaded, simplify::SimplifyOptions options,
-                               const CommonOptions& common, bool prunes) {
+                               const CommonOptions& common, bool prunes, bool keeps_cards) {
   Model& model = loaded.model;
   SimplifyOutcome outcome;
-  outcome.diagonal = loaded.statistics.box.diagonal();
   {
     ProgressLine line(!common.quiet);
     Stages stages(line.progress(), kCommandWeights);
     stages.next("simplifying");
     options.progress = line.progress();
-    auto [simplified, carried, crosses_seams] =
-        simplify::simplify_model(std::move(model.mesh), model.attributes, options, prunes);
+    outcome = reduce_model(model, options, prunes, keeps_cards);
+    outcome.diagonal = loaded.statistics.box.diagonal();
     stages.next("finishing");
-    outcome.report = simplified.report;
-    outcome.crosses_seams = crosses_seams;
-    model.attributes = std::move(carried);
-    model.mesh = std::move(simplified.mesh);
     stages.next();
     loaded.statistics = statistics(model.mesh, line.progress());
   }
@@ -203,6 +231,11 @@ std::string pruned_words(const SimplifyOutcome& outcome) {
       percent_text(outcome.percent(r.error_unpruned)));
 }
 
+std::string cards_words(const simplify::ThinnedCards& cards) {
+  return fmt::format("{} of {} removed, the others enlarged by {}", count_text(cards.removed),
+                     count_text(cards.cards, "loose card"), number_text(cards.enlarged));
+}
+
 void run_simplify(const InputOptions& input, const std::string& output,
                   const SimplifyArguments& arguments, const CommonOptions& common) {
   simplify_options(arguments, 1, 1.0);  // reject bad arguments before the work starts
@@ -214,13 +247,15 @@ void run_simplify(const InputOptions& input, const std::string& output,
   const Mesh before = arguments.measure ? mesh : Mesh();
   const simplify::SimplifyOptions options =
       simplify_options(arguments, mesh.face_count(), loaded.statistics.box.diagonal());
-  const SimplifyOutcome outcome = simplify_model(loaded, options, common, arguments.prune);
+  const SimplifyOutcome outcome =
+      simplify_model(loaded, options, common, arguments.prune, arguments.keeps_cards);
   const Json measures = measures_json(before, mesh, arguments, common);
   const std::vector<std::string> losses = write_result(output, loaded.model, common);
   if (!common.json) return;
   Json json{{"input", loaded.file.string()}, {"output", output}};
   json.update(to_json(outcome));
   json.update(measures);
+  if (outcome.cards.cards > 0) json["loose_cards"] = to_json(outcome.cards);
   json["lost"] = losses;
   json["repairs"] = to_json(loaded.model.report);
   add_pm(json, loaded.pm);

@@ -18,8 +18,10 @@ struct SimplifyArguments {
   std::string max_error;            ///< "0.02" (model units) or "0.5%" (of the diagonal)
   simplify::SimplifyOptions rules;  ///< those of kSimplifyRules
   bool measure = false;
-  bool bound = false;  ///< print a certified bound on the distance from the input
-  bool prune = false;  ///< remove parts that are smaller than the error
+  bool bound = false;        ///< print a certified bound on the distance from the input
+  bool prune = false;        ///< remove parts that are smaller than the error
+  bool per_mesh = false;     ///< of a scene: the same share of faces for each mesh
+  bool keeps_cards = false;  ///< remove no loose cards
 };
 
 /// Returns a share of the faces as a number, at least 1.
@@ -31,10 +33,19 @@ std::uint32_t faces_for(double ratio, std::uint32_t faces);
 simplify::SimplifyOptions simplify_options(const SimplifyArguments& arguments, std::uint32_t faces,
                                            double diagonal);
 
+/// Simplifies a model and its attributes in place. If it has loose cards, they share its target.
+/// The outcome has no diagonal. Options as those of simplify_model below.
+SimplifyOutcome reduce_model(Model& model, const simplify::SimplifyOptions& options, bool prunes,
+                             bool keeps_cards);
+
+/// Returns whether a model has loose cards that may be removed, which an error bound forbids.
+bool has_loose_cards(const Model& model, const simplify::SimplifyOptions& options);
+
 /// Simplifies a model and its attributes in place, with a line of progress. Reports on stderr
-/// unless `common.quiet`. `prunes`: uses `simplify_pruned`.
+/// unless `common.quiet`. `prunes`: uses `simplify_pruned`. `keeps_cards`: removes no loose cards.
 SimplifyOutcome simplify_model(LoadedModel& loaded, simplify::SimplifyOptions options,
-                               const CommonOptions& common, bool prunes = false);
+                               const CommonOptions& common, bool prunes = false,
+                               bool keeps_cards = false);
 
 /// Prints on stderr what a simplification did.
 void say_outcome(const SimplifyOutcome& outcome, bool prunes);
@@ -46,6 +57,9 @@ Json measures_json(const Mesh& before, const Mesh& after, const SimplifyArgument
 
 /// "pruned 14 parts (312 faces), the largest 0.25 % of the diagonal in size; ...".
 std::string pruned_words(const SimplifyOutcome& outcome);
+
+/// "120 of 680 loose cards removed, the others enlarged by 1.1".
+std::string cards_words(const simplify::ThinnedCards& cards);
 
 /// Reads a model, simplifies it, writes it, and reports. If the target cannot be reached, the
 /// result is written all the same, and the report says why.

@@ -217,6 +217,11 @@ Json to_json(const SimplifyOutcome& outcome) {
           {"crosses_seams", outcome.crosses_seams}};
 }
 
+Json to_json(const simplify::ThinnedCards& cards) {
+  if (cards.cards == 0) return {};
+  return {{"count", cards.cards}, {"removed", cards.removed}, {"enlarged_by", cards.enlarged}};
+}
+
 Json to_json(const Session& session) {
   const Edits& edits = session.document.edits;
   Json json{

@@ -48,6 +48,8 @@ Json to_json(const analysis::SurfaceDistance& distance,
              const analysis::DistanceInterval& certified);
 /// The report of a simplification: target, result, stop reason, refusals, errors, seconds.
 Json to_json(const SimplifyOutcome& outcome);
+/// What became of loose cards; null if there are none.
+Json to_json(const simplify::ThinnedCards& cards);
 /// The state of a session, for `--json` and the state log.
 Json to_json(const Session& session);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/mesh/ids.h"
+#include "engine/simplify/cards.h"
 #include "engine/simplify/options.h"
 #include "engine/simplify/report.h"
 
@@ -36,6 +37,7 @@ struct SimplifyOutcome {
   simplify::SimplifyReport report;
   double diagonal = 0.0;       ///< of the input's bounding box: percentages refer to it
   bool crosses_seams = false;  ///< the target could not be reached along the seams of attributes
+  simplify::ThinnedCards cards;
   /// RMS distance from the model as it was opened (distance_from_input), in model units. None if
   /// the simplification started from that model, or if the result has so many faces that the
   /// distance is small.

@@ -76,6 +76,7 @@ class GltfRewriter {
   void add_levels(const GltfMeshEdit& edit);
   void add_node_levels(std::size_t node, const GltfMeshEdit& edit,
                        const std::vector<std::size_t>& meshes);
+  void animate_levels(std::size_t node, std::size_t at, const Json& levels);
   void clear_free_slots();
   void set_offsets();
   void set_extension_lists(bool has_levels);

@@ -72,9 +72,36 @@ void GltfRewriter::add_node_levels(std::size_t node, const GltfMeshEdit& edit,
     ids.push_back(nodes.size() - 1);
     coverage.push_back(edit.levels[i + 1].least_coverage);
   }
+  animate_levels(node, at, ids);
   nodes[at]["extensions"]["MSFT_lod"]["ids"] = std::move(ids);
   if (!nodes[at].contains("extras") || nodes[at]["extras"].is_object())
     nodes[at]["extras"]["MSFT_screencoverage"] = std::move(coverage);
+}
+
+/// Repeats the channels that move a node for its levels, which take its place. If the node shows
+/// its mesh by a child, `at`, the child and its levels follow the node anyway, and only the weights
+/// of morph targets move on to them.
+void GltfRewriter::animate_levels(std::size_t node, std::size_t at, const Json& levels) {
+  const auto animations = document_.find("animations");
+  if (animations == document_.end() || !animations->is_array()) return;
+  for (Json& animation : *animations) {
+    if (!animation.is_object() || !animation.contains("channels")) continue;
+    Json& channels = animation["channels"];
+    if (!channels.is_array()) continue;
+    const std::size_t count = channels.size();
+    for (std::size_t c = 0; c < count; ++c) {
+      const Json target = channels[c].is_object() ? channels[c].value("target", Json()) : Json();
+      if (!target.is_object() || target.value("node", Json()) != Json(node)) continue;
+      const bool is_of_mesh = target.value("path", Json()) == Json("weights");
+      if (at != node && !is_of_mesh) continue;
+      channels[c]["target"]["node"] = at;
+      for (const Json& level : levels) {
+        Json channel = channels[c];
+        channel["target"]["node"] = level;
+        channels.push_back(std::move(channel));
+      }
+    }
+  }
 }
 
 }  // namespace mesher::io

@@ -10,8 +10,8 @@
 
 #include "engine/core/progress.h"
 #include "engine/mesh/bow_tie_follower.h"
-#include "engine/mesh/statistics.h"
 #include "engine/simplify/attribute_field.h"
+#include "engine/simplify/handy_scale.h"
 #include "engine/simplify/measured.h"
 #include "engine/simplify/new_intersections.h"
 #include "engine/simplify/reorder.h"
@@ -38,22 +38,6 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-/// Returns the power of two that scales the mesh so that squares and products of its areas stay far
-/// from the limits of float; 1 if they do anyway. Scaling by it is lossless. Ignores isolated
-/// vertices.
-float handy_scale(const Mesh& mesh) {
-  Box box{glm::vec3(std::numeric_limits<float>::max()),
-          glm::vec3(std::numeric_limits<float>::lowest())};
-  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-    if (mesh.is_isolated(Vertex(v))) continue;
-    box.min = glm::min(box.min, mesh.position(Vertex(v)));
-    box.max = glm::max(box.max, mesh.position(Vertex(v)));
-  }
-  const double diagonal = box.is_empty() ? 0.0 : box.diagonal();
-  if (!(diagonal > 0.0) || (diagonal > 0x1p-10 && diagonal < 0x1p20)) return 1.0F;
-  return std::ldexp(1.0F, std::clamp(10 - std::ilogb(diagonal), -126, 126));
-}
 
 /// Converts positions to scaled units and back. Untouched vertices get back their original bits,
 /// even if scaled coordinates underflowed.

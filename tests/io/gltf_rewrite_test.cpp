@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <set>
+
 #include <cstring>
 #include <nlohmann/json.hpp>
 
@@ -145,6 +148,34 @@ TEST_F(GltfRewrite, LevelsHangOnTheNodes) {
   EXPECT_EQ(after["nodes"][3]["extras"], json({{"id", 7}, {"MSFT_screencoverage", {0.5, 0.25}}}));
   const std::size_t level_of_b = after["nodes"][3]["extensions"]["MSFT_lod"]["ids"][0];
   EXPECT_EQ(after["nodes"][level_of_b]["name"], "b_lod1");
+}
+
+// What moves a node moves the levels that take its place. A node that shows its mesh by a child
+// moves the child, so only the weights of its mesh go there.
+TEST_F(GltfRewrite, LevelsFollowAnimations) {
+  json document = json::parse(test::scene_file());
+  document["nodes"][3]["skin"] = 0;
+  document["skins"] = json::parse(R"([{"joints":[0]}])");
+  document["animations"][0]["channels"] = json::parse(R"([
+    {"sampler":0,"target":{"node":1,"path":"rotation"}},
+    {"sampler":0,"target":{"node":1,"path":"weights"}},
+    {"sampler":0,"target":{"node":3,"path":"rotation"}},
+    {"sampler":0,"target":{"node":0,"path":"rotation"}}])");
+  open(document.dump());
+  const GltfLevel level{&meshes_[0].model.mesh, &meshes_[0].model.attributes, 0.25};
+  const GltfMeshEdit edit{.mesh = 0, .levels = {level, level, level}, .replaces = false};
+  const json after = rewrite(std::span(&edit, 1));
+  const json& nodes = after["nodes"];
+  const std::size_t child = nodes[1]["children"][1];
+  const json ids_of_child = nodes[child]["extensions"]["MSFT_lod"]["ids"];
+  const json ids_of_b = nodes[3]["extensions"]["MSFT_lod"]["ids"];
+  for (const json& id : ids_of_b)
+    EXPECT_EQ(nodes[id.get<std::size_t>()]["skin"], 0);
+  std::map<std::string, std::set<std::size_t>> targets;
+  for (const json& channel : after["animations"][0]["channels"])
+    targets[channel["target"]["path"]].insert(channel["target"]["node"].get<std::size_t>());
+  EXPECT_EQ(targets["rotation"], (std::set<std::size_t>{0, 1, 3, ids_of_b[0], ids_of_b[1]}));
+  EXPECT_EQ(targets["weights"], (std::set<std::size_t>{child, ids_of_child[0], ids_of_child[1]}));
 }
 
 /// A document with images, whose files are named by `uris`.

@@ -72,6 +72,9 @@ function removeLost(document, lost) {
 function differencesOf(a, b, mode) {
   const names = new Set([...Object.keys(a), ...Object.keys(b)]);
   if (mode === 'edit') {
+    // Levels of detail are nodes of their own, which channels of their own move.
+    for (const animation of b.animations ?? [])
+      animation.channels = animation.channels.filter((c) => !(c.target.node >= (a.nodes ?? []).length));
     for (const document of [a, b]) {
       for (const key of ['extensionsUsed', 'extensionsRequired']) {
         const kept = (document[key] ?? []).filter(
@@ -154,7 +157,9 @@ function contentDifferences(a, b, mode) {
     equalAccessors(x.getInverseBindMatrices(), y.getInverseBindMatrices()) &&
     same(x.listJoints().map(numbersOf(rootX.listNodes())), y.listJoints().map(numbersOf(rootY.listNodes()))));
   check('animations', (root) => root.listAnimations(), (x, y) =>
-    x.getName() === y.getName() && x.listChannels().length === y.listChannels().length &&
+    x.getName() === y.getName() &&
+    (mode === 'copy' ? x.listChannels().length === y.listChannels().length
+      : x.listChannels().length <= y.listChannels().length) &&
     x.listSamplers().every((sampler, i) =>
       equalAccessors(sampler.getInput(), y.listSamplers()[i].getInput()) &&
       equalAccessors(sampler.getOutput(), y.listSamplers()[i].getOutput())));

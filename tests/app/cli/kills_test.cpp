@@ -31,17 +31,17 @@ class Kills : public ProgramTest {
   }
 
   static std::vector<Writer> model_writers() {
-    return {
-        {{"convert", "in.obj", "out/m.obj"}, {"m.obj", "m.mtl", "red.png"}},
-        {{"convert", "in.obj", "out/m.ply"}, {"m.ply", "red.png"}},
-        {{"convert", "in.obj", "out/m.stl"}, {"m.stl"}},
-        {{"convert", "in.obj", "out/m.off"}, {"m.off"}},
-        {{"convert", "in.obj", "out/m.gltf"}, {"m.gltf"}},
-        {{"convert", "in.obj", "out/m.glb", "--compress"}, {"m.glb"}},
-        {{"simplify", "in.obj", "-o", "out/s.glb", "--faces", "500"}, {"s.glb"}},
-        {{"progressive", "in.obj", "out/p.pm"}, {"p.pm"}},
-        {{"lods", "in.obj", "-o", "out/l.stl", "--ratios", "1,0.5"}, {"l_lod0.stl", "l_lod1.stl"}},
-        {{"edit", "in.obj", "-o", "out/e.ply", "--do", "subdivide"}, {"e.ply", "red.png"}}};
+    return {{{"convert", "in.obj", "out/m.obj"}, {"m.obj", "m.mtl", "red.png"}},
+            {{"convert", "in.obj", "out/m.ply"}, {"m.ply", "red.png"}},
+            {{"convert", "in.obj", "out/m.stl"}, {"m.stl"}},
+            {{"convert", "in.obj", "out/m.off"}, {"m.off"}},
+            {{"convert", "in.obj", "out/m.gltf"}, {"m.gltf"}},
+            {{"convert", "in.obj", "out/m.glb", "--compress"}, {"m.glb"}},
+            {{"simplify", "in.obj", "-o", "out/s.glb", "--faces", "500"}, {"s.glb"}},
+            {{"progressive", "in.obj", "out/p.pm"}, {"p.pm"}},
+            {{"lods", "in.obj", "-o", "out/l.stl", "--ratios", "1,0.5"},
+             {"l_lod0.stl", "l_lod1.stl", "l.json"}},
+            {{"edit", "in.obj", "-o", "out/e.ply", "--do", "subdivide"}, {"e.ply", "red.png"}}};
   }
 
   static std::vector<Writer> picture_writers() {

@@ -38,7 +38,29 @@ TEST(LodArguments, CoveragesMustDecreaseOnePerLevel) {
   EXPECT_EQ(app::default_coverage({1.0}), (Numbers{0.0}));
 }
 
+TEST(LodArguments, ErrorsMustIncreaseInOneUnit) {
+  using app::parse_errors;
+  EXPECT_EQ(parse_errors("--max-error", "0.5,2", 100.0), (Numbers{0.5, 2.0}));
+  EXPECT_EQ(parse_errors("--max-error", "0,1%,2%", 100.0), (Numbers{0.0, 1.0, 2.0}));
+  EXPECT_EQ(parse_errors("--max-error", "0%,1%", 100.0), (Numbers{0.0, 1.0}));
+  for (const char* bad :
+       {"", ",", "%", "-1", "2,1", "1,1", "0,0", "1%,2", "1,2%", "1%%", "nan", "x"})
+    EXPECT_THROW((void)parse_errors("--max-error", bad, 1.0), UsageError) << bad;
+}
+
+TEST(LodArguments, PixelsFollowFromTheScreen) {
+  // The sphere around the model, of radius 1, fills the screen.
+  app::ScreenArguments screen{.height_pixels = 1000.0, .fov_deg = 90.0, .distance = {}};
+  EXPECT_NEAR(app::eye_distance(screen, 2.0), std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(app::pixels_per_unit(screen, 2.0), 500.0 / std::sqrt(2.0), 1e-9);
+  screen.distance = 10.0;
+  EXPECT_NEAR(app::pixels_per_unit(screen, 2.0), 50.0, 1e-9);
+  screen.distance.reset();
+  EXPECT_EQ(app::pixels_per_unit(screen, 0.0), 0.0);
+}
+
 TEST(LodArguments, FilesAreNumbered) {
+  EXPECT_EQ(app::manifest_file("a.b/c.d.ply"), "a.b/c.d.json");
   EXPECT_EQ(app::level_file("out.obj", 0), "out_lod0.obj");
   EXPECT_EQ(app::level_file("a.b/c.d.ply", 12), "a.b/c.d_lod12.ply");
 }
@@ -102,7 +124,7 @@ TEST_F(LodsCommand, OtherFormatsGetOneFilePerLevel) {
   const Finished run = mesher({"lods", "cactus", "-o", "c.obj", "--ratios", "1,0.6", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(nlohmann::json::parse(run.out)["files"], nlohmann::json({"c_lod0.obj", "c_lod1.obj"}));
-  EXPECT_EQ(folder_.count_files(), 2U);
+  EXPECT_EQ(folder_.count_files(), 3U) << "and a manifest";
   const auto input = mesher_json({"info", "cactus"})["statistics"];
   EXPECT_EQ(mesher_json({"info", "c_lod0.obj"})["statistics"], input);
   const auto coarse = mesher_json({"info", "c_lod1.obj"})["statistics"];
@@ -177,6 +199,85 @@ TEST_F(LodsCommand, UsesLevelsOfProgressiveMesh) {
   EXPECT_EQ(json["pm"]["complete"], true);
   ASSERT_EQ(mesher({"extract", "p.pm", "-o", "e.ply", "--faces", "1837"}).exit_code, 0);
   EXPECT_TRUE(read_bytes(folder_ / "e.ply") == read_bytes(folder_ / "l_lod0.ply"));
+}
+
+TEST_F(LodsCommand, EveryLevelReportsItsError) {
+  const Finished run = mesher({"lods", "bunny", "-o", "b.glb", "--ratios", "1,0.3,0.1", "--json"});
+  const auto json = nlohmann::json::parse(run.out);
+  const double pixels = json["screen"]["pixels_per_unit"];
+  EXPECT_EQ(json["screen"]["height"], 1080.0);
+  EXPECT_EQ(json["levels"][0]["error_rms"], 0.0);
+  for (const std::size_t i : {1U, 2U}) {
+    const auto& level = json["levels"][i];
+    EXPECT_GT(level["error_rms"], json["levels"][i - 1]["error_rms"]);
+    EXPECT_NEAR(level["error_pixels"].get<double>(), pixels * level["error_rms"].get<double>(),
+                1e-9);
+    EXPECT_TRUE(level["error_bound"].is_null());
+  }
+  EXPECT_TRUE(holds(run.err, "(RMS), ")) << run.err;
+  const auto halved = mesher_json({"lods", "bunny", "-o", "b.glb", "--screen-height", "540"});
+  EXPECT_NEAR(halved["screen"]["pixels_per_unit"].get<double>(), 0.5 * pixels, 1e-9);
+}
+
+TEST_F(LodsCommand, BoundsAreCertifiedOnRequest) {
+  const auto json = mesher_json({"lods", "bunny", "-o", "b.ply", "--ratios", "1,0.2", "--bound"});
+  const double max = mesher_json({"compare", "bunny", "b_lod1.ply"})["two_sided"]["max"];
+  EXPECT_EQ(json["levels"][0]["error_bound"], 0.0);
+  EXPECT_GE(json["levels"][1]["error_bound"].get<double>(), max);
+  EXPECT_LE(json["levels"][1]["error_bound"].get<double>(), 1.2 * max);
+  EXPECT_EQ(nlohmann::json::parse(read_bytes(folder_ / "b.json"))["levels"][1]["error_is"],
+            "certified bound");
+}
+
+TEST_F(LodsCommand, ErrorsChooseLevels) {
+  const auto json = mesher_json({"lods", "bunny", "-o", "b.ply", "--max-error", "0,0.5%,2%"});
+  const auto& levels = json["levels"];
+  ASSERT_EQ(levels.size(), 3U);
+  EXPECT_EQ(levels[0]["faces"], 3674);
+  EXPECT_TRUE(levels[0]["asked_faces"].is_null());
+  const double diagonal = mesher_json({"info", "bunny"})["statistics"]["diagonal"];
+  for (const std::size_t i : {1U, 2U}) {
+    EXPECT_LT(levels[i]["faces"], levels[i - 1]["faces"]);
+    EXPECT_LE(levels[i]["error_bound"].get<double>(), (i == 1 ? 0.005 : 0.02) * diagonal);
+  }
+  // The same as `simplify` within that error.
+  ASSERT_EQ(mesher({"simplify", "bunny", "-o", "s.ply", "--max-error", "2%"}).exit_code, 0);
+  EXPECT_TRUE(read_bytes(folder_ / "s.ply") == read_bytes(folder_ / "b_lod2.ply"));
+  EXPECT_EQ(levels[1]["coverage"], levels[2]["ratio"]);
+}
+
+TEST_F(LodsCommand, PixelsChooseLevelsByTheScreen) {
+  const auto near = mesher_json({"lods", "bunny", "-o", "b.glb", "--pixels", "2,8"});
+  const double per_unit = near["screen"]["pixels_per_unit"];
+  EXPECT_LE(near["levels"][0]["error_pixels"].get<double>(), 2.0);
+  EXPECT_LE(near["levels"][1]["error_bound"].get<double>() * per_unit, 8.0);
+  const auto far = mesher_json(
+      {"lods", "bunny", "-o", "b.glb", "--pixels", "2,8", "--distance", "60", "--fov", "40"});
+  EXPECT_LT(far["levels"][0]["faces"], near["levels"][0]["faces"]);
+}
+
+TEST_F(LodsCommand, ManifestListsSeparateFiles) {
+  for (const char* output : {"c.obj", "c.glb"}) {
+    const auto json =
+        mesher_json({"lods", "cactus", "-o", output, "--ratios", "1,0.6", "--separate"});
+    EXPECT_EQ(json["manifest"], "c.json");
+    const auto manifest = nlohmann::json::parse(read_bytes(folder_ / "c.json"));
+    EXPECT_EQ(manifest["input"], "cactus.obj");
+    EXPECT_EQ(manifest["screen"], json["screen"]);
+    ASSERT_EQ(manifest["levels"].size(), 2U);
+    const auto& coarse = manifest["levels"][1];
+    EXPECT_EQ(coarse["level"], 1);
+    EXPECT_EQ(coarse["file"], json["files"][1]);
+    EXPECT_EQ(coarse["error_is"], "RMS");
+    for (const auto& [mine, theirs] : {std::pair{"faces", "faces"},
+                                       {"coverage", "coverage"},
+                                       {"error", "error_rms"},
+                                       {"pixels", "error_pixels"}})
+      EXPECT_EQ(coarse[mine], json["levels"][1][theirs]) << mine;
+    const auto file = mesher_json({"info", coarse["file"].get<std::string>()});
+    EXPECT_EQ(file["statistics"]["faces"], coarse["faces"]);
+  }
+  EXPECT_TRUE(mesher_json({"lods", "cactus", "-o", "c.glb"})["manifest"].is_null());
 }
 
 TEST_F(LodsCommand, ReportsWhyTargetIsNotReached) {
@@ -262,7 +363,22 @@ TEST_F(LodsCommand, ErrorsLeaveNoFiles) {
       {"lods", "cube", "-o", "x.glb", "--ratios", "nan"},
       {"lods", "cube", "-o", "x.glb", "--coverage", "0.5"},
       {"lods", "cube", "-o", "x.glb", "--coverage", "0.1,0.2,0.3"},
-      {"lods", "cube", "-o", "x.glb", "--cost", "vanity"}};
+      {"lods", "cube", "-o", "x.glb", "--cost", "vanity"},
+      {"lods", "cube", "-o", "x.glb", "--max-error", "-1"},
+      {"lods", "cube", "-o", "x.glb", "--max-error", "1,1"},
+      {"lods", "cube", "-o", "x.glb", "--max-error", "1%,0.5%"},
+      {"lods", "cube", "-o", "x.glb", "--max-error", "1%,2"},
+      {"lods", "cube", "-o", "x.glb", "--max-error", "nan"},
+      {"lods", "cube", "-o", "x.glb", "--max-error", "1", "--prune"},
+      {"lods", "cube", "-o", "x.glb", "--max-error", "1", "--ratios", "1,0.5"},
+      {"lods", "cube", "-o", "x.glb", "--max-error", "1", "--pixels", "1"},
+      {"lods", "cube", "-o", "x.glb", "--max-error", "1", "--coverage", "0.5,0.1"},
+      {"lods", "cube", "-o", "x.glb", "--pixels", "2,1"},
+      {"lods", "cube", "-o", "x.glb", "--pixels", "1%"},
+      {"lods", "cube", "-o", "x.glb", "--pixels", "few"},
+      {"lods", "cube", "-o", "x.glb", "--screen-height", "0"},
+      {"lods", "cube", "-o", "x.glb", "--fov", "180"},
+      {"lods", "cube", "-o", "x.glb", "--distance", "-1"}};
   for (const auto& arguments : bad) {
     const Finished run = mesher(arguments);
     EXPECT_EQ(run.exit_code, 1) << arguments.back() << ": " << run.err;

@@ -1,6 +1,10 @@
 // Tests the commands on glTF files that are written as glTF again.
 #include "app/cli/scene_commands.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "engine/io/gltf_scene.h"
 #include "tests/app/program_test.h"
 #include "tests/support/gltf_scene_file.h"
@@ -183,6 +187,116 @@ TEST_F(SceneCommands, LodsMayPruneEachLevel) {
   const json report =
       mesher_json({"lods", "in.gltf", "-o", "out.gltf", "--ratios", "0.5,0.1", "--prune"});
   EXPECT_NEAR(report["levels"][1]["faces"].get<double>(), 735, 5);
+}
+
+TEST_F(SceneCommands, BudgetIsSharedByErrorInTheScene) {
+  write_bunnies("in.gltf");
+  json scene = document("in.gltf");
+  scene["meshes"].push_back(scene["meshes"][0]);
+  scene["meshes"][0]["name"] = "small";
+  scene["meshes"][1]["name"] = "large";
+  scene["nodes"] = json::parse(R"([{"mesh":0},{"mesh":1,"scale":[5,5,5]}])");
+  folder_.write("in.gltf", scene.dump());
+  const json shared = mesher_json({"simplify", "in.gltf", "-o", "s.gltf", "--ratio", "0.1"});
+  EXPECT_EQ(shared["asked_faces"], 735);
+  EXPECT_EQ(shared["stop_reason"], "target_reached");
+  EXPECT_LE(shared["faces_reached"], 735);
+  EXPECT_GE(shared["faces_reached"], 732);
+  EXPECT_GT(shared["meshes"][1]["faces_reached"],
+            4 * shared["meshes"][0]["faces_reached"].get<int>());
+  const json even =
+      mesher_json({"simplify", "in.gltf", "-o", "e.gltf", "--ratio", "0.1", "--per-mesh"});
+  EXPECT_EQ(even["meshes"][0]["faces_reached"], even["meshes"][1]["faces_reached"]);
+  EXPECT_LT(shared["estimated_error"].get<double>(), 0.8 * even["estimated_error"].get<double>());
+  // The same for levels.
+  const json lods = mesher_json({"lods", "in.gltf", "-o", "l.gltf", "--ratios", "0.5,0.1"});
+  EXPECT_EQ(lods["levels"][1]["faces"], shared["faces_reached"]);
+  EXPECT_NEAR(lods["levels"][1]["error_rms"].get<double>(), shared["estimated_error"].get<double>(),
+              1e-9);
+  const json per_mesh =
+      mesher_json({"lods", "in.gltf", "-o", "l.gltf", "--ratios", "0.5,0.1", "--per-mesh"});
+  EXPECT_GT(per_mesh["levels"][1]["error_rms"], lods["levels"][1]["error_rms"]);
+}
+
+TEST_F(SceneCommands, LooseCardsAreThinnedInsteadOfTheRest) {
+  // A wavy sheet, and above it a hundred squares.
+  std::string text;
+  const auto square = [&](double x, double y, double z, double size, int first) {
+    for (const auto& [u, v] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+      text += fmt::format("v {} {} {}\n", x + size * u, y + size * v, z);
+    text += fmt::format("f {0} {1} {2}\nf {0} {2} {3}\n", first, first + 1, first + 2, first + 3);
+  };
+  for (int i = 0; i < 100; ++i)
+    square(i % 10 * 0.9, i / 10 * 0.9, 5.0 + i * 37 % 100 * 0.03, 0.5, 4 * i + 1);
+  constexpr int kSide = 40;
+  for (int i = 0; i <= kSide; ++i) {
+    for (int k = 0; k <= kSide; ++k)
+      text += fmt::format("v {} {} {}\n", i * 0.25, k * 0.25,
+                          0.3 * std::sin(i * 0.5) * std::cos(k * 0.4));
+  }
+  for (int i = 0; i < kSide; ++i) {
+    for (int k = 0; k < kSide; ++k) {
+      const int at = 401 + i * (kSide + 1) + k;
+      text += fmt::format("f {} {} {} {}\n", at, at + kSide + 1, at + kSide + 2, at + 1);
+    }
+  }
+  folder_.write("in.obj", text);
+  ASSERT_EQ(mesher({"convert", "in.obj", "-o", "in.gltf"}).exit_code, 0);
+  for (const char* file : {"in.obj", "in.gltf"}) {
+    SCOPED_TRACE(file);
+    const Finished run = mesher({"simplify", file, "-o", "out.gltf", "--faces", "120", "--json"});
+    const json report = json::parse(run.out);
+    EXPECT_EQ(report["loose_cards"]["count"], 100);
+    EXPECT_GT(report["loose_cards"]["removed"], 20);
+    EXPECT_LT(report["loose_cards"]["removed"], 100);
+    EXPECT_TRUE(holds(run.err, " of 100 loose cards removed, the others enlarged by ")) << run.err;
+    EXPECT_LE(report["faces_reached"], 120);
+    const json kept =
+        mesher_json({"simplify", file, "-o", "out.gltf", "--faces", "120", "--keep-cards"});
+    EXPECT_TRUE(kept.value("loose_cards", json()).is_null());
+    const json levels = mesher_json({"lods", file, "-o", "out.glb", "--ratios", "1,0.05"});
+    EXPECT_TRUE(levels["levels"][0]["loose_cards"].is_null());
+    EXPECT_GT(levels["levels"][1]["loose_cards"]["removed"], 10);
+  }
+  // Never in a progressive mesh.
+  EXPECT_EQ(mesher_json({"progressive", "in.obj", "-o", "p.pm"})["faces_before"], 3400);
+  EXPECT_EQ(mesher_json({"info", "p.pm"})["statistics"]["components"], 101);
+}
+
+TEST_F(SceneCommands, SaysWhatACollapseOfManyInstancesRemoves) {
+  write_bunnies("in.gltf");
+  json scene = document("in.gltf");
+  scene["nodes"] = json::array();
+  scene["scenes"][0]["nodes"] = json::array();
+  for (int i = 0; i < 50; ++i) {
+    scene["nodes"].push_back({{"mesh", 0}, {"translation", {10 * i, 0, 0}}});
+    scene["scenes"][0]["nodes"].push_back(i);
+  }
+  folder_.write("in.gltf", scene.dump());
+  const Finished run = mesher({"simplify", "in.gltf", "-o", "out.gltf", "--faces", "10099"});
+  EXPECT_TRUE(holds(run.err, "asked for 10,099 faces, reached 10,000 of 183,700")) << run.err;
+  EXPECT_TRUE(holds(run.err, "a collapse in a mesh that is shown 50 times removes up to 100 faces"))
+      << run.err;
+}
+
+TEST_F(SceneCommands, LodsMayBeSeparateScenes) {
+  write_bunnies("bunnies.gltf");
+  const json report = mesher_json(
+      {"lods", "bunnies.gltf", "-o", "out.glb", "--max-error", "0,0.05,0.2", "--separate"});
+  EXPECT_EQ(report["files"], json({"out_lod0.glb", "out_lod1.glb", "out_lod2.glb"}));
+  const json manifest = document("out.json");
+  ASSERT_EQ(manifest["levels"].size(), 3U);
+  for (const std::size_t i : {1U, 2U}) {
+    const json& level = manifest["levels"][i];
+    EXPECT_EQ(level["error_is"], "certified bound");
+    EXPECT_LE(level["error"].get<double>(), i == 1 ? 0.05 : 0.2);
+    const json info = mesher_json({"info", level["file"].get<std::string>()});
+    EXPECT_EQ(info["statistics"]["faces"], level["faces"]);
+    EXPECT_EQ(info["contents"]["nodes"]["names"], json({"big", "small"}));
+    const json distance =
+        mesher_json({"compare", "bunnies.gltf", level["file"].get<std::string>()})["two_sided"];
+    EXPECT_LE(distance["max"].get<double>(), level["error"].get<double>());
+  }
 }
 
 TEST_F(SceneCommands, CompressedFilesAreSmallerAndTheSame) {
