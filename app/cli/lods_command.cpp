@@ -86,6 +86,9 @@ void make_progressive(Source& source, LoadedLevels& opened, double least_ratio,
   options.progress = line.progress();
   Mesh marked = mesh;
   simplify::mark_seams(marked, source.loaded.model.attributes);
+  const simplify::AttributeMetric metric =
+      simplify::attribute_metric(mesh, source.loaded.model.attributes, options.weights());
+  if (metric.size > 0) options.metric = &metric;
   source.progressive = progressive::make_progressive(marked, options);
 }
 

@@ -71,6 +71,7 @@ class Reducible {
       has_lines_ = has_seam_marks(rest);
       SimplifyOptions rules = options_.rules;
       rules.progress = progress;
+      rules.metric = metric();
       curve_ = rest.face_count() > 0 ? cost_curve(rest, rules) : CostCurve();
     }
     if (!across || !has_lines_ || std::exchange(is_across_, true)) return;
@@ -154,13 +155,26 @@ class Reducible {
     return compact(mesh, select(true, [&](Face f) { return is_rest(f); }));
   }
 
-  Simplified simplify_rest(bool marks, const SimplifyOptions& rules) const {
+  /// Returns the metric of the rest, or null if no attribute counts.
+  const AttributeMetric* metric() {
+    if (!metric_) {
+      metric_ = attribute_metric(in_.mesh, in_.attributes, options_.rules.weights());
+      if (has_cards() && metric_->size > 0) {
+        metric_ = of_faces(*metric_, select(true, [&](Face f) { return is_rest(f); }).faces);
+      }
+    }
+    return metric_->size > 0 ? &*metric_ : nullptr;
+  }
+
+  Simplified simplify_rest(bool marks, SimplifyOptions rules) {
+    // Across seams, the sides have no common values.
+    rules.metric = marks ? metric() : nullptr;
     return options_.prunes ? simplify_pruned(rest_mesh(marks), rules)
                            : simplify(rest_mesh(marks), rules);
   }
 
   /// As simplify_model, for the rest.
-  Simplified simplify_rest(const SimplifyOptions& rules, bool& crosses_seams) const {
+  Simplified simplify_rest(const SimplifyOptions& rules, bool& crosses_seams) {
     Simplified along = simplify_rest(true, rules);
     const bool is_stuck = along.report.reason == StopReason::no_legal_collapse &&
                           along.report.faces_reached > rules.target_faces;
@@ -256,6 +270,7 @@ class Reducible {
   }
 
   SceneShape in_;
+  std::optional<AttributeMetric> metric_;
   ShapesOptions options_;  ///< lengths in units of the mesh
   LooseCards cards_;
   std::vector<CardThinning> thinning_;  ///< by set, once measured

@@ -17,6 +17,7 @@
 #include "engine/analysis/distance.h"
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
+#include "engine/mesh/collapse.h"
 #include "engine/mesh/statistics.h"
 #include "tests/simplify/replay.h"
 #include "tests/support/meshes.h"
