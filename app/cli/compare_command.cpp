@@ -140,7 +140,7 @@ void add_compare_options(CLI::App& command, CompareArguments& arguments) {
   command
       .add_option("--views", pictures.views,
                   "number of directions, distributed uniformly (default: 24)")
-      ->check(CLI::Range(1U, 1000U))
+      ->check(CLI::Range(1U, 256U))
       ->needs(folder);
   command
       .add_option("--picture-size", pictures.size,

@@ -22,7 +22,7 @@ namespace {
 constexpr int kBrighter = 4;
 
 Size picture_size_of(const PictureComparison& options) {
-  return parse_size(options.size.empty() ? "800x600" : options.size);
+  return parse_size(options.size.empty() ? "800x600" : options.size, "--picture-size");
 }
 
 /// Returns whether base colors tell more than the shape does.

@@ -57,8 +57,15 @@ std::vector<double> parse_ratios(const std::string& text) {
 std::vector<double> parse_errors(const std::string& option, const std::string& text,
                                  double diagonal) {
   const bool has_percent = text.find('%') != std::string::npos;
-  std::string numbers = text;
-  const auto percents = std::erase(numbers, '%');
+  std::string numbers;
+  std::ptrdiff_t percents = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    // One at the end of a number; any other one makes the number unreadable.
+    const bool is_unit = text[i] == '%' && i > 0 && text[i - 1] != '%' &&
+                         (i + 1 == text.size() || text[i + 1] == ',');
+    percents += is_unit ? 1 : 0;
+    if (!is_unit) numbers += text[i];
+  }
   std::vector<double> errors = parse_numbers(numbers).value_or(std::vector<double>{});
   // Zero needs no unit.
   const auto with_unit = std::ranges::count_if(errors, [](double error) { return error != 0.0; });

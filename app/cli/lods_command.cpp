@@ -84,6 +84,7 @@ void make_progressive(Source& source, LoadedLevels& opened, double least_ratio,
   ProgressLine line(!common.quiet);
   begin_stage(line.progress(), "simplifying");
   options.progress = line.progress();
+  options.certifies = false;  // each level is certified for itself
   Mesh marked = mesh;
   simplify::mark_seams(marked, source.loaded.model.attributes);
   const simplify::AttributeMetric metric =

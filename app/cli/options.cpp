@@ -32,11 +32,12 @@ std::optional<double> number(const std::string& text) {
   return value;
 }
 
-std::uint32_t parse_side(const std::string& side, const std::string& text) {
+std::uint32_t parse_side(const std::string& option, const std::string& side,
+                         const std::string& text) {
   const auto value = number(side);
   if (!value || *value < 1 || *value > kMaxSide || *value != std::floor(*value)) {
     throw UsageError(
-        fmt::format("--size: '{}' is not N or WxH with sides from 1 to {}", text, kMaxSide));
+        fmt::format("{}: '{}' is not N or WxH with sides from 1 to {}", option, text, kMaxSide));
   }
   return static_cast<std::uint32_t>(*value);
 }
@@ -86,11 +87,11 @@ std::uint64_t parse_bytes(const std::string& option, const std::string& text) {
   throw UsageError(fmt::format("{}: '{}' is not a size such as 512MB or 1.5GiB", option, text));
 }
 
-Size parse_size(const std::string& text) {
+Size parse_size(const std::string& text, const std::string& option) {
   const std::vector<std::string> parts = split(text, 'x');
-  if (parts.size() > 2) parse_side("", text);
-  const std::uint32_t width = parse_side(parts[0], text);
-  return {width, parts.size() == 2 ? parse_side(parts[1], text) : width};
+  if (parts.size() > 2) parse_side(option, "", text);
+  const std::uint32_t width = parse_side(option, parts[0], text);
+  return {width, parts.size() == 2 ? parse_side(option, parts[1], text) : width};
 }
 
 CameraAngles parse_camera(const std::string& text) {

@@ -74,7 +74,7 @@ std::optional<std::vector<double>> parse_numbers(const std::string& text);
 std::uint64_t parse_bytes(const std::string& option, const std::string& text);
 
 /// "500" or "640x480". Throws UsageError; sides are 1 to 16384.
-Size parse_size(const std::string& text);
+Size parse_size(const std::string& text, const std::string& option = "--size");
 
 /// YAW,PITCH,ZOOM: two angles and a zoom factor from 0.001 to 1000. At 1 the whole model fits;
 /// beyond about 3 the eye is inside most models.

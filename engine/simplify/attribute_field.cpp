@@ -90,12 +90,14 @@ void AttributeField::find_wedges(const Surface& surface, const AttributeMetric& 
   records_.reserve(stride_ * mesh.vertex_count());
   source_.reserve(mesh.vertex_count());
   std::vector<Halfedge> run;
+  bool has_own = false;
   const auto make_wedge = [&] {
     const auto wedge = static_cast<std::uint32_t>(source_.size());
     const std::uint32_t source = metric.of_corner[run.front().index()];
     const bool is_one =
         std::ranges::all_of(run, [&](Halfedge h) { return metric.of_corner[h.index()] == source; });
-    source_.push_back(is_one ? source : kNone);
+    source_.push_back(is_one ? source : kOwn);
+    has_own |= !is_one;
     records_.insert(records_.end(), stride_, 0.0F);
     const float share = is_one ? 1.0F : 1.0F / static_cast<float>(run.size());
     for (const Halfedge h : run)
@@ -120,6 +122,7 @@ void AttributeField::find_wedges(const Surface& surface, const AttributeMetric& 
     } while (!surface.is_feature(Mesh::prev(*at)) && at.advance());
     make_wedge();
   }
+  if (has_own) own_ = metric.of_corner;
 }
 
 void AttributeField::find_sums(const Surface& surface) {
@@ -338,11 +341,32 @@ AttributeField::Merged AttributeField::merged(const Surface& surface, Halfedge h
       continue;
     }
     const std::uint32_t end = is_at_target ? pair.target : pair.origin;
-    result.source[i] = source_[end];
+    // Corners of other wedges join, so the mean is all that they have in common.
+    result.source[i] = source_[end] == kOwn ? kNone : source_[end];
     for (std::size_t j = 0; j < size_; ++j)
       result.values[i][j] = value(end, j);
   }
+  if (result.pairs.count == 2 && !is_at_end) keep_equal(result);
   return result;
+}
+
+/// Numbers that agree across a line at both of its ends still do afterward: a seam of the texture
+/// does not split normals.
+void AttributeField::keep_equal(Merged& merged) const {
+  const auto& [left, right] = merged.pairs.pair;
+  const auto area = [&](const Pair& pair) {
+    return record(pair.origin)[0] + record(pair.target)[0];
+  };
+  const float sum = area(left) + area(right);
+  const float part = sum > 0.0F ? area(left) / sum : 0.5F;
+  for (std::size_t j = 0; j < size_; ++j) {
+    if (value(left.origin, j) != value(right.origin, j) ||
+        value(left.target, j) != value(right.target, j)) {
+      continue;
+    }
+    const float mean = merged.values[1][j] + part * (merged.values[0][j] - merged.values[1][j]);
+    merged.values[0][j] = merged.values[1][j] = mean;
+  }
 }
 
 bool AttributeField::flips_texture(const Surface& surface, Halfedge h, const Fan& fan,
@@ -363,7 +387,7 @@ bool AttributeField::flips_texture(const Surface& surface, Halfedge h, const Fan
       };
       const float before = area(value(a, j), value(a, j + 1));
       const float after = area((*values)[j], (*values)[j + 1]);
-      if (before != 0.0F && !(before * after > 0.0F)) return true;
+      if (before != 0.0F && (after == 0.0F || (before > 0.0F) != (after > 0.0F))) return true;
     }
   }
   return false;

@@ -64,7 +64,10 @@ class AttributeField {
   /// Appends the values at a corner, in the order and unit of the metric.
   void append_values(Halfedge h, float scale, Array<float>& to) const;
   /// Returns the wedge of the metric whose values a corner has kept, or kNone.
-  std::uint32_t source(Halfedge h) const { return source_[wedge_[h.index()]]; }
+  std::uint32_t source(Halfedge h) const {
+    const std::uint32_t source = source_[wedge_[h.index()]];
+    return source == kOwn ? own_[h.index()] : source;
+  }
 
   /// What the corners show.
   struct Saved {
@@ -80,6 +83,8 @@ class AttributeField {
   }
 
  private:
+  /// The source of a wedge that no collapse has touched and whose corners have different ones.
+  static constexpr std::uint32_t kOwn = kNone - 1;
   static constexpr std::size_t kMost = AttributeMetric::kMost;
   using Values = std::array<float, kMost>;
   struct Contribution;
@@ -132,6 +137,7 @@ class AttributeField {
   void merged_values(const Pair& pair, const Vec3<float>& half, const Vec3<float>& y,
                      Values& to) const;
   Merged merged(const Surface& surface, Halfedge h, const glm::vec3& p) const;
+  void keep_equal(Merged& merged) const;
   Corners corners(const Surface& surface, Halfedge h) const;
   void contribute(const Corners& corners, const Values* first, Contribution& to) const;
   void clear(std::uint32_t wedge);
@@ -152,7 +158,8 @@ class AttributeField {
   std::vector<std::size_t> texcoords_;  ///< first of two numbers each
   Array<std::uint32_t> wedge_;          ///< per half-edge
   Array<float> records_;                ///< per wedge
-  Array<std::uint32_t> source_;         ///< per wedge
+  Array<std::uint32_t> source_;         ///< per wedge: that of its corners, kNone or kOwn
+  Array<std::uint32_t> own_;  ///< per half-edge: its wedge in the metric; empty if never kOwn
 };
 
 }  // namespace mesher::simplify

@@ -200,16 +200,21 @@ class Carrier {
   void set_values(std::size_t first, double factor, const AttributeLayer& from,
                   AttributeLayer& to) const {
     const std::size_t size = followed_->metric.size;
-    const bool has_unit_length = from.type().kind == AttributeKind::normal;
+    const AttributeKind kind = from.type().kind;
     parallel_for(to.count(), kCarryGrain, [&](IndexRange range) {
       for (std::size_t h = range.begin; h < range.end; ++h) {
         if (keep(from, h, to)) continue;
         AttributeValue value{};
         for (std::size_t k = 0; k < from.type().components; ++k)
           value[k] = double{followed_->corners.values[size * h + first + k]} / factor;
-        if (has_unit_length) {
-          const glm::dvec3 n = unit(vector_of(value));
+        if (kind == AttributeKind::normal) {
+          const glm::dvec3 n =
+              normal_of(value, Mesh::face(Halfedge(static_cast<std::uint32_t>(h))));
           value = {n.x, n.y, n.z, value[3]};
+        } else if (kind == AttributeKind::color) {
+          // A mean of extrapolated values may lie beyond all of them.
+          for (double& x : value)
+            x = std::clamp(x, 0.0, 1.0);
         }
         store(to, h, value);
       }
@@ -227,12 +232,21 @@ class Carrier {
     return seams > others;
   }
 
+  glm::dvec3 face_normal(Face f) const {
+    const auto p = [&](std::uint32_t c) {
+      return glm::dvec3(result_.position(result_.origin(Mesh::halfedge(f, c))));
+    };
+    return unit(glm::cross(p(1) - p(0), p(2) - p(0)));
+  }
+  /// Returns the direction of a value; that of the face if it has none.
+  glm::dvec3 normal_of(const AttributeValue& value, Face f) const {
+    const glm::dvec3 n = vector_of(value);
+    return glm::dot(n, n) > 0.0 ? unit(n) : face_normal(f);
+  }
+
   void set_face_normals(AttributeLayer& layer) const {
     parallel_for_each(result_.face_count(), kCarryGrain, [&](std::uint32_t f) {
-      const auto p = [&](std::uint32_t c) {
-        return glm::dvec3(result_.position(result_.origin(Mesh::halfedge(Face(f), c))));
-      };
-      const glm::dvec3 n = unit(glm::cross(p(1) - p(0), p(2) - p(0)));
+      const glm::dvec3 n = face_normal(Face(f));
       for (std::uint32_t c = 0; c < 3; ++c)
         store(layer, 3 * std::size_t{f} + c, {n.x, n.y, n.z, 0.0});
     });

@@ -52,6 +52,8 @@ class Reducible {
   const SceneShape& in() const { return in_; }
   std::uint32_t faces() const { return in_.mesh.face_count(); }
   bool has_cards() const { return !cards_.sets.empty(); }
+  /// Returns whether an error ends the removal of cards.
+  bool may_stop() const { return has_cards() && std::isfinite(options_.rules.stop_before_error); }
   bool has_several_items() const {
     return cards_.sets.size() > 1 || (has_cards() && cards_.rest_faces > 0);
   }
@@ -224,13 +226,26 @@ class Reducible {
       return !is_rest(f) && is_left[cards_.set_of_face[f.index()]][cards_.card_of_face[f.index()]];
     });
     source.insert(source.end(), of_cards.faces.begin(), of_cards.faces.end());
+    unmark_seams(rest.mesh);
+    const std::size_t rest_faces = rest.face_source.size();
+    rest.face_source.assign(source.begin(),
+                            source.begin() + static_cast<std::ptrdiff_t>(rest_faces));
+    const Attributed input{in_.mesh, in_.attributes};
     std::vector<Shape> both(2);
+    both[0].attributes = metric() != nullptr
+                             ? carry_attributes(input, rest, *metric(), progress)
+                             : carry_attributes(input, rest.mesh, rest.face_source, progress);
     both[0].mesh = std::move(rest.mesh);
     both[1].mesh = compact(in_.mesh, of_cards);
-    result.mesh = joined(std::move(both)).mesh;
-    unmark_seams(result.mesh);
     // While the cards are where they were, so that their values stay bit for bit.
-    result.attributes = carry_attributes({in_.mesh, in_.attributes}, result.mesh, source, progress);
+    both[1].attributes = carry_attributes(input, both[1].mesh, of_cards.faces, progress);
+    result = joined(std::move(both));
+    // Both have the groups of the input.
+    const auto groups = static_cast<std::uint32_t>(in_.attributes.groups.size());
+    for (std::uint32_t& group : result.attributes.group)
+      group = groups > 0 ? group % groups : 0;
+    if (groups == 0) result.attributes.group = {};
+    result.attributes.groups = in_.attributes.groups;
     enlarge_cards(result.mesh, source, cards_, enlargement);
   }
 
@@ -341,7 +356,7 @@ class ShapesReducer::Impl {
   void set_targets(const Group& group, std::uint64_t faces, std::vector<ShapeTarget>& targets,
                    Progress* progress) {
     Reducible& first = shapes_[group.front()];
-    if (group.size() == 1 && !first.has_several_items()) {
+    if (group.size() == 1 && !first.has_several_items() && !first.may_stop()) {
       const std::uint64_t weight = std::max<std::uint64_t>(first.in().weight, 1);
       const auto own =
           static_cast<std::uint32_t>(std::clamp<std::uint64_t>(faces / weight, 1, first.faces()));

@@ -68,7 +68,30 @@ TEST(CarryAttributes, LinearFunctionsOfAPlaneAreReproduced) {
   }
 }
 
-/// A bumpy sheet whose attributes do not vary.
+/// A torus cut open in its texture: u jumps from 1 to 0 at a ring of edges; normals are smooth.
+Attributes cut_torus(const Mesh& mesh) {
+  CornerAttributes corners;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    double angle[3];
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      const glm::vec3 p = mesh.position(mesh.origin(Mesh::halfedge(Face(f), c)));
+      angle[c] = std::atan2(p.y, p.x);
+      corners.normal.push_back(glm::normalize(p));
+    }
+    const double least = std::min({angle[0], angle[1], angle[2]});
+    for (double& a : angle) {
+      // A face that crosses the cut has all its corners on one side.
+      if (least < -2.0 && a > 2.0) a -= 2.0 * 3.14159265358979;
+      corners.texcoord.push_back({static_cast<float>(a), 0.0F});
+    }
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      const Halfedge h = Mesh::halfedge(Face(f), c);
+      corners.texcoord[h.index()].y = mesh.position(mesh.origin(h)).z;
+    }
+  }
+  return to_wedges(mesh, std::move(corners));
+}
+
 TEST(CarryAttributes, ConstantAttributesChangeNothing) {
   Mesh mesh = built(torus(40, 30)).mesh;
   CornerAttributes constant;
@@ -106,14 +129,8 @@ TEST(CarryAttributes, SizeOfTheTextureChangesNothingElse) {
 }
 
 TEST(CarryAttributes, SameForAnyThreadCount) {
-  const Mesh mesh = built(torus(200, 100)).mesh;
-  CornerAttributes corners;
-  for (const Vertex v : mesh.origins()) {
-    const glm::vec3 p = mesh.position(v);
-    corners.texcoord.push_back({std::sin(9.0F * p.x), p.y * p.z});
-    corners.normal.push_back(glm::normalize(p));
-  }
-  const Attributes attributes = to_wedges(mesh, std::move(corners));
+  const Mesh mesh = built(torus(200, 100)).mesh;  // several regions
+  const Attributes attributes = cut_torus(mesh);
   const auto with = [&](unsigned threads) {
     const ThreadLimit limit(threads);
     return simplify_model(Mesh(mesh), attributes, {.target_faces = 4000});
@@ -123,6 +140,71 @@ TEST(CarryAttributes, SameForAnyThreadCount) {
   EXPECT_TRUE(is_identical(one.simplified.mesh, seven.simplified.mesh));
   for (std::size_t i = 0; i < one.attributes.layers.size(); ++i)
     EXPECT_EQ(one.attributes.layers[i].bytes(), seven.attributes.layers[i].bytes());
+}
+
+TEST(CarryAttributes, SeamOfATextureDoesNotSplitNormals) {
+  const Mesh mesh = built(torus(60, 40)).mesh;
+  const Attributes attributes = cut_torus(mesh);
+  ASSERT_TRUE(attributes.has_seams());
+  for (const std::uint32_t target : {2000U, 600U, 200U}) {
+    const SimplifiedModel model = simplify_model(Mesh(mesh), attributes, {.target_faces = target});
+    const Mesh& result = model.simplified.mesh;
+    const AttributeLayer& normals = *model.attributes.find(AttributeKind::normal);
+    std::size_t seams = 0;
+    for (std::uint32_t i = 0; i < result.halfedge_count(); ++i) {
+      const Halfedge h(i);
+      const Halfedge t = result.twin(h);
+      const auto wedge = [&](Halfedge c) {
+        return model.attributes.wedge(result.origins(), c).index();
+      };
+      if (!t.is_valid() || wedge(h) == wedge(Mesh::next(t))) continue;
+      ++seams;
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_EQ(load(normals, wedge(h))[k], load(normals, wedge(Mesh::next(t)))[k]) << target;
+    }
+    EXPECT_GT(seams, 4U) << "the texture is still cut open";
+  }
+}
+
+TEST(CarryAttributes, SoftNormalsStayWhereNothingCollapses) {
+  // A fan whose normals differ by a few degrees from face to face, and a sheet that collapses.
+  Mesh mesh = built(grid(20)).mesh;
+  CornerAttributes corners;
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+    const bool is_rough = mesh.position(mesh.origin(Halfedge(h))).x < 1.5F;
+    const float tilt = is_rough ? 0.01F * static_cast<float>(h % 17) : 0.0F;
+    corners.normal.push_back(glm::normalize(glm::vec3(tilt, 0.0F, 1.0F)));
+  }
+  const Attributes attributes = to_wedges(mesh, CornerAttributes(corners));
+  const SimplifiedModel model =
+      simplify_model(Mesh(mesh), attributes, {.target_faces = mesh.face_count()});
+  const CornerAttributes after = to_corners(model.simplified.mesh, model.attributes);
+  EXPECT_EQ(after.normal, corners.normal);
+}
+
+TEST(CarryAttributes, ColorsStayWithinTheirRange) {
+  const Mesh mesh = built(torus(40, 30)).mesh;
+  AttributeType type = color_type();
+  type.component = ComponentType::f32;
+  type.is_normalized = false;
+  AttributeStream stream;
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h)
+    stream.index.push_back(h);
+  AttributeLayer& layer = stream.layers.emplace_back(type, mesh.halfedge_count());
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+    const double x = mesh.position(mesh.origin(Halfedge(h))).x > 0.1F ? 1.0 : 0.0;
+    store(layer, h, {x, 1.0 - x, 0.0, 1.0});
+  }
+  std::vector<AttributeStream> streams;
+  streams.push_back(std::move(stream));
+  const Attributes attributes = make_wedges(mesh, std::move(streams));
+  const SimplifiedModel model = simplify_model(Mesh(mesh), attributes, {.target_faces = 200});
+  for (std::size_t i = 0; i < model.attributes.layers[0].count(); ++i) {
+    for (const double x : load(model.attributes.layers[0], i)) {
+      EXPECT_GE(x, 0.0);
+      EXPECT_LE(x, 1.0);
+    }
+  }
 }
 
 TEST(CarryAttributes, TextureThatVariesDrawsFacesToIt) {

@@ -92,7 +92,8 @@ std::string reference_page() {
          "with them.\n";
   write_table(
       page, "Simplification",
-      "`simplify`, `progressive` and `lods` take these options; so does the Simplify panel.",
+      "`simplify`, `progressive` and `lods` take these options; so does the Simplify panel. The "
+      "weights do not matter to `progressive`, whose files hold no attributes.",
       simplify::kSimplifyRules);
   write_table(page, "Subdivision", "`subdivide` and the Subdivide panel take these options.",
               subdivide::kSubdivideRules);

@@ -9,7 +9,7 @@
 namespace mesher {
 namespace {
 
-Array<Vertex> random_faces(std::uint32_t vertices, std::size_t faces, std::mt19937& random) {
+Array<Vertex> distinct_faces(std::uint32_t vertices, std::size_t faces, std::mt19937& random) {
   Array<Vertex> origin;
   std::set<std::set<std::uint32_t>> known;
   while (origin.size() < 3 * faces) {
@@ -41,7 +41,7 @@ TEST(Orientation, FlippedMatchingIsThatOfTheFlippedFaces) {
   std::mt19937 random(11);
   for (int round = 0; round < 500; ++round) {
     const auto vertices = static_cast<std::uint32_t>(7 + random() % 30);
-    Array<Vertex> origin = random_faces(vertices, 1 + random() % 30, random);
+    Array<Vertex> origin = distinct_faces(vertices, 1 + random() % 30, random);
     EdgeMatching matching = match_edges(origin, vertices);
     std::vector<std::uint32_t> flips;
     for (std::uint32_t f = 0; f < origin.size() / 3; ++f) {
