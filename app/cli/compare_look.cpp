@@ -11,6 +11,9 @@
 namespace mesher::app {
 namespace {
 
+/// All samples of the look are kept in memory, 50 bytes each.
+constexpr std::uint64_t kMostLookSamples = 5'000'000;
+
 using analysis::Spread;
 using analysis::TwoSidedSpread;
 
@@ -130,8 +133,9 @@ analysis::LookDeviation look_deviation(const Model& a, const Model& b, std::uint
                                        Progress* progress) {
   const std::vector<analysis::FaceTexture> of_a = face_textures(a);
   const std::vector<analysis::FaceTexture> of_b = face_textures(b);
-  return analysis::look_deviation({a.mesh, a.attributes, of_a}, {b.mesh, b.attributes, of_b},
-                                  {.samples = samples, .progress = progress});
+  return analysis::look_deviation(
+      {a.mesh, a.attributes, of_a}, {b.mesh, b.attributes, of_b},
+      {.samples = std::min(samples, kMostLookSamples), .progress = progress});
 }
 
 void add_look(Json& json, const analysis::LookDeviation& look, double diagonal) {
