@@ -127,13 +127,20 @@ void AttributeField::find_wedges(const Surface& surface, const AttributeMetric& 
 
 void AttributeField::find_sums(const Surface& surface) {
   const Mesh& mesh = surface.mesh();
+  // Other threads read the values, so only the sums are written.
+  const auto add = [&](std::uint32_t wedge, const Contribution& contribution) {
+    float* to = record(wedge);
+    for (std::size_t k = 0; k < stride_; ++k) {
+      if (k < row(0) || k % 4 != 3) to[k] += contribution.rows[k / 4][k % 4];
+    }
+  };
   parallel_for(mesh.vertex_count(), kFieldGrain, [&](IndexRange range) {
     Contribution contribution;
     for (std::size_t v = range.begin; v < range.end; ++v) {
       for (const Halfedge h : halfedges_around(mesh, Vertex(static_cast<std::uint32_t>(v)))) {
         const Corners corners = this->corners(surface, h);
         contribute(corners, nullptr, contribution);
-        change(corners.wedge[0], contribution, 1.0F);
+        add(corners.wedge[0], contribution);
       }
     }
   });
