@@ -24,7 +24,7 @@ Kernel gaussian() {
   Kernel kernel{};
   double sum = 0.0;
   for (int i = -kRadius; i <= kRadius; ++i)
-    sum += kernel[static_cast<std::size_t>(i + kRadius)] =
+    sum += kernel[static_cast<std::size_t>(std::int64_t{i} + kRadius)] =
         std::exp(-0.5 * i * i / (kSigma * kSigma));
   for (double& weight : kernel)
     weight /= sum;
@@ -69,7 +69,7 @@ Plane blurred(const Plane& plane, std::uint32_t width, std::uint32_t height) {
                                        std::int64_t{width} - 1);
           const auto at_y = std::clamp(static_cast<std::int64_t>(y) + i * step_y, std::int64_t{0},
                                        std::int64_t{height} - 1);
-          sum += kernel[static_cast<std::size_t>(i + kRadius)] *
+          sum += kernel[static_cast<std::size_t>(std::int64_t{i} + kRadius)] *
                  from[static_cast<std::size_t>(at_y) * width + static_cast<std::size_t>(at_x)];
         }
         to[std::size_t{y} * width + x] = sum;

@@ -122,7 +122,7 @@ Float8 AttributePolicy::guessed_costs(const StateLanes<Float8>& from, const Stat
 void AttributePolicy::evaluate_costs(const Surface& surface, std::span<const Halfedge> edges,
                                      CostPrecision precision, float* costs) const {
   if (placement() != Placement::optimal)
-    return CollapsePolicy::evaluate_costs(surface, edges, precision, costs);
+    return QuadricPolicy::evaluate_costs(surface, edges, precision, costs);
   const auto eight = [&](const EightHalfedges& halfedges) {
     if (precision == CostPrecision::exact)
       return this->costs(surface.edge_quadrics(halfedges), halfedges);
@@ -138,7 +138,7 @@ void AttributePolicy::evaluate_costs(const Surface& surface, std::span<const Hal
 void AttributePolicy::evaluate_around(const Surface& surface, Vertex v, const Fan& fan,
                                       CostPrecision precision, float* costs) const {
   if (placement() != Placement::optimal || !fan.is_smooth())
-    return CollapsePolicy::evaluate_around(surface, v, fan, precision, costs);
+    return QuadricPolicy::evaluate_around(surface, v, fan, precision, costs);
   const auto eight = [&](const StateLanes<Float8>& from, const StateLanes<Float8>& to,
                          const EightHalfedges& halfedges, std::size_t first) {
     return precision == CostPrecision::guess

@@ -57,6 +57,7 @@ CoincidentFaces coincident_triangles(const Array<Vertex>& origin,
                                      const std::vector<std::uint32_t>& faces,
                                      const Array<std::uint32_t>& group) {
   std::vector<Triangle> triangles;
+  triangles.reserve(faces.size());
   for (const std::uint32_t face : faces)
     triangles.push_back(sorted_triangle(origin, face, group.empty() ? 0 : group[face]));
   std::sort(triangles.begin(), triangles.end());
