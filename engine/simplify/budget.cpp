@@ -46,18 +46,11 @@ class RankCounter : public CollapseObserver {
   std::vector<CostStep> by_rank_ = std::vector<CostStep>(CollapseRecord::kRanks);
 };
 
+/// Returns the power of lengths that a cost is.
 int dimension(CostPolicy policy) {
-  switch (policy) {
-    case CostPolicy::edge_length:
-    case CostPolicy::shape:
-      return 2;
-    case CostPolicy::random:
-      return 0;
-    case CostPolicy::quadric:
-    case CostPolicy::accumulated_quadric:
-      break;
-  }
-  return 4;
+  if (policy == CostPolicy::random) return 0;
+  const bool is_error = policy == CostPolicy::quadric || policy == CostPolicy::accumulated_quadric;
+  return is_error ? 4 : 2;
 }
 
 /// Returns how many faces each removal of a step takes; 1 if they differ.
