@@ -300,7 +300,8 @@ float AttributeField::cost_at_target(const Surface& surface, Halfedge h) const {
   const Vec3<float> y =
       surface.state(mesh.target(h)).position - surface.state(mesh.origin(h)).position;
   float cost = 0.0F;
-  for (const Pair& pair : pairs(mesh, h).all())
+  const Pairs sides = pairs(mesh, h);
+  for (const Pair& pair : sides.all())
     cost += moving_cost(pair.origin, pair.target, y);
   return cost;
 }
@@ -310,7 +311,8 @@ float AttributeField::cost_at_origin(const Surface& surface, Halfedge h) const {
   const Vec3<float> y =
       surface.state(mesh.origin(h)).position - surface.state(mesh.target(h)).position;
   float cost = 0.0F;
-  for (const Pair& pair : pairs(mesh, h).all())
+  const Pairs sides = pairs(mesh, h);
+  for (const Pair& pair : sides.all())
     cost += moving_cost(pair.target, pair.origin, y);
   return cost;
 }
