@@ -23,7 +23,8 @@ struct ScreenArguments {
 /// given, or that at which the model's bounding sphere fills the height of the screen.
 double eye_distance(const ScreenArguments& screen, double diagonal);
 
-/// Returns how many pixels a unit of the model is high at its center; 0 for a model without size.
+/// Returns the height in pixels of one model unit at the center of the model. Returns 0 if the
+/// model has no size.
 double pixels_per_unit(const ScreenArguments& screen, double diagonal);
 
 /// `{"height", "fov_deg", "distance", "pixels_per_unit"}`.

@@ -15,7 +15,7 @@ class ShadingNormals {
 
   /// Returns whether the file has normals.
   bool is_of_file() const { return layer_ != nullptr; }
-  /// Returns a unit vector, or zero on a face without area that has no normals either. O(1).
+  /// Returns the unit normal. Returns zero if there are no normals and the face has no area. O(1).
   glm::dvec3 at(const SurfacePoint& point) const;
 
  private:

@@ -295,25 +295,16 @@ float AttributeField::moving_cost(std::uint32_t moving, std::uint32_t fixed,
   return std::max(cost, 0.0F);
 }
 
-float AttributeField::cost_at_target(const Surface& surface, Halfedge h) const {
+float AttributeField::cost_at_end(const Surface& surface, Halfedge h, bool is_at_target) const {
   const Mesh& mesh = surface.mesh();
-  const Vec3<float> y =
+  const Vec3<float> edge =
       surface.state(mesh.target(h)).position - surface.state(mesh.origin(h)).position;
-  float cost = 0.0F;
   const Pairs sides = pairs(mesh, h);
-  for (const Pair& pair : sides.all())
-    cost += moving_cost(pair.origin, pair.target, y);
-  return cost;
-}
-
-float AttributeField::cost_at_origin(const Surface& surface, Halfedge h) const {
-  const Mesh& mesh = surface.mesh();
-  const Vec3<float> y =
-      surface.state(mesh.origin(h)).position - surface.state(mesh.target(h)).position;
   float cost = 0.0F;
-  const Pairs sides = pairs(mesh, h);
-  for (const Pair& pair : sides.all())
-    cost += moving_cost(pair.target, pair.origin, y);
+  for (const Pair& pair : sides.all()) {
+    cost += is_at_target ? moving_cost(pair.origin, pair.target, edge)
+                         : moving_cost(pair.target, pair.origin, edge * -1.0F);
+  }
   return cost;
 }
 

@@ -50,9 +50,13 @@ class AttributeField {
   AttributeQuadric<Float8> quadrics(const std::array<Halfedge, 8>& edges,
                                     const Vec3<Float8>& half) const;
   /// Returns the cost of merging the edge of `h` into its target, whose attributes stay. O(1).
-  float cost_at_target(const Surface& surface, Halfedge h) const;
+  float cost_at_target(const Surface& surface, Halfedge h) const {
+    return cost_at_end(surface, h, true);
+  }
   /// Same, into its origin.
-  float cost_at_origin(const Surface& surface, Halfedge h) const;
+  float cost_at_origin(const Surface& surface, Halfedge h) const {
+    return cost_at_end(surface, h, false);
+  }
 
   /// Returns whether a face would turn over in texture space, or lose its area there. Faces without
   /// area there may. Pre: `fan` is that of `h`. O(valence).
@@ -63,7 +67,8 @@ class AttributeField {
 
   /// Appends the values at a corner, in the order and unit of the metric.
   void append_values(Halfedge h, float scale, Array<float>& to) const;
-  /// Returns the wedge of the metric whose values a corner has kept, or kNone.
+  /// Returns the source wedge of a corner: its index in the metric if the values of the corner are
+  /// unchanged, otherwise kNone.
   std::uint32_t source(Halfedge h) const {
     const std::uint32_t source = source_[wedge_[h.index()]];
     return source == kOwn ? own_[h.index()] : source;
@@ -133,6 +138,7 @@ class AttributeField {
   Pairs pairs(const Mesh& mesh, Halfedge h) const;
   AttributeQuadric<Float4> quadrics(const std::array<Pair, 4>& pairs,
                                     const Vec3<Float4>& half) const;
+  float cost_at_end(const Surface& surface, Halfedge h, bool is_at_target) const;
   float moving_cost(std::uint32_t moving, std::uint32_t fixed, const Vec3<float>& y) const;
   void merged_values(const Pair& pair, const Vec3<float>& half, const Vec3<float>& y,
                      Values& to) const;

@@ -1,10 +1,12 @@
 #include "engine/simplify/attribute_metric.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "engine/analysis/surface_point.h"
 #include "engine/core/parallel.h"
 #include "engine/mesh/statistics.h"
 
@@ -31,12 +33,12 @@ double length_per_unit(const Mesh& mesh, const Attributes& attributes,
   const auto areas = parallel_sum<Areas>(mesh.face_count(), kMetricGrain, [&](IndexRange range) {
     Areas sum;
     for (std::size_t f = range.begin; f < range.end; ++f) {
-      glm::dvec3 p[3];
+      const Face face(static_cast<std::uint32_t>(f));
+      const std::array<glm::dvec3, 3> p = analysis::corners_of(mesh, face);
       glm::dvec2 uv[3];
       for (std::uint32_t c = 0; c < 3; ++c) {
-        const Halfedge h = Mesh::halfedge(Face(static_cast<std::uint32_t>(f)), c);
+        const Halfedge h = Mesh::halfedge(face, c);
         const AttributeValue value = load(layer, attributes.wedge(mesh.origins(), h).index());
-        p[c] = glm::dvec3(mesh.position(mesh.origin(h)));
         uv[c] = {value[0], value[1]};
       }
       const glm::dvec2 a = uv[1] - uv[0];
@@ -58,11 +60,11 @@ bool has_absent(const AttributeLayer& layer) {
   return false;
 }
 
-/// Returns the factor from a layer's values to lengths; 0 if it does not count.
+/// Returns the factor from a layer's values to lengths; 0 if it does not count. `unit`: the length
+/// that a difference of 1 in normals or colors counts as.
 double factor_of(const Mesh& mesh, const Attributes& attributes, const AttributeLayer& layer,
-                 const AttributeWeights& weights) {
+                 const AttributeWeights& weights, double unit) {
   if (!can_blend(layer.type()) || has_absent(layer)) return 0.0;
-  const double unit = kShareOfDiagonal * bounding_box(mesh).diagonal();
   switch (layer.type().kind) {
     case AttributeKind::texcoord:
       return double{weights.texcoord} * length_per_unit(mesh, attributes, layer);
@@ -83,9 +85,10 @@ double factor_of(const Mesh& mesh, const Attributes& attributes, const Attribute
 /// Chooses the layers and their factors.
 void choose_layers(const Mesh& mesh, const Attributes& attributes, const AttributeWeights& weights,
                    AttributeMetric& metric) {
+  const double unit = kShareOfDiagonal * bounding_box(mesh).diagonal();
   for (std::size_t i = 0; i < attributes.layers.size(); ++i) {
     const AttributeLayer& layer = attributes.layers[i];
-    const double factor = factor_of(mesh, attributes, layer, weights);
+    const double factor = factor_of(mesh, attributes, layer, weights, unit);
     const std::size_t size = metric.size + layer.type().components;
     if (!(factor > 0.0) || !std::isfinite(factor) || size > AttributeMetric::kMost) continue;
     metric.layers.push_back({i, factor, metric.size, layer.type().kind == AttributeKind::texcoord});

@@ -55,7 +55,8 @@ struct AttributeMetric {
 struct CornerVectors {
   /// Vectors in the order and unit of the metric, one per half-edge.
   Array<float> values;
-  /// The wedge of the input whose values a corner kept; kNone if its values are new.
+  /// The source wedge of each corner: its index in the input if the values are unchanged, otherwise
+  /// kNone.
   Array<std::uint32_t> source;
 
   bool is_empty() const { return source.empty(); }

@@ -1,12 +1,14 @@
 #include "engine/simplify/attributes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
 #include <vector>
 
+#include "engine/analysis/surface_point.h"
 #include "engine/core/parallel.h"
 #include "engine/mesh/circulators.h"
 #include "engine/mesh/wedges.h"
@@ -233,10 +235,8 @@ class Carrier {
   }
 
   glm::dvec3 face_normal(Face f) const {
-    const auto p = [&](std::uint32_t c) {
-      return glm::dvec3(result_.position(result_.origin(Mesh::halfedge(f, c))));
-    };
-    return unit(glm::cross(p(1) - p(0), p(2) - p(0)));
+    const std::array<glm::dvec3, 3> p = analysis::corners_of(result_, f);
+    return unit(glm::cross(p[1] - p[0], p[2] - p[0]));
   }
   /// Returns the direction of a value; that of the face if it has none.
   glm::dvec3 normal_of(const AttributeValue& value, Face f) const {

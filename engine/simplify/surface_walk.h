@@ -50,8 +50,8 @@ class WalkRescue {
   /// Pre: the mesh has faces. O(F).
   WalkRescue(const Mesh& mesh, const Lines& lines);
 
-  /// Returns a face near `p` of the same chart, if it is much nearer than the end of a walk. A
-  /// chart consists of faces that edges join which are no lines. O(log F) expected.
+  /// Returns a face of the same chart that is much nearer to `p` than the end of a walk, if there
+  /// is one. Lines separate charts. O(log F) expected.
   std::optional<Face> nearer(const NearPoint& end, const glm::dvec3& p) const;
 
  private:
