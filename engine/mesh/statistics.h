@@ -41,9 +41,8 @@ void extend(Box& box, const Box& by, const glm::dmat4& transform);
 /// Returns the box of all positions. O(V), parallel.
 Box bounding_box(const Mesh& mesh);
 
-/// Returns each boundary loop as a sequence of half-edges without twin (with the surface on their
-/// left). O(F). Throws Cancelled.
-std::vector<std::vector<Halfedge>> boundary_loops(const Mesh& mesh, Progress* progress = nullptr);
+/// Returns the number of closed loops of boundary edges. O(V). Throws Cancelled.
+std::uint32_t count_boundary_loops(const Mesh& mesh, Progress* progress = nullptr);
 
 /// Returns the component of each face, numbered from 0 by lowest face. The number of components is
 /// one more than the highest number. O(F). Throws Cancelled.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "tests/support/meshes.h"
 
 namespace mesher::test {
@@ -43,14 +45,47 @@ TEST(Statistics, CountsComponentsAndLoopsOfSeveralParts) {
   EXPECT_EQ(s.euler_characteristic, 2 + 1 + 0);
 }
 
-TEST(Statistics, BoundaryLoopsFollowTheBoundary) {
-  const Mesh mesh = built(grid(4)).mesh;
-  const auto loops = boundary_loops(mesh);
-  ASSERT_EQ(loops.size(), 1U);
-  ASSERT_EQ(loops[0].size(), 16U);
-  for (std::size_t i = 0; i < loops[0].size(); ++i) {
-    EXPECT_TRUE(mesh.is_boundary(loops[0][i]));
-    EXPECT_EQ(mesh.target(loops[0][i]), mesh.origin(loops[0][(i + 1) % loops[0].size()]));
+/// Follows the boundary edge by edge.
+std::uint32_t loops_by_definition(const Mesh& mesh) {
+  std::set<std::uint32_t> left;
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+    if (mesh.is_boundary(Halfedge(h))) left.insert(h);
+  }
+  std::uint32_t loops = 0;
+  while (!left.empty()) {
+    ++loops;
+    Halfedge h(*left.begin());
+    while (left.erase(h.index()) > 0) {
+      Halfedge next = Mesh::next(h);
+      while (!mesh.is_boundary(next))
+        next = Mesh::next(mesh.twin(next));
+      h = next;
+    }
+  }
+  return loops;
+}
+
+/// A grid without every third face, so that many holes meet at their corners.
+Mesh grid_with_holes(std::size_t every) {
+  Soup soup = grid(12);
+  std::vector<std::uint32_t> kept;
+  for (std::size_t f = 0; f < soup.corners.size() / 3; ++f) {
+    if (f % every == 1) continue;
+    for (std::size_t c = 0; c < 3; ++c)
+      kept.push_back(soup.corners[3 * f + c]);
+  }
+  soup.corners.assign(kept.begin(), kept.end());
+  return built(std::move(soup)).mesh;
+}
+
+TEST(Statistics, BoundaryLoopsAreThoseOfTheDefinition) {
+  EXPECT_EQ(count_boundary_loops(built(grid(4)).mesh), 1U);
+  EXPECT_EQ(count_boundary_loops(built(cube()).mesh), 0U);
+  for (const std::size_t every : {2U, 3U, 5U, 7U, 50U}) {
+    SCOPED_TRACE(every);
+    const Mesh mesh = grid_with_holes(every);
+    EXPECT_GT(count_boundary_loops(mesh), 0U);
+    EXPECT_EQ(count_boundary_loops(mesh), loops_by_definition(mesh));
   }
 }
 

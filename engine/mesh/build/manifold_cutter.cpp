@@ -62,7 +62,7 @@ class CrowdByFans {
 };
 
 /// Returns the root, with path halving.
-Vertex root_of(std::vector<Vertex>& parent, Vertex v) {
+Vertex root_of(Array<Vertex>& parent, Vertex v) {
   while (parent[v.index()] != v) {
     parent[v.index()] = parent[parent[v.index()].index()];
     v = parent[v.index()];
@@ -72,7 +72,7 @@ Vertex root_of(std::vector<Vertex>& parent, Vertex v) {
 
 /// Joins the trees of two vertices. The lowest vertex of a tree is its root: most copies then hang
 /// on a vertex of the input, and those are few enough to stay in the cache.
-void join_trees(std::vector<Vertex>& parent, Vertex a, Vertex b) {
+void join_trees(Array<Vertex>& parent, Vertex a, Vertex b) {
   const auto [low, high] = std::minmax({root_of(parent, a), root_of(parent, b)});
   parent[high.index()] = low;
 }
@@ -106,19 +106,18 @@ void ManifoldCutter::cut_disagreeing(std::uint64_t expected) {
   }
 }
 
-/// Visits some crowds in order. The faces of a crowd lie anywhere in memory, so they are prefetched
-/// a few crowds ahead: in dense polygon soup, each would otherwise wait for its cache lines.
-template <class Visit>
-void ManifoldCutter::for_each_crowd(IndexRange range, Visit visit) const {
-  constexpr std::size_t kAhead = 64;  // half-edges
+/// Visits some crowds in order. The faces of a crowd lie anywhere in memory, so `fetch(h)`
+/// prefetches what the visit reads, a few crowds ahead: in dense polygon soup, each crowd would
+/// otherwise wait for its cache lines.
+template <class Fetch, class Visit>
+void ManifoldCutter::for_each_crowd(IndexRange range, Fetch fetch, Visit visit) const {
+  constexpr std::size_t kAhead = 96;  // half-edges
   const std::vector<std::uint32_t>& all = matching_.crowded;
   std::size_t ahead = matching_.crowd_start[range.begin];
   for (std::size_t i = range.begin; i < range.end; ++i) {
     const std::size_t last = std::min(all.size(), matching_.crowd_start[i + 1] + kAhead);
-    for (; ahead < last; ++ahead) {
-      prefetch(&mesh_.origin[all[ahead]]);
-      prefetch(&mesh_.twin[all[ahead]]);
-    }
+    for (; ahead < last; ++ahead)
+      fetch(all[ahead]);
     visit(i, matching_.crowd(i));
   }
 }
@@ -126,7 +125,11 @@ void ManifoldCutter::for_each_crowd(IndexRange range, Visit visit) const {
 void ManifoldCutter::pair_crowds(Progress* progress) {
   const auto pair = [this](std::size_t, IndexRange range) {
     CrowdPairing pairing(mesh_);
-    for_each_crowd(range, [&](std::size_t, auto crowd) { pairing.run(crowd); });
+    const auto fetch = [this](std::uint32_t h) {
+      prefetch(&mesh_.origin[h]);
+      prefetch(&mesh_.twin[h]);
+    };
+    for_each_crowd(range, fetch, [&](std::size_t, auto crowd) { pairing.run(crowd); });
   };
   parallel_chunks(matching_.crowd_count(), kCrowdChunk, progress, pair);
 }
@@ -227,7 +230,11 @@ std::vector<std::size_t> ManifoldCutter::crowds_with_parallel_edges(Progress* pr
   parallel_chunks(matching_.crowd_count(), kCrowdChunk, progress,
                   [&](std::size_t chunk, IndexRange range) {
                     CrowdByFans by_fans;
-                    for_each_crowd(range, [&](std::size_t i, auto crowd) {
+                    const auto fetch = [this](std::uint32_t h) {
+                      prefetch(&fan_[h]);
+                      prefetch(&mesh_.twin[h]);
+                    };
+                    for_each_crowd(range, fetch, [&](std::size_t i, auto crowd) {
                       by_fans.reset(fan_, crowd);
                       by_fans.for_each_parallel([&](std::uint32_t a, std::uint32_t b) {
                         if (mesh_.twin[a] == Halfedge(b)) return true;
@@ -275,16 +282,29 @@ void ManifoldCutter::split_vertices(Progress* progress) {
 
 /// Returns a forest over the vertices, as the parent of each. Copies of a vertex are in one tree if
 /// edges of the input joined their fans before they were cut.
-std::vector<Vertex> ManifoldCutter::fans_joined_by_cut_edges() const {
-  std::vector<Vertex> parent;
-  for (std::uint32_t v = 0; v < mesh_.position.size(); ++v)
-    parent.emplace_back(v);
+Array<Vertex> ManifoldCutter::fans_joined_by_cut_edges() const {
+  Array<Vertex> parent(mesh_.position.size());
+  for (std::uint32_t v = 0; v < parent.size(); ++v)
+    parent[v] = Vertex(v);
   const auto join_ends = [&](std::uint32_t g, std::uint32_t h) {
     const bool is_same_way = before_split(mesh_.origin[g]) == before_split(mesh_.origin[h]);
     join_trees(parent, mesh_.origin[g], is_same_way ? mesh_.origin[h] : target(h));
     join_trees(parent, target(g), is_same_way ? target(h) : mesh_.origin[h]);
   };
-  for_each_crowd({0, matching_.crowd_count()}, [&](std::size_t, auto crowd) {
+  const auto fetch_ends = [&](std::uint32_t h) {
+    for (const Vertex v : {mesh_.origin[h], target(h)}) {
+      prefetch(&parent[v.index()]);
+      if (v.index() >= original_vertices_) prefetch(&split_from_[v.index() - original_vertices_]);
+    }
+  };
+  constexpr std::size_t kCrowdsAhead = 4;
+  const std::size_t crowds = matching_.crowd_count();
+  const auto fetch = [this](std::uint32_t h) { prefetch(&mesh_.origin[h]); };
+  for_each_crowd({0, crowds}, fetch, [&](std::size_t i, auto crowd) {
+    if (i + kCrowdsAhead < crowds) {
+      for (const std::uint32_t h : matching_.crowd(i + kCrowdsAhead))
+        fetch_ends(h);
+    }
     for (const std::uint32_t h : crowd)
       join_ends(crowd[0], h);
   });
@@ -295,7 +315,7 @@ std::vector<Vertex> ManifoldCutter::fans_joined_by_cut_edges() const {
 
 void ManifoldCutter::list_bow_tie_copies() {
   if (split_from_.empty()) return;
-  std::vector<Vertex> parent = fans_joined_by_cut_edges();
+  Array<Vertex> parent = fans_joined_by_cut_edges();
   std::vector<bool> is_bow_tie(original_vertices_, false);
   for (std::size_t i = 0; i < split_from_.size(); ++i) {
     const Vertex copy(static_cast<std::uint32_t>(original_vertices_ + i));

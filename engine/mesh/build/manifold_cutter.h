@@ -29,8 +29,8 @@ class ManifoldCutter {
 
  private:
   void cut_disagreeing(std::uint64_t expected);
-  template <class Visit>
-  void for_each_crowd(IndexRange range, Visit visit) const;
+  template <class Fetch, class Visit>
+  void for_each_crowd(IndexRange range, Fetch fetch, Visit visit) const;
   void pair_crowds(Progress* progress);
   bool has_single_fans(Progress* progress) const;
   void separate_fans(Progress* progress);
@@ -42,7 +42,7 @@ class ManifoldCutter {
   void rename_fan(Halfedge h);
   void split_vertices(Progress* progress);
   void list_bow_tie_copies();
-  std::vector<Vertex> fans_joined_by_cut_edges() const;
+  Array<Vertex> fans_joined_by_cut_edges() const;
   /// Returns the vertex of the input that `v` is a copy of, or `v` itself.
   Vertex before_split(Vertex v) const {
     return v.index() < original_vertices_ ? v : split_from_[v.index() - original_vertices_];
