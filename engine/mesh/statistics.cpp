@@ -17,7 +17,7 @@ constexpr std::size_t kStatisticsChunk = 1 << 16;
 constexpr double kStatisticsWeights[] = {0.34, 0.03, 0.63};
 
 /// Faces and vertices to look ahead. In polygon soup, neighbors lie anywhere in memory.
-constexpr std::size_t kAhead = 16;
+constexpr std::size_t kNeighborsAhead = 16;
 
 /// Prefetches the twin and the origins of a half-edge.
 void prefetch_edge(const Mesh& mesh, Halfedge h) {
@@ -47,7 +47,7 @@ Measures measure(const Mesh& mesh, IndexRange faces, const glm::dvec3& center) {
   Measures sum;
   const std::span<const Vertex> origins = mesh.origins();
   for (std::size_t f = faces.begin; f < faces.end; ++f) {
-    const std::size_t far = std::min(3 * (f + kAhead), origins.size() - 3);
+    const std::size_t far = std::min(3 * (f + kNeighborsAhead), origins.size() - 3);
     for (std::size_t h = far; h < far + 3; ++h)
       prefetch(&mesh.positions()[origins[h].index()]);
     glm::dvec3 p[3];
@@ -117,7 +117,7 @@ std::uint32_t count_boundary_loops(const Mesh& mesh, Progress* progress) {
   Array<std::uint32_t> next(outgoing.size());
   ordered_chunks(outgoing.size(), kStatisticsChunk, progress, [&](IndexRange range) {
     for (std::size_t v = range.begin; v < range.end; ++v) {
-      const std::size_t far = std::min(v + kAhead, outgoing.size() - 1);
+      const std::size_t far = std::min(v + kNeighborsAhead, outgoing.size() - 1);
       if (outgoing[far].is_valid()) prefetch_edge(mesh, outgoing[far]);
       const Halfedge h = outgoing[v];
       next[v] = h.is_valid() && mesh.is_boundary(h) ? mesh.target(h).index() : kNone;
@@ -139,11 +139,11 @@ std::vector<std::uint32_t> face_components(const Mesh& mesh, Progress* progress)
   queue.reserve(mesh.face_count());
   const auto prefetch_ahead = [&](std::size_t i) {
     // The twins of a face arrive before the components of its neighbors are prefetched.
-    if (i + 2 * kAhead < queue.size())
-      prefetch_edge(mesh, Mesh::halfedge(queue[i + 2 * kAhead], 0));
-    if (i + kAhead >= queue.size()) return;
+    if (i + 2 * kNeighborsAhead < queue.size())
+      prefetch_edge(mesh, Mesh::halfedge(queue[i + 2 * kNeighborsAhead], 0));
+    if (i + kNeighborsAhead >= queue.size()) return;
     for (std::uint32_t c = 0; c < 3; ++c) {
-      const Halfedge t = mesh.twin(Mesh::halfedge(queue[i + kAhead], c));
+      const Halfedge t = mesh.twin(Mesh::halfedge(queue[i + kNeighborsAhead], c));
       if (t.is_valid()) prefetch(&component[Mesh::face(t).index()]);
     }
   };

@@ -24,7 +24,7 @@ constexpr double kMatchWeights[] = {0.08, 0.92};
 /// would lead to another cache line at each step: 10^6 faces at 1,000 vertices took three times as
 /// long.
 constexpr std::size_t kDenseValence = 48;
-constexpr std::uint32_t kAhead = 32;  // half-edges to prefetch
+constexpr std::uint32_t kHalfedgesAhead = 32;  // half-edges to prefetch
 
 /// A half-edge of the vertex at the lower end of its edge.
 struct Entry {
@@ -271,7 +271,7 @@ SortedHalfedges sort_by_ends(const Array<Vertex>& origin, std::uint32_t vertex_c
   sorted.entries.resize(halfedges);
   next.assign(sorted.start.begin(), sorted.start.end());
   each([&](std::uint32_t i) {
-    prefetch(&origin[by_upper[std::min(i + kAhead, halfedges - 1)]]);
+    prefetch(&origin[by_upper[std::min(i + kHalfedgesAhead, halfedges - 1)]]);
     const std::uint32_t h = by_upper[i];
     const std::uint32_t v = lower(h);
     sorted.entries[next[v]++] = entry_of(origin, h, v);
