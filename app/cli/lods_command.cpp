@@ -85,22 +85,8 @@ void make_progressive(Source& source, LoadedLevels& opened, double least_ratio,
   begin_stage(line.progress(), "simplifying");
   options.progress = line.progress();
   options.certifies = false;  // each level is certified for itself
-  Mesh marked = mesh;
-  simplify::mark_seams(marked, source.loaded.model.attributes);
-  const simplify::AttributeMetric metric =
-      simplify::attribute_metric(mesh, source.loaded.model.attributes, options.weights());
-  if (metric.size > 0) options.metric = &metric;
-  source.progressive = progressive::make_progressive(marked, options);
-}
-
-/// Returns the attributes of `mesh`, a level of the source.
-Attributes attributes_of(const Source& source, const Mesh& mesh) {
-  const Model& full = source.loaded.model;
-  if (full.attributes.is_empty()) return {};
-  Array<Face> face_source(mesh.face_count());
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
-    face_source[f] = Mesh::face(source.progressive.face_source[f]);
-  return simplify::carry_attributes({full.mesh, full.attributes}, mesh, face_source);
+  source.progressive =
+      progressive::make_progressive(mesh, source.loaded.model.attributes, options);
 }
 
 LodLevel facts_of(const Mesh& mesh, const LodTarget& target, std::uint32_t full_faces) {
@@ -135,8 +121,11 @@ void take_levels(Source& source, const std::vector<LodTarget>& targets,
     } else {
       progressive.go_to(level.level);
       level.mesh = progressive.mesh();
-      simplify::unmark_seams(level.mesh);
-      level.attributes = attributes_of(source, level.mesh);
+      progressive::ProgressiveAttributes& attributes = source.progressive.attributes;
+      if (!attributes.is_empty()) {
+        attributes.go_to(level.level);
+        level.attributes = attributes.at_level(level.mesh);
+      }
     }
     LodLevel facts = facts_of(level.mesh, target, progressive.full_face_count());
     if (level.level != progressive.split_count()) {

@@ -9,7 +9,9 @@
 #include "engine/core/progress.h"
 #include "engine/mesh/bow_tie_follower.h"
 #include "engine/mesh/circulators.h"
+#include "engine/progressive/attribute_recorder.h"
 #include "engine/progressive/split_step.h"
+#include "engine/simplify/seams.h"
 #include "engine/simplify/simplify.h"
 
 namespace mesher::progressive {
@@ -20,6 +22,8 @@ constexpr std::uint32_t kStepsBetweenReports = 1U << 14;
 // Weights of stages, measured with 0.1, 1.4 and 13 million faces on two cores.
 /// Times of simplifying and of recording the splits.
 constexpr double kMakeWeights[] = {0.89, 0.11};
+/// Times of making the splits, and of recording attributes.
+constexpr double kAttributeWeights[] = {0.7, 0.3};
 /// Times of recording's stages: renumbering, and undoing the splits one by one.
 constexpr double kRecordWeights[] = {0.55, 0.45};
 /// Times of numbering, renumbering, filling the arrays, and sharpness.
@@ -453,16 +457,43 @@ Progressive build_progressive(const Mesh& full, std::span<const simplify::Collap
   return ProgressiveBuilder(full, collapses, progress).run();
 }
 
-Progressive make_progressive(const Mesh& full, const simplify::SimplifyOptions& options) {
+namespace {
+
+/// Simplifies `start` and returns the splits to `full`, which may differ from it in sharpness.
+Progressive make_splits(const Mesh& full, Mesh&& start, const simplify::SimplifyOptions& options) {
   Stages stages(options.progress, kMakeWeights);
   stages.next("simplifying");
   simplify::CollapseRecorder recorder;
   simplify::SimplifyOptions recorded = options;
   recorded.observer = &recorder;
-  const simplify::SimplifyReport report = simplify::simplify(Mesh(full), recorded).report;
+  const simplify::SimplifyReport report = simplify::simplify(std::move(start), recorded).report;
   stages.next();
   Progressive result = build_progressive(full, recorder.records(), options.progress);
   result.report = report;
+  return result;
+}
+
+}  // namespace
+
+Progressive make_progressive(const Mesh& full, const simplify::SimplifyOptions& options) {
+  return make_splits(full, Mesh(full), options);
+}
+
+Progressive make_progressive(const Mesh& full, const Attributes& attributes,
+                             const simplify::SimplifyOptions& options) {
+  if (attributes.is_empty()) return make_progressive(full, options);
+  Stages stages(options.progress, kAttributeWeights);
+  stages.next();
+  Mesh marked(full);
+  simplify::mark_seams(marked, attributes);
+  const simplify::AttributeMetric metric =
+      simplify::attribute_metric(full, attributes, options.weights());
+  simplify::SimplifyOptions weighted = options;
+  if (metric.size > 0) weighted.metric = &metric;
+  Progressive result = make_splits(full, std::move(marked), weighted);
+  stages.next("recording attributes");
+  result.attributes =
+      record_attributes(result.mesh, full, result.face_source, attributes, options.progress);
   return result;
 }
 

@@ -83,6 +83,27 @@ void ProgressiveMesh::go_to(std::uint32_t level) {
   level_ = level;
 }
 
+void ProgressiveMesh::undo_all(const std::function<void(std::uint32_t)>& visit) {
+  MESHER_ASSERT(level_ == split_count());
+  const auto end_at_level = [&](OpenedArrays& opened) {
+    opened.resize(base_vertices_ + level_, face_count(level_));
+    MeshArrays::open(mesh_).bow_tie_copies = bow_tie_copies(level_);
+    mesh_.changes().note_all();
+  };
+  OpenedArrays opened(mesh_);
+  const StepArrays arrays = opened.step_arrays();
+  try {
+    for (; level_ > 0; --level_) {
+      visit(level_ - 1);
+      coarsen(arrays, step(level_ - 1), NoNotes());
+    }
+  } catch (...) {
+    end_at_level(opened);
+    throw;
+  }
+  end_at_level(opened);
+}
+
 bool ProgressiveMesh::can_append(Vertex parent, const SplitCut& cut) const {
   constexpr std::uint32_t kMostFaces = kNone / 3 - 2;
   const std::uint32_t vertices = base_vertices_ + level_;

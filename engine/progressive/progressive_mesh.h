@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "engine/core/array.h"
@@ -56,6 +57,11 @@ class ProgressiveMesh {
   /// Moves to a level, split by split. Records what it writes in mesh().changes(); a long way
   /// counts as a change of everything. O(steps). Pre: level <= split_count().
   void go_to(std::uint32_t level);
+
+  /// Goes to the base. Calls `visit(i)` before split i is undone: connectivity and positions of
+  /// mesh() are then those of level i + 1, with unused elements at the end of its arrays.
+  /// O(splits). If `visit` throws, the mesh stays at level i + 1. Pre: level() == split_count().
+  void undo_all(const std::function<void(std::uint32_t)>& visit);
 
   std::span<const VertexSplit> splits() const { return splits_; }
   Vertex child(std::uint32_t split) const { return Vertex(base_vertices_ + split); }

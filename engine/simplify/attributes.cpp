@@ -166,7 +166,7 @@ class Carrier {
     for (std::size_t i = 0; i < input_.attributes.layers.size(); ++i) {
       const AttributeLayer& from = input_.attributes.layers[i];
       AttributeLayer& to = stream.layers.emplace_back(from.type(), result_.halfedge_count());
-      if (from.type().kind == AttributeKind::normal && has_normal_per_face(from)) {
+      if (from.type().kind == AttributeKind::normal && seams_.has_value_per_face(from)) {
         set_face_normals(to);
         continue;
       }
@@ -221,17 +221,6 @@ class Carrier {
         store(to, h, value);
       }
     });
-  }
-
-  bool has_normal_per_face(const AttributeLayer& normals) const {
-    const Mesh& mesh = input_.mesh;
-    std::size_t seams = 0;
-    std::size_t others = 0;
-    for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
-      if (mesh.is_boundary(Halfedge(h))) continue;
-      ++(seams_.is_seam(Halfedge(h)) && seams_.is_seam(Halfedge(h), normals) ? seams : others);
-    }
-    return seams > others;
   }
 
   glm::dvec3 face_normal(Face f) const {

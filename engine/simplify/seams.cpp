@@ -64,6 +64,17 @@ bool is_line(const SeamTest& test, const Mesh& mesh, const Attributes& attribute
 
 }  // namespace
 
+bool SeamTest::has_value_per_face(const AttributeLayer& layer) const {
+  std::size_t seams = 0;
+  std::size_t others = 0;
+  for (std::uint32_t i = 0; i < mesh_.halfedge_count(); ++i) {
+    const Halfedge h(i);
+    if (mesh_.is_boundary(h)) continue;
+    ++(is_seam(h) && is_seam(h, layer) ? seams : others);
+  }
+  return seams > others;
+}
+
 bool may_have_lines(const Attributes& attributes) {
   const auto is_like_first = [&](const FaceGroup& group) {
     return group.material == attributes.groups.front().material &&

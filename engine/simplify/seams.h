@@ -45,6 +45,10 @@ class SeamTest {
            differ(layer, wedge(Mesh::next(h)), wedge(t));
   }
 
+  /// Returns whether most edges separate the values of a layer, as normals of a faceted model do.
+  /// O(F).
+  bool has_value_per_face(const AttributeLayer& layer) const;
+
  private:
   static bool differ(const AttributeLayer& layer, Wedge a, Wedge b) {
     return a != b && std::memcmp(layer.value(a.index()).data(), layer.value(b.index()).data(),

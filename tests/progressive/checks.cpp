@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+
+#include <algorithm>
 
 #include "engine/mesh/circulators.h"
 #include "tests/support/meshes.h"
@@ -113,6 +116,35 @@ void examine_levels(progressive::ProgressiveMesh& mesh, std::uint32_t count) {
     mesh.go_to(at[k]);
     EXPECT_TRUE(is_identical(mesh.mesh(), up[k])) << "jump to level " << at[k];
   }
+}
+
+void expect_valid_level(const progressive::ProgressiveMesh& pm,
+                        const progressive::ProgressiveAttributes& all) {
+  const Mesh& mesh = pm.mesh();
+  std::vector<Vertex> vertex(all.wedge_count(all.level()));
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+    const Wedge w = all.corner_wedges()[h];
+    ASSERT_LT(w.index(), vertex.size());
+    Vertex& its = vertex[w.index()];
+    if (!its.is_valid()) its = mesh.origin(Halfedge(h));
+    ASSERT_EQ(its, mesh.origin(Halfedge(h)));
+  }
+  ASSERT_TRUE(std::ranges::all_of(vertex, [](Vertex v) { return v.is_valid(); }));
+  if (all.level() < all.split_count()) {
+    std::set<Halfedge> corners;
+    for (const progressive::CornerChange& change : all.corner_changes(all.level())) {
+      ASSERT_LT(change.corner.index(), mesh.halfedge_count());
+      ASSERT_TRUE(corners.insert(change.corner).second);
+    }
+    std::set<Wedge> wedges;
+    for (const Wedge w : all.changed_wedges(all.level())) {
+      ASSERT_LT(w.index(), vertex.size());
+      ASSERT_TRUE(wedges.insert(w).second);
+    }
+  }
+  const Attributes attributes = all.at_level(mesh);
+  for (const Violation& violation : validate(mesh, attributes))
+    ADD_FAILURE() << "invariant " << violation.invariant << ": " << violation.what;
 }
 
 }  // namespace mesher::test

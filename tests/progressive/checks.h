@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/progressive/progressive_attributes.h"
 #include "engine/progressive/progressive_mesh.h"
 
 namespace mesher::test {
@@ -13,6 +14,11 @@ Mesh without_copies(const Mesh& mesh);
 /// Fails the test if the mesh at its level breaks an invariant of Mesh, or P1, P3 or P4 for the
 /// next split.
 void expect_valid_level(const progressive::ProgressiveMesh& mesh);
+
+/// Fails the test if the attributes at their level break W1, W2 or W4, or those of a model. Pre:
+/// the mesh is at the same level.
+void expect_valid_level(const progressive::ProgressiveMesh& mesh,
+                        const progressive::ProgressiveAttributes& attributes);
 
 /// Returns the mesh at each of these levels, visited in this order.
 std::vector<Mesh> levels(progressive::ProgressiveMesh& mesh, const std::vector<std::uint32_t>& at);

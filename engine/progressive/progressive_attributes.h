@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/core/array.h"
+#include "engine/core/progress.h"
+#include "engine/mesh/attributes.h"
+#include "engine/mesh/mesh.h"
+#include "engine/mesh/wedges.h"
+
+namespace mesher::progressive {
+
+/// A corner whose wedge a split changes, and its wedge on the other side of the split: after it
+/// while the level is at or below the split, before it otherwise.
+struct CornerChange {
+  Halfedge corner;
+  Wedge other;
+  friend bool operator==(const CornerChange&, const CornerChange&) = default;
+};
+
+/// The attributes of a progressive mesh at every level, and a current level that can move both
+/// ways (H. Hoppe, "Efficient implementation of progressive meshes", 1998).
+///
+/// Wedges and faces are numbered in order of appearance, so every level is a prefix of the full
+/// arrays: of `corner_wedges` by the level's faces, of the layers by its wedges. Elements past the
+/// prefix keep the values with which they appear. A split adds wedges, gives corners of existing
+/// faces other wedges, and gives wedges of its parent other values. A step swaps both with those of
+/// the other level, so it is exact and its own inverse.
+///
+/// Invariants:
+///  W1. A corner of level i has a wedge below wedge_count(i), and each such wedge has a corner.
+///  W2. The corners of a wedge are at one vertex.
+///  W3. A level's elements do not depend on the path to it.
+///  W4. A split lists no corner and no wedge twice, and only those that exist before it.
+///
+/// Memory: the attributes, 12 bytes per split, 8 per changed corner (3 to 4 per split), and a value
+/// per changed wedge (about one per split).
+class ProgressiveAttributes {
+ public:
+  std::uint32_t level() const { return level_; }
+  std::uint32_t split_count() const { return static_cast<std::uint32_t>(splits_.size()); }
+  /// Returns whether there are no layers. There may be groups.
+  bool has_no_layers() const { return layers_.empty(); }
+  bool is_empty() const { return layers_.empty() && group_.empty(); }
+  std::uint32_t wedge_count(std::uint32_t level) const {
+    return level < split_count() ? splits_[level].first_wedge : full_wedges_;
+  }
+
+  /// Moves to a level, split by split. O(steps). Pre: level <= split_count().
+  void go_to(std::uint32_t level);
+
+  /// Wedge of each corner. Only those of the level's faces are its own.
+  std::span<const Wedge> corner_wedges() const { return corner_wedge_; }
+  /// Values of each wedge. Only those below wedge_count(level()) are the level's own.
+  std::span<const AttributeLayer> layers() const { return layers_; }
+  /// Group of each face of the full mesh; empty if there are none.
+  std::span<const std::uint32_t> group() const { return group_; }
+  const std::vector<FaceGroup>& groups() const { return groups_; }
+
+  std::span<const CornerChange> corner_changes(std::uint32_t split) const {
+    return part(corner_changes_, split, &Split::first_corner);
+  }
+  /// Returns the wedges whose values a split changes.
+  std::span<const Wedge> changed_wedges(std::uint32_t split) const {
+    return part(changed_wedges_, split, &Split::first_value);
+  }
+
+  /// Returns the attributes of the current level. Coarse levels of a faceted model have a normal per
+  /// face, as the model has. O(F). Pre: `mesh` is that level of the mesh.
+  Attributes at_level(const Mesh& mesh, Progress* progress = nullptr) const;
+
+  /// Returns the bytes that the arrays occupy.
+  std::size_t memory_bytes() const;
+
+ private:
+  friend class AttributeRecorder;
+
+  /// Where the elements of a split begin. They end where those of the next split begin.
+  struct Split {
+    std::uint32_t first_wedge = 0;
+    std::uint32_t first_corner = 0;
+    std::uint32_t first_value = 0;
+  };
+
+  template <class T>
+  std::span<const T> part(const Array<T>& all, std::uint32_t split,
+                          std::uint32_t Split::*first) const {
+    const std::size_t begin = splits_[split].*first;
+    const bool is_last = split + 1 == split_count();
+    return std::span(all).subspan(begin,
+                                  (is_last ? all.size() : splits_[split + 1].*first) - begin);
+  }
+  void swap(std::uint32_t split);
+  std::vector<AttributeStream> streams(const Mesh& mesh) const;
+
+  std::uint32_t level_ = 0;
+  std::uint32_t full_wedges_ = 0;
+  Array<Split> splits_;
+  Array<Wedge> corner_wedge_;           ///< 3 per face of the full mesh
+  std::vector<AttributeLayer> layers_;  ///< per wedge of the full mesh
+  Array<CornerChange> corner_changes_;  ///< by split
+  Array<Wedge> changed_wedges_;         ///< by split
+  std::vector<AttributeLayer> others_;  ///< per changed wedge: its value on the other side
+  std::vector<std::uint8_t> is_faceted_;  ///< by layer: its normals differ across most edges
+  Array<std::uint32_t> group_;
+  std::vector<FaceGroup> groups_;
+};
+
+}  // namespace mesher::progressive
