@@ -45,10 +45,12 @@ vec3 normal_of(Surface surface, uint h, uint vertex, uint wedge) {
   return decode_normal(unpackSnorm2x16(Uints(surface.at.normals).at[is_corner ? h : vertex]));
 }
 
-vec4 color_of(Surface surface, uint wedge) {
-  if (!has_layer(surface.at.color)) return vec4(1.0);
-  const vec4 color = fetch_value(surface.at.color, wedge, vec4(1.0));
-  if ((surface.at.flags & kLinearColors) != 0) return color;
+vec4 stored_color(Surface surface, uint wedge) {
+  return has_layer(surface.at.color) ? fetch_value(surface.at.color, wedge, vec4(1.0)) : vec4(1.0);
+}
+
+vec4 linear_color(Surface surface, vec4 color) {
+  if (!has_layer(surface.at.color) || (surface.at.flags & kLinearColors) != 0) return color;
   // The curve of sRGB (IEC 61966-2-1).
   const vec3 curve = pow((color.rgb + 0.055) / 1.055, vec3(2.4));
   return vec4(mix(curve, color.rgb / 12.92, lessThanEqual(color.rgb, vec3(0.04045))), color.a);
@@ -61,6 +63,71 @@ vec3 turned(vec3 v) {
          length(constants.view.row_x.xyz);
 }
 
+#ifdef MORPH
+struct Attributes {
+  vec3 normal;
+  vec4 tangent;
+  vec4 color;
+  vec4 texcoord;
+};
+
+// Returns the difference of a value in one change, from its first word on.
+vec4 change_of(Surface surface, uint word, uint components) {
+  Floats words = Floats(surface.at.changes);
+  vec4 change = vec4(0.0);
+  for (uint c = 0; c < components; ++c)
+    change[c] = words.at[word + c];
+  return change;
+}
+
+// Takes what a change has not added yet from the values: morphed_value in engine/mesh/geomorph.h.
+void take_back(Surface surface, uint change, float rest, inout Attributes values) {
+  const uint first = change * surface.at.change_stride;
+  if (surface.at.normal_change != 0)
+    values.normal -= rest * change_of(surface, first + surface.at.normal_change, 3).xyz;
+  if (surface.at.tangent_change != 0)
+    values.tangent.xyz -= rest * change_of(surface, first + surface.at.tangent_change, 3).xyz;
+  if (surface.at.color_change != 0)
+    values.color -= rest * change_of(surface, first + surface.at.color_change,
+                                     surface.at.color.format & 7);
+  const uint sets = material.sets;
+  const uvec2 sets_change = uvec2(surface.at.texcoord_change[sets & 255],
+                                  surface.at.texcoord_change[sets >> 8]);
+  if (sets_change.x != 0)
+    values.texcoord.xy -= rest * change_of(surface, first + sets_change.x, 2).xy;
+  if (sets_change.y != 0)
+    values.texcoord.zw -= rest * change_of(surface, first + sets_change.y, 2).xy;
+}
+
+// Morphs the position of a vertex and the values of a wedge. There may be only one loop: see
+// geomorph.glsl.
+void morph(Surface surface, uint vertex, uint wedge, inout vec3 position,
+           inout Attributes values) {
+  const GeomorphConstants time = Geomorph(constants.geomorph).at;
+  const uint stride = surface.at.change_stride;
+  const bool moves_values = stride != 0 && time.first_head != kNoHead;
+  uint head = head_of(time, vertex);
+  uint change = moves_values ? Uints(surface.at.change_heads).at[wedge] : kNoHead;
+  uint split = change == kNoHead ? kNoHead : Uints(surface.at.changes).at[change * stride];
+  precise vec3 p = position;
+  const vec3 normal = values.normal;
+  while (is_growing(time, head) || (change != kNoHead && is_growing(time, 2 * split))) {
+    if (is_growing(time, head)) {
+      p -= share_to_come(time, head);
+      head = previous(time, head);
+    }
+    if (change != kNoHead && is_growing(time, 2 * split)) {
+      take_back(surface, change, remaining(time, split), values);
+      change = Uints(surface.at.changes).at[change * stride + 1];
+      split = change == kNoHead ? kNoHead : Uints(surface.at.changes).at[change * stride];
+    }
+  }
+  position = p;
+  const float square = dot(values.normal, values.normal);
+  if (square > 0.0 && values.normal != normal) values.normal *= inversesqrt(square);
+}
+#endif
+
 void main() {
   Surface surface = Surface(constants.surface);
   const uint h = halfedge();
@@ -72,8 +139,16 @@ void main() {
   vec3 position = fetch_position(surface.at.positions, vertex);
   vec3 normal = normal_of(surface, h, vertex, wedge);
   vec4 tangent = fetch_value(surface.at.tangent, wedge, vec4(0.0));
+  vec4 color = stored_color(surface, wedge);
+  out_texcoord.xy = fetch_value(surface.at.texcoord[sets & 255], wedge, vec4(0.0)).xy;
+  out_texcoord.zw = fetch_value(surface.at.texcoord[sets >> 8], wedge, vec4(0.0)).xy;
 #ifdef MORPH
-  morph(Geomorph(constants.geomorph).at, vertex, position);  // attributes stay unchanged
+  Attributes attributes = Attributes(normal, tangent, color, out_texcoord);
+  morph(surface, vertex, wedge, position, attributes);
+  normal = attributes.normal;
+  tangent = attributes.tangent;
+  color = attributes.color;
+  out_texcoord = attributes.texcoord;
 #else
   if (surface.at.pose.per_vertex != 0) {
     const PoseRows rows = rows_of(surface.at.pose, vertex);
@@ -84,9 +159,7 @@ void main() {
 #endif
   out_view = to_view(constants.view, position);
   out_normal = turned(normal);
-  out_texcoord.xy = fetch_value(surface.at.texcoord[sets & 255], wedge, vec4(0.0)).xy;
-  out_texcoord.zw = fetch_value(surface.at.texcoord[sets >> 8], wedge, vec4(0.0)).xy;
-  out_color = color_of(surface, wedge);
+  out_color = linear_color(surface, color);
   out_tangent = vec4(turned(tangent.xyz), tangent.w);
 #ifdef WIRE
   out_barycentric = barycentric(surface.at.classes, h);

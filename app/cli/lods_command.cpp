@@ -85,8 +85,7 @@ void make_progressive(Source& source, LoadedLevels& opened, double least_ratio,
   begin_stage(line.progress(), "simplifying");
   options.progress = line.progress();
   options.certifies = false;  // each level is certified for itself
-  source.progressive =
-      progressive::make_progressive(mesh, source.loaded.model.attributes, options);
+  source.progressive = progressive::make_progressive(mesh, source.loaded.model.attributes, options);
 }
 
 LodLevel facts_of(const Mesh& mesh, const LodTarget& target, std::uint32_t full_faces) {

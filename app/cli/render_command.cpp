@@ -10,7 +10,9 @@
 #include "app/viewer/scripted_session.h"
 #include "engine/core/error.h"
 #include "engine/io/format.h"
+#include "engine/io/image_decode.h"
 #include "engine/io/pm_file.h"
+#include "engine/progressive/attribute_morph.h"
 #include "engine/progressive/base.h"
 #include "engine/progressive/build.h"
 #include "engine/progressive/detail_range.h"
@@ -27,14 +29,16 @@ constexpr double kReadDetailWeights[] = {0.0, 1.0};
 struct Detail {
   progressive::ProgressiveMesh mesh;
   progressive::Geomorph geomorph;
+  progressive::ProgressiveAttributes attributes;
+  progressive::AttributeMorph attribute_morph;
   DetailMoment moment;
 };
 
-progressive::ProgressiveMesh progressive_of(const LoadedModel& loaded, Progress* progress) {
+progressive::Progressive progressive_of(const LoadedModel& loaded, Progress* progress) {
   simplify::SimplifyOptions options{.progress = progress};
   progressive::choose_base(options, loaded.model.mesh.face_count(),
                            loaded.statistics.box.diagonal());
-  return progressive::make_progressive(loaded.model.mesh, options).mesh;
+  return progressive::make_progressive(loaded.model.mesh, loaded.model.attributes, options);
 }
 
 Size size_of(const LookOptions& look) {
@@ -55,13 +59,23 @@ Detail open_detail(Session& session, LoadedLevels&& opened, double lod, const Lo
   ProgressLine line(!common.quiet);
   Stages stages(line.progress(), opened.levels ? kReadDetailWeights : kMakeDetailWeights);
   stages.next();
-  detail.mesh =
-      opened.levels ? std::move(*opened.levels) : progressive_of(opened.loaded, line.progress());
+  if (opened.levels) {
+    detail.mesh = std::move(*opened.levels);
+  } else {
+    progressive::Progressive made = progressive_of(opened.loaded, line.progress());
+    detail.mesh = std::move(made.mesh);
+    detail.attributes = std::move(made.attributes);
+  }
   show(session, std::move(opened.loaded), look);
   detail.moment = detail_moment(lod, detail.mesh.base_vertex_count(), detail.mesh.split_count());
   detail.mesh.go_to(detail.moment.level);
   stages.next("preparing geomorphs");
   detail.geomorph = progressive::Geomorph(detail.mesh, line.progress());
+  if (!detail.attributes.is_empty()) {
+    detail.attribute_morph = progressive::AttributeMorph(detail.attributes, line.progress());
+    detail.attributes.go_to(detail.moment.level);
+    detail.attribute_morph.follow(detail.attributes);
+  }
   session.view.settings.geomorph = detail.moment.growth;
   session.view.settings.colors_by_split_order = look.split_colors;
   session.view.settings.first_split_vertex = detail.mesh.base_vertex_count();
@@ -124,10 +138,25 @@ void write_detail(Detail& detail, const Session& session, const std::string& out
   gpu::Device device(instance, {.select = look.device});
   const progressive::Geomorph& geomorph = detail.geomorph;
   render::GpuMesh mesh(device);
-  mesh.apply(detail.mesh.mesh(), session.view.settings,
-             {.corner_normals = {},
-              .vertex_normals = geomorph.normals(),
-              .morph = {.heads = geomorph.heads(), .splits = geomorph.splits()}});
+  std::vector<std::string> problems;
+  const std::shared_ptr<const Materials>& materials = session.document.model.materials;
+  const auto decode = [&](std::span<const ImageRequest> images, const TakeImage& take) {
+    io::decode_images(*materials, images, take, problems);
+  };
+  mesh.apply(
+      detail.mesh.mesh(), session.view.settings,
+      {.corner_normals = {},
+       .vertex_normals = geomorph.normals(),
+       .morph = {.heads = geomorph.heads(), .splits = geomorph.splits()},
+       .appearance = {
+           .attributes = detail.attributes.is_empty() ? nullptr : &detail.attributes.arrays(),
+           .materials = materials,
+           .decode = decode,
+           .morph = detail.attribute_morph.view()}});
+  if (!common.quiet) {
+    for (const std::string& problem : problems)
+      say(problem);
+  }
   render::Renderer renderer(device);
   const VkExtent2D window{static_cast<std::uint32_t>(session.view.window.x),
                           static_cast<std::uint32_t>(session.view.window.y)};

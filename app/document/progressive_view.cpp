@@ -10,9 +10,9 @@
 namespace mesher::app {
 namespace {
 
-/// Times of preparing geomorphs, of measuring levels, and of the stand-in, which only large models
-/// get.
-constexpr double kLevelWeights[] = {0.55, 0.45, 0.02};
+/// Times of preparing geomorphs of positions and of attributes, of measuring levels, and of the
+/// stand-in, which only large models get.
+constexpr double kLevelWeights[] = {0.5, 0.05, 0.45, 0.02};
 // The distance to the automatic level decreases by a factor of e in this time.
 constexpr double kTravelSeconds = 0.15;
 // The level counts as reached within this distance, in positions of the slider.
@@ -25,9 +25,12 @@ DetailLevels detail_levels(progressive::Progressive&& progressive, Progress* pro
   levels.mesh = std::move(progressive.mesh);
   levels.vertex_source = std::move(progressive.vertex_source);
   levels.face_source = std::move(progressive.face_source);
+  levels.attributes = std::move(progressive.attributes);
   Stages stages(progress, kLevelWeights);
   stages.next("preparing geomorphs");
   levels.geomorph = progressive::Geomorph(levels.mesh, progress);
+  stages.next();
+  levels.attribute_morph = progressive::AttributeMorph(levels.attributes, progress);
   stages.next("measuring levels");
   levels.errors = progressive::LevelErrors(levels.mesh, progress);
   stages.next();
@@ -96,6 +99,9 @@ void ProgressiveView::set_time(double time) {
 void ProgressiveView::follow_level() {
   mesh().go_to(range().level(time_));
   if (has_geomorph_) levels_.geomorph.follow(mesh());
+  if (levels_.attributes.is_empty()) return;
+  levels_.attributes.go_to(mesh().level());
+  levels_.attribute_morph.follow(levels_.attributes);
 }
 
 void ProgressiveView::take_hold() {

@@ -8,6 +8,7 @@
 
 #include "engine/core/option.h"
 #include "engine/core/progress.h"
+#include "engine/progressive/attribute_morph.h"
 #include "engine/progressive/build.h"
 #include "engine/progressive/codec/pm_read.h"
 #include "engine/progressive/detail_range.h"
@@ -78,6 +79,9 @@ struct DetailLevels {
   progressive::ProgressiveMesh mesh;
   progressive::Geomorph geomorph;
   progressive::LevelErrors errors;
+  /// At the level of the mesh; empty if the model has none, or the mesh was read from a file.
+  progressive::ProgressiveAttributes attributes;
+  progressive::AttributeMorph attribute_morph;
   /// The vertices and faces of the model that those of the mesh come from, as in Progressive. Empty
   /// if the mesh was read from a file.
   Array<Vertex> vertex_source;
@@ -121,6 +125,8 @@ class ProgressiveView {
     return reader_ ? reader_->mesh() : levels_.mesh;
   }
   const DetailLevels& levels() const { return levels_; }
+  /// For the GPU's mirror of the attributes, which clears their change log.
+  progressive::ProgressiveAttributes& attributes() { return levels_.attributes; }
   /// A coarse level, to be shown while drawing the mesh would take too long; null: none was made.
   const std::shared_ptr<const Mesh>& stand_in() const { return levels_.stand_in; }
   bool has_geomorph() const { return has_geomorph_; }

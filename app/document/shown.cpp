@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "app/document/automatic_level.h"
-#include "engine/simplify/attributes.h"
 
 namespace mesher::app {
 const Mesh& shown_mesh(const Document& document) {
@@ -22,26 +21,14 @@ bool shows_placed(const Document& document) {
 
 Shape shown_shape(const Document& document) {
   if (!document.progressive.is_on()) return {document.model.mesh, document.model.attributes};
-  const DetailLevels& levels = document.progressive.levels();
-  const Model& model = document.model;
-  if (levels.vertex_source.empty()) return {shown_mesh(document), {}};
-  return level_shape(shown_mesh(document), levels.face_source, model.mesh, model.attributes);
-}
-
-Shape level_shape(const Mesh& level, std::span<const Halfedge> face_source, const Mesh& model,
-                  const Attributes& attributes) {
-  if (attributes.is_empty()) return {level, {}};
-  Array<Face> faces(level.face_count());
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    faces[f] = Mesh::face(face_source[f]);
-  return {level, simplify::carry_attributes({model, attributes}, level, faces)};
+  std::optional<Attributes> attributes = level_attributes(document);
+  return {shown_mesh(document), attributes ? std::move(*attributes) : Attributes()};
 }
 
 std::optional<Attributes> level_attributes(const Document& document) {
   const ProgressiveView& view = document.progressive;
-  if (!view.is_on() || view.levels().face_source.empty()) return std::nullopt;
-  if (document.model.attributes.layers.empty()) return std::nullopt;
-  return shown_shape(document).attributes;
+  if (!view.is_on() || view.levels().attributes.is_empty()) return std::nullopt;
+  return view.levels().attributes.at_level(shown_mesh(document));
 }
 
 render::Settings shown_settings(render::Settings settings, const Document& document) {
@@ -63,11 +50,14 @@ render::Sources shown_sources(const Document& document) {
                            .decode = {}}};
   }
   if (!view.has_geomorph()) return {};
-  const progressive::Geomorph& geomorph = view.levels().geomorph;
-  return {
-      .vertex_normals = geomorph.normals(),
-      .morph = {.heads = geomorph.heads(), .splits = geomorph.splits()},
-      .appearance = {.attributes = nullptr, .materials = document.model.materials, .decode = {}}};
+  const DetailLevels& levels = view.levels();
+  return {.vertex_normals = levels.geomorph.normals(),
+          .morph = {.heads = levels.geomorph.heads(), .splits = levels.geomorph.splits()},
+          .appearance = {
+              .attributes = levels.attributes.is_empty() ? nullptr : &levels.attributes.arrays(),
+              .materials = document.model.materials,
+              .decode = {},
+              .morph = levels.attribute_morph.view()}};
 }
 
 render::MarkedEdges marked_edges(const CreaseMode& creases) {

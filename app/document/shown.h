@@ -23,18 +23,12 @@ Mesh& shown_mesh(Document& document);
 bool shows_placed(const Document& document);
 /// That mesh with all geomorphs finished, and its attributes.
 Shape shown_shape(const Document& document);
-/// A level of a progressive mesh of a model, with its attributes. The sources are those
-/// of DetailLevels.
-Shape level_shape(const Mesh& level, std::span<const Halfedge> face_source, const Mesh& model,
-                  const Attributes& attributes);
-/// Returns the attributes of the shown level of a progressive mesh, if it can be drawn in a look
-/// other than clay; otherwise none. O(F).
+/// Returns the attributes of the shown level of a progressive mesh, if it has any. O(F).
 std::optional<Attributes> level_attributes(const Document& document);
 /// The settings to draw with: those of the view, with the lines of crease editing and the state of
 /// the geomorph.
 render::Settings shown_settings(render::Settings settings, const Document& document);
-/// What the renderer needs besides the mesh. The attributes of levels of a progressive mesh are
-/// still to be added (level_attributes), and the images of materials to be decoded.
+/// What the renderer needs besides the mesh. The images of materials are still to be decoded.
 render::Sources shown_sources(const Document& document);
 /// The edges that the renderer highlights: the selection, and the edge under the cursor.
 render::MarkedEdges marked_edges(const CreaseMode& creases);

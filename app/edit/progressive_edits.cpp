@@ -99,7 +99,8 @@ class BuildProgressive final : public EditTask {
     Stages stages(progress, kBuildWeights);
     stages.next("simplifying");
     options_.progress = progress;
-    progressive::Progressive made = progressive::make_progressive(start_->mesh, options_);
+    progressive::Progressive made =
+        progressive::make_progressive(start_->mesh, start_->attributes, options_);
     stages.next();
     const simplify::SimplifyReport report = made.report;
     std::string built_by = std::move(levels_.built_by);
@@ -234,9 +235,13 @@ class KeepBuiltLevel final : public KeepLevel {
 
   Shape level(Progress* progress) override {
     options_.progress = progress;
-    progressive::Progressive made = progressive::make_progressive(shown_->mesh, options_);
+    progressive::Progressive made =
+        progressive::make_progressive(shown_->mesh, shown_->attributes, options_);
     made.mesh.go_to(std::min(splits_, made.mesh.split_count()));
-    return level_shape(made.mesh.mesh(), made.face_source, shown_->mesh, shown_->attributes);
+    const Mesh& mesh = made.mesh.mesh();
+    if (made.attributes.is_empty()) return {mesh, {}};
+    made.attributes.go_to(made.mesh.level());
+    return {mesh, made.attributes.at_level(mesh)};
   }
 
   ProgressiveRules rules_;

@@ -27,6 +27,7 @@ render::Sources sources_of(const PictureTask& task) {
                           .vertex_normals = task.vertex_normals,
                           .morph = {.heads = task.heads, .splits = task.splits}};
   sources.appearance.materials = task.materials;
+  sources.appearance.morph = task.attribute_morph.view();
   sources.appearance.decode = [&task](std::span<const ImageRequest> images, const TakeImage& take) {
     std::vector<std::string> problems;  // the window has shown them
     io::decode_images(*task.materials, images, take, problems);
@@ -56,12 +57,13 @@ PictureTask begin_picture(const Document& document, const View& view, PictureReq
   if (shows_placed(document)) scene.emplace(document).pose(document);
   // The edges of copies have other numbers.
   const bool keeps_elements = !scene || scene->keeps_elements();
-  std::optional<Attributes> attributes = level_attributes(document);
-  if (!attributes && sources.appearance.attributes != nullptr && !scene)
-    attributes = *sources.appearance.attributes;
+  const bool has_attributes = sources.appearance.attributes != nullptr && !scene;
   return {.request = std::move(request),
           .mesh = scene ? Mesh() : shown_mesh(document),
-          .attributes = attributes ? std::move(*attributes) : Attributes(),
+          .attributes = has_attributes ? *sources.appearance.attributes : Attributes(),
+          .attribute_morph = document.progressive.is_on()
+                                 ? document.progressive.levels().attribute_morph
+                                 : progressive::AttributeMorph(),
           .materials = sources.appearance.materials,
           .scene = std::move(scene),
           .corner_normals = copied(sources.corner_normals),

@@ -12,6 +12,7 @@
 #include "app/document/view.h"
 #include "engine/core/image.h"
 #include "engine/core/progress.h"
+#include "engine/progressive/attribute_morph.h"
 #include "engine/render/gpu_mesh.h"
 
 namespace mesher::app {
@@ -32,7 +33,8 @@ std::string objection(const PictureRequest& request, const View& view);
 struct PictureTask {
   PictureRequest request;
   Mesh mesh;
-  Attributes attributes;                       ///< none: the mesh is drawn as clay
+  Attributes attributes;  ///< none: the mesh is drawn as clay
+  progressive::AttributeMorph attribute_morph;
   std::shared_ptr<const Materials> materials;  ///< as Model::materials
   /// What the scene of the model shows, which is drawn instead of the mesh.
   std::optional<ScenePicture> scene;

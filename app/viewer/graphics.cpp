@@ -13,7 +13,7 @@ struct Graphics::OnDevice {
         device(instance, {.select = select, .surface = surface.handle()}),
         presenter(device, surface.handle()),
         painter(device, presenter.format()),
-        mirror(device, true) {}
+        mirror(device) {}
 
   gpu::Surface surface;
   gpu::Device device;

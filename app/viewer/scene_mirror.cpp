@@ -4,12 +4,6 @@
 #include "engine/io/image_decode.h"
 
 namespace mesher::app {
-namespace {
-
-/// Faces of a level whose attributes are computed in each frame: about 10 ms.
-constexpr std::uint32_t kMostFacesPerFrame = 30'000;
-
-}  // namespace
 
 VkRect2D model_rectangle(const View& view, const VkExtent2D& extent) {
   const auto part = [](double from, double length, std::uint32_t most) {
@@ -43,29 +37,6 @@ bool SceneMirror::place(const Document& document) {
   return placed_->picture.pose(document) || !is_same;
 }
 
-/// Returns null for a level that is drawn as clay: in a window so are large ones while they change,
-/// because their attributes take longer than a frame.
-const Attributes* SceneMirror::attributes_of_level(const Document& document) {
-  const ProgressiveView& view = document.progressive;
-  if (!view.is_on()) {
-    level_ = {};
-    return nullptr;
-  }
-  const Mesh& mesh = shown_mesh(document);
-  const bool is_same = level_.generation == document.model_generation &&
-                       level_.revision == document.edits.revision &&
-                       level_.vertices == mesh.vertex_count();
-  if (!is_same) {
-    const bool moves = level_seen_ != mesh.vertex_count() || view.is_playing();
-    level_seen_ = mesh.vertex_count();
-    level_ = {};
-    if (is_live_ && moves && mesh.face_count() > kMostFacesPerFrame) return nullptr;
-    level_ = {level_attributes(document), document.model_generation, document.edits.revision,
-              mesh.vertex_count()};
-  }
-  return level_.attributes ? &*level_.attributes : nullptr;
-}
-
 bool SceneMirror::update(Document& document, const render::Settings& chosen,
                          const std::optional<render::PictureView>& picture) {
   bool is_changed = generation_ != document.model_generation;
@@ -75,7 +46,8 @@ bool SceneMirror::update(Document& document, const render::Settings& chosen,
   const std::uint32_t faces_before = mesh_.face_count();
   const render::Settings settings = shown_settings(chosen, document);
   render::Sources sources = shown_sources(document);
-  if (document.progressive.is_on()) sources.appearance.attributes = attributes_of_level(document);
+  if (document.progressive.is_on())
+    sources.appearance.changes = &document.progressive.attributes().changes();
   if (placed_) {
     sources.corner_normals = {};
     sources.appearance.attributes = &placed_->picture.attributes();

@@ -23,9 +23,7 @@ VkRect2D model_rectangle(const View& view, const VkExtent2D& extent);
 /// The GPU's copy of what a document shows. The window and scripts keep it up to date the same way.
 class SceneMirror {
  public:
-  /// `is_live`: of a window, in which nothing may take longer than a frame while it changes.
-  explicit SceneMirror(gpu::Device& device, bool is_live = false)
-      : mesh_(device), is_live_(is_live) {}
+  explicit SceneMirror(gpu::Device& device) : mesh_(device) {}
 
   /// Uploads what has changed since the last call. `chosen`: the settings of the view. Returns
   /// whether the picture changes. `picture`: the only one that is drawn, if there is only one.
@@ -45,10 +43,8 @@ class SceneMirror {
 
  private:
   bool place(const Document& document);
-  const Attributes* attributes_of_level(const Document& document);
 
   render::GpuMesh mesh_;
-  bool is_live_;
   /// What the scene of the model shows, if that is not the model itself, and what it was made of.
   struct Placed {
     ScenePicture picture;
@@ -58,15 +54,6 @@ class SceneMirror {
     Playback playback;
   };
   std::optional<Placed> placed_;
-  /// The attributes of the shown level of a progressive mesh, and what they were made for.
-  struct LevelLook {
-    std::optional<Attributes> attributes;
-    std::uint64_t generation = 0;
-    std::uint64_t revision = 0;
-    std::uint32_t vertices = 0;  ///< of the level: each has another number
-  };
-  LevelLook level_;
-  std::uint32_t level_seen_ = 0;  ///< vertices of the level in the last frame
   render::UploadStats last_upload_;
   std::optional<render::Settings> settings_;
   std::shared_ptr<const Materials> materials_;  ///< of the last update

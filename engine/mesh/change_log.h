@@ -9,13 +9,15 @@
 
 namespace mesher {
 
-/// The arrays of a mesh that are mirrored on the GPU.
+/// The arrays of a mesh and its attributes that are mirrored on the GPU.
 enum class GpuArray : std::uint8_t {
   position,    ///< one element per vertex
   origin,      ///< one element per half-edge: the index buffer
   edge_class,  ///< one element per half-edge: boundary, crease or ordinary, from twin and sharpness
+  corner_wedge,  ///< one element per half-edge
+  wedge_value,   ///< one element per wedge, in every layer
 };
-inline constexpr std::size_t kGpuArrayCount = 3;
+inline constexpr std::size_t kGpuArrayCount = 5;
 
 /// The elements [begin, end) of an array.
 struct ChangedRange {

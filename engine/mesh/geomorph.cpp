@@ -1,6 +1,7 @@
 #include "engine/mesh/geomorph.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -68,6 +69,23 @@ glm::vec3 morphed_normal(std::uint32_t normal, std::uint32_t head,
   });
   const float square = glm::dot(n, n);
   return square > 0.0F && n != full ? n / std::sqrt(square) : full;
+}
+
+AttributeValue morphed_value(const AttributeValue& value, const WedgeMorph& morph,
+                             std::size_t layer, Wedge w, const GeomorphTime& time) {
+  AttributeValue morphed = value;
+  const std::uint32_t first = morph.first_word[layer];
+  if (first == 0) return morphed;
+  for (std::uint32_t change = morph.heads[w.index()]; change != kNoHead;) {
+    const auto words = morph.words.subspan(std::size_t{morph.stride} * change, morph.stride);
+    if (words[0] < time.first_growing) break;
+    const float rest = 1.0F - growth(time, words[0]);
+    const std::size_t count = std::min<std::size_t>(morphed.size(), words.size() - first);
+    for (std::size_t k = 0; k < count; ++k)
+      morphed[k] -= double{rest * std::bit_cast<float>(words[first + k])};
+    change = words[1];
+  }
+  return morphed;
 }
 
 }  // namespace mesher

@@ -4,6 +4,8 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "engine/mesh/attributes.h"
+
 namespace mesher {
 
 /// The displacements of one vertex split: for parent and child, the vector from the parent's
@@ -49,6 +51,20 @@ struct GeomorphTime {
   friend bool operator==(const GeomorphTime&, const GeomorphTime&) = default;
 };
 
+/// The displacements of the values of wedges by vertex splits, as the GPU reads them. A change is
+/// that of one wedge by one split: `stride` words, of which the first two are the split and the
+/// wedge's previous change (kNoHead: none). Then come floats: for each layer that takes part, from
+/// its first word on, value after the split minus value before it.
+struct WedgeMorph {
+  std::span<const std::uint32_t> heads;  ///< per wedge: its last change, or kNoHead
+  std::span<const std::uint32_t> words;  ///< of all changes
+  std::uint32_t stride = 0;
+  /// By layer of the attributes: its first word in a change; 0: it takes no part.
+  std::span<const std::uint32_t> first_word;
+
+  bool is_empty() const { return heads.empty() || words.empty(); }
+};
+
 /// Returns the morph state of split `i`, 0 to 1.
 float growth(const GeomorphTime& time, std::uint32_t i);
 
@@ -60,5 +76,11 @@ glm::vec3 morphed_position(const glm::vec3& position, std::uint32_t head,
 /// drawn.
 glm::vec3 morphed_normal(std::uint32_t normal, std::uint32_t head,
                          std::span<const SplitMorph> splits, const GeomorphTime& time);
+
+/// Returns the morphed value of a wedge in one layer, before normals get unit length again.
+/// `value`: its value in the level that is drawn. O(splits that changed it since
+/// time.first_growing).
+AttributeValue morphed_value(const AttributeValue& value, const WedgeMorph& morph,
+                             std::size_t layer, Wedge w, const GeomorphTime& time);
 
 }  // namespace mesher

@@ -87,8 +87,8 @@ class AttributeRecorder {
   AttributeRecorder(ProgressiveMesh& mesh, const Mesh& full, std::span<const Halfedge> face_source,
                     const Attributes& attributes)
       : mesh_(mesh), classes_(full, attributes, full.vertex_count() + attributes.further.size()) {
-    result_.groups_ = attributes.groups;
-    result_.layers_ = attributes.layers;
+    result_.arrays_.groups = attributes.groups;
+    result_.arrays_.layers = attributes.layers;
     result_.splits_.resize(mesh.split_count());
     result_.level_ = 0;
     const simplify::SeamTest seams(full, attributes);
@@ -100,18 +100,18 @@ class AttributeRecorder {
     }
     const auto faces = static_cast<std::uint32_t>(face_source.size());
     if (!attributes.group.empty()) {
-      result_.group_.resize(faces);
+      result_.arrays_.group.resize(faces);
       for (std::uint32_t f = 0; f < faces; ++f)
-        result_.group_[f] = attributes.group[Mesh::face(face_source[f]).index()];
+        result_.arrays_.group[f] = attributes.group[Mesh::face(face_source[f]).index()];
     }
     if (attributes.layers.empty()) return;
-    result_.corner_wedge_.resize(3 * std::size_t{faces});
+    result_.arrays_.corner_wedge.resize(3 * std::size_t{faces});
     corners_of_wedge_.assign(full.vertex_count() + attributes.further.size(), 0);
     for (std::uint32_t f = 0; f < faces; ++f) {
       Halfedge source = face_source[f];
       for (std::uint32_t c = 0; c < 3; ++c, source = Mesh::next(source)) {
         const Wedge w = attributes.wedge(full.origins(), source);
-        result_.corner_wedge_[3 * std::size_t{f} + c] = w;
+        result_.arrays_.corner_wedge[3 * std::size_t{f} + c] = w;
         ++corners_of_wedge_[w.index()];
       }
     }
@@ -123,14 +123,14 @@ class AttributeRecorder {
       if (i % kUndosBetweenReports == 0) {
         report(progress, 1.0F - static_cast<float>(i) / static_cast<float>(mesh_.split_count()));
       }
-      if (!result_.layers_.empty()) undo(i);
+      if (!result_.arrays_.layers.empty()) undo(i);
     });
     put_in_order();
     return std::move(result_);
   }
 
  private:
-  Wedge& wedge(Halfedge h) { return result_.corner_wedge_[h.index()]; }
+  Wedge& wedge(Halfedge h) { return result_.arrays_.corner_wedge[h.index()]; }
 
   /// Records split i and undoes it. Pre: the mesh is at level i + 1.
   void undo(std::uint32_t i) {
@@ -222,8 +222,8 @@ class AttributeRecorder {
     else if (split.coarse_position == split.child_position)
       kept = side.at_child;
     if (kept && classes_.is_mixed(*kept)) kept.reset();
-    for (std::size_t l = 0; l < result_.layers_.size(); ++l) {
-      const AttributeLayer& from = result_.layers_[l];
+    for (std::size_t l = 0; l < result_.arrays_.layers.size(); ++l) {
+      const AttributeLayer& from = result_.arrays_.layers[l];
       if (kept) {
         std::ranges::copy(from.value(kept->index()), merged_values_[l].value(k).begin());
       } else {
@@ -274,17 +274,18 @@ class AttributeRecorder {
     if (!w.is_valid()) return;
     classes_.isolate(w);
     bool changes = false;
-    for (std::size_t l = 0; l < result_.layers_.size() && !changes; ++l)
-      changes =
-          !std::ranges::equal(result_.layers_[l].value(w.index()), merged_values_[l].value(k));
+    for (std::size_t l = 0; l < result_.arrays_.layers.size() && !changes; ++l)
+      changes = !std::ranges::equal(result_.arrays_.layers[l].value(w.index()),
+                                    merged_values_[l].value(k));
     if (!changes) return;
     const std::size_t slot = result_.changed_wedges_.size();
     result_.changed_wedges_.push_back(w);
-    for (std::size_t l = 0; l < result_.layers_.size(); ++l) {
+    for (std::size_t l = 0; l < result_.arrays_.layers.size(); ++l) {
       result_.others_[l].resize(slot + 1);
-      std::ranges::copy(result_.layers_[l].value(w.index()),
+      std::ranges::copy(result_.arrays_.layers[l].value(w.index()),
                         result_.others_[l].value(slot).begin());
-      std::ranges::copy(merged_values_[l].value(k), result_.layers_[l].value(w.index()).begin());
+      std::ranges::copy(merged_values_[l].value(k),
+                        result_.arrays_.layers[l].value(w.index()).begin());
     }
   }
 
@@ -300,7 +301,7 @@ class AttributeRecorder {
   /// Renumbers wedges in order of appearance, and turns the lists around: they were gathered from
   /// the last split to the first.
   void put_in_order() {
-    if (result_.layers_.empty()) return;
+    if (result_.arrays_.layers.empty()) return;
     Array<Wedge> old_id;  // by new id
     Array<Wedge> new_id(corners_of_wedge_.size());
     std::fill(new_id.begin(), new_id.end(), Wedge{});
@@ -310,7 +311,7 @@ class AttributeRecorder {
       old_id.push_back(w);
     };
     for (std::size_t h = 0; h < 3 * std::size_t{mesh_.base_face_count()}; ++h)
-      name(result_.corner_wedge_[h]);
+      name(result_.arrays_.corner_wedge[h]);
     Array<CornerChange> corners;
     Array<Wedge> values;
     Array<std::uint32_t> old_slot;
@@ -341,13 +342,13 @@ class AttributeRecorder {
       rename(change.other);
     for (Wedge& w : values)
       rename(w);
-    for (Wedge& w : result_.corner_wedge_)
+    for (Wedge& w : result_.arrays_.corner_wedge)
       rename(w);
     result_.full_wedges_ = static_cast<std::uint32_t>(old_id.size());
     result_.corner_changes_ = std::move(corners);
     result_.changed_wedges_ = std::move(values);
-    for (std::size_t l = 0; l < result_.layers_.size(); ++l) {
-      reorder(result_.layers_[l], old_id, [](Wedge w) { return w.index(); });
+    for (std::size_t l = 0; l < result_.arrays_.layers.size(); ++l) {
+      reorder(result_.arrays_.layers[l], old_id, [](Wedge w) { return w.index(); });
       reorder(result_.others_[l], old_slot, [](std::uint32_t slot) { return slot; });
     }
   }

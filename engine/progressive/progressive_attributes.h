@@ -7,6 +7,7 @@
 #include "engine/core/array.h"
 #include "engine/core/progress.h"
 #include "engine/mesh/attributes.h"
+#include "engine/mesh/change_log.h"
 #include "engine/mesh/mesh.h"
 #include "engine/mesh/wedges.h"
 
@@ -41,23 +42,29 @@ class ProgressiveAttributes {
  public:
   std::uint32_t level() const { return level_; }
   std::uint32_t split_count() const { return static_cast<std::uint32_t>(splits_.size()); }
-  /// Returns whether there are no layers. There may be groups.
-  bool has_no_layers() const { return layers_.empty(); }
-  bool is_empty() const { return layers_.empty() && group_.empty(); }
+  bool is_empty() const { return arrays_.is_empty(); }
   std::uint32_t wedge_count(std::uint32_t level) const {
     return level < split_count() ? splits_[level].first_wedge : full_wedges_;
   }
 
-  /// Moves to a level, split by split. O(steps). Pre: level <= split_count().
+  /// Moves to a level, split by split. Records in changes() what it writes; a long way counts as a
+  /// change of everything. O(steps). Pre: level <= split_count().
   void go_to(std::uint32_t level);
 
+  /// Returns all arrays: those of the level, and the elements that finer levels add. `further` is
+  /// empty, so they break the invariants of Attributes: use `at_level` for anything but drawing.
+  const Attributes& arrays() const { return arrays_; }
+  /// The elements of `arrays` that steps have changed: corner_wedge and wedge_value. Elements past
+  /// the level's own never change.
+  ChangeLog& changes() { return changes_; }
+
   /// Wedge of each corner. Only those of the level's faces are its own.
-  std::span<const Wedge> corner_wedges() const { return corner_wedge_; }
+  std::span<const Wedge> corner_wedges() const { return arrays_.corner_wedge; }
   /// Values of each wedge. Only those below wedge_count(level()) are the level's own.
-  std::span<const AttributeLayer> layers() const { return layers_; }
+  std::span<const AttributeLayer> layers() const { return arrays_.layers; }
   /// Group of each face of the full mesh; empty if there are none.
-  std::span<const std::uint32_t> group() const { return group_; }
-  const std::vector<FaceGroup>& groups() const { return groups_; }
+  std::span<const std::uint32_t> group() const { return arrays_.group; }
+  const std::vector<FaceGroup>& groups() const { return arrays_.groups; }
 
   std::span<const CornerChange> corner_changes(std::uint32_t split) const {
     return part(corner_changes_, split, &Split::first_corner);
@@ -67,8 +74,8 @@ class ProgressiveAttributes {
     return part(changed_wedges_, split, &Split::first_value);
   }
 
-  /// Returns the attributes of the current level. Coarse levels of a faceted model have a normal per
-  /// face, as the model has. O(F). Pre: `mesh` is that level of the mesh.
+  /// Returns the attributes of the current level. Coarse levels of a faceted model have a normal
+  /// per face, as the model has. O(F). Pre: `mesh` is that level of the mesh.
   Attributes at_level(const Mesh& mesh, Progress* progress = nullptr) const;
 
   /// Returns the bytes that the arrays occupy.
@@ -98,14 +105,12 @@ class ProgressiveAttributes {
   std::uint32_t level_ = 0;
   std::uint32_t full_wedges_ = 0;
   Array<Split> splits_;
-  Array<Wedge> corner_wedge_;           ///< 3 per face of the full mesh
-  std::vector<AttributeLayer> layers_;  ///< per wedge of the full mesh
-  Array<CornerChange> corner_changes_;  ///< by split
-  Array<Wedge> changed_wedges_;         ///< by split
-  std::vector<AttributeLayer> others_;  ///< per changed wedge: its value on the other side
+  Attributes arrays_;  ///< corners, wedges and faces of the full mesh
+  ChangeLog changes_;
+  Array<CornerChange> corner_changes_;    ///< by split
+  Array<Wedge> changed_wedges_;           ///< by split
+  std::vector<AttributeLayer> others_;    ///< per changed wedge: its value on the other side
   std::vector<std::uint8_t> is_faceted_;  ///< by layer: its normals differ across most edges
-  Array<std::uint32_t> group_;
-  std::vector<FaceGroup> groups_;
 };
 
 }  // namespace mesher::progressive

@@ -32,10 +32,10 @@ glm::vec3 center_of(const Mesh& mesh, std::span<const std::uint32_t> faces) {
 }
 
 /// Sorts the faces by the batches of their groups. Sets the first face of each batch.
-Array<std::uint32_t> sorted_faces(const Attributes& attributes,
+Array<std::uint32_t> sorted_faces(std::span<const std::uint32_t> group_of,
                                   const std::vector<std::uint32_t>& batch_of,
                                   std::vector<Batch>& batches) {
-  for (const std::uint32_t group : attributes.group)
+  for (const std::uint32_t group : group_of)
     ++batches[batch_of[group]].count;
   std::uint32_t first = 0;
   std::vector<std::uint32_t> next;
@@ -44,9 +44,9 @@ Array<std::uint32_t> sorted_faces(const Attributes& attributes,
     next.push_back(first);
     first += batch.count;
   }
-  Array<std::uint32_t> faces(attributes.group.size());
+  Array<std::uint32_t> faces(group_of.size());
   for (std::uint32_t f = 0; f < faces.size(); ++f)
-    faces[next[batch_of[attributes.group[f]]]++] = f;
+    faces[next[batch_of[group_of[f]]]++] = f;
   return faces;
 }
 
@@ -73,7 +73,8 @@ DrawOrder draw_order(const Mesh& mesh, const Attributes& attributes, const Mater
   std::vector<std::uint32_t> batch_of;
   for (std::uint32_t i = 0; i < groups.size(); ++i)
     batch_of.push_back(batch_of_key.at(key_of(groups[i], i, materials)));
-  order.faces = sorted_faces(attributes, batch_of, order.batches);
+  order.faces =
+      sorted_faces(std::span(attributes.group).first(mesh.face_count()), batch_of, order.batches);
   std::erase_if(order.batches, [](const Batch& batch) { return batch.count == 0; });
   for (Batch& batch : order.batches) {
     if (batch.blends)

@@ -27,7 +27,8 @@ struct DrawOrder {
   std::vector<Batch> batches;
 };
 
-/// Returns the order for a mesh. `materials` may be null. O(F).
+/// Returns the order for a mesh. There may be groups of further faces. `materials` may be null.
+/// O(F).
 DrawOrder draw_order(const Mesh& mesh, const Attributes& attributes, const Materials* materials);
 
 }  // namespace mesher::render

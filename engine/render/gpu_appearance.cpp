@@ -16,7 +16,14 @@ void GpuAppearance::update(const Mesh& mesh, const Settings& settings, const App
   const bool is_new = !model_;
   if (is_new) model_.emplace(device_);
   if (is_new || is_changed) {
-    model_->attributes.update(*appearance.attributes, stats);
+    if (appearance.changes == nullptr || !model_->has_levels) {
+      model_->attributes.update(*appearance.attributes, appearance.morph, stats);
+    } else {
+      model_->attributes.update(*appearance.attributes, *appearance.changes, appearance.morph,
+                                stats);
+    }
+    model_->has_levels = appearance.changes != nullptr;
+    if (appearance.changes != nullptr) appearance.changes->clear();
     DrawOrder order = draw_order(mesh, *appearance.attributes, appearance.materials.get());
     model_->has_order = !order.faces.empty();
     upload_whole(device_, model_->faces, std::as_bytes(std::span(order.faces)), 0, stats);

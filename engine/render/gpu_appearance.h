@@ -20,6 +20,12 @@ class GpuAppearance {
   /// those of the last call. Throws DeviceError.
   void update(const Mesh& mesh, const Settings& settings, const Appearance& appearance,
               bool is_changed, UploadStats& stats);
+  /// Makes the next update copy all attributes, even those of a level.
+  void invalidate() {
+    if (model_) model_->has_levels = false;
+  }
+  /// Returns the size of the attributes on the GPU.
+  std::size_t attribute_bytes() const { return model_ ? model_->attributes.bytes() : 0; }
   /// Writes where the arrays of the mesh are, unless the last call did. Call it after `update`.
   void place(shared::SurfaceBlock block);
 
@@ -40,6 +46,7 @@ class GpuAppearance {
   struct ModelParts {
     explicit ModelParts(gpu::Device& device) : attributes(device) {}
     GpuAttributes attributes;
+    bool has_levels = false;  ///< they are those of a progressive mesh
     bool has_order = false;
     gpu::Buffer faces;
     std::vector<Batch> batches;

@@ -56,6 +56,7 @@ UploadStats GpuMesh::apply(Mesh& mesh, const Settings& settings, const Sources& 
   if (is_new) {
     forget_buffers();
     mesh.changes().note_all();
+    appearance_.invalidate();
     make_room_for(mesh, sources.morph.splits_to_come());
   }
   const bool is_smaller = mesh.face_count() < face_count_;  // which the log need not tell
@@ -79,6 +80,7 @@ UploadStats GpuMesh::apply(Mesh& mesh, const Settings& settings, const Sources& 
   mesh.changes().clear();
   for (const Part& part : parts())
     stats.total_bytes += part.bytes;
+  stats.total_bytes += appearance_.attribute_bytes();
   return stats;
 }
 

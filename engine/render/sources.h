@@ -12,6 +12,7 @@
 #include "engine/core/image.h"
 #include "engine/core/image_request.h"
 #include "engine/mesh/attributes.h"
+#include "engine/mesh/change_log.h"
 #include "engine/mesh/geomorph.h"
 #include "engine/mesh/material.h"
 #include "engine/mesh/statistics.h"
@@ -64,6 +65,14 @@ struct Appearance {
   DecodeImages decode;                         ///< called for the images that the look needs
   /// The only picture of this mesh that will be drawn: textures get no more pixels than it needs.
   std::optional<PictureView> picture{};
+  /// Set if the attributes are those of a level of a progressive mesh
+  /// (progressive::ProgressiveAttributes::arrays). It lists which elements of corner_wedge and
+  /// wedge_value have changed since the last call, which cleared it; all others are the same,
+  /// unless the mesh is new.
+  ChangeLog* changes = nullptr;
+  /// How such attributes move during a geomorph: their heads may change only for wedges whose
+  /// values `changes` lists. May be empty.
+  WedgeMorph morph{};
 };
 
 /// Inputs of a mirror besides the mesh. Each may be empty.

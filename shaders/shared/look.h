@@ -36,11 +36,18 @@ struct SurfaceBlock {
   Address wedges;  // uint per half-edge
   PoseConstants pose;
   uint flags;
-  uint unused;
+  uint change_stride;    // this and the next two: WedgeMorph; 0: attributes do not move
+  Address change_heads;  // uint per wedge
+  Address changes;       // words
   LayerConstants normal;
   LayerConstants tangent;
   LayerConstants color;
   LayerConstants texcoord[kTexcoordSets];
+  uint normal_change;  // first words of the layers in a change; 0: the layer does not move
+  uint tangent_change;
+  uint color_change;
+  uint texcoord_change[kTexcoordSets];
+  uint unused;
 };
 
 // The textures of a material, by their binding.
@@ -93,7 +100,7 @@ struct LookConstants {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(SurfaceBlock) == 80 + 7 * 16);
+static_assert(sizeof(SurfaceBlock) == 96 + 7 * 16 + 32);
 static_assert(sizeof(MaterialBlock) == 256);
 static_assert(sizeof(LookConstants) == 128);
 }  // namespace mesher::render::shared

@@ -1,5 +1,6 @@
 #include "tests/support/golden.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include "engine/io/png.h"
 
 #if defined(__SSE__)
+#include <cpuid.h>
 #include <xmmintrin.h>
 #endif
 
@@ -30,10 +32,14 @@ std::string driver_of(const gpu::Device& device) {
   return device.name() + ", " + driver.driverInfo;
 }
 
-/// Returns a fingerprint of the processor's approximate reciprocals, or "none" if there are no such
-/// instructions. Llvmpipe divides and normalizes by them, and their last bits differ by vendor.
-std::string reciprocals_of_processor() {
+/// Returns the family and model of the processor, and a fingerprint of its approximate reciprocals,
+/// or "none" if there are no such instructions. Llvmpipe divides and normalizes by reciprocals,
+/// whose last bits differ by vendor, and compiles its shaders for the model.
+std::string processor() {
 #if defined(__SSE__)
+  unsigned version = 0;
+  unsigned unused = 0;
+  __get_cpuid(1, &version, &unused, &unused, &unused);
   std::uint64_t hash = 14695981039346656037U;
   for (int i = 0; i < 4096; ++i) {
     const __m128 x = _mm_set_ss(1.0F + 3.0F * static_cast<float>(i) / 4096.0F);
@@ -41,7 +47,8 @@ std::string reciprocals_of_processor() {
       hash = (hash ^ std::bit_cast<std::uint32_t>(_mm_cvtss_f32(y))) * 1099511628211U;
     }
   }
-  return std::to_string(hash);
+  constexpr unsigned kFamilyAndModel = 0x0FFF0FF0;
+  return fmt::format("{:08x} {}", version & kFamilyAndModel, hash);
 #else
   return "none";
 #endif
@@ -50,11 +57,11 @@ std::string reciprocals_of_processor() {
 Agreement expected_agreement(const gpu::Device& device) {
   std::ifstream file(kGoldens / "driver.txt");
   std::string driver;
-  std::string reciprocals;
+  std::string recorded_on;
   std::getline(file, driver);
-  std::getline(file, reciprocals);
+  std::getline(file, recorded_on);
   if (driver != driver_of(device)) return Agreement::other_driver;
-  return reciprocals == reciprocals_of_processor() ? Agreement::exact : Agreement::same_driver;
+  return recorded_on == processor() ? Agreement::exact : Agreement::same_driver;
 }
 
 }  // namespace
@@ -122,7 +129,7 @@ void expect_golden(const gpu::Device& device, const std::string& name, const Ima
                  ? "0.05 on average, 12 at most, on the same driver"
                  : "0.25 on average, 0.5 % visibly, on another driver")
          << "); see " << candidate << " and " << shown << " (this is " << driver_of(device) << ", "
-         << reciprocals_of_processor() << ")";
+         << processor() << ")";
 }
 
 }  // namespace mesher::test
