@@ -7,6 +7,7 @@
 #include "engine/core/array.h"
 #include "engine/simplify/attribute_metric.h"
 #include "engine/simplify/fan.h"
+#include "engine/simplify/four_faces.h"
 #include "engine/simplify/quadric.h"
 #include "engine/simplify/surface.h"
 
@@ -49,6 +50,9 @@ class AttributeField {
   /// none of them is a feature.
   AttributeQuadric<Float8> quadrics(const std::array<Halfedge, 8>& edges,
                                     const Vec3<Float8>& half) const;
+  /// Returns the costs of eight edges whose vertices are merged at the midpoint: those of
+  /// `quadrics` at 0. Pre: same.
+  Float8 midpoint_costs(const std::array<Halfedge, 8>& edges, const Vec3<Float8>& half) const;
   /// Returns the cost of merging the edge of `h` into its target, whose attributes stay. O(1).
   float cost_at_target(const Surface& surface, Halfedge h) const {
     return cost_at_end(surface, h, true);
@@ -65,6 +69,8 @@ class AttributeField {
   /// Pre: `fan` is that of `h`. O(valence).
   void collapsing(const Surface& surface, Halfedge h, const Fan& fan, const glm::vec3& p);
 
+  /// Returns the number of values at a corner.
+  std::size_t size() const { return size_; }
   /// Appends the values at a corner, in the order and unit of the metric.
   void append_values(Halfedge h, float scale, Array<float>& to) const;
   /// Returns the source wedge of a corner: its index in the metric if the values of the corner are
@@ -92,7 +98,6 @@ class AttributeField {
   static constexpr std::uint32_t kOwn = kNone - 1;
   static constexpr std::size_t kMost = AttributeMetric::kMost;
   using Values = std::array<float, kMost>;
-  struct Contribution;
 
   /// The two wedges at the ends of an edge, on one side of it.
   struct Pair {
@@ -105,37 +110,13 @@ class AttributeField {
     std::size_t count;
     std::span<const Pair> all() const { return {pair.data(), count}; }
   };
-  /// What the wedges of `pairs` become by a collapse.
-  struct Merged {
-    Pairs pairs;
-    std::array<Values, 2> values;
-    std::array<std::uint32_t, 2> source{kNone, kNone};
-
-    /// Returns the side whose wedge at one end of the edge is `wedge`, or pairs.count.
-    std::size_t side(std::uint32_t wedge, std::uint32_t Pair::*end) const {
-      std::size_t i = 0;
-      while (i < pairs.count && pairs.pair[i].*end != wedge)
-        ++i;
-      return i;
-    }
-    /// Returns what a wedge at the edge's origin becomes; others stay.
-    std::uint32_t name_after(std::uint32_t wedge) const {
-      const std::size_t i = side(wedge, &Pair::origin);
-      return i < pairs.count ? pairs.pair[i].target : wedge;
-    }
-    /// Returns the values that a wedge will have if they change, or null.
-    const Values* values_after(std::uint32_t wedge) const {
-      const std::size_t i = side(wedge, &Pair::target);
-      return i < pairs.count ? &values[i] : nullptr;
-    }
-  };
-  /// A face, from one of its corners on.
-  struct Corners {
-    std::array<Vec3<float>, 3> position;
-    std::array<std::uint32_t, 3> wedge;
-  };
+  struct Merged;
 
   Pairs pairs(const Mesh& mesh, Halfedge h) const;
+  std::array<std::array<Pair, 4>, 2> pairs(const std::array<Halfedge, 8>& edges) const;
+  /// What is computed of a quadric.
+  enum class Part { all, constant };
+  template <Part kPart>
   AttributeQuadric<Float4> quadrics(const std::array<Pair, 4>& pairs,
                                     const Vec3<Float4>& half) const;
   float cost_at_end(const Surface& surface, Halfedge h, bool is_at_target) const;
@@ -144,10 +125,11 @@ class AttributeField {
                      Values& to) const;
   Merged merged(const Surface& surface, Halfedge h, const glm::vec3& p) const;
   void keep_equal(Merged& merged) const;
-  Corners corners(const Surface& surface, Halfedge h) const;
-  void contribute(const Corners& corners, const Values* first, Contribution& to) const;
+  FourWedges wedges(const FourHalfedges& from) const;
+  Float4 values(Int4 wedges, std::size_t j) const;
+  void load(const Surface& surface, const FourHalfedges& from, FourFaces& to) const;
   void clear(std::uint32_t wedge);
-  void change(std::uint32_t wedge, const Contribution& by, float sign);
+  void remove_faces_at(const Surface& surface, Halfedge h);
   void find_wedges(const Surface& surface, const AttributeMetric& metric);
   void find_sums(const Surface& surface);
 
