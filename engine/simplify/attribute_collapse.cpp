@@ -115,6 +115,8 @@ void AttributeField::keep_equal(Merged& merged) const {
 bool AttributeField::flips_texture(const Surface& surface, Halfedge h, const Fan& fan,
                                    const glm::vec3& p) const {
   if (texcoords_.empty()) return false;
+  for (const Halfedge spoke : fan.spokes())
+    will_need(wedge_[Mesh::prev(spoke).index()]);
   const Merged merged = this->merged(surface, h, p);
   const Float4 zero = broadcast<Float4>(0.0F);
   Int4 flips{};

@@ -312,6 +312,13 @@ float AttributeField::cost_at_end(const Surface& surface, Halfedge h, bool is_at
   return cost;
 }
 
+void AttributeField::will_need(const Mesh& mesh, Halfedge h) const {
+  for (const Halfedge corner : {h, Mesh::next(h), Mesh::prev(h)}) {
+    will_need(wedge_[corner.index()]);
+    if (const Halfedge t = mesh.twin(corner); t.is_valid()) prefetch(&wedge_[t.index()]);
+  }
+}
+
 void AttributeField::append_values(Halfedge h, float scale, Array<float>& to) const {
   for (std::size_t j = 0; j < size_; ++j)
     to.push_back(scale * value(wedge_[h.index()], j));

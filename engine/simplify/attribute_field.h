@@ -5,6 +5,7 @@
 #include <span>
 
 #include "engine/core/array.h"
+#include "engine/core/prefetch.h"
 #include "engine/simplify/attribute_metric.h"
 #include "engine/simplify/fan.h"
 #include "engine/simplify/four_faces.h"
@@ -69,6 +70,14 @@ class AttributeField {
   /// Pre: `fan` is that of `h`. O(valence).
   void collapsing(const Surface& surface, Halfedge h, const Fan& fan, const glm::vec3& p);
 
+  // See CollapsePolicy.
+  void will_need_later(Halfedge h) const { prefetch(&wedge_[h.index()]); }
+  void will_need(const Mesh& mesh, Halfedge h) const;
+  void will_need(const Fan& fan) const {
+    for (const Halfedge spoke : fan.spokes())
+      prefetch(&wedge_[spoke.index()]);
+  }
+
   /// Returns the number of values at a corner.
   std::size_t size() const { return size_; }
   /// Appends the values at a corner, in the order and unit of the metric.
@@ -97,6 +106,7 @@ class AttributeField {
   /// The source of a wedge that no collapse has touched and whose corners have different ones.
   static constexpr std::uint32_t kOwn = kNone - 1;
   static constexpr std::size_t kMost = AttributeMetric::kMost;
+  static constexpr std::size_t kFloatsPerLine = 16;  ///< of the cache
   using Values = std::array<float, kMost>;
 
   /// The two wedges at the ends of an edge, on one side of it.
@@ -132,6 +142,13 @@ class AttributeField {
   void remove_faces_at(const Surface& surface, Halfedge h);
   void find_wedges(const Surface& surface, const AttributeMetric& metric);
   void find_sums(const Surface& surface);
+
+  void will_need(std::uint32_t wedge) const {
+    const float* const first = record(wedge);
+    for (std::size_t k = 0; k < stride_; k += kFloatsPerLine)
+      prefetch(first + k);
+    prefetch(first + stride_ - 1);
+  }
 
   // A record has four floats per row: the sum of areas, and of areas times outer products of all
   // gradients (xx, xy, xz; yy, yz, zz, and one unused); then for each attribute the sum of areas
