@@ -5,8 +5,10 @@
 #include <span>
 
 #include "engine/core/array.h"
+#include "engine/core/prefetch.h"
 #include "engine/simplify/attribute_metric.h"
 #include "engine/simplify/fan.h"
+#include "engine/simplify/four_faces.h"
 #include "engine/simplify/quadric.h"
 #include "engine/simplify/surface.h"
 
@@ -49,6 +51,9 @@ class AttributeField {
   /// none of them is a feature.
   AttributeQuadric<Float8> quadrics(const std::array<Halfedge, 8>& edges,
                                     const Vec3<Float8>& half) const;
+  /// Returns the costs of eight edges whose vertices are merged at the midpoint: those of
+  /// `quadrics` at 0. Pre: same.
+  Float8 midpoint_costs(const std::array<Halfedge, 8>& edges, const Vec3<Float8>& half) const;
   /// Returns the cost of merging the edge of `h` into its target, whose attributes stay. O(1).
   float cost_at_target(const Surface& surface, Halfedge h) const {
     return cost_at_end(surface, h, true);
@@ -65,6 +70,16 @@ class AttributeField {
   /// Pre: `fan` is that of `h`. O(valence).
   void collapsing(const Surface& surface, Halfedge h, const Fan& fan, const glm::vec3& p);
 
+  // See CollapsePolicy.
+  void will_need_later(Halfedge h) const { prefetch(&wedge_[h.index()]); }
+  void will_need(const Mesh& mesh, Halfedge h) const;
+  void will_need(const Fan& fan) const {
+    for (const Halfedge spoke : fan.spokes())
+      prefetch(&wedge_[spoke.index()]);
+  }
+
+  /// Returns the number of values at a corner.
+  std::size_t size() const { return size_; }
   /// Appends the values at a corner, in the order and unit of the metric.
   void append_values(Halfedge h, float scale, Array<float>& to) const;
   /// Returns the source wedge of a corner: its index in the metric if the values of the corner are
@@ -91,8 +106,8 @@ class AttributeField {
   /// The source of a wedge that no collapse has touched and whose corners have different ones.
   static constexpr std::uint32_t kOwn = kNone - 1;
   static constexpr std::size_t kMost = AttributeMetric::kMost;
+  static constexpr std::size_t kFloatsPerLine = 16;  ///< of the cache
   using Values = std::array<float, kMost>;
-  struct Contribution;
 
   /// The two wedges at the ends of an edge, on one side of it.
   struct Pair {
@@ -105,37 +120,13 @@ class AttributeField {
     std::size_t count;
     std::span<const Pair> all() const { return {pair.data(), count}; }
   };
-  /// What the wedges of `pairs` become by a collapse.
-  struct Merged {
-    Pairs pairs;
-    std::array<Values, 2> values;
-    std::array<std::uint32_t, 2> source{kNone, kNone};
-
-    /// Returns the side whose wedge at one end of the edge is `wedge`, or pairs.count.
-    std::size_t side(std::uint32_t wedge, std::uint32_t Pair::*end) const {
-      std::size_t i = 0;
-      while (i < pairs.count && pairs.pair[i].*end != wedge)
-        ++i;
-      return i;
-    }
-    /// Returns what a wedge at the edge's origin becomes; others stay.
-    std::uint32_t name_after(std::uint32_t wedge) const {
-      const std::size_t i = side(wedge, &Pair::origin);
-      return i < pairs.count ? pairs.pair[i].target : wedge;
-    }
-    /// Returns the values that a wedge will have if they change, or null.
-    const Values* values_after(std::uint32_t wedge) const {
-      const std::size_t i = side(wedge, &Pair::target);
-      return i < pairs.count ? &values[i] : nullptr;
-    }
-  };
-  /// A face, from one of its corners on.
-  struct Corners {
-    std::array<Vec3<float>, 3> position;
-    std::array<std::uint32_t, 3> wedge;
-  };
+  struct Merged;
 
   Pairs pairs(const Mesh& mesh, Halfedge h) const;
+  std::array<std::array<Pair, 4>, 2> pairs(const std::array<Halfedge, 8>& edges) const;
+  /// What is computed of a quadric.
+  enum class Part { all, constant };
+  template <Part kPart>
   AttributeQuadric<Float4> quadrics(const std::array<Pair, 4>& pairs,
                                     const Vec3<Float4>& half) const;
   float cost_at_end(const Surface& surface, Halfedge h, bool is_at_target) const;
@@ -144,12 +135,20 @@ class AttributeField {
                      Values& to) const;
   Merged merged(const Surface& surface, Halfedge h, const glm::vec3& p) const;
   void keep_equal(Merged& merged) const;
-  Corners corners(const Surface& surface, Halfedge h) const;
-  void contribute(const Corners& corners, const Values* first, Contribution& to) const;
+  FourWedges wedges(const FourHalfedges& from) const;
+  Float4 values(Int4 wedges, std::size_t j) const;
+  void load(const Surface& surface, const FourHalfedges& from, FourFaces& to) const;
   void clear(std::uint32_t wedge);
-  void change(std::uint32_t wedge, const Contribution& by, float sign);
+  void remove_faces_at(const Surface& surface, Halfedge h);
   void find_wedges(const Surface& surface, const AttributeMetric& metric);
   void find_sums(const Surface& surface);
+
+  void will_need(std::uint32_t wedge) const {
+    const float* const first = record(wedge);
+    for (std::size_t k = 0; k < stride_; k += kFloatsPerLine)
+      prefetch(first + k);
+    prefetch(first + stride_ - 1);
+  }
 
   // A record has four floats per row: the sum of areas, and of areas times outer products of all
   // gradients (xx, xy, xz; yy, yz, zz, and one unused); then for each attribute the sum of areas

@@ -114,9 +114,9 @@ Float8 AttributePolicy::costs(const EdgeQuadric<Float8>& edges,
 Float8 AttributePolicy::guessed_costs(const StateLanes<Float8>& from, const StateLanes<Float8>& to,
                                       const std::array<Halfedge, 8>& halfedges) const {
   const Vec3<Float8> edge = to.position - from.position;
-  const Float8 attributes = field_.quadrics(halfedges, edge * broadcast<Float8>(0.5F)).constant;
+  const Float8 half = broadcast<Float8>(0.5F);
   return guessed_cost(from.quadric, to.quadric, edge) +
-         greater_of(attributes, broadcast<Float8>(0.0F)) * broadcast<Float8>(0.5F);
+         field_.midpoint_costs(halfedges, edge * half) * half;
 }
 
 void AttributePolicy::evaluate_costs(const Surface& surface, std::span<const Halfedge> edges,

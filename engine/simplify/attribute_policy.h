@@ -25,6 +25,9 @@ class AttributePolicy : public QuadricPolicy {
   void collapsing(const Surface& surface, Halfedge h, const Fan& fan, const glm::vec3& p) override {
     field_.collapsing(surface, h, fan, p);
   }
+  void will_need_later(Halfedge h) const override { field_.will_need_later(h); }
+  void will_need(const Mesh& mesh, Halfedge h) const override { field_.will_need(mesh, h); }
+  void will_need(const Fan& fan) const override { field_.will_need(fan); }
   AttributeField* attributes() override { return &field_; }
 
  private:

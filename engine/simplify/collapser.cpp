@@ -159,9 +159,11 @@ void Collapser::look_ahead(Vertex v) {
   for (const Halfedge side : {h, Mesh::prev(h), Mesh::next(h)}) {
     if (const Halfedge t = mesh.twin(side); t.is_valid()) surface.will_need(t);
   }
+  context_.policy.will_need(mesh, h);
   const Vertex second = queue_.behind(next);
   if (!second.is_valid()) return;
   surface.will_need(surface.state(second).best);
+  context_.policy.will_need_later(surface.state(second).best);
   if (const Vertex third = queue_.behind(second); third.is_valid()) surface.will_need(third);
 }
 
@@ -309,6 +311,7 @@ std::optional<Rejection> Collapser::check(Halfedge h, const Candidate& candidate
   if (!is_ring_ours()) return std::nullopt;
   survey_ring();
   if (!is_whole) return Rejection::link_condition;
+  context_.policy.will_need(fan_);
   // Coordinates near the limits of float may have overflowed.
   const glm::vec3& p = candidate.position;
   if (!std::isfinite(p.x + p.y + p.z)) return Rejection::fold_over;

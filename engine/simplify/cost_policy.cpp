@@ -22,6 +22,12 @@ bool CollapsePolicy::allows(const Surface&, Halfedge, const Fan&, const glm::vec
   return true;
 }
 
+void CollapsePolicy::will_need_later(Halfedge) const {}
+
+void CollapsePolicy::will_need(const Mesh&, Halfedge) const {}
+
+void CollapsePolicy::will_need(const Fan&) const {}
+
 void CollapsePolicy::collapsing(const Surface&, Halfedge, const Fan&, const glm::vec3&) {}
 
 Placed place(const Surface& surface, Halfedge h, const EdgeQuadric<float>& edge,

@@ -55,6 +55,12 @@ class CollapsePolicy {
   /// of `h`.
   virtual void collapsing(const Surface& surface, Halfedge h, const Fan& fan, const glm::vec3& p);
 
+  /// Prefetches what the calls for the edge of `h` will read of the policy's own data: first what
+  /// leads there, then the data.
+  virtual void will_need_later(Halfedge h) const;
+  virtual void will_need(const Mesh& mesh, Halfedge h) const;
+  virtual void will_need(const Fan& fan) const;
+
   /// Returns the attributes that the policy follows, or null.
   virtual AttributeField* attributes() { return nullptr; }
 };

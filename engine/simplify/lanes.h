@@ -54,6 +54,10 @@ Float4 select(Mask condition, Float4 yes, Float4 no) {
   return condition ? yes : no;
 }
 
+inline Int4 select(Int4 condition, Int4 yes, Int4 no) {
+  return condition ? yes : no;
+}
+
 inline Float8 select(const Mask8& condition, const Float8& yes, const Float8& no) {
   return {condition.low ? yes.low : no.low, condition.high ? yes.high : no.high};
 }
@@ -90,6 +94,10 @@ F broadcast(float x) {
   } else {
     return F{} + x;
   }
+}
+
+inline float sum_of(Float4 lanes) {
+  return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
 }
 
 inline Float4 to_float(Int4 lanes) {

@@ -169,6 +169,8 @@ void finish(const Rounds& rounds, const Units& units, Trace& trace) {
 CornerVectors corner_vectors(const AttributeField& field, std::span<const Face> faces,
                              float scale) {
   CornerVectors corners;
+  corners.values.reserve(3 * faces.size() * field.size());
+  corners.source.reserve(3 * faces.size());
   for (const Face f : faces) {
     for (std::uint32_t c = 0; c < 3; ++c) {
       const Halfedge h = Mesh::halfedge(f, c);
