@@ -20,8 +20,8 @@ struct Difference {
 /// Pre: both have one size.
 Difference difference_of(const Image& a, const Image& b);
 
-/// How much a picture may differ from its golden. `exact`: not at all; driver, vector width and the
-/// processor's approximate reciprocals are those of tests/golden/driver.txt. `same_driver`: no
+/// How much a picture may differ from its golden. `exact`: not at all; driver, vector width and
+/// processor are those of tests/golden/driver.txt. `same_driver`: no
 /// component by more than a few steps of 255. `other_driver`: by a little rounding.
 enum class Agreement : std::uint8_t { exact, same_driver, other_driver };
 
