@@ -16,6 +16,7 @@
 #include "engine/io/losses.h"
 #include "engine/progressive/base.h"
 #include "engine/progressive/build.h"
+#include "engine/simplify/seams.h"
 
 namespace mesher::app {
 namespace {
@@ -162,7 +163,9 @@ void run_progressive(const InputOptions& input, const std::string& output,
   simplify.faces = std::max(base_faces, 1U);
   const double diagonal = loaded.statistics.box.diagonal();
   simplify::SimplifyOptions options = simplify_options(simplify, faces, diagonal);
-  if (base_faces == 0) progressive::choose_base(options, faces, diagonal);
+  if (base_faces == 0)
+    progressive::choose_base(options, faces, diagonal,
+                             simplify::may_have_lines(loaded.model.attributes));
   Written written = make_and_write(loaded, output, options, arguments.coordinate_bits, common);
   if (base_faces == 0) written.outcome.report.faces_asked = 0;
   if (!common.quiet) say_written(output, written);

@@ -17,6 +17,7 @@
 #include "engine/progressive/build.h"
 #include "engine/progressive/detail_range.h"
 #include "engine/progressive/geomorph.h"
+#include "engine/simplify/seams.h"
 
 namespace mesher::app {
 namespace {
@@ -37,7 +38,8 @@ struct Detail {
 progressive::Progressive progressive_of(const LoadedModel& loaded, Progress* progress) {
   simplify::SimplifyOptions options{.progress = progress};
   progressive::choose_base(options, loaded.model.mesh.face_count(),
-                           loaded.statistics.box.diagonal());
+                           loaded.statistics.box.diagonal(),
+                           simplify::may_have_lines(loaded.model.attributes));
   return progressive::make_progressive(loaded.model.mesh, loaded.model.attributes, options);
 }
 

@@ -37,7 +37,7 @@ inline constexpr std::array kProgressiveOptions{
         .member = &ProgressiveSettings::base_faces,
         .special = {0.0,
                     "200, or an eighth of a small model; more if the base would otherwise "
-                    "be further than 5 % of the diagonal from the model"}},
+                    "be further than 5 % of the diagonal from the model, or 0.5 % with seams"}},
     Option<ProgressiveSettings>{.key = "geomorphs",
                                 .label = "geomorphs",
                                 .help = "move vertices smoothly to their new positions",

@@ -19,6 +19,7 @@
 #include "engine/core/text.h"
 #include "engine/progressive/base.h"
 #include "engine/progressive/build.h"
+#include "engine/simplify/seams.h"
 
 namespace mesher::app {
 namespace {
@@ -66,14 +67,15 @@ struct ProgressiveRules {
   std::uint32_t base_faces = 0;  ///< as ProgressiveSettings::base_faces
 };
 
-simplify::SimplifyOptions options_of(const ProgressiveRules& rules, std::uint32_t faces,
-                                     double diagonal) {
+simplify::SimplifyOptions options_of(const ProgressiveRules& rules, const Mesh& mesh,
+                                     const Attributes& attributes, double diagonal) {
   simplify::SimplifyOptions options = options_of(rules.simplify, diagonal);
   options.max_error = std::numeric_limits<double>::infinity();
   if (rules.base_faces > 0) {
     options.target_faces = rules.base_faces;
   } else {
-    progressive::choose_base(options, faces, diagonal);
+    progressive::choose_base(options, mesh.face_count(), diagonal,
+                             simplify::may_have_lines(attributes));
   }
   return options;
 }
@@ -88,7 +90,8 @@ class BuildProgressive final : public EditTask {
     if (document.progressive.has_mesh() && !rebuilds_) return false;
     start_ = copy_of(document.model);
     const ProgressiveRules rules{settings_, document.progressive.settings().base_faces};
-    options_ = options_of(rules, start_->mesh.face_count(), document.statistics.box.diagonal());
+    options_ =
+        options_of(rules, start_->mesh, start_->attributes, document.statistics.box.diagonal());
     levels_.built_by = fmt::format(" {}={}", kBaseFaces, rules.base_faces);
     append_rules(levels_.built_by, settings_);
     title_ = "Building the progressive mesh";
@@ -227,7 +230,8 @@ class KeepBuiltLevel final : public KeepLevel {
  private:
   bool prepare(Document& document) override {
     take_shown(document);
-    options_ = options_of(rules_, shown_->mesh.face_count(), document.statistics.box.diagonal());
+    options_ =
+        options_of(rules_, shown_->mesh, shown_->attributes, document.statistics.box.diagonal());
     title_ = "Building the progressive mesh";
     edit_.text = std::move(text_);
     return true;
@@ -292,7 +296,8 @@ void forget_progressive(Document& document) {
 
 simplify::SimplifyOptions progressive_options(const Document& document) {
   return options_of({document.simplify, document.progressive.settings().base_faces},
-                    document.model.mesh.face_count(), document.statistics.box.diagonal());
+                    document.model.mesh, document.model.attributes,
+                    document.statistics.box.diagonal());
 }
 
 void request_rebuilt_progressive(Document& document) {

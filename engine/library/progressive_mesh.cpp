@@ -9,15 +9,20 @@
 #include "engine/mesh/statistics.h"
 #include "engine/progressive/base.h"
 #include "engine/progressive/build.h"
-#include "engine/simplify/attributes.h"
+#include "engine/simplify/seams.h"
 
 namespace mesher {
 
 struct ProgressiveMesh::Data {
   progressive::ProgressiveMesh mesh;
-  Array<Face> face_source;  ///< by face of the full mesh, that of the model; empty: from a file
+  progressive::ProgressiveAttributes attributes;  ///< at the level of the mesh; empty: from a file
   Asset model;
   std::string damage;
+
+  void go_to(std::uint32_t level) {
+    mesh.go_to(level);
+    if (!attributes.is_empty()) attributes.go_to(level);
+  }
 };
 
 namespace {
@@ -31,11 +36,12 @@ std::vector<ElementRange> face_ranges(const ChangeLog& changes, GpuArray array,
   return ranges;
 }
 
-simplify::SimplifyOptions base_options(const Mesh& mesh, const ProgressiveOptions& options) {
+simplify::SimplifyOptions base_options(const Model& model, const ProgressiveOptions& options) {
   simplify::SimplifyOptions engine = engine_rules(options);
   engine.target_faces = options.base_faces;
   if (options.base_faces == 0)
-    progressive::choose_base(engine, mesh.face_count(), bounding_box(mesh).diagonal());
+    progressive::choose_base(engine, model.mesh.face_count(), bounding_box(model.mesh).diagonal(),
+                             simplify::may_have_lines(model.attributes));
   return engine;
 }
 
@@ -53,15 +59,14 @@ ProgressiveMesh::ProgressiveMesh(const Asset& model, const ProgressiveOptions& o
   const Mesh& full = model.data_->model.mesh;
   if (full.face_count() == 0) throw InputError("progressive mesh: the model has no faces");
   Watch watch(options.progress);
-  simplify::SimplifyOptions engine = base_options(full, options);
+  simplify::SimplifyOptions engine = base_options(model.data_->model, options);
   engine.progress = watch.progress();
-  progressive::Progressive made = progressive::make_progressive(full, engine);
+  progressive::Progressive made =
+      progressive::make_progressive(full, model.data_->model.attributes, engine);
   data_->mesh = std::move(made.mesh);
-  data_->mesh.go_to(data_->mesh.split_count());
+  data_->attributes = std::move(made.attributes);
+  data_->go_to(data_->mesh.split_count());
   data_->mesh.mesh().changes().note_all();
-  data_->face_source.resize(made.face_source.size());
-  for (std::size_t f = 0; f < made.face_source.size(); ++f)
-    data_->face_source[f] = Mesh::face(made.face_source[f]);
   data_->model = model;
 }
 
@@ -100,22 +105,22 @@ std::uint32_t ProgressiveMesh::face_count(std::uint32_t level) const {
 }
 
 void ProgressiveMesh::set_level(std::uint32_t level) {
-  data_->mesh.go_to(level);
+  data_->go_to(level);
 }
 
 void ProgressiveMesh::set_face_count(std::uint32_t faces) {
-  data_->mesh.go_to(data_->mesh.level_for_faces(faces));
+  data_->go_to(data_->mesh.level_for_faces(faces));
 }
 
 bool ProgressiveMesh::refine() {
   if (level() == level_count()) return false;
-  data_->mesh.go_to(level() + 1);
+  data_->go_to(level() + 1);
   return true;
 }
 
 bool ProgressiveMesh::coarsen() {
   if (level() == 0) return false;
-  data_->mesh.go_to(level() - 1);
+  data_->go_to(level() - 1);
   return true;
 }
 
@@ -144,10 +149,8 @@ Asset ProgressiveMesh::current() const {
   result->model.mesh.changes().clear();
   result->model.origin = model.origin;
   result->model.materials = model.materials;
-  if (!data_->face_source.empty()) {
-    result->model.attributes =
-        simplify::carry_attributes({model.mesh, model.attributes}, mesh,
-                                   std::span(data_->face_source).first(mesh.face_count()));
+  if (!data_->attributes.is_empty()) {
+    result->model.attributes = data_->attributes.at_level(mesh);
   }
   return Asset(std::move(result));
 }

@@ -35,6 +35,10 @@ TEST(ChooseBase, IsTwoHundredFacesOrAnEighth) {
   EXPECT_EQ(chosen(12).target_faces, 1U);
   EXPECT_EQ(chosen(12).stop_below_faces, 3U);
   EXPECT_EQ(chosen(0).target_faces, 1U);
+  simplify::SimplifyOptions with_seams;
+  progressive::choose_base(with_seams, 70'000, 10.0, true);
+  EXPECT_DOUBLE_EQ(with_seams.stop_before_error, 0.05);
+  EXPECT_EQ(with_seams.target_faces, 200U);
 }
 
 TEST(ChooseBase, LeavesSplitsInSmallModels) {
