@@ -58,6 +58,8 @@ class ProgressiveAttributes {
   /// Group of each face of the full mesh; empty if there are none.
   std::span<const std::uint32_t> group() const { return group_; }
   const std::vector<FaceGroup>& groups() const { return groups_; }
+  /// Returns whether a layer has a normal per face, which coarse levels compute from their faces.
+  bool is_faceted(std::size_t layer) const { return is_faceted_[layer] != 0; }
 
   std::span<const CornerChange> corner_changes(std::uint32_t split) const {
     return part(corner_changes_, split, &Split::first_corner);
@@ -66,15 +68,18 @@ class ProgressiveAttributes {
   std::span<const Wedge> changed_wedges(std::uint32_t split) const {
     return part(changed_wedges_, split, &Split::first_value);
   }
+  /// Values of each changed wedge on the other side of its split.
+  std::span<const AttributeLayer> other_values() const { return others_; }
 
-  /// Returns the attributes of the current level. Coarse levels of a faceted model have a normal per
-  /// face, as the model has. O(F). Pre: `mesh` is that level of the mesh.
+  /// Returns the attributes of the current level. Coarse levels of a faceted model have a normal
+  /// per face, as the model has. O(F). Pre: `mesh` is that level of the mesh.
   Attributes at_level(const Mesh& mesh, Progress* progress = nullptr) const;
 
   /// Returns the bytes that the arrays occupy.
   std::size_t memory_bytes() const;
 
  private:
+  friend class AttributeAppender;
   friend class AttributeRecorder;
 
   /// Where the elements of a split begin. They end where those of the next split begin.
@@ -98,11 +103,11 @@ class ProgressiveAttributes {
   std::uint32_t level_ = 0;
   std::uint32_t full_wedges_ = 0;
   Array<Split> splits_;
-  Array<Wedge> corner_wedge_;           ///< 3 per face of the full mesh
-  std::vector<AttributeLayer> layers_;  ///< per wedge of the full mesh
-  Array<CornerChange> corner_changes_;  ///< by split
-  Array<Wedge> changed_wedges_;         ///< by split
-  std::vector<AttributeLayer> others_;  ///< per changed wedge: its value on the other side
+  Array<Wedge> corner_wedge_;             ///< 3 per face of the full mesh
+  std::vector<AttributeLayer> layers_;    ///< per wedge of the full mesh
+  Array<CornerChange> corner_changes_;    ///< by split
+  Array<Wedge> changed_wedges_;           ///< by split
+  std::vector<AttributeLayer> others_;    ///< per changed wedge: its value on the other side
   std::vector<std::uint8_t> is_faceted_;  ///< by layer: its normals differ across most edges
   Array<std::uint32_t> group_;
   std::vector<FaceGroup> groups_;
