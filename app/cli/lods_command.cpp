@@ -76,6 +76,7 @@ void make_progressive(Source& source, LoadedLevels& opened, double least_ratio,
                       const LodArguments& arguments, const CommonOptions& common) {
   if (opened.levels) {
     source.progressive.mesh = std::move(*opened.levels);
+    source.progressive.attributes = std::move(opened.attributes);
     return;
   }
   const Mesh& mesh = source.loaded.model.mesh;
@@ -85,8 +86,7 @@ void make_progressive(Source& source, LoadedLevels& opened, double least_ratio,
   begin_stage(line.progress(), "simplifying");
   options.progress = line.progress();
   options.certifies = false;  // each level is certified for itself
-  source.progressive =
-      progressive::make_progressive(mesh, source.loaded.model.attributes, options);
+  source.progressive = progressive::make_progressive(mesh, source.loaded.model.attributes, options);
 }
 
 LodLevel facts_of(const Mesh& mesh, const LodTarget& target, std::uint32_t full_faces) {

@@ -60,7 +60,8 @@ std::vector<AttributeStream> ProgressiveAttributes::streams(const Mesh& mesh) co
       streams.push_back(face_normals(mesh, layers_[k].type()));
       continue;
     }
-    AttributeLayer& to = streams.front().layers.emplace_back(layers_[k].type(), wedge_count(level_));
+    AttributeLayer& to =
+        streams.front().layers.emplace_back(layers_[k].type(), wedge_count(level_));
     std::copy_n(layers_[k].bytes().begin(), to.bytes().size(), to.bytes().begin());
   }
   if (streams.front().layers.empty()) streams.erase(streams.begin());

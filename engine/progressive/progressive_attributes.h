@@ -58,6 +58,8 @@ class ProgressiveAttributes {
   /// Group of each face of the full mesh; empty if there are none.
   std::span<const std::uint32_t> group() const { return group_; }
   const std::vector<FaceGroup>& groups() const { return groups_; }
+  /// Changes what a group says.
+  FaceGroup& group_entry(std::size_t index) { return groups_[index]; }
   /// Returns whether a layer has a normal per face, which coarse levels compute from their faces.
   bool is_faceted(std::size_t layer) const { return is_faceted_[layer] != 0; }
 
