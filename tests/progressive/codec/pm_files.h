@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/mesh/mesh.h"
+#include "engine/progressive/progressive_attributes.h"
 #include "engine/progressive/progressive_mesh.h"
 
 namespace mesher::test {
