@@ -155,6 +155,7 @@ void print_pm(const io::PmSummary& pm) {
   print("splits", pm.splits);
   print("bytes",
         fmt::format("{}, {} per vertex", count_text(pm.bytes), number_text(pm.bytes_per_vertex())));
+  if (pm.attribute_bytes > 0) print("attribute bytes", count_text(pm.attribute_bytes));
   print("complete", pm.damage.empty() ? "yes" : "no: " + pm.damage);
 }
 
@@ -266,7 +267,7 @@ LoadedModel load(const InputOptions& input, const CommonOptions& common) {
 
 LoadedLevels load_levels(const InputOptions& input, const CommonOptions& common) {
   const std::filesystem::path file = find_model(input.model);
-  if (!io::is_pm_file(file)) return {load(input, common), {}};
+  if (!io::is_pm_file(file)) return {load(input, common), {}, {}};
   if (input.tag_creases_deg) {
     throw UsageError(
         "--tag-creases: cannot be used with a progressive mesh, which keeps the creases of the "
@@ -277,9 +278,13 @@ LoadedLevels load_levels(const InputOptions& input, const CommonOptions& common)
   LoadedModel loaded{{}, {}, file, std::move(contents.summary)};
   loaded.model.name = file.filename().string();
   loaded.model.mesh = contents.mesh.mesh();
+  loaded.model.attributes = contents.attributes.at_level(loaded.model.mesh);
+  loaded.model.materials = std::move(contents.materials);
+  loaded.model.contents = std::move(contents.contents);
   loaded.statistics = statistics(loaded.model.mesh);
   check_damage(loaded, input);
-  return {std::move(loaded), std::move(contents.mesh)};
+  if (!common.quiet) say_findings(loaded.model);
+  return {std::move(loaded), std::move(contents.mesh), std::move(contents.attributes)};
 }
 
 void run_info(const InputOptions& input, const CommonOptions& common) {

@@ -53,6 +53,7 @@ LoadedModel load(const InputOptions& input, const CommonOptions& common);
 struct LoadedLevels {
   LoadedModel loaded;  ///< in full detail
   std::optional<progressive::ProgressiveMesh> levels;
+  progressive::ProgressiveAttributes attributes;  ///< of the levels; may be empty
 };
 /// As `load`, for commands that use the levels. Also throws UsageError if creases are to be tagged
 /// on a progressive mesh.

@@ -76,6 +76,7 @@ void make_progressive(Source& source, LoadedLevels& opened, double least_ratio,
                       const LodArguments& arguments, const CommonOptions& common) {
   if (opened.levels) {
     source.progressive.mesh = std::move(*opened.levels);
+    source.progressive.attributes = std::move(opened.attributes);
     return;
   }
   const Mesh& mesh = source.loaded.model.mesh;

@@ -71,7 +71,9 @@ Written make_and_write(const LoadedModel& loaded, const std::string& output,
   stages.next();
   simple.progress = line.progress();
   Stopwatch watch;
-  progressive::Progressive made = progressive::make_progressive(loaded.model.mesh, simple);
+  const Model& model = loaded.model;
+  progressive::Progressive made =
+      progressive::make_progressive(model.mesh, model.attributes, simple);
   Written written;
   written.outcome = {made.report, loaded.statistics.box.diagonal()};
   written.losses = io::losses_in_format("x.pm", loaded.model.mesh, loaded.model.attributes,
@@ -80,9 +82,10 @@ Written make_and_write(const LoadedModel& loaded, const std::string& output,
   written.build_s = std::max(0.0, watch.lap() - made.report.seconds.total());
   stages.next();
   const progressive::PmWriteOptions options{.coordinate_bits = coordinate_bits,
+                                            .attributes = &made.attributes,
                                             .progress = line.progress()};
   io::AtomicFile file(output);
-  written.sizes = io::write_pm_file(file, made.mesh, options);
+  written.sizes = io::write_pm_file(file, made.mesh, options, model.materials.get());
   file.commit(common.flush());
   written.write_s = watch.lap();
   written.summary = io::summary_of(made.mesh, options, written.sizes);
@@ -91,6 +94,35 @@ Written make_and_write(const LoadedModel& loaded, const std::string& output,
 
 double share_of_indexed(const io::PmSummary& pm) {
   return pm.indexed_bytes() > 0 ? double(pm.bytes) / double(pm.indexed_bytes()) : 0.0;
+}
+
+/// A part of the file.
+struct Part {
+  std::string name;
+  std::uint64_t bytes = 0;
+  double bits_per_vertex = 0.0;
+  std::string precision;
+};
+
+/// Returns the parts of a file with attributes; none if it has none.
+std::vector<Part> parts_of(const Written& written) {
+  const progressive::PmSizes& sizes = written.sizes;
+  std::vector<Part> parts;
+  if (sizes.attributes == 0) return parts;
+  const auto add = [&](const std::string& name, std::uint64_t bytes, const std::string& precision) {
+    const double vertices = std::max(written.summary.vertices, 1U);
+    parts.push_back({name, bytes, 8.0 * double(bytes) / vertices, precision});
+  };
+  const auto precision = [](unsigned bits) {
+    return bits == 0 ? std::string("lossless") : fmt::format("{} bits per number", bits);
+  };
+  add("mesh", sizes.geometry(), precision(written.summary.coordinate_bits));
+  for (const progressive::PmLayerSize& layer : sizes.layers)
+    add(layer.name, layer.bytes, precision(layer.bits));
+  if (!sizes.layers.empty()) add("seams", sizes.wedges, "lossless");
+  if (sizes.groups > 0) add("groups", sizes.groups, "lossless");
+  if (sizes.appendix > 0) add("materials", sizes.appendix, "as they are");
+  return parts;
 }
 
 void say_written(const std::string& output, const Written& written) {
@@ -115,6 +147,9 @@ void say_written(const std::string& output, const Written& written) {
       number_text(pm.bytes_per_vertex()),
       pm.coordinate_bits == 0 ? "lossless" : fmt::format("{}-bit positions", pm.coordinate_bits),
       percent_text(100.0 * share_of_indexed(pm)), count_text(written.sizes.base, "byte")));
+  for (const Part& part : parts_of(written))
+    say(fmt::format("{}: {} bits per vertex ({})", part.name, number_text(part.bits_per_vertex),
+                    part.precision));
   say_losses(output, written.losses);
 }
 
@@ -126,6 +161,12 @@ void print_written(const LoadedModel& loaded, const std::string& output, const W
   add_pm(json, written.summary);
   json["pm"]["base_bytes"] = written.sizes.base;
   json["pm"]["split_bytes"] = written.sizes.splits;
+  for (const Part& part : parts_of(written)) {
+    json["pm"]["parts"].push_back({{"name", part.name},
+                                   {"bytes", part.bytes},
+                                   {"bits_per_vertex", part.bits_per_vertex},
+                                   {"precision", part.precision}});
+  }
   json["share_of_indexed"] = share_of_indexed(written.summary);
   json["lost"] = written.losses;
   json["repairs"] = to_json(loaded.model.report);
@@ -178,7 +219,7 @@ void run_extract(const InputOptions& input, const std::string& output,
     throw UsageError("extract: give a level of detail: --faces N or --lod 0..1");
   }
   check_output(output);
-  auto [loaded, levels] = load_levels(input, common);
+  auto [loaded, levels, attributes] = load_levels(input, common);
   if (!levels) {
     throw InputError(loaded.file.string(), 0,
                      "is not a progressive mesh; `mesher progressive` writes one");
@@ -187,6 +228,8 @@ void run_extract(const InputOptions& input, const std::string& output,
   Model& model = loaded.model;
   const auto percent = far_percent(model.mesh, levels->mesh(), loaded.statistics.box.diagonal());
   model.mesh = levels->mesh();
+  attributes.go_to(attributes.is_empty() ? 0 : levels->level());
+  model.attributes = attributes.at_level(model.mesh);
   if (model.mesh.face_count() == 0) throw InputError(loaded.file.string(), 0, "has no faces");
   if (!common.quiet) say_level(*levels, arguments);
   if (!common.quiet && percent) {

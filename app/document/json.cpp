@@ -144,17 +144,19 @@ Json to_json(const Model& model, const Statistics& statistics, const std::filesy
 
 Json to_json(const io::PmSummary& s) {
   const bool is_complete = s.damage.empty();
-  return {{"mode", s.coordinate_bits == 0 ? "lossless" : "quantized"},
-          {"coordinate_bits", s.coordinate_bits > 0 ? Json(s.coordinate_bits) : Json()},
-          {"base_vertices", s.base_vertices},
-          {"base_faces", s.base_faces},
-          {"splits", s.splits},
-          {"announced_splits", s.announced_splits},
-          {"bytes", s.bytes},
-          {"bytes_per_vertex", s.bytes_per_vertex()},
-          {"indexed_bytes", s.indexed_bytes()},
-          {"complete", is_complete},
-          {"damage", is_complete ? Json() : Json(s.damage)}};
+  Json json{{"mode", s.coordinate_bits == 0 ? "lossless" : "quantized"},
+            {"coordinate_bits", s.coordinate_bits > 0 ? Json(s.coordinate_bits) : Json()},
+            {"base_vertices", s.base_vertices},
+            {"base_faces", s.base_faces},
+            {"splits", s.splits},
+            {"announced_splits", s.announced_splits},
+            {"bytes", s.bytes},
+            {"bytes_per_vertex", s.bytes_per_vertex()},
+            {"indexed_bytes", s.indexed_bytes()},
+            {"complete", is_complete},
+            {"damage", is_complete ? Json() : Json(s.damage)}};
+  if (s.attribute_bytes > 0) json["attribute_bytes"] = s.attribute_bytes;
+  return json;
 }
 
 Json to_json(const analysis::SurfaceDistance& distance) {

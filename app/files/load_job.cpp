@@ -25,6 +25,9 @@ LoadedModel open_model(const std::filesystem::path& file, const io::ReadOptions&
   io::PmContents contents = io::read_pm_file(file, options.progress);
   LoadedModel loaded{{}, {}, file, std::move(contents.summary)};
   loaded.model.name = file.filename().string();
+  loaded.model.attributes = contents.attributes.at_level(contents.mesh.mesh());
+  loaded.model.materials = std::move(contents.materials);
+  loaded.model.contents = std::move(contents.contents);
   loaded.model.mesh = std::move(contents.mesh.mesh());
   return loaded;
 }

@@ -81,6 +81,8 @@ Shape shown_by_scene(Shape&& shape, const scene::Scene* scene) {
 }
 
 std::vector<std::string> losses_of(const SaveTask& task, const Shape& shape) {
+  if (io::has_pm_ending(task.file))
+    return io::losses_in_bare_pm(shape.mesh, shape.attributes, task.contents, task.origin);
   return io::losses_in_format(task.file, shape.mesh, shape.attributes, task.materials.get(),
                               task.contents, task.origin);
 }
@@ -177,7 +179,9 @@ std::vector<std::string> always_lost(const Document& document, const std::string
   const auto add = [&](bool is_there, bool is_held, const char* name) {
     if (is_there && !is_held) lost.emplace_back(name);
   };
-  const io::FormatContents& holds = format->holds;
+  // A progressive mesh is saved without attributes.
+  const bool is_bare = io::has_pm_ending("x" + extension);
+  const io::FormatContents holds = is_bare ? io::FormatContents{.creases = true} : format->holds;
   add(has_creases(document.model, document.statistics), holds.creases, "creases");
   if (keeps_scene(document.model.scene.get(), "x" + extension)) return lost;
   const auto has = [&](AttributeKind kind) { return attributes.find(kind) != nullptr; };
@@ -200,6 +204,8 @@ std::vector<std::string> losses_of(const Document& document, const fs::path& fil
     return creases_lost_by(file, shown_mesh(document));
   const auto [mesh, attributes] =
       shown_by_scene(written_shape(document, file), document.model.scene.get());
+  if (io::has_pm_ending(file))
+    return io::losses_in_bare_pm(mesh, attributes, document.model.contents, document.model.origin);
   return io::losses_in_format(file, mesh, attributes, document.model.materials.get(),
                               document.model.contents, document.model.origin);
 }

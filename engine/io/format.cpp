@@ -111,7 +111,15 @@ constexpr FormatInfo kFormats[] = {
          [](AtomicFile& file, const Shape& shape, const scene::Scene& scene, Progress* progress) {
            return write_gltf_model(file, shape, scene, true, progress);
          }},
-    {.name = "progressive mesh", .extension = ".pm", .holds = {.creases = true}},
+    {.name = "progressive mesh",
+     .extension = ".pm",
+     .holds = {.creases = true,
+               .groups = true,
+               .materials = HoldsMaterials::as_gltf,
+               .any_attribute = true,
+               .texcoord = Holds::each_corner,
+               .normal = Holds::each_corner,
+               .color = Holds::each_corner}},
 };
 
 /// Returns the words as "a, b or c".

@@ -24,9 +24,9 @@ struct GltfParts {
 /// Writes a document and its data, binary (.glb) or as text with the data embedded.
 /// `write_data(sink)` writes exactly `bytes` bytes by sink.write(std::string_view). Does not
 /// commit. Throws OutputError for a .glb of more than 4 GB, the limit of the format.
-template <class WriteData>
-void write_container(AtomicFile& file, const GltfParts& parts, bool binary,
-                     const WriteData& write_data) {
+/// `File` is AtomicFile, or anything with `write(std::string_view)` and `name()`.
+template <class File, class WriteData>
+void write_container(File& file, const GltfParts& parts, bool binary, const WriteData& write_data) {
   std::string rest;  // what follows the first buffer
   for (std::size_t i = 1; i < parts.buffers.size(); ++i)
     rest += "," + parts.buffers[i];
@@ -39,7 +39,7 @@ void write_container(AtomicFile& file, const GltfParts& parts, bool binary,
     file.write("{\"buffers\":[" + first);
     if (parts.bytes > 0) {
       file.write(",\"uri\":\"data:application/octet-stream;base64,");
-      Base64Writer<AtomicFile> text(file);
+      Base64Writer<File> text(file);
       write_data(text);
       text.finish();
       file.write("\"");

@@ -214,16 +214,10 @@ std::string far_text(const glm::dvec3& origin) {
          number_text(origin.y) + ", " + number_text(origin.z) + ")";
 }
 
-}  // namespace
-
-std::vector<std::string> losses_in_format(const std::filesystem::path& file, const Mesh& mesh,
-                                          const Attributes& attributes, const Materials* materials,
-                                          const FileContents& contents, const glm::dvec3& origin) {
+std::vector<std::string> losses_by(const FormatContents& can, const Mesh& mesh,
+                                   const Attributes& attributes, const Materials* materials,
+                                   const FileContents& contents, const glm::dvec3& origin) {
   std::vector<std::string> losses;
-  const FormatInfo* format = format_of(file);
-  if (format == nullptr) return losses;
-  FormatContents can = format->holds;
-  can.materials = held_materials(*format, file);
   const std::size_t creases = can.creases ? 0 : count_creases(mesh);
   if (creases > 0) losses.push_back(std::to_string(creases) + " creases");
   if (!can.creases && !mesh.vertex_sharpnesses().empty()) {
@@ -247,6 +241,23 @@ std::vector<std::string> losses_in_format(const std::filesystem::path& file, con
     std::ranges::copy(material_losses(*materials, can.materials, count_uv_sets(attributes)),
                       std::back_inserter(losses));
   return losses;
+}
+
+}  // namespace
+
+std::vector<std::string> losses_in_format(const std::filesystem::path& file, const Mesh& mesh,
+                                          const Attributes& attributes, const Materials* materials,
+                                          const FileContents& contents, const glm::dvec3& origin) {
+  const FormatInfo* format = format_of(file);
+  if (format == nullptr) return {};
+  FormatContents can = format->holds;
+  can.materials = held_materials(*format, file);
+  return losses_by(can, mesh, attributes, materials, contents, origin);
+}
+
+std::vector<std::string> losses_in_bare_pm(const Mesh& mesh, const Attributes& attributes,
+                                           const FileContents& contents, const glm::dvec3& origin) {
+  return losses_by({.creases = true}, mesh, attributes, nullptr, contents, origin);
 }
 
 }  // namespace mesher::io

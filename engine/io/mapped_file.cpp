@@ -57,6 +57,13 @@ MappedFile::MappedFile(const std::filesystem::path& file, Progress* progress, Ke
   stamp_ = {};
 }
 
+MappedFile::MappedFile(std::string name, std::string_view bytes)
+    : name_(std::move(name)), keep_(Keep::copied), size_(bytes.size()) {
+  copy_.assign(size_ + kPadding, '\0');
+  std::ranges::copy(bytes, copy_.begin());
+  data_ = copy_.data();
+}
+
 MappedFile::~MappedFile() {
   watch_.stop();
   if (mapped_bytes_ != 0) ::munmap(const_cast<char*>(data_), mapped_bytes_);

@@ -45,6 +45,8 @@ class MappedFile {
   /// `progress` is canceled while a pipe has no data.
   explicit MappedFile(const std::filesystem::path& file, Progress* progress = nullptr,
                       Keep keep = Keep::mapped);
+  /// Bytes that are in memory already, such as a part of another file. `name`: for messages.
+  MappedFile(std::string name, std::string_view bytes);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;

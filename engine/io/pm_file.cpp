@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <fstream>
 #include <new>
+#include <set>
 #include <span>
 #include <system_error>
 #include <utility>
@@ -20,6 +21,7 @@
 #include "engine/io/extension.h"
 #include "engine/io/format.h"
 #include "engine/io/mapped_file.h"
+#include "engine/io/pm_materials.h"
 #include "engine/progressive/codec/pm_read.h"
 
 namespace mesher::io {
@@ -168,6 +170,62 @@ PmSummary summary_of(const progressive::ProgressiveMesh& mesh) {
   return summary;
 }
 
+/// Makes the groups of a file refer to nothing that is not there. Their meshes belong to the scene
+/// of another file.
+void check_groups(progressive::ProgressiveAttributes& attributes, const Materials* materials) {
+  const std::size_t count = materials == nullptr ? 0 : materials->materials.size();
+  for (std::size_t k = 0; k < attributes.groups().size(); ++k) {
+    FaceGroup& group = attributes.group_entry(k);
+    if (group.material >= count) group.material = kNone;
+    group.mesh = kNone;
+    group.primitive = kNone;
+    for (std::string* name : {&group.object, &group.name, &group.smoothing}) {
+      if (name->size() > kMaxNameBytes) name->resize(kMaxNameBytes);
+    }
+  }
+}
+
+Content content_of(AttributeKind kind) {
+  switch (kind) {
+    case AttributeKind::texcoord:
+      return Content::uv_sets;
+    case AttributeKind::normal:
+      return Content::normals;
+    case AttributeKind::tangent:
+      return Content::tangents;
+    case AttributeKind::color:
+      return Content::color_sets;
+    case AttributeKind::joints:
+      return Content::joint_sets;
+    case AttributeKind::weights:  // one set with the joints
+    case AttributeKind::delta:
+    case AttributeKind::custom:
+      break;
+  }
+  return Content::own_properties;
+}
+
+void add_names(FileContents& contents, Content kind, const std::vector<FaceGroup>& groups,
+               std::string FaceGroup::*name) {
+  std::set<std::string> names;
+  for (const FaceGroup& group : groups) {
+    if (!(group.*name).empty() && names.insert(group.*name).second) contents.add(kind, group.*name);
+  }
+}
+
+/// Notes what the file holds.
+void note_contents(const progressive::ProgressiveAttributes& attributes, FileContents& contents) {
+  for (const AttributeLayer& layer : attributes.layers()) {
+    const AttributeType& type = layer.type();
+    contents.note_attribute(type_text(type));
+    const Content kind = content_of(type.kind);
+    if (kind != Content::own_properties) ++contents[kind];
+  }
+  add_names(contents, Content::groups, attributes.groups(), &FaceGroup::name);
+  add_names(contents, Content::objects, attributes.groups(), &FaceGroup::object);
+  add_names(contents, Content::smoothing_groups, attributes.groups(), &FaceGroup::smoothing);
+}
+
 }  // namespace
 
 bool has_pm_ending(const fs::path& file) {
@@ -199,14 +257,22 @@ PmContents read_pm_file(const fs::path& file, Progress* progress) {
     rest.announced_splits = reader.announced_splits();
     rest.coordinate_bits = reader.coordinate_bits();
     rest.damage = reader.damage();
-    PmContents contents{std::move(reader).take(), {}};
+    rest.attribute_bytes = reader.attribute_bytes();
+    PmContents contents;
+    contents.materials = decode_pm_materials(reader.appendix(), file, contents.contents);
+    contents.attributes = std::move(reader).take_attributes();
+    contents.mesh = std::move(reader).take();
+    check_groups(contents.attributes, contents.materials.get());
+    note_contents(contents.attributes, contents.contents);
     stages.next();
     go_to_level(contents.mesh, contents.mesh.split_count(), progress);
+    contents.attributes.go_to(contents.attributes.split_count());
     PmSummary& summary = contents.summary;
     summary = summary_of(contents.mesh);
     summary.announced_splits = rest.announced_splits;
     summary.coordinate_bits = rest.coordinate_bits;
     summary.bytes = rest.bytes;
+    summary.attribute_bytes = rest.attribute_bytes;
     summary.damage = std::move(rest.damage);
     return contents;
   } catch (const std::bad_alloc&) {
@@ -233,12 +299,21 @@ progressive::PmSizes write_pm_file(AtomicFile& file, progressive::ProgressiveMes
   }
 }
 
+progressive::PmSizes write_pm_file(AtomicFile& file, progressive::ProgressiveMesh& mesh,
+                                   progressive::PmWriteOptions options,
+                                   const Materials* materials) {
+  const std::string appendix = encode_pm_materials(materials);
+  options.appendix = std::as_bytes(std::span(appendix));
+  return write_pm_file(file, mesh, options);
+}
+
 PmSummary summary_of(const progressive::ProgressiveMesh& mesh,
                      const progressive::PmWriteOptions& options,
                      const progressive::PmSizes& sizes) {
   PmSummary summary = summary_of(mesh);
   summary.coordinate_bits = options.coordinate_bits;
   summary.bytes = sizes.total;
+  summary.attribute_bytes = sizes.attributes;
   return summary;
 }
 

@@ -2,11 +2,15 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "engine/core/progress.h"
 #include "engine/io/atomic_file.h"
+#include "engine/mesh/contents.h"
+#include "engine/mesh/material.h"
 #include "engine/progressive/codec/pm_write.h"
+#include "engine/progressive/progressive_attributes.h"
 #include "engine/progressive/progressive_mesh.h"
 
 namespace mesher::io {
@@ -21,7 +25,8 @@ struct PmSummary {
   std::uint32_t faces = 0;
   unsigned coordinate_bits = 0;  ///< 0: lossless
   std::uint64_t bytes = 0;
-  std::string damage;  ///< why the rest is unusable; empty: the file is complete
+  std::uint64_t attribute_bytes = 0;  ///< of them, those of attributes and materials
+  std::string damage;                 ///< why the rest is unusable; empty: the file is complete
 
   double bytes_per_vertex() const { return vertices > 0 ? double(bytes) / vertices : 0.0; }
   /// Returns the size of the full mesh as plain arrays: 12 bytes per vertex and 12 per face.
@@ -31,6 +36,9 @@ struct PmSummary {
 /// A progressive mesh from a file, at the finest level present.
 struct PmContents {
   progressive::ProgressiveMesh mesh;
+  progressive::ProgressiveAttributes attributes;  ///< at the level of the mesh; may be empty
+  std::shared_ptr<const Materials> materials;     ///< null: the file has none
+  FileContents contents;
   PmSummary summary;
 };
 
@@ -54,10 +62,13 @@ PmContents read_pm_file(const std::filesystem::path& file, Progress* progress = 
 /// Throws InputError if a file that was read is damaged.
 void check_intact(const std::filesystem::path& file, const PmSummary& summary);
 
-/// Writes the whole progressive mesh and leaves `mesh` at its level. Does not commit. Throws
-/// OutputError.
+/// Writes the whole progressive mesh, with the options' attributes, and leaves `mesh` at its level.
+/// Does not commit. Throws OutputError.
 progressive::PmSizes write_pm_file(AtomicFile& file, progressive::ProgressiveMesh& mesh,
                                    const progressive::PmWriteOptions& options);
+/// Same, with the materials of the attributes' groups. Null: there are none.
+progressive::PmSizes write_pm_file(AtomicFile& file, progressive::ProgressiveMesh& mesh,
+                                   progressive::PmWriteOptions options, const Materials* materials);
 
 /// Returns the summary of a mesh that write_pm_file wrote.
 PmSummary summary_of(const progressive::ProgressiveMesh& mesh,

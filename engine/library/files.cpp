@@ -15,6 +15,9 @@ Asset Asset::load(const std::filesystem::path& file, const LoadOptions& options)
   if (io::is_pm_file(file)) {
     io::PmContents contents = io::read_pm_file(file, watch.progress());
     io::check_intact(file, contents.summary);
+    data->model.attributes = contents.attributes.at_level(contents.mesh.mesh());
+    data->model.materials = std::move(contents.materials);
+    data->model.contents = std::move(contents.contents);
     data->model.mesh = std::move(contents.mesh.mesh());
   } else {
     data->model = io::read_model(file, {.crease_index_base = options.crease_index_base,

@@ -43,6 +43,8 @@ class ProgressiveAttributes {
   std::uint32_t level() const { return level_; }
   std::uint32_t split_count() const { return static_cast<std::uint32_t>(splits_.size()); }
   bool is_empty() const { return arrays_.is_empty(); }
+  /// Returns whether there are no values. There may be groups.
+  bool has_no_layers() const { return arrays_.layers.empty(); }
   std::uint32_t wedge_count(std::uint32_t level) const {
     return level < split_count() ? splits_[level].first_wedge : full_wedges_;
   }
@@ -65,6 +67,10 @@ class ProgressiveAttributes {
   /// Group of each face of the full mesh; empty if there are none.
   std::span<const std::uint32_t> group() const { return arrays_.group; }
   const std::vector<FaceGroup>& groups() const { return arrays_.groups; }
+  /// Changes what a group says.
+  FaceGroup& group_entry(std::size_t index) { return arrays_.groups[index]; }
+  /// Returns whether a layer has a normal per face, which coarse levels compute from their faces.
+  bool is_faceted(std::size_t layer) const { return is_faceted_[layer] != 0; }
 
   std::span<const CornerChange> corner_changes(std::uint32_t split) const {
     return part(corner_changes_, split, &Split::first_corner);
@@ -73,6 +79,8 @@ class ProgressiveAttributes {
   std::span<const Wedge> changed_wedges(std::uint32_t split) const {
     return part(changed_wedges_, split, &Split::first_value);
   }
+  /// Values of each changed wedge on the other side of its split.
+  std::span<const AttributeLayer> other_values() const { return others_; }
 
   /// Returns the attributes of the current level. Coarse levels of a faceted model have a normal
   /// per face, as the model has. O(F). Pre: `mesh` is that level of the mesh.
@@ -82,6 +90,7 @@ class ProgressiveAttributes {
   std::size_t memory_bytes() const;
 
  private:
+  friend class AttributeAppender;
   friend class AttributeRecorder;
 
   /// Where the elements of a split begin. They end where those of the next split begin.

@@ -110,6 +110,20 @@ void SplitAppender::append(const NewSplit& split, const ParentFan& fan) {
   }
 }
 
+void SplitAppender::remove_last() {
+  const SplitStep step = mesh_.step(--mesh_.level_);
+  if (takes_notes_) {
+    coarsen(at_, step, Notes(mesh_.mesh_.changes()));
+  } else {
+    coarsen(at_, step, NoNotes());
+  }
+  mesh_.full_faces_ = step.split.first_face;
+  mesh_.moved_.resize(step.split.first_moved);
+  mesh_.splits_.pop_back();
+  if (!mesh_.sharpness_.empty()) mesh_.sharpness_.resize(mesh_.level_);
+  if (!mesh_.corner_sharpness_.empty()) mesh_.corner_sharpness_.resize(mesh_.level_);
+}
+
 // Writes the record in place. Assembling it elsewhere with small stores and copying it with large
 // loads would stall on store forwarding.
 void SplitAppender::write_record(const NewSplit& split, const ParentFan& fan,

@@ -25,6 +25,8 @@ class SplitAppender {
   /// O(moved). Throws std::bad_alloc; the mesh is unchanged then. Pre: fewer splits were appended
   /// than allocated.
   void append(const NewSplit& split, const ParentFan& fan);
+  /// Removes the last split. O(moved). Pre: it was appended by this object.
+  void remove_last();
 
  private:
   void write_record(const NewSplit& split, const ParentFan& fan, VertexSplit& record) const;

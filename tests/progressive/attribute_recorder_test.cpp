@@ -10,6 +10,7 @@
 #include "engine/mesh/wedges.h"
 #include "engine/progressive/build.h"
 #include "engine/simplify/attributes.h"
+#include "tests/progressive/charts.h"
 #include "tests/progressive/checks.h"
 #include "tests/support/attributes.h"
 #include "tests/support/meshes.h"
@@ -78,25 +79,6 @@ void examine_attributes(const Mesh& mesh, const Attributes& attributes, std::uin
     made.attributes.go_to(at[i]);
     ASSERT_EQ(shown(made), up[i]) << "W3, level " << at[i];
   }
-}
-
-/// Values at the corners of a mesh, by vertex and by the chart of the face.
-template <class Chart>
-Attributes charted(const Mesh& mesh, Chart chart) {
-  AttributeLayer uv(texcoord_type(), mesh.halfedge_count());
-  AttributeLayer normal(normal_type(), mesh.halfedge_count());
-  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
-    const glm::vec3& p = mesh.position(mesh.origin(Halfedge(h)));
-    const auto c = static_cast<float>(chart(h / 3));
-    uv.values<glm::vec2>()[h] = {0.125F * p.x + 3.0F * c, 0.25F * p.y + 0.0625F * p.x};
-    normal.values<glm::vec3>()[h] = {0, 0, 1};
-  }
-  Attributes attributes;
-  std::vector<AttributeLayer> layers;
-  layers.push_back(std::move(uv));
-  layers.push_back(std::move(normal));
-  set_corner_layers(mesh, attributes, std::move(layers));
-  return attributes;
 }
 
 TEST(ProgressiveAttributes, LevelsAreExactWithAndWithoutSeams) {

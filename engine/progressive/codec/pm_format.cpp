@@ -52,9 +52,10 @@ bool is_usable(const PmGrid& grid, std::uint32_t bits) {
   });
 }
 
-std::string_view objection(const PmHeader& header) {
+std::string_view objection(const PmHeader& header, std::uint32_t version) {
   constexpr std::uint32_t most_faces = kNone / 3 - 2;
-  if ((header.flags & ~(kPmSharpEdges | kPmSharpVertices)) != 0) {
+  const std::uint32_t needed = version == kPmVersion ? 0 : kPmAttributes;
+  if ((header.flags & ~(kPmSharpEdges | kPmSharpVertices)) != needed) {
     return "the header has flags that this version of the format does not know";
   }
   const std::uint32_t bits = header.coordinate_bits;
@@ -86,7 +87,12 @@ glm::ivec3 PmGrid::numbers(const glm::vec3& position, unsigned bits) const {
   return result;
 }
 
+glm::vec3 PmGrid::nearest(const glm::vec3& position, unsigned bits) const {
+  return this->position(numbers(position, bits));
+}
+
 std::uint32_t pm_check(std::uint32_t before, std::span<const std::byte> bytes) {
+  if (bytes.empty()) return before;  // zlib takes a null pointer for a new beginning
   return static_cast<std::uint32_t>(
       crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
@@ -96,7 +102,7 @@ std::array<std::byte, kPmHeaderBytes> pm_bytes(PmHeader& header, std::span<const
   std::array<std::byte, kPmHeaderBytes> bytes{};
   std::memcpy(bytes.data(), kPmMagic.data(), kPmMagic.size());
   Put put(bytes.data() + kPmMagic.size());
-  put.u32(kPmVersion);
+  put.u32(header.has_attributes() ? kPmAttributeVersion : kPmVersion);
   put.u32(header.flags);
   put.u32(header.coordinate_bits);
   put.u32(header.base_vertices);
@@ -118,7 +124,10 @@ std::string_view pm_parse(std::span<const std::byte> bytes, PmHeader& header) {
     return "not a progressive mesh, or one that was damaged as text";
   }
   Take take(bytes.data() + kPmMagic.size());
-  if (take.u32() != kPmVersion) return "the file is of another version of the format";
+  const std::uint32_t version = take.u32();
+  if (version != kPmVersion && version != kPmAttributeVersion) {
+    return "the file is of another version of the format";
+  }
   header.flags = take.u32();
   header.coordinate_bits = take.u32();
   header.base_vertices = take.u32();
@@ -133,7 +142,7 @@ std::string_view pm_parse(std::span<const std::byte> bytes, PmHeader& header) {
     return "the checksum of the header is wrong";
   }
   header.base_check = take.u32();
-  return objection(header);
+  return objection(header, version);
 }
 
 std::array<std::byte, kPmBlockHeaderBytes> pm_bytes(const PmBlockHeader& header) {
@@ -156,8 +165,45 @@ PmBlockHeader pm_parse_block(std::span<const std::byte> bytes) {
 
 std::uint32_t pm_block_check(std::uint32_t before, std::uint32_t splits,
                              std::span<const std::byte> payload) {
-  const auto header = pm_bytes({static_cast<std::uint32_t>(payload.size()), splits, 0});
+  const auto header =
+      pm_bytes(PmBlockHeader{static_cast<std::uint32_t>(payload.size()), splits, 0});
   return pm_check(pm_check(before, std::span(header).first(8)), payload);
+}
+
+std::array<std::byte, kPmBaseAttributesHeaderBytes> pm_bytes(const PmBaseAttributesHeader& header) {
+  std::array<std::byte, kPmBaseAttributesHeaderBytes> bytes{};
+  Put put(bytes.data());
+  put.u32(header.table_bytes);
+  put.u32(header.bytes);
+  put.u32(header.appendix_bytes);
+  put.u32(header.check);
+  return bytes;
+}
+
+std::array<std::byte, kPmAttributesHeaderBytes> pm_bytes(const PmAttributesHeader& header) {
+  std::array<std::byte, kPmAttributesHeaderBytes> bytes{};
+  Put put(bytes.data());
+  put.u32(header.bytes);
+  put.u32(header.check);
+  return bytes;
+}
+
+PmBaseAttributesHeader pm_parse_base_attributes(std::span<const std::byte> bytes) {
+  Take take(bytes.data());
+  PmBaseAttributesHeader header;
+  header.table_bytes = take.u32();
+  header.bytes = take.u32();
+  header.appendix_bytes = take.u32();
+  header.check = take.u32();
+  return header;
+}
+
+PmAttributesHeader pm_parse_attributes(std::span<const std::byte> bytes) {
+  Take take(bytes.data());
+  PmAttributesHeader header;
+  header.bytes = take.u32();
+  header.check = take.u32();
+  return header;
 }
 
 }  // namespace mesher::progressive

@@ -18,12 +18,17 @@ namespace mesher::progressive {
 
 inline constexpr std::array<unsigned char, 8> kPmMagic{0x89, 'M', 'P', 'M', '\r', '\n', 0x1A, '\n'};
 inline constexpr std::uint32_t kPmVersion = 1;
+/// Version of files with attributes.
+inline constexpr std::uint32_t kPmAttributeVersion = 2;
 inline constexpr std::uint32_t kPmSharpEdges = 1;
 inline constexpr std::uint32_t kPmSharpVertices = 2;
+inline constexpr std::uint32_t kPmAttributes = 4;  ///< exactly in version 2
 inline constexpr unsigned kPmLeastCoordinateBits = 4;
 inline constexpr unsigned kPmMostCoordinateBits = 24;
 inline constexpr std::size_t kPmHeaderBytes = 76;
 inline constexpr std::size_t kPmBlockHeaderBytes = 12;
+inline constexpr std::size_t kPmBaseAttributesHeaderBytes = 16;
+inline constexpr std::size_t kPmAttributesHeaderBytes = 8;
 
 // Limits: nothing that a file announces takes memory or time out of proportion to its size.
 
@@ -47,6 +52,17 @@ constexpr std::uint64_t pm_most_moved(std::uint64_t splits) {
 constexpr std::uint64_t pm_most_walked(std::uint64_t splits) {
   return 4096 * splits + (std::uint64_t{1} << 20U);
 }
+/// Maximum size of all values of attributes, by the size of the payloads that hold them.
+constexpr std::uint64_t pm_most_value_bytes(std::uint64_t payload_bytes) {
+  return 128 * payload_bytes + 65'536;
+}
+/// Returns the minimum size of a payload after which there are so many bytes of values, if those
+/// before it have `payload_bytes`.
+constexpr std::uint64_t pm_least_value_payload(std::uint64_t value_bytes,
+                                               std::uint64_t payload_bytes) {
+  const std::uint64_t most = pm_most_value_bytes(payload_bytes);
+  return value_bytes <= most ? 0 : (value_bytes - most + 127) / 128;
+}
 
 /// Quantization grid: a coordinate is `origin + step * number`.
 struct PmGrid {
@@ -59,6 +75,9 @@ struct PmGrid {
   }
   /// Returns the nearest grid point, with `bits` bits per coordinate.
   glm::ivec3 numbers(const glm::vec3& position, unsigned bits) const;
+  /// Returns the position of the nearest grid point. Not inline: where g++ 12 converts the result
+  /// to double in the same function, it drops the rounding to float (-O3, two at a time).
+  [[gnu::noinline]] glm::vec3 nearest(const glm::vec3& position, unsigned bits) const;
 };
 
 struct PmHeader {
@@ -74,7 +93,24 @@ struct PmHeader {
 
   bool has_sharp_edges() const { return (flags & kPmSharpEdges) != 0; }
   bool has_sharp_vertices() const { return (flags & kPmSharpVertices) != 0; }
+  bool has_attributes() const { return (flags & kPmAttributes) != 0; }
   bool is_quantized() const { return coordinate_bits != 0; }
+};
+
+/// The header of the attributes of the base, which follow its payload.
+struct PmBaseAttributesHeader {
+  std::uint32_t table_bytes = 0;
+  std::uint32_t bytes = 0;           ///< of the payload
+  std::uint32_t appendix_bytes = 0;  ///< of what the writer added
+  std::uint32_t check = 0;
+
+  std::uint64_t total_bytes() const { return std::uint64_t{table_bytes} + bytes + appendix_bytes; }
+};
+
+/// The header of the attributes of a block, which follow its payload.
+struct PmAttributesHeader {
+  std::uint32_t bytes = 0;  ///< of the payload
+  std::uint32_t check = 0;
 };
 
 struct PmBlockHeader {
@@ -99,6 +135,13 @@ PmBlockHeader pm_parse_block(std::span<const std::byte> bytes);
 /// Returns the checksum of a block with this payload, continued from `before`.
 std::uint32_t pm_block_check(std::uint32_t before, std::uint32_t splits,
                              std::span<const std::byte> payload);
+
+/// Returns the bytes of a header of attributes. `check` continues the checksum of what precedes,
+/// and covers the other numbers of the header and what follows it.
+std::array<std::byte, kPmBaseAttributesHeaderBytes> pm_bytes(const PmBaseAttributesHeader& header);
+std::array<std::byte, kPmAttributesHeaderBytes> pm_bytes(const PmAttributesHeader& header);
+PmBaseAttributesHeader pm_parse_base_attributes(std::span<const std::byte> bytes);
+PmAttributesHeader pm_parse_attributes(std::span<const std::byte> bytes);
 
 /// Maps floats to integers in the same order: adjacent floats differ by 1. -0 comes just below +0.
 inline std::int32_t pm_ordered(float value) {

@@ -12,6 +12,7 @@
 #include "engine/core/text.h"
 #include "engine/mesh/outgoing.h"
 #include "engine/mesh/validate.h"
+#include "engine/progressive/codec/attribute_coder.h"
 #include "engine/progressive/codec/pm_base.h"
 #include "engine/progressive/codec/pm_format.h"
 #include "engine/progressive/codec/range_coder.h"
@@ -36,8 +37,12 @@ struct PmReader::State {
   ProgressiveMesh mesh;
   bool has_base = false;
   bool ignores_what_follows = false;
+  ProgressiveAttributes attributes;
+  Array<std::byte> appendix;
+  std::uint64_t attribute_bytes = 0;
   std::unique_ptr<SplitCoder<RangeDecoder>> coder;
-  std::uint32_t expected_splits = 0;  ///< 0: unknown
+  std::unique_ptr<AttributeCoder<RangeDecoder>> attribute_coder;  ///< null: there are none
+  std::uint32_t expected_splits = 0;                              ///< 0: unknown
   std::string damage;
 
   explicit State(std::string&& file) : name(std::move(file)) {}
@@ -99,7 +104,8 @@ struct PmReader::State {
   }
 
   std::size_t take_base(std::span<const std::byte> bytes) {
-    if (bytes.size() < header.base_bytes) return 0;
+    const std::uint64_t size = base_size(bytes);
+    if (size == 0 || bytes.size() < size) return 0;
     const auto payload = bytes.first(header.base_bytes);
     if (pm_check(header.check, payload) != header.base_check) {
       refuse(used_bytes, "the checksum of the base mesh is wrong");
@@ -115,9 +121,41 @@ struct PmReader::State {
     mesh.mesh().changes().note_all();  // nobody has seen it, so later changes need not be recorded
     coder = std::make_unique<SplitCoder<RangeDecoder>>(header, std::move(base.grid));
     check = header.base_check;
+    if (header.has_attributes()) take_base_attributes(bytes.first(size).subspan(header.base_bytes));
     has_base = true;
     stage = header.splits == 0 ? Stage::done : Stage::block;
-    return header.base_bytes;
+    return size;
+  }
+
+  /// Returns the size of the base with its attributes; 0 if it is not known yet.
+  std::uint64_t base_size(std::span<const std::byte> bytes) const {
+    if (!header.has_attributes()) return header.base_bytes;
+    const std::uint64_t head = header.base_bytes + std::uint64_t{kPmBaseAttributesHeaderBytes};
+    if (bytes.size() < head) return 0;
+    const auto of_attributes = bytes.subspan(header.base_bytes, kPmBaseAttributesHeaderBytes);
+    return head + pm_parse_base_attributes(of_attributes).total_bytes();
+  }
+
+  void take_base_attributes(std::span<const std::byte> bytes) {
+    const std::uint64_t at = used_bytes + header.base_bytes;
+    const PmBaseAttributesHeader head = pm_parse_base_attributes(bytes);
+    check = pm_check(check, bytes.first(kPmBaseAttributesHeaderBytes - 4));
+    const auto parts = bytes.subspan(kPmBaseAttributesHeaderBytes);
+    check = pm_check(check, parts);
+    if (check != head.check) refuse(at, "the checksum of the attributes is wrong");
+    AttributeTable table;
+    const std::string_view why = decode_table(parts.first(head.table_bytes), table);
+    if (!why.empty()) refuse(at, why);
+    const bool is_empty = table.layers.empty() && !table.has_face_groups;
+    attribute_coder = std::make_unique<AttributeCoder<RangeDecoder>>(header, std::move(table),
+                                                                     attributes, nullptr);
+    RangeDecoder decoder(parts.subspan(head.table_bytes, head.bytes));
+    const std::string_view bad = attribute_coder->code_base(decoder, mesh.mesh(), head.bytes);
+    if (!bad.empty()) refuse(at, bad);
+    if (is_empty) attribute_coder.reset();
+    const auto rest = parts.subspan(std::size_t{head.table_bytes} + head.bytes);
+    appendix.assign(rest.begin(), rest.end());
+    attribute_bytes = bytes.size();
   }
 
   std::size_t take_block(std::span<const std::byte> bytes) {
@@ -128,22 +166,41 @@ struct PmReader::State {
       end_early(used_bytes, why);
       return 0;
     }
-    if (bytes.size() - kPmBlockHeaderBytes < block.bytes) return 0;
+    const std::size_t mesh_size = kPmBlockHeaderBytes + block.bytes;
+    if (bytes.size() < mesh_size) return 0;
     const auto payload = bytes.subspan(kPmBlockHeaderBytes, block.bytes);
-    check = pm_block_check(check, block.splits, payload);
-    if (check != block.check) {
+    std::uint32_t block_check = pm_block_check(check, block.splits, payload);
+    if (block_check != block.check) {
       end_early(used_bytes, "the checksum of a block is wrong");
       return 0;
     }
+    std::span<const std::byte> of_attributes;
+    std::size_t attributes_size = 0;
+    if (header.has_attributes()) {
+      const auto rest = bytes.subspan(mesh_size);
+      if (rest.size() < kPmAttributesHeaderBytes) return 0;
+      const PmAttributesHeader head = pm_parse_attributes(rest.first(kPmAttributesHeaderBytes));
+      if (rest.size() - kPmAttributesHeaderBytes < head.bytes) return 0;
+      of_attributes = rest.subspan(kPmAttributesHeaderBytes, head.bytes);
+      block_check = pm_check(block_check, rest.first(kPmAttributesHeaderBytes - 4));
+      block_check = pm_check(block_check, of_attributes);
+      if (block_check != head.check) {
+        end_early(used_bytes + mesh_size, "the checksum of the attributes of a block is wrong");
+        return 0;
+      }
+      attributes_size = kPmAttributesHeaderBytes + head.bytes;
+    }
+    check = block_check;
     try {
-      if (!append(block.splits, payload)) return 0;
+      if (!append(block.splits, payload, of_attributes)) return 0;
     } catch (const std::bad_alloc&) {
       // The models have adapted to splits that the mesh lacks, so the rest cannot be decoded.
       end_early(used_bytes, "memory ran out");
       throw;
     }
     if (mesh.split_count() == header.splits) stage = Stage::done;
-    return kPmBlockHeaderBytes + block.bytes;
+    attribute_bytes += attributes_size;
+    return mesh_size + attributes_size;
   }
 
   std::string_view objection(const PmBlockHeader& block) const {
@@ -164,11 +221,16 @@ struct PmReader::State {
     const auto splits = static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted, header.splits));
     mesh.reserve(splits);
     coder->reserve(mesh.base_vertex_count(), splits);
+    if (attribute_coder) attribute_coder->reserve(splits);
   }
 
-  bool append(std::uint32_t count, std::span<const std::byte> payload) {
+  bool append(std::uint32_t count, std::span<const std::byte> payload,
+              std::span<const std::byte> of_attributes) {
     reserve(count);
     RangeDecoder decoder(payload);
+    RangeDecoder attribute_decoder(of_attributes);
+    if (attribute_coder)
+      attribute_coder->begin_block(mesh.split_count() + count, of_attributes.size());
     coder->begin_block(mesh.split_count(), mesh.split_count() + count);
     SplitAppender appender(mesh, count);
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -179,15 +241,36 @@ struct PmReader::State {
         return false;
       }
       appender.append(split, coder->fan());
+      const std::string_view bad = append_attributes(attribute_decoder, appender);
+      if (!bad.empty()) {
+        end_early(used_bytes, bad);
+        return false;
+      }
     }
     check_faces(mesh.full_face_count());
     return true;
   }
 
+  /// Appends the attributes of the last split. If there are none, removes the split.
+  std::string_view append_attributes(RangeDecoder& decoder, SplitAppender& appender) {
+    if (!attribute_coder) return {};
+    try {
+      const std::string_view why = attribute_coder->code_split(decoder, mesh);
+      if (!why.empty()) appender.remove_last();
+      return why;
+    } catch (const std::bad_alloc&) {
+      appender.remove_last();
+      throw;
+    }
+  }
+
   void feed(std::span<const std::byte> bytes) {
     if (stage == Stage::damaged) return;
     waiting.insert(waiting.end(), bytes.begin(), bytes.end());
-    if (has_base) mesh.go_to(mesh.split_count());
+    if (has_base) {
+      mesh.go_to(mesh.split_count());
+      attributes.go_to(attributes.split_count());
+    }
     std::size_t used = 0;
     while (stage != Stage::damaged && used < waiting.size()) {
       const std::size_t now = take(std::span(waiting).subspan(used));
@@ -219,9 +302,19 @@ std::uint32_t PmReader::count_splits(std::span<const std::byte> file) {
     return 0;
   std::uint64_t splits = 0;
   std::uint64_t at = kPmHeaderBytes + std::uint64_t{header.base_bytes};
+  if (header.has_attributes()) {
+    if (at + kPmBaseAttributesHeaderBytes > file.size()) return 0;
+    const auto head = file.subspan(at, kPmBaseAttributesHeaderBytes);
+    at += kPmBaseAttributesHeaderBytes + pm_parse_base_attributes(head).total_bytes();
+  }
   while (at + kPmBlockHeaderBytes <= file.size()) {
     const PmBlockHeader block = pm_parse_block(file.subspan(at, kPmBlockHeaderBytes));
     at += kPmBlockHeaderBytes + std::uint64_t{block.bytes};
+    if (header.has_attributes()) {
+      if (at + kPmAttributesHeaderBytes > file.size()) break;
+      const auto head = file.subspan(at, kPmAttributesHeaderBytes);
+      at += kPmAttributesHeaderBytes + std::uint64_t{pm_parse_attributes(head).bytes};
+    }
     const bool is_held = block.splits > 0 && block.splits <= kPmMostBlockSplits &&
                          block.bytes >= pm_least_bytes(block.splits) && at <= file.size();
     if (!is_held) break;
@@ -269,6 +362,25 @@ unsigned PmReader::coordinate_bits() const {
 ProgressiveMesh& PmReader::mesh() {
   MESHER_ASSERT(has_base());
   return state_->mesh;
+}
+
+ProgressiveAttributes& PmReader::attributes() {
+  MESHER_ASSERT(has_base());
+  return state_->attributes;
+}
+
+std::span<const std::byte> PmReader::appendix() const {
+  MESHER_ASSERT(has_base());
+  return state_->appendix;
+}
+
+std::uint64_t PmReader::attribute_bytes() const {
+  return state_->attribute_bytes;
+}
+
+ProgressiveAttributes PmReader::take_attributes() && {
+  MESHER_ASSERT(has_base());
+  return std::move(state_->attributes);
 }
 
 ProgressiveMesh PmReader::take() && {

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/progressive/progressive_attributes.h"
 #include "engine/progressive/progressive_mesh.h"
 
 namespace mesher::progressive {
@@ -16,7 +17,7 @@ namespace mesher::progressive {
 ///
 /// The reader does not trust the file: it allocates memory only in proportion to what has been
 /// decoded, at most 256 bytes per split if their number is known (expect_splits), and 32 more if
-/// edges and vertices are sharp.
+/// edges and vertices are sharp. Attributes take memory in proportion to their bytes.
 class PmReader {
  public:
   /// `name`: name of the file, for messages.
@@ -63,8 +64,17 @@ class PmReader {
   /// Returns the mesh. `feed` first goes to the finest level and leaves the mesh there; in between,
   /// the caller may change the level. Pre: has_base().
   ProgressiveMesh& mesh();
+  /// Returns the attributes, which are empty if the file has none. As for `mesh`, at the same level
+  /// after `feed`. Pre: has_base().
+  ProgressiveAttributes& attributes();
+  /// Returns what the file holds beside the attributes (PmWriteOptions::appendix). Pre: has_base().
+  std::span<const std::byte> appendix() const;
+  /// Returns how many of used_bytes() a file without attributes would not have.
+  std::uint64_t attribute_bytes() const;
   /// Moves the mesh out. Feed nothing afterward. Pre: has_base().
   ProgressiveMesh take() &&;
+  /// Moves the attributes out. Feed nothing afterward. Pre: has_base().
+  ProgressiveAttributes take_attributes() &&;
 
  private:
   struct State;

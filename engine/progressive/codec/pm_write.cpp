@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 
 #include "engine/core/error.h"
+#include "engine/progressive/codec/attribute_coder.h"
 #include "engine/progressive/codec/pm_base.h"
 #include "engine/progressive/codec/pm_format.h"
 #include "engine/progressive/codec/range_coder.h"
@@ -20,16 +22,17 @@ constexpr double kCodeWeights[] = {0.02, 0.98};
 constexpr std::uint32_t kFirstBlockSplits = 64;
 constexpr std::uint32_t kLargestBlockSplits = kPmMostBlockSplits;
 
-/// Restores the mesh's level on scope exit, also after exceptions.
+/// Restores the level of a mesh or of attributes on scope exit, also after exceptions.
+template <class Leveled>
 class LevelKept {
  public:
-  explicit LevelKept(ProgressiveMesh& mesh) : mesh_(mesh), level_(mesh.level()) {}
-  ~LevelKept() { mesh_.go_to(level_); }
+  explicit LevelKept(Leveled& it) : it_(it), level_(it.level()) {}
+  ~LevelKept() { it_.go_to(level_); }
   LevelKept(const LevelKept&) = delete;
   LevelKept& operator=(const LevelKept&) = delete;
 
  private:
-  ProgressiveMesh& mesh_;
+  Leveled& it_;
   std::uint32_t level_;
 };
 
@@ -68,12 +71,25 @@ PmGrid grid_of(const ProgressiveMesh& mesh, unsigned bits) {
 class PmWriter {
  public:
   PmWriter(ProgressiveMesh& mesh, const PmWriteOptions& options, const ByteSink& sink)
-      : mesh_(mesh), options_(options), sink_(sink) {}
+      : mesh_(mesh), options_(options), sink_(sink) {
+    ProgressiveAttributes* const given = options.attributes;
+    MESHER_ASSERT(given == nullptr || given->layers().empty() ||
+                  given->split_count() == mesh.split_count());
+    if (given != nullptr && !given->is_empty()) attributes_ = given;
+  }
 
   PmSizes run() {
+    if (attributes_ == nullptr) return write_all();
+    const LevelKept<ProgressiveAttributes> kept(*attributes_);
+    attributes_->go_to(0);
+    return write_all();
+  }
+
+ private:
+  PmSizes write_all() {
     Stages stages(options_.progress, kCodeWeights);
     stages.next();
-    const LevelKept kept(mesh_);
+    const LevelKept<ProgressiveMesh> kept(mesh_);
     go_to_level(mesh_, 0, options_.progress);
     stages.next();
     make_header();
@@ -83,11 +99,13 @@ class PmWriter {
         base.grid.push_back(header_.grid.numbers(p, header_.coordinate_bits));
     }
     write_base(base);
+    if (header_.has_attributes()) write_base_attributes();
+    sizes_.base = sizes_.total;
     write_splits(std::move(base.grid));
-    return sizes_;
+    if (coder_) note_sizes(coder_->bits());
+    return std::move(sizes_);
   }
 
- private:
   void make_header() {
     const Mesh& base = mesh_.mesh();
     const auto is_sharp = [](float sharpness) { return sharpness > 0.0F; };
@@ -95,6 +113,7 @@ class PmWriter {
         std::any_of(base.sharpnesses().begin(), base.sharpnesses().end(), is_sharp);
     if (is_base_sharp || !mesh_.sharpnesses().empty()) header_.flags |= kPmSharpEdges;
     if (!base.vertex_sharpnesses().empty()) header_.flags |= kPmSharpVertices;
+    if (attributes_ != nullptr || !options_.appendix.empty()) header_.flags |= kPmAttributes;
     header_.coordinate_bits = options_.coordinate_bits;
     header_.base_vertices = base.vertex_count();
     header_.base_faces = base.face_count();
@@ -107,8 +126,67 @@ class PmWriter {
     if (payload.size() > kNone) refuse("the base mesh is too large for a progressive mesh's file");
     write(pm_bytes(header_, payload));
     write(payload);
-    sizes_.base = sizes_.total;
     check_ = header_.base_check;
+  }
+
+  void write_base_attributes() {
+    AttributeTable table;
+    if (attributes_ != nullptr)
+      table = make_table(*attributes_, header_.is_quantized() ? &options_.rounding : nullptr);
+    if (table.layers.size() > kPmMostLayers)
+      refuse("a progressive mesh has at most 255 attributes");
+    for (const LayerFormat& layer : table.layers)
+      sizes_.layers.push_back({layer.type.name, layer.bits, 0});
+    const Array<std::byte> table_bytes = encode_table(table);
+    coder_ = std::make_unique<AttributeCoder<RangeEncoder>>(header_, std::move(table), built_,
+                                                            attributes_);
+    RangeEncoder encoder;
+    const std::string_view why = coder_->code_base(encoder, mesh_.mesh(), 0);
+    if (!why.empty()) refuse(why);
+    const Array<std::byte> payload = encoder.finish(coder_->least_bytes());
+    coder_->note_bytes(payload.size());
+    const std::span<const std::byte> parts[] = {table_bytes, payload, options_.appendix};
+    for (const auto& part : parts) {
+      if (part.size() >= kNone)
+        refuse("the attributes are too large for a progressive mesh's file");
+    }
+    PmBaseAttributesHeader head{static_cast<std::uint32_t>(table_bytes.size()),
+                                static_cast<std::uint32_t>(payload.size()),
+                                static_cast<std::uint32_t>(options_.appendix.size()), 0};
+    const auto unchecked = pm_bytes(head);
+    check_ = pm_check(check_, std::span(unchecked).first(kPmBaseAttributesHeaderBytes - 4));
+    for (const auto& part : parts)
+      check_ = pm_check(check_, part);
+    head.check = check_;
+    const std::uint64_t before = sizes_.total;
+    write(pm_bytes(head));
+    for (const auto& part : parts)
+      write(part);
+    sizes_.attributes += sizes_.total - before;
+    sizes_.appendix = options_.appendix.size();
+  }
+
+  /// Writes the attributes of a block.
+  void write_attributes(RangeEncoder& encoder) {
+    const Array<std::byte> payload = encoder.finish(coder_->least_bytes());
+    if (payload.size() >= kNone) refuse("the attributes of splits do not fit into a block");
+    coder_->note_bytes(payload.size());
+    PmAttributesHeader head{static_cast<std::uint32_t>(payload.size()), 0};
+    const auto unchecked = pm_bytes(head);
+    check_ = pm_check(check_, std::span(unchecked).first(kPmAttributesHeaderBytes - 4));
+    head.check = check_ = pm_check(check_, payload);
+    const std::uint64_t before = sizes_.total;
+    write(pm_bytes(head));
+    write(payload);
+    sizes_.attributes += sizes_.total - before;
+  }
+
+  void note_sizes(const AttributeBits& bits) {
+    const auto bytes = [](double count) { return static_cast<std::uint64_t>(count / 8.0 + 0.5); };
+    sizes_.wedges = bytes(bits.wedges);
+    sizes_.groups = bytes(bits.groups);
+    for (std::size_t k = 0; k < bits.layers.size(); ++k)
+      sizes_.layers[k].bytes = bytes(bits.layers[k]);
   }
 
   void write_splits(Array<glm::ivec3>&& grid) {
@@ -127,18 +205,25 @@ class PmWriter {
   void write_block(SplitCoder<RangeEncoder>& coder, std::uint32_t end) {
     const std::uint32_t count = end - mesh_.level();
     RangeEncoder encoder;
+    RangeEncoder attribute_encoder;
     coder.begin_block(mesh_.level(), end);
+    if (coder_) coder_->begin_block(end, 0);
     while (mesh_.level() < end) {
       NewSplit split = mesh_.next_split();
       const std::string_view why = coder.code(encoder, mesh_, split);
       if (!why.empty()) refuse(why);
       mesh_.go_to(mesh_.level() + 1);
+      if (attributes_ == nullptr) continue;
+      attributes_->go_to(mesh_.level());
+      const std::string_view bad = coder_->code_split(attribute_encoder, mesh_);
+      if (!bad.empty()) refuse(bad);
     }
     const Array<std::byte> payload = encoder.finish(pm_least_bytes(count));
     if (payload.size() > pm_most_bytes(count)) refuse("splits do not fit into a block");
     check_ = pm_block_check(check_, count, payload);
     write(pm_bytes(PmBlockHeader{static_cast<std::uint32_t>(payload.size()), count, check_}));
     write(payload);
+    if (header_.has_attributes()) write_attributes(attribute_encoder);
   }
 
   void write(std::span<const std::byte> bytes) {
@@ -149,6 +234,9 @@ class PmWriter {
   ProgressiveMesh& mesh_;
   const PmWriteOptions& options_;
   const ByteSink& sink_;
+  ProgressiveAttributes* attributes_ = nullptr;
+  ProgressiveAttributes built_;  ///< as a reader will have them
+  std::unique_ptr<AttributeCoder<RangeEncoder>> coder_;
   PmHeader header_;
   std::uint32_t check_ = 0;
   PmSizes sizes_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -65,6 +66,11 @@ class RangeEncoder {
     for (; plain_count_ >= 8; plain_count_ -= 8, plain_ >>= 8U)
       plain_bytes_.push_back(static_cast<std::byte>(plain_));
     return value;
+  }
+  /// Returns the information in the block so far, in bits.
+  double bits_so_far() const {
+    return 8.0 * static_cast<double>(bytes_.size() + plain_bytes_.size()) + plain_count_ + 64.0 -
+           std::log2(static_cast<double>(range_));
   }
   /// Ends the block and returns its bytes, padded to at least `least`. The next call of any
   /// function begins a new block.

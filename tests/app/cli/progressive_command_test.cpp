@@ -188,15 +188,30 @@ TEST_F(ProgressiveCommand, EveryLevelKeepsCreases) {
   EXPECT_TRUE(holds(ply.err, "base.ply does not hold ")) << ply.err;
 }
 
-TEST_F(ProgressiveCommand, LostAttributesAreReported) {
+TEST_F(ProgressiveCommand, AttributesAreKeptAndTheirSizesReported) {
   folder_.write("t.obj",
                 "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
                 "f 1/1/1 2/1/1 3/1/1\nf 1/1/1 3/1/1 4/1/1\n");
   const Finished run = mesher({"progressive", "t.obj", "-o", "t.pm", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(nlohmann::json::parse(run.out)["lost"],
-            nlohmann::json({"texture coordinates", "normals"}));
-  EXPECT_TRUE(holds(run.err, "t.pm does not hold texture coordinates")) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["lost"], nlohmann::json::array());
+  EXPECT_TRUE(holds(run.err, "TEXCOORD_0: ")) << run.err;
+  EXPECT_TRUE(holds(run.err, " bits per vertex (lossless)")) << run.err;
+  std::uint64_t bytes = 0;
+  std::vector<std::string> names;
+  for (const auto& part : json["pm"]["parts"]) {
+    names.push_back(part["name"]);
+    bytes += part["bytes"].get<std::uint64_t>();
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"mesh", "TEXCOORD_0", "NORMAL", "seams"}));
+  EXPECT_LE(bytes, json["pm"]["bytes"].get<std::uint64_t>());
+  EXPECT_GT(json["pm"]["attribute_bytes"], 0);
+  const auto read = mesher_json({"info", "t.pm"});
+  EXPECT_EQ(read["pm"]["attribute_bytes"], json["pm"]["attribute_bytes"]);
+  EXPECT_EQ(read["attributes"].size(), 2U);
+  ASSERT_EQ(mesher({"extract", "t.pm", "-o", "e.obj", "--lod", "1"}).exit_code, 0);
+  EXPECT_EQ(mesher_json({"info", "e.obj"})["attributes"].size(), 2U);
 }
 
 TEST_F(ProgressiveCommand, QuantizedFileIsSmallerAndClose) {

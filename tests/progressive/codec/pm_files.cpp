@@ -15,6 +15,8 @@
 namespace mesher::test {
 namespace {
 
+constexpr std::size_t kVersionAt = 8;
+
 void put_u32(Bytes& bytes, std::size_t at, std::uint32_t value) {
   for (std::size_t i = 0; i < 4; ++i)
     bytes[at + i] = static_cast<std::byte>(value >> (8 * i));
@@ -51,17 +53,27 @@ Soup odd_floats() {
   return soup;
 }
 
-}  // namespace
-
-Bytes written(progressive::ProgressiveMesh& mesh, unsigned coordinate_bits) {
+Bytes written_with(progressive::ProgressiveMesh& mesh, const progressive::PmWriteOptions& options) {
   Bytes bytes;
-  const progressive::PmSizes sizes = progressive::write_pm(
-      mesh, {.coordinate_bits = coordinate_bits}, [&](std::span<const std::byte> some) {
+  const progressive::PmSizes sizes =
+      progressive::write_pm(mesh, options, [&](std::span<const std::byte> some) {
         bytes.insert(bytes.end(), some.begin(), some.end());
       });
   EXPECT_EQ(sizes.total, bytes.size());
   EXPECT_EQ(sizes.total, sizes.base + sizes.splits);
   return bytes;
+}
+
+}  // namespace
+
+Bytes written(progressive::ProgressiveMesh& mesh, unsigned coordinate_bits) {
+  return written_with(mesh, {.coordinate_bits = coordinate_bits});
+}
+
+Bytes written(progressive::ProgressiveMesh& mesh, progressive::ProgressiveAttributes& attributes,
+              unsigned coordinate_bits, std::span<const std::byte> appendix) {
+  return written_with(
+      mesh, {.coordinate_bits = coordinate_bits, .attributes = &attributes, .appendix = appendix});
 }
 
 ReadBack read_back(std::span<const std::byte> bytes, std::size_t piece) {
@@ -81,6 +93,8 @@ ReadBack read_back(std::span<const std::byte> bytes, std::size_t piece) {
   }
   result.damage = reader.damage();
   result.is_complete = reader.is_complete();
+  result.appendix.assign(reader.appendix().begin(), reader.appendix().end());
+  result.attributes = std::move(reader).take_attributes();
   result.mesh = std::move(reader).take();
   return result;
 }
@@ -96,6 +110,18 @@ void mend_checksums(Bytes& bytes) {
   check = progressive::pm_check(check, all.subspan(at, base));
   put_u32(bytes, progressive::kPmHeaderBytes - 4, check);
   at += base;
+  const bool has_attributes = get_u32(bytes, kVersionAt) == progressive::kPmAttributeVersion;
+  if (has_attributes) {
+    constexpr std::size_t head = progressive::kPmBaseAttributesHeaderBytes;
+    if (bytes.size() - at < head) return;
+    const std::uint64_t size =
+        progressive::pm_parse_base_attributes(all.subspan(at, head)).total_bytes();
+    if (bytes.size() - at - head < size) return;
+    check = progressive::pm_check(check, all.subspan(at, head - 4));
+    check = progressive::pm_check(check, all.subspan(at + head, size));
+    put_u32(bytes, at + head - 4, check);
+    at += head + size;
+  }
   while (bytes.size() - at >= progressive::kPmBlockHeaderBytes) {
     const std::uint32_t size = get_u32(bytes, at);
     const std::uint32_t splits = get_u32(bytes, at + 4);
@@ -104,17 +130,63 @@ void mend_checksums(Bytes& bytes) {
                                         all.subspan(at + progressive::kPmBlockHeaderBytes, size));
     put_u32(bytes, at + 8, check);
     at += progressive::kPmBlockHeaderBytes + size;
+    if (!has_attributes) continue;
+    constexpr std::size_t head = progressive::kPmAttributesHeaderBytes;
+    if (bytes.size() - at < head) return;
+    const std::uint32_t attributes = get_u32(bytes, at);
+    if (bytes.size() - at - head < attributes) return;
+    check = progressive::pm_check(check, all.subspan(at, head - 4));
+    check = progressive::pm_check(check, all.subspan(at + head, attributes));
+    put_u32(bytes, at + head - 4, check);
+    at += head + attributes;
   }
 }
 
 void expect_sound(ReadBack& read) {
   if (!read.error.empty()) return;
   EXPECT_TRUE(read.is_complete || !read.damage.empty());
-  expect_valid(read.mesh.mesh());
-  read.mesh.go_to(read.mesh.split_count() / 2);
-  expect_valid(read.mesh.mesh());
-  read.mesh.go_to(0);
-  expect_valid(read.mesh.mesh());
+  const bool has_attributes = !read.attributes.is_empty();
+  if (has_attributes) {
+    ASSERT_EQ(read.attributes.split_count(), read.mesh.split_count());
+  }
+  const std::uint32_t full = read.mesh.split_count();
+  for (const std::uint32_t level : {full, full / 2, 0U}) {
+    read.mesh.go_to(level);
+    expect_valid(read.mesh.mesh());
+    if (!has_attributes) continue;
+    read.attributes.go_to(level);
+    expect_valid_level(read.mesh, read.attributes);
+  }
+}
+
+void expect_same_attributes(const progressive::ProgressiveMesh& mesh,
+                            progressive::ProgressiveAttributes& a,
+                            progressive::ProgressiveAttributes& b) {
+  const auto is_same_prefix = [](const auto& x, const auto& y, std::size_t count) {
+    ASSERT_GE(x.size(), count);
+    ASSERT_GE(y.size(), count);
+    ASSERT_TRUE(std::equal(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(count), y.begin()));
+  };
+  ASSERT_EQ(a.layers().size(), b.layers().size());
+  ASSERT_EQ(a.groups(), b.groups());
+  ASSERT_EQ(a.group().empty(), b.group().empty());
+  constexpr std::uint64_t kLevels = 12;
+  for (std::uint64_t k = 0; k <= kLevels; ++k) {
+    const auto level = static_cast<std::uint32_t>(b.split_count() * k / kLevels);
+    SCOPED_TRACE("level " + std::to_string(level));
+    a.go_to(level);
+    b.go_to(level);
+    ASSERT_EQ(a.wedge_count(level), b.wedge_count(level));
+    const std::size_t faces = mesh.face_count(level);
+    if (!a.has_no_layers()) is_same_prefix(a.corner_wedges(), b.corner_wedges(), 3 * faces);
+    if (!a.group().empty()) is_same_prefix(a.group(), b.group(), faces);
+    for (std::size_t l = 0; l < a.layers().size(); ++l) {
+      const AttributeType& type = a.layers()[l].type();
+      ASSERT_EQ(type, b.layers()[l].type());
+      is_same_prefix(a.layers()[l].bytes(), b.layers()[l].bytes(),
+                     a.wedge_count(level) * type.value_bytes());
+    }
+  }
 }
 
 std::vector<NamedMesh> meshes_of_all_kinds() {
