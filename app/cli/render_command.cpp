@@ -63,6 +63,7 @@ Detail open_detail(Session& session, LoadedLevels&& opened, double lod, const Lo
   stages.next();
   if (opened.levels) {
     detail.mesh = std::move(*opened.levels);
+    detail.attributes = std::move(opened.attributes);
   } else {
     progressive::Progressive made = progressive_of(opened.loaded, line.progress());
     detail.mesh = std::move(made.mesh);

@@ -129,6 +129,7 @@ class BuildGeomorph final : public EditTask {
     const ProgressiveView& view = document.progressive;
     if (!view.is_on() || view.is_arriving() || view.has_geomorph()) return false;
     progressive_.mesh = view.mesh();
+    progressive_.attributes = view.levels().attributes;
     title_ = "Preparing geomorphs";
     return true;
   }

@@ -120,15 +120,28 @@ void PmArrival::end(Session& session) {
 void PmArrival::stop(Document& document) {
   is_done_ = true;
   ProgressiveView& view = document.progressive;
+  FileContents contents;
+  std::shared_ptr<const Materials> materials =
+      io::take_materials(view.reader()->appendix(), file_, view.reader()->attributes(), contents);
   view.end_reading();
   progressive::ProgressiveMesh& mesh = view.mesh();
   const std::uint32_t level = mesh.level();
   mesh.go_to(mesh.split_count());
   // Everything that needs memory comes first, so that a failure leaves the model unchanged.
   Mesh whole = mesh.mesh();
+  progressive::ProgressiveAttributes& attributes = view.attributes();
+  Attributes whole_attributes;
+  if (!attributes.is_empty()) {
+    attributes.go_to(attributes.split_count());
+    whole_attributes = attributes.at_level(whole);
+    attributes.go_to(level);
+  }
   mesh.go_to(level);
   document.statistics = statistics(whole);
   document.model.mesh = std::move(whole);
+  document.model.attributes = std::move(whole_attributes);
+  document.model.materials = std::move(materials);
+  document.model.contents = std::move(contents);
   document.edits.opened_faces = document.statistics.faces;
   document.edits.opened_diagonal = document.statistics.box.diagonal();
   request_geomorph(document);

@@ -81,8 +81,6 @@ Shape shown_by_scene(Shape&& shape, const scene::Scene* scene) {
 }
 
 std::vector<std::string> losses_of(const SaveTask& task, const Shape& shape) {
-  if (io::has_pm_ending(task.file))
-    return io::losses_in_bare_pm(shape.mesh, shape.attributes, task.contents, task.origin);
   return io::losses_in_format(task.file, shape.mesh, shape.attributes, task.materials.get(),
                               task.contents, task.origin);
 }
@@ -107,17 +105,21 @@ std::vector<std::string> write_scene(const SaveTask& task, Progress* progress) {
 
 void write_progressive(const SaveTask& task, Progress* progress) {
   std::shared_ptr<progressive::ProgressiveMesh> levels = task.levels;
+  std::shared_ptr<progressive::ProgressiveAttributes> attributes = task.attributes;
   Stages stages(progress, levels ? kWriteLevelsWeights : kMakeLevelsWeights);
   stages.next();
   if (!levels) {
     simplify::SimplifyOptions rules = task.rules;
     rules.progress = progress;
-    levels = std::make_shared<progressive::ProgressiveMesh>(
-        progressive::make_progressive(task.shape->mesh, rules).mesh);
+    progressive::Progressive made =
+        progressive::make_progressive(task.shape->mesh, task.shape->attributes, rules);
+    levels = std::make_shared<progressive::ProgressiveMesh>(std::move(made.mesh));
+    attributes = std::make_shared<progressive::ProgressiveAttributes>(std::move(made.attributes));
   }
   stages.next();
   io::AtomicFile file(task.file);
-  io::write_pm_file(file, *levels, {.progress = progress});
+  io::write_pm_file(file, *levels, {.attributes = attributes.get(), .progress = progress},
+                    task.materials.get());
   seal(progress);
   file.commit(task.flush);
 }
@@ -179,9 +181,7 @@ std::vector<std::string> always_lost(const Document& document, const std::string
   const auto add = [&](bool is_there, bool is_held, const char* name) {
     if (is_there && !is_held) lost.emplace_back(name);
   };
-  // A progressive mesh is saved without attributes.
-  const bool is_bare = io::has_pm_ending("x" + extension);
-  const io::FormatContents holds = is_bare ? io::FormatContents{.creases = true} : format->holds;
+  const io::FormatContents& holds = format->holds;
   add(has_creases(document.model, document.statistics), holds.creases, "creases");
   if (keeps_scene(document.model.scene.get(), "x" + extension)) return lost;
   const auto has = [&](AttributeKind kind) { return attributes.find(kind) != nullptr; };
@@ -204,8 +204,6 @@ std::vector<std::string> losses_of(const Document& document, const fs::path& fil
     return creases_lost_by(file, shown_mesh(document));
   const auto [mesh, attributes] =
       shown_by_scene(written_shape(document, file), document.model.scene.get());
-  if (io::has_pm_ending(file))
-    return io::losses_in_bare_pm(mesh, attributes, document.model.contents, document.model.origin);
   return io::losses_in_format(file, mesh, attributes, document.model.materials.get(),
                               document.model.contents, document.model.origin);
 }
@@ -233,12 +231,15 @@ std::optional<SaveTask> begin_save(Saving& saving, const Document& document) {
                 .contents = document.model.contents,
                 .origin = document.model.origin,
                 .levels = nullptr,
+                .attributes = nullptr,
                 .rules = {},
                 .opening = document.opening,
                 .state = std::nullopt,
                 .then = std::exchange(saving.then, std::nullopt)};
   if (is_pm && document.progressive.has_mesh()) {
     task.levels = std::make_shared<progressive::ProgressiveMesh>(document.progressive.mesh());
+    task.attributes = std::make_shared<progressive::ProgressiveAttributes>(
+        document.progressive.levels().attributes);
   } else if (is_pm) {
     task.rules = progressive_options(document);
   }

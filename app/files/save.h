@@ -14,6 +14,7 @@
 #include "engine/mesh/contents.h"
 #include "engine/mesh/material.h"
 #include "engine/mesh/shape.h"
+#include "engine/progressive/progressive_attributes.h"
 #include "engine/progressive/progressive_mesh.h"
 #include "engine/scene/scene.h"
 #include "engine/simplify/options.h"
@@ -57,6 +58,7 @@ struct SaveTask {
   glm::dvec3 origin{0.0};
   /// The progressive mesh to write into a .pm file; null: it is built by `rules` first.
   std::shared_ptr<progressive::ProgressiveMesh> levels;
+  std::shared_ptr<progressive::ProgressiveAttributes> attributes;  ///< of the levels
   simplify::SimplifyOptions rules;
   std::uint64_t opening = 0;  ///< Document::opening
   /// Once the file is saved, the journal of its edits is removed.

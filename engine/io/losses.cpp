@@ -255,9 +255,4 @@ std::vector<std::string> losses_in_format(const std::filesystem::path& file, con
   return losses_by(can, mesh, attributes, materials, contents, origin);
 }
 
-std::vector<std::string> losses_in_bare_pm(const Mesh& mesh, const Attributes& attributes,
-                                           const FileContents& contents, const glm::dvec3& origin) {
-  return losses_by({.creases = true}, mesh, attributes, nullptr, contents, origin);
-}
-
 }  // namespace mesher::io

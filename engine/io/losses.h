@@ -25,8 +25,4 @@ std::vector<std::string> losses_in_format(const std::filesystem::path& file, con
                                           const FileContents& contents = {},
                                           const glm::dvec3& origin = glm::dvec3(0.0));
 
-/// Same for a progressive mesh that is written without attributes and materials.
-std::vector<std::string> losses_in_bare_pm(const Mesh& mesh, const Attributes& attributes,
-                                           const FileContents& contents, const glm::dvec3& origin);
-
 }  // namespace mesher::io

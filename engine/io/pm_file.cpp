@@ -245,6 +245,16 @@ bool is_pm_file(const fs::path& file) {
   return format_of(file) == nullptr && is_pipe(file);
 }
 
+std::shared_ptr<const Materials> take_materials(std::span<const std::byte> appendix,
+                                                const fs::path& file,
+                                                progressive::ProgressiveAttributes& attributes,
+                                                FileContents& contents) {
+  std::shared_ptr<const Materials> materials = decode_pm_materials(appendix, file, contents);
+  check_groups(attributes, materials.get());
+  note_contents(attributes, contents);
+  return materials;
+}
+
 PmContents read_pm_file(const fs::path& file, Progress* progress) {
   begin_stage(progress, "reading");
   Stages stages(progress, kReadWeights);
@@ -259,11 +269,10 @@ PmContents read_pm_file(const fs::path& file, Progress* progress) {
     rest.damage = reader.damage();
     rest.attribute_bytes = reader.attribute_bytes();
     PmContents contents;
-    contents.materials = decode_pm_materials(reader.appendix(), file, contents.contents);
+    contents.materials =
+        take_materials(reader.appendix(), file, reader.attributes(), contents.contents);
     contents.attributes = std::move(reader).take_attributes();
     contents.mesh = std::move(reader).take();
-    check_groups(contents.attributes, contents.materials.get());
-    note_contents(contents.attributes, contents.contents);
     stages.next();
     go_to_level(contents.mesh, contents.mesh.split_count(), progress);
     contents.attributes.go_to(contents.attributes.split_count());

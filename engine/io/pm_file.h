@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "engine/core/progress.h"
@@ -58,6 +59,14 @@ bool is_pipe(const std::filesystem::path& file);
 /// summary. Throws InputError if not even the base mesh is readable; DeviceError if out of memory;
 /// Cancelled.
 PmContents read_pm_file(const std::filesystem::path& file, Progress* progress = nullptr);
+
+/// Returns the materials that a reader's appendix holds, or null. Lets the groups of the attributes
+/// refer to nothing else, and notes in `contents` what the file holds. `file`: as for
+/// decode_pm_materials.
+std::shared_ptr<const Materials> take_materials(std::span<const std::byte> appendix,
+                                                const std::filesystem::path& file,
+                                                progressive::ProgressiveAttributes& attributes,
+                                                FileContents& contents);
 
 /// Throws InputError if a file that was read is damaged.
 void check_intact(const std::filesystem::path& file, const PmSummary& summary);

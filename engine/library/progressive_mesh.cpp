@@ -76,6 +76,10 @@ ProgressiveMesh ProgressiveMesh::load(const std::filesystem::path& file,
   io::PmContents contents = io::read_pm_file(file, watch.progress());
   auto data = std::make_unique<Data>();
   data->mesh = std::move(contents.mesh);
+  data->attributes = std::move(contents.attributes);
+  auto asset = std::make_shared<Asset::Data>();
+  asset->model.materials = std::move(contents.materials);
+  data->model = Asset(std::move(asset));
   data->damage = contents.summary.damage;
   return ProgressiveMesh(std::move(data));
 }
@@ -87,7 +91,10 @@ void ProgressiveMesh::save(const std::filesystem::path& file, unsigned coordinat
   Watch watch(progress);
   io::AtomicFile out(file);
   io::write_pm_file(out, data_->mesh,
-                    {.coordinate_bits = coordinate_bits, .progress = watch.progress()});
+                    {.coordinate_bits = coordinate_bits,
+                     .attributes = &data_->attributes,
+                     .progress = watch.progress()},
+                    data_->model.data_->model.materials.get());
   seal(watch.progress());
   out.commit(io::Flush::now);
 }

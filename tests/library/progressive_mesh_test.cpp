@@ -3,6 +3,7 @@
 #include <mesher/progressive_mesh.h>
 
 #include <algorithm>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,27 @@ TEST(ProgressiveMesh, FullDetailIsTheModel) {
   };
   EXPECT_EQ(sorted(levels.positions()), sorted(bunny.positions()));
   EXPECT_FALSE(levels.refine());
+}
+
+TEST(ProgressiveMesh, KeepsAttributesInFiles) {
+  const test::TempFolder folder;
+  const std::filesystem::path obj = folder / "square.obj";
+  std::ofstream(obj) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 1\nv 2 1 1\n"
+                     << "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.25\nvt 0.5 0.75\n"
+                     << "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\nf 2/2 5/5 6/6\nf 2/2 6/6 3/3\n";
+  ProgressiveMesh levels(Asset::load(obj), {.base_faces = 1});
+  ASSERT_GT(levels.level_count(), 0U);
+  levels.save(folder / "square.pm");
+  ProgressiveMesh read = ProgressiveMesh::load(folder / "square.pm");
+  for (const std::uint32_t level : {levels.level_count(), 0U}) {
+    levels.set_level(level);
+    read.set_level(level);
+    levels.current().save(folder / "a.obj");
+    read.current().save(folder / "b.obj");
+    const std::string a = test::read_bytes(folder / "a.obj");
+    EXPECT_NE(a.find("vt "), std::string::npos);
+    EXPECT_EQ(a, test::read_bytes(folder / "b.obj"));
+  }
 }
 
 TEST(ProgressiveMesh, ChangedRangesKeepACopyUpToDate) {

@@ -119,6 +119,38 @@ TEST_F(PmArrivalTest, FileBecomesModelInProgressiveMode) {
   EXPECT_EQ(session_.document.statistics.faces, 19'200U);
 }
 
+TEST_F(PmArrivalTest, AttributesAreThereOnceTheFileIsRead) {
+  const Mesh full = build_mesh(test::torus(60, 40)).mesh;
+  CornerAttributes corners;
+  for (std::uint32_t h = 0; h < full.halfedge_count(); ++h)
+    corners.texcoord.push_back({0.25F * full.position(full.origin(Halfedge(h))).x, 0.5F});
+  progressive::Progressive made = progressive::make_progressive(
+      full, to_wedges(full, std::move(corners)), {.target_faces = 200});
+  Bytes bytes;
+  progressive::write_pm(made.mesh, {.attributes = &made.attributes},
+                        [&](std::span<const std::byte> piece) {
+                          bytes.insert(bytes.end(), piece.begin(), piece.end());
+                        });
+  PmArrival arrival(file_of(bytes));
+  arrival.finish(session_);
+  run_waiting_edits(session_.document);
+  const auto expect_texture = [](const Shape& shape) {
+    const auto corners_of_shape = to_corners(shape.mesh, shape.attributes);
+    ASSERT_EQ(corners_of_shape.texcoord.size(), shape.mesh.halfedge_count());
+    for (std::uint32_t h = 0; h < shape.mesh.halfedge_count(); ++h) {
+      const float x = shape.mesh.position(shape.mesh.origin(Halfedge(h))).x;
+      ASSERT_NEAR(corners_of_shape.texcoord[h].x, 0.25F * x, 0.1F);
+    }
+  };
+  expect_texture({session_.document.model.mesh, session_.document.model.attributes});
+  run(session_, "least_detail");
+  ASSERT_LT(shown_mesh(session_.document).face_count(), 300U);
+  expect_texture(shown_shape(session_.document));
+  run(session_, "keep_level");
+  run_waiting_edits(session_.document);
+  expect_texture({session_.document.model.mesh, session_.document.model.attributes});
+}
+
 TEST_F(PmArrivalTest, PipeIsShownWhileItLoads) {
   const std::size_t most = bytes_.size() - bytes_.size() / 20;  // all but the last block
   PmArrival arrival(pipe());

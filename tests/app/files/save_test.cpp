@@ -200,8 +200,34 @@ TEST_F(SaveTest, FormatsSayWhatTheyLose) {
   CornerAttributes corners;
   corners.color.assign(36, glm::u8vec4(1));
   s_.document.model.attributes = to_wedges(s_.document.model.mesh, std::move(corners));
-  EXPECT_EQ(always_lost(s_.document, ".pm"), std::vector<std::string>{"colors"});
-  EXPECT_EQ(losses_of(s_.document, "x.pm"), std::vector<std::string>{"colors"});
+  EXPECT_EQ(always_lost(s_.document, ".pm"), std::vector<std::string>{});
+  EXPECT_EQ(losses_of(s_.document, "x.pm"), std::vector<std::string>{});
+  EXPECT_EQ(always_lost(s_.document, ".off"), (std::vector<std::string>{"creases"}));
+}
+
+TEST_F(SaveTest, ProgressiveMeshKeepsAttributes) {
+  show(test::torus(30, 20), "torus.ply");
+  const Mesh& mesh = s_.document.model.mesh;
+  CornerAttributes corners;
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+    const glm::vec3& p = mesh.position(mesh.origin(Halfedge(h)));
+    corners.texcoord.push_back({0.25F * p.x + (h < 1800 ? 0.0F : 2.0F), 0.25F * p.y});
+  }
+  s_.document.model.attributes = to_wedges(mesh, std::move(corners));
+  save(folder_ / "built.pm");
+  run(s_, "toggle_progressive");
+  run_waiting_edits(s_.document);
+  run(s_, "least_detail");
+  save(folder_ / "taken.pm");
+  EXPECT_EQ(test::read_bytes(folder_ / "taken.pm"), test::read_bytes(folder_ / "built.pm"));
+  const io::PmContents read = io::read_pm_file(folder_ / "built.pm");
+  const Attributes attributes = read.attributes.at_level(read.mesh.mesh());
+  const Array<glm::vec2> uv = to_corners(read.mesh.mesh(), attributes).texcoord;
+  ASSERT_EQ(uv.size(), read.mesh.mesh().halfedge_count());
+  for (std::uint32_t h = 0; h < uv.size(); ++h) {
+    const glm::vec3& p = read.mesh.mesh().position(read.mesh.mesh().origin(Halfedge(h)));
+    EXPECT_EQ(uv[h].y, 0.25F * p.y);
+  }
 }
 
 TEST_F(SaveTest, ProgressiveMeshIsBuiltOrTaken) {
