@@ -79,7 +79,7 @@ struct DetailLevels {
   progressive::ProgressiveMesh mesh;
   progressive::Geomorph geomorph;
   progressive::LevelErrors errors;
-  /// At the level of the mesh; empty if the model has none, or the mesh was read from a file.
+  /// At the level of the mesh; empty if the model has none, or a file still arrives.
   progressive::ProgressiveAttributes attributes;
   progressive::AttributeMorph attribute_morph;
   /// The vertices and faces of the model that those of the mesh come from, as in Progressive. Empty

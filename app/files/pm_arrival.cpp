@@ -4,6 +4,7 @@
 #include <chrono>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "app/document/session.h"
 #include "app/document/tabs.h"
@@ -117,31 +118,43 @@ void PmArrival::end(Session& session) {
   if (!failure.empty()) session.document.error = file_.string() + ": " + failure;
 }
 
+/// Returns what the view has at full detail. The view stays at its level, even if memory runs out.
+Model PmArrival::model_at_full_detail(ProgressiveView& view,
+                                      std::span<const std::byte> materials) const {
+  progressive::ProgressiveMesh& mesh = view.mesh();
+  progressive::ProgressiveAttributes& attributes = view.attributes();
+  const auto go_to = [&](std::uint32_t level) {
+    mesh.go_to(level);
+    if (!attributes.is_empty()) attributes.go_to(level);
+  };
+  const std::uint32_t level = mesh.level();
+  Model model;
+  try {
+    go_to(mesh.split_count());
+    model.mesh = mesh.mesh();
+    model.materials = io::take_materials(materials, file_, attributes, model.contents);
+    if (!attributes.is_empty()) model.attributes = attributes.at_level(model.mesh);
+  } catch (...) {
+    go_to(level);
+    throw;
+  }
+  go_to(level);
+  return model;
+}
+
 void PmArrival::stop(Document& document) {
   is_done_ = true;
   ProgressiveView& view = document.progressive;
-  FileContents contents;
-  std::shared_ptr<const Materials> materials =
-      io::take_materials(view.reader()->appendix(), file_, view.reader()->attributes(), contents);
+  const std::span<const std::byte> appendix = view.reader()->appendix();
+  const std::vector<std::byte> materials(appendix.begin(), appendix.end());
   view.end_reading();
-  progressive::ProgressiveMesh& mesh = view.mesh();
-  const std::uint32_t level = mesh.level();
-  mesh.go_to(mesh.split_count());
   // Everything that needs memory comes first, so that a failure leaves the model unchanged.
-  Mesh whole = mesh.mesh();
-  progressive::ProgressiveAttributes& attributes = view.attributes();
-  Attributes whole_attributes;
-  if (!attributes.is_empty()) {
-    attributes.go_to(attributes.split_count());
-    whole_attributes = attributes.at_level(whole);
-    attributes.go_to(level);
-  }
-  mesh.go_to(level);
-  document.statistics = statistics(whole);
-  document.model.mesh = std::move(whole);
-  document.model.attributes = std::move(whole_attributes);
-  document.model.materials = std::move(materials);
-  document.model.contents = std::move(contents);
+  Model read = model_at_full_detail(view, materials);
+  document.statistics = statistics(read.mesh);
+  document.model.mesh = std::move(read.mesh);
+  document.model.attributes = std::move(read.attributes);
+  document.model.materials = std::move(read.materials);
+  document.model.contents = std::move(read.contents);
   document.edits.opened_faces = document.statistics.faces;
   document.edits.opened_diagonal = document.statistics.box.diagonal();
   request_geomorph(document);

@@ -47,6 +47,7 @@ class PmArrival {
   bool feed(Session& session, double seconds);
   void show_base(Session& session);
   void end(Session& session);
+  Model model_at_full_detail(ProgressiveView& view, std::span<const std::byte> materials) const;
 
   std::filesystem::path file_;
   bool is_pipe_;

@@ -47,7 +47,7 @@ std::string objection(Saving& saving, const Document& document, const fs::path& 
   if (file.empty()) return "enter a file name";
   if (!is_writable(file)) return "the name must end in " + io::readable_formats();
   if (!is_there(file.parent_path())) return "there is no folder " + file.parent_path().string();
-  if (io::has_pm_ending(file) && document.progressive.is_arriving())
+  if (document.progressive.is_arriving())
     return "the file is still loading; press Esc to stop loading";
   return overwrite_question(saving.asked, file);
 }

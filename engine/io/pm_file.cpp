@@ -217,7 +217,7 @@ void add_names(FileContents& contents, Content kind, const std::vector<FaceGroup
 void note_contents(const progressive::ProgressiveAttributes& attributes, FileContents& contents) {
   for (const AttributeLayer& layer : attributes.layers()) {
     const AttributeType& type = layer.type();
-    contents.note_attribute(type_text(type));
+    contents.note_attribute(FileContents::readable(type_text(type)));
     const Content kind = content_of(type.kind);
     if (kind != Content::own_properties) ++contents[kind];
   }

@@ -15,7 +15,7 @@ namespace mesher {
 
 struct ProgressiveMesh::Data {
   progressive::ProgressiveMesh mesh;
-  progressive::ProgressiveAttributes attributes;  ///< at the level of the mesh; empty: from a file
+  progressive::ProgressiveAttributes attributes;  ///< at the level of the mesh
   Asset model;
   std::string damage;
 
@@ -79,6 +79,7 @@ ProgressiveMesh ProgressiveMesh::load(const std::filesystem::path& file,
   data->attributes = std::move(contents.attributes);
   auto asset = std::make_shared<Asset::Data>();
   asset->model.materials = std::move(contents.materials);
+  asset->model.contents = std::move(contents.contents);
   data->model = Asset(std::move(asset));
   data->damage = contents.summary.damage;
   return ProgressiveMesh(std::move(data));

@@ -71,17 +71,16 @@ glm::vec3 morphed_normal(std::uint32_t normal, std::uint32_t head,
   return square > 0.0F && n != full ? n / std::sqrt(square) : full;
 }
 
-AttributeValue morphed_value(const AttributeValue& value, const WedgeMorph& morph,
+AttributeValue morphed_value(const AttributeLayer& values, const WedgeMorph& morph,
                              std::size_t layer, Wedge w, const GeomorphTime& time) {
-  AttributeValue morphed = value;
+  AttributeValue morphed = load(values, w.index());
   const std::uint32_t first = morph.first_word[layer];
   if (first == 0) return morphed;
   for (std::uint32_t change = morph.heads[w.index()]; change != kNoHead;) {
     const auto words = morph.words.subspan(std::size_t{morph.stride} * change, morph.stride);
     if (words[0] < time.first_growing) break;
     const float rest = 1.0F - growth(time, words[0]);
-    const std::size_t count = std::min<std::size_t>(morphed.size(), words.size() - first);
-    for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t k = 0; k < values.type().components; ++k)
       morphed[k] -= double{rest * std::bit_cast<float>(words[first + k])};
     change = words[1];
   }

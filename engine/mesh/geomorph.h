@@ -78,9 +78,9 @@ glm::vec3 morphed_normal(std::uint32_t normal, std::uint32_t head,
                          std::span<const SplitMorph> splits, const GeomorphTime& time);
 
 /// Returns the morphed value of a wedge in one layer, before normals get unit length again.
-/// `value`: its value in the level that is drawn. O(splits that changed it since
+/// `values`: the layer of that index, in the level that is drawn. O(splits that changed it since
 /// time.first_growing).
-AttributeValue morphed_value(const AttributeValue& value, const WedgeMorph& morph,
+AttributeValue morphed_value(const AttributeLayer& values, const WedgeMorph& morph,
                              std::size_t layer, Wedge w, const GeomorphTime& time);
 
 }  // namespace mesher

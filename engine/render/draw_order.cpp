@@ -52,7 +52,8 @@ Array<std::uint32_t> sorted_faces(std::span<const std::uint32_t> group_of,
 
 }  // namespace
 
-DrawOrder draw_order(const Mesh& mesh, const Attributes& attributes, const Materials* materials) {
+DrawOrder order_of_faces(std::uint32_t faces, const Attributes& attributes,
+                         const Materials* materials) {
   // Without groups, the faces have no material.
   const std::vector<FaceGroup> none(1);
   const bool is_grouped = !attributes.group.empty();
@@ -67,19 +68,38 @@ DrawOrder draw_order(const Mesh& mesh, const Attributes& attributes, const Mater
   }
   if (!is_grouped || order.batches.size() == 1) {
     order.batches.resize(1);
-    order.batches.front().count = mesh.face_count();
+    order.batches.front().count = faces;
     return order;
   }
   std::vector<std::uint32_t> batch_of;
   for (std::uint32_t i = 0; i < groups.size(); ++i)
     batch_of.push_back(batch_of_key.at(key_of(groups[i], i, materials)));
-  order.faces =
-      sorted_faces(std::span(attributes.group).first(mesh.face_count()), batch_of, order.batches);
-  std::erase_if(order.batches, [](const Batch& batch) { return batch.count == 0; });
-  for (Batch& batch : order.batches) {
-    if (batch.blends)
-      batch.center = center_of(mesh, std::span(order.faces).subspan(batch.first, batch.count));
+  order.faces = sorted_faces(std::span(attributes.group).first(faces), batch_of, order.batches);
+  return order;
+}
+
+std::vector<Batch> batches_of_level(const DrawOrder& order, const Mesh& level) {
+  std::vector<Batch> batches;
+  for (Batch batch : order.batches) {
+    std::span<const std::uint32_t> faces;
+    if (order.faces.empty()) {
+      batch.count = std::min(batch.count, level.face_count());
+    } else {
+      const auto all = std::span(order.faces).subspan(batch.first, batch.count);
+      const auto end = std::ranges::lower_bound(all, level.face_count());
+      batch.count = static_cast<std::uint32_t>(end - all.begin());
+      faces = all.first(batch.count);
+    }
+    if (batch.count == 0 && !order.faces.empty()) continue;
+    if (batch.blends && !faces.empty()) batch.center = center_of(level, faces);
+    batches.push_back(batch);
   }
+  return batches;
+}
+
+DrawOrder draw_order(const Mesh& mesh, const Attributes& attributes, const Materials* materials) {
+  DrawOrder order = order_of_faces(mesh.face_count(), attributes, materials);
+  order.batches = batches_of_level(order, mesh);
   return order;
 }
 

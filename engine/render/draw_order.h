@@ -27,8 +27,16 @@ struct DrawOrder {
   std::vector<Batch> batches;
 };
 
-/// Returns the order for a mesh. There may be groups of further faces. `materials` may be null.
-/// O(F).
+/// Returns the order for a mesh. `materials` may be null. O(F).
 DrawOrder draw_order(const Mesh& mesh, const Attributes& attributes, const Materials* materials);
+
+/// Returns the order of the first `faces` faces that the attributes have, of which some may be
+/// missing in the drawn mesh: see batches_of_level. O(faces).
+DrawOrder order_of_faces(std::uint32_t faces, const Attributes& attributes,
+                         const Materials* materials);
+/// Returns the batches of a level of a progressive mesh, whose faces are the first ones of an
+/// order, with their centers. Batches without faces are left out. O(batches * log F + faces that
+/// blend).
+std::vector<Batch> batches_of_level(const DrawOrder& order, const Mesh& level);
 
 }  // namespace mesher::render

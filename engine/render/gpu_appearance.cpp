@@ -17,20 +17,27 @@ void GpuAppearance::update(const Mesh& mesh, const Settings& settings, const App
   if (is_new) model_.emplace(device_);
   if (is_new || is_changed) {
     if (appearance.changes == nullptr || !model_->has_levels) {
-      model_->attributes.update(*appearance.attributes, appearance.morph, stats);
+      copy_all(appearance, stats);
     } else {
       model_->attributes.update(*appearance.attributes, *appearance.changes, appearance.morph,
                                 stats);
     }
     model_->has_levels = appearance.changes != nullptr;
     if (appearance.changes != nullptr) appearance.changes->clear();
-    DrawOrder order = draw_order(mesh, *appearance.attributes, appearance.materials.get());
-    model_->has_order = !order.faces.empty();
-    upload_whole(device_, model_->faces, std::as_bytes(std::span(order.faces)), 0, stats);
-    model_->batches = std::move(order.batches);
+    model_->batches = batches_of_level(model_->order, mesh);
   }
   if (!materials_) materials_.emplace(device_);
   materials_->update(mesh, appearance, look_);
+}
+
+void GpuAppearance::copy_all(const Appearance& appearance, UploadStats& stats) {
+  const Attributes& attributes = *appearance.attributes;
+  model_->attributes.update(attributes, appearance.morph, stats);
+  // The faces of coarser levels are the first ones of each batch.
+  const std::uint32_t faces =
+      attributes.group.empty() ? kNone : static_cast<std::uint32_t>(attributes.group.size());
+  model_->order = order_of_faces(faces, attributes, appearance.materials.get());
+  upload_whole(device_, model_->faces, std::as_bytes(std::span(model_->order.faces)), 0, stats);
 }
 
 void GpuAppearance::place(shared::SurfaceBlock block) {

@@ -34,7 +34,9 @@ class GpuAppearance {
   Look look() const { return look_; }
   VkDeviceAddress surface() const { return model_->surface.address(); }
   /// The faces in their order; 0: as in the mesh.
-  VkDeviceAddress faces() const { return model_->has_order ? model_->faces.address() : 0; }
+  VkDeviceAddress faces() const {
+    return model_->order.faces.empty() ? 0 : model_->faces.address();
+  }
   const std::vector<Batch>& batches() const { return model_->batches; }
   const GpuMaterials& materials() const { return *materials_; }
   /// What is not drawn of the model, a line for each.
@@ -43,11 +45,13 @@ class GpuAppearance {
   }
 
  private:
+  void copy_all(const Appearance& appearance, UploadStats& stats);
+
   struct ModelParts {
     explicit ModelParts(gpu::Device& device) : attributes(device) {}
     GpuAttributes attributes;
     bool has_levels = false;  ///< they are those of a progressive mesh
-    bool has_order = false;
+    DrawOrder order;          ///< of all faces that the attributes have
     gpu::Buffer faces;
     std::vector<Batch> batches;
     gpu::Buffer surface;

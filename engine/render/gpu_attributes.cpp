@@ -13,6 +13,14 @@ std::vector<std::string> drawn_layers() {
   return names;
 }
 
+/// Returns whether a layer has the numbers that shaders read of its kind.
+bool is_drawable(const AttributeType& type) {
+  const std::uint32_t count = type.components;
+  if (type.name == "NORMAL") return count == 3;
+  if (type.name == "TANGENT") return count == 4;
+  return type.name == "COLOR_0" ? count >= 3 : count == 2;
+}
+
 /// The form of LayerConstants::format.
 std::uint32_t format_of(const AttributeType& type) {
   return type.components | static_cast<std::uint32_t>(type.component) << 3U |
@@ -25,7 +33,7 @@ void GpuAttributes::update(const Attributes& attributes, const WedgeMorph& morph
                            UploadStats& stats) {
   for (const std::string& name : drawn_layers()) {
     const AttributeLayer* source = attributes.find(name);
-    if (source == nullptr || source->count() == 0) {
+    if (source == nullptr || source->count() == 0 || !is_drawable(source->type())) {
       layers_.erase(name);
       continue;
     }

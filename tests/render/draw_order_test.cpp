@@ -49,6 +49,28 @@ TEST(DrawOrder, FacesThatBlendComeLast) {
   EXPECT_EQ(is_drawn, std::vector<bool>(6, true));
 }
 
+TEST(DrawOrder, LevelsAreTheFirstFacesOfEachBatch) {
+  PaintedModel model = quads({0.0F, 1.0F, 2.0F});
+  model.materials.materials[2].alpha = AlphaMode::blend;
+  // Six faces of the materials 0, 0, 1, 1, 2, 2; a level has the first of them.
+  const DrawOrder all = order_of_faces(6, model.attributes, &model.materials);
+  for (const std::vector<float>& depths :
+       {std::vector<float>{0.0F}, {0.0F, 1.0F}, {0.0F, 1.0F, 2.0F}}) {
+    const PaintedModel level = quads(depths);
+    const DrawOrder own = draw_order(level.mesh, model.attributes, &model.materials);
+    const std::vector<Batch> batches = batches_of_level(all, level.mesh);
+    ASSERT_EQ(batches.size(), depths.size());
+    ASSERT_EQ(own.batches.size(), depths.size());
+    for (std::size_t i = 0; i < batches.size(); ++i) {
+      EXPECT_EQ(batches[i].material, own.batches[i].material);
+      EXPECT_EQ(batches[i].count, 2U);
+      EXPECT_EQ(batches[i].center, own.batches[i].center);
+      for (std::uint32_t f = 0; f < 2; ++f)
+        EXPECT_EQ(all.faces[batches[i].first + f], own.faces[own.batches[i].first + f]);
+    }
+  }
+}
+
 TEST(DrawOrder, UnknownMaterialsAreNone) {
   PaintedModel model = quads({0.0F, 1.0F, 2.0F});
   model.attributes.groups[1].material = kNone;

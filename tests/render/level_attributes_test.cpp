@@ -118,7 +118,7 @@ Image draw_by_formula(PaintedLevels& levels, gpu::Device& device, Look look,
   for (std::size_t k = 0; k < values.layers.size(); ++k) {
     AttributeLayer& layer = values.layers[k];
     for (std::uint32_t w = 0; w < wedges; ++w) {
-      store(layer, w, morphed_value(load(layer, w), levels.morph.view(), k, Wedge(w), time));
+      store(layer, w, morphed_value(layer, levels.morph.view(), k, Wedge(w), time));
     }
   }
   GpuMesh mirror(device);

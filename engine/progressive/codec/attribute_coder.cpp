@@ -17,6 +17,9 @@ namespace {
 
 /// Number of corners whose faces a prediction takes into account.
 constexpr std::size_t kMostFitCorners = 64;
+/// Number of wedges of a parent that a split fits. Nearly all splits need one or two; in a hostile
+/// file, a parent has thousands.
+constexpr std::size_t kMostFits = 16;
 /// Number of wedges whose values a split may change.
 constexpr std::size_t kMostChanged = 2;
 
@@ -44,7 +47,8 @@ struct AttributeCoder<Coder>::State {
   AdaptiveBitModel changes[16];
   std::vector<LayerCoder> layers;
   SplitWedges wedges;
-  std::vector<AttributeFit> fits;  ///< by wedge of the parent
+  std::array<AttributeFit, kMostFits> fits;
+  std::vector<std::uint32_t> fitted;  ///< the wedge of the parent of each fit of the split
   std::vector<FitSample> samples;
   std::vector<std::uint32_t> new_order;
   NewSplitAttributes next;
@@ -111,11 +115,12 @@ struct AttributeCoder<Coder>::State {
                                     const std::vector<Wedge>& near);
   void code_base_groups(Coder& coder, const Mesh& mesh, BaseAttributes& base);
 
-  void prepare_fit(const ProgressiveMesh& mesh, std::uint32_t i, std::uint32_t wedge);
+  AttributeFit* fit_of(const ProgressiveMesh& mesh, std::uint32_t i, std::uint32_t wedge);
   std::string_view code_values(Coder& coder, const ProgressiveMesh& mesh, std::uint32_t i,
                                const WedgeCoder::NewCorners& corners);
-  bool code_wedge(Coder& coder, ValueRole role, const SplitWedge& w, const glm::dvec3& at,
-                  std::span<const Wedge> mates, std::vector<AttributeLayer>& to);
+  bool code_wedge(Coder& coder, ValueRole role, const SplitWedge& w, AttributeFit* fit,
+                  const glm::dvec3& at, std::span<const Wedge> mates,
+                  std::vector<AttributeLayer>& to);
   void code_split_groups(Coder& coder, const ProgressiveMesh& mesh, std::uint32_t i);
 };
 
@@ -192,9 +197,17 @@ void AttributeCoder<Coder>::State::code_base_groups(Coder& coder, const Mesh& me
   }
 }
 
+/// Returns the fit of a wedge that the parent had, or null: there is no such wedge, or the split
+/// has fitted as many as it may.
 template <class Coder>
-void AttributeCoder<Coder>::State::prepare_fit(const ProgressiveMesh& pm, std::uint32_t i,
-                                               std::uint32_t wedge) {
+AttributeFit* AttributeCoder<Coder>::State::fit_of(const ProgressiveMesh& pm, std::uint32_t i,
+                                                   std::uint32_t wedge) {
+  if (wedge == kNone) return nullptr;
+  const auto known = std::ranges::find(fitted, wedge);
+  if (known != fitted.end()) return &fits[static_cast<std::size_t>(known - fitted.begin())];
+  if (fitted.size() == kMostFits) return nullptr;
+  AttributeFit& fit = fits[fitted.size()];
+  fitted.push_back(wedge);
   const Mesh& mesh = pm.mesh();
   const SplitWedge& w = wedges.wedges[wedge];
   samples.clear();
@@ -206,12 +219,14 @@ void AttributeCoder<Coder>::State::prepare_fit(const ProgressiveMesh& pm, std::u
           {position(mesh.position(mesh.origin(other))), built.corner_wedges()[other.index()]});
     }
   }
-  fits[wedge].fit(built.layers(), position(pm.splits()[i].coarse_position), w.wedge, samples);
+  fit.fit(built.layers(), position(pm.splits()[i].coarse_position), w.wedge, samples);
+  return &fit;
 }
 
 template <class Coder>
 bool AttributeCoder<Coder>::State::code_wedge(Coder& coder, ValueRole role, const SplitWedge& w,
-                                              const glm::dvec3& at, std::span<const Wedge> mates,
+                                              AttributeFit* fit, const glm::dvec3& at,
+                                              std::span<const Wedge> mates,
                                               std::vector<AttributeLayer>& to) {
   double begin = begin_measure(coder);
   std::size_t component = 0;
@@ -224,7 +239,6 @@ bool AttributeCoder<Coder>::State::code_wedge(Coder& coder, ValueRole role, cons
     PredictedValue predicted;
     predicted.source = built.layers()[k].value(w.near.index());
     const RawValue before = raw_value(type, predicted.source);
-    AttributeFit* const fit = w.source != kNone ? &fits[w.source] : nullptr;
     for (std::size_t c = 0; c < type.components; ++c) {
       predicted.mean[c] = before[c];
       if (fit == nullptr) continue;
@@ -259,15 +273,13 @@ std::string_view AttributeCoder<Coder>::State::code_values(Coder& coder, const P
   const Vertex child = pm.child(i);
   const glm::dvec3 at_child = position(split.child_position);
   const glm::dvec3 at_parent = position(split.fine_position);
-  fits.resize(std::max<std::size_t>(fits.size(), wedges.old_wedges));
+  fitted.clear();
   std::vector<std::uint32_t>& order = new_order;
   order.clear();
   for (std::uint32_t w = 0; w < wedges.wedges.size(); ++w) {
     if (wedges.wedges[w].is_new) order.push_back(w);
   }
   std::ranges::sort(order, {}, [&](std::uint32_t w) { return wedges.wedges[w].wedge; });
-  for (std::uint32_t w = 0; w < wedges.old_wedges; ++w)
-    prepare_fit(pm, i, w);
   for (const std::uint32_t index : order) {
     SplitWedge& w = wedges.wedges[index];
     if (!count_values()) return kManyValues;
@@ -278,7 +290,8 @@ std::string_view AttributeCoder<Coder>::State::code_values(Coder& coder, const P
       if (corners[c] == w.wedge) mates = std::span(corners).subspan(c < 3 ? 0 : 3, 3);
     }
     const glm::dvec3& at = w.owner == child ? at_child : at_parent;
-    if (!code_wedge(coder, role, w, at, mates, next.new_values)) return kBadValue;
+    if (!code_wedge(coder, role, w, fit_of(pm, i, w.source), at, mates, next.new_values))
+      return kBadValue;
   }
   double begin = begin_measure(coder);
   const bool is_moved = at_parent != position(split.coarse_position);
@@ -297,7 +310,10 @@ std::string_view AttributeCoder<Coder>::State::code_values(Coder& coder, const P
     if (!count_values()) return kManyValues;
     next.changed.push_back(w.wedge);
     const glm::dvec3& at = w.owner == child ? at_child : at_parent;
-    if (!code_wedge(coder, ValueRole::changed, w, at, {}, next.changed_values)) return kBadValue;
+    if (!code_wedge(coder, ValueRole::changed, w, fit_of(pm, i, w.source), at, {},
+                    next.changed_values)) {
+      return kBadValue;
+    }
     begin = begin_measure(coder);
   }
   return {};

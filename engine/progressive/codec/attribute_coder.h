@@ -48,9 +48,10 @@ class AttributeCoder {
   /// what is wrong, or an empty string; the attributes are unchanged unless it is empty. Throws
   /// std::bad_alloc. Pre: `mesh` is at the level after the split; so is `source`.
   std::string_view code_split(Coder& coder, const ProgressiveMesh& mesh);
-  /// Ends a payload: returns the least number of bytes that it may have, see kPmValueBytesPerByte.
-  /// `bytes` is called with it by an encoder, which tells the size of the payload.
+  /// Encoder only. Returns the least number of bytes that the payload may have, see
+  /// kPmValueBytesPerByte.
   std::uint64_t least_bytes() const;
+  /// Encoder only. Says how many bytes the payload got.
   void note_bytes(std::uint64_t bytes);
 
   /// Encoder only.

@@ -127,6 +127,7 @@ bool take_layer(TableReader& in, LayerFormat& layer) {
       rounding > static_cast<std::uint32_t>(Rounding::octahedral)) {
     return false;
   }
+  if (!is_layer_name(type.name)) return false;
   type.kind = static_cast<AttributeKind>(kind);
   type.component = static_cast<ComponentType>(component);
   type.components = static_cast<std::uint8_t>(components);

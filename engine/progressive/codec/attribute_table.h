@@ -13,6 +13,12 @@
 namespace mesher::progressive {
 
 inline constexpr std::size_t kPmMostLayers = 255;
+/// Returns whether a layer may have this name: 1 to 256 bytes, and not that of the positions, which
+/// other formats keep among the attributes.
+inline bool is_layer_name(std::string_view name) {
+  constexpr std::size_t kMost = 256;
+  return !name.empty() && name.size() <= kMost && name != "POSITION";
+}
 
 /// Layers and groups of a file, which precede the values.
 struct AttributeTable {

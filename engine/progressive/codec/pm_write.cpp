@@ -135,6 +135,10 @@ class PmWriter {
       table = make_table(*attributes_, header_.is_quantized() ? &options_.rounding : nullptr);
     if (table.layers.size() > kPmMostLayers)
       refuse("a progressive mesh has at most 255 attributes");
+    for (const LayerFormat& layer : table.layers) {
+      if (!is_layer_name(layer.type.name))
+        refuse("the name of an attribute is empty, longer than 256 bytes, or POSITION");
+    }
     for (const LayerFormat& layer : table.layers)
       sizes_.layers.push_back({layer.type.name, layer.bits, 0});
     const Array<std::byte> table_bytes = encode_table(table);
