@@ -64,7 +64,7 @@ void ProgressiveView::reader_was_fed() {
 }
 
 void ProgressiveView::end_reading() {
-  levels_.attributes = std::move(*reader_).take_attributes();
+  levels_.attributes = reader_->take_attributes();
   levels_.mesh = std::move(*reader_).take();
   reader_.reset();
   follow_level();

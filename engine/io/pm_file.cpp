@@ -271,7 +271,7 @@ PmContents read_pm_file(const fs::path& file, Progress* progress) {
     PmContents contents;
     contents.materials =
         take_materials(reader.appendix(), file, reader.attributes(), contents.contents);
-    contents.attributes = std::move(reader).take_attributes();
+    contents.attributes = reader.take_attributes();
     contents.mesh = std::move(reader).take();
     stages.next();
     go_to_level(contents.mesh, contents.mesh.split_count(), progress);

@@ -378,7 +378,7 @@ std::uint64_t PmReader::attribute_bytes() const {
   return state_->attribute_bytes;
 }
 
-ProgressiveAttributes PmReader::take_attributes() && {
+ProgressiveAttributes PmReader::take_attributes() {
   MESHER_ASSERT(has_base());
   return std::move(state_->attributes);
 }

@@ -73,8 +73,8 @@ class PmReader {
   std::uint64_t attribute_bytes() const;
   /// Moves the mesh out. Feed nothing afterward. Pre: has_base().
   ProgressiveMesh take() &&;
-  /// Moves the attributes out. Feed nothing afterward. Pre: has_base().
-  ProgressiveAttributes take_attributes() &&;
+  /// Moves the attributes out. Afterward, only the mesh may be taken. Pre: has_base().
+  ProgressiveAttributes take_attributes();
 
  private:
   struct State;

@@ -380,7 +380,12 @@ TEST_F(CommandLine, EveryCommandNamesWhatItDoesNotKeep) {
     EXPECT_NE(text.find("o Box\nusemtl brick\n"), std::string::npos);
   }
   const Finished pm = mesher({"progressive", "in.obj", "-o", "o.pm"});
-  EXPECT_NE(pm.err.find("o.pm does not hold 1 material: brick"), std::string::npos) << pm.err;
+  EXPECT_NE(pm.err.find("o.pm does not hold 1 line"), std::string::npos) << pm.err;
+  EXPECT_NE(pm.err.find("o.pm does not hold 1 material file: a.mtl"), std::string::npos) << pm.err;
+  // A .pm file keeps objects and materials.
+  const auto kept = nlohmann::json::parse(mesher({"info", "o.pm", "--json"}).out)["contents"];
+  EXPECT_EQ(kept["materials"]["names"], nlohmann::json::array({"brick"}));
+  EXPECT_EQ(kept["objects"]["names"], nlohmann::json::array({"Box"}));
   const Finished info = mesher({"info", "in.obj"});
   EXPECT_NE(info.out.find("1 material: brick"), std::string::npos) << info.out;
   EXPECT_EQ(nlohmann::json::parse(

@@ -94,7 +94,7 @@ ReadBack read_back(std::span<const std::byte> bytes, std::size_t piece) {
   result.damage = reader.damage();
   result.is_complete = reader.is_complete();
   result.appendix.assign(reader.appendix().begin(), reader.appendix().end());
-  result.attributes = std::move(reader).take_attributes();
+  result.attributes = reader.take_attributes();
   result.mesh = std::move(reader).take();
   return result;
 }
