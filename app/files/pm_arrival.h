@@ -2,8 +2,10 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 
 #include "engine/io/byte_stream.h"
+#include "engine/mesh/model.h"
 #include "engine/progressive/codec/pm_read.h"
 
 namespace mesher::app {
