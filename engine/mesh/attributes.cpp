@@ -5,28 +5,10 @@
 #include <cstring>
 #include <limits>
 
+#include "engine/mesh/component.h"
+
 namespace mesher {
 namespace {
-
-/// Calls `visit` with a null pointer to the type of a layer's components.
-template <class Visit>
-decltype(auto) with_component(ComponentType type, Visit&& visit) {
-  switch (type) {
-    case ComponentType::s8:
-      return visit(static_cast<std::int8_t*>(nullptr));
-    case ComponentType::u8:
-      return visit(static_cast<std::uint8_t*>(nullptr));
-    case ComponentType::s16:
-      return visit(static_cast<std::int16_t*>(nullptr));
-    case ComponentType::u16:
-      return visit(static_cast<std::uint16_t*>(nullptr));
-    case ComponentType::u32:
-      return visit(static_cast<std::uint32_t*>(nullptr));
-    case ComponentType::f32:
-      break;
-  }
-  return visit(static_cast<float*>(nullptr));
-}
 
 /// Returns the integer that stands for 1 in normalized components.
 template <class T>

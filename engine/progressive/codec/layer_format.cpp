@@ -5,30 +5,11 @@
 #include <cstring>
 #include <limits>
 
+#include "engine/mesh/component.h"
 #include "engine/progressive/codec/pm_format.h"
 
 namespace mesher::progressive {
 namespace {
-
-/// Calls `visit` with a null pointer to the type of a component.
-template <class Visit>
-decltype(auto) with_component(ComponentType type, const Visit& visit) {
-  switch (type) {
-    case ComponentType::s8:
-      return visit(static_cast<std::int8_t*>(nullptr));
-    case ComponentType::u8:
-      return visit(static_cast<std::uint8_t*>(nullptr));
-    case ComponentType::s16:
-      return visit(static_cast<std::int16_t*>(nullptr));
-    case ComponentType::u16:
-      return visit(static_cast<std::uint16_t*>(nullptr));
-    case ComponentType::u32:
-      return visit(static_cast<std::uint32_t*>(nullptr));
-    case ComponentType::f32:
-      break;
-  }
-  return visit(static_cast<float*>(nullptr));
-}
 
 /// Returns the nearest integer in [0, most], rounding halves up; 0 for NaN.
 std::int64_t nearest_in(double value, std::int64_t most) {

@@ -91,6 +91,10 @@ class WedgeCoder {
                  std::size_t context, Wedge actual, std::uint32_t wedges, std::uint32_t& index,
                  Wedge& wedge);
 
+  template <bool decodes>
+  static void number_new(SplitWedges& s, const std::array<std::uint32_t, 6>& new_corners,
+                         std::uint32_t next);
+
   Models models_[7][8];
   Array<Vertex> vertex_;  ///< by wedge
 };
@@ -160,6 +164,31 @@ bool WedgeCoder::code_apex(Coder& coder, SplitWedges& s, Vertex v, Wedge first, 
   return vertex(wedge) == v;
 }
 
+/// Numbers the new wedges, from `next` on, in the order of their first corners. An encoder knows
+/// the numbers.
+template <bool decodes>
+void WedgeCoder::number_new(SplitWedges& s, const std::array<std::uint32_t, 6>& new_corners,
+                            std::uint32_t next) {
+  const auto name = [&](std::uint32_t w) {
+    if (w == kNone || !s.wedges[w].is_new) return;
+    Wedge& id = s.wedges[w].wedge;
+    const bool is_named = decodes ? id.is_valid() : id.index() < next;
+    if (is_named) return;
+    MESHER_ASSERT(decodes || id.index() == next);
+    id = Wedge(next++);
+  };
+  name(new_corners[0]);
+  for (std::size_t c = 0; c < s.moved; ++c)
+    name(s.corners[c].after);
+  name(new_corners[4]);
+  name(new_corners[1]);
+  name(new_corners[3]);
+  for (std::size_t c = s.moved; c < s.corners.size(); ++c)
+    name(s.corners[c].after);
+  name(new_corners[2]);
+  name(new_corners[5]);
+}
+
 template <class Coder>
 std::string_view WedgeCoder::code(Coder& coder, const ProgressiveMesh& mesh, std::uint32_t i,
                                   const ProgressiveAttributes& built,
@@ -220,26 +249,7 @@ std::string_view WedgeCoder::code(Coder& coder, const ProgressiveMesh& mesh, std
   for (std::uint32_t w = 0; w < s.old_wedges; ++w) {
     if (!s.wedges[w].owner.is_valid()) return "a split leaves a wedge without corners";
   }
-  // New wedges are numbered in this order of the corners.
-  std::uint32_t next = wedges;
-  const auto name = [&](std::uint32_t w) {
-    if (w == kNone || !s.wedges[w].is_new) return;
-    Wedge& id = s.wedges[w].wedge;
-    const bool is_named = Coder::kDecodes ? id.is_valid() : id.index() < next;
-    if (is_named) return;
-    MESHER_ASSERT(Coder::kDecodes || id.index() == next);
-    id = Wedge(next++);
-  };
-  name(index[0]);
-  for (std::size_t c = 0; c < s.moved; ++c)
-    name(s.corners[c].after);
-  name(index[4]);
-  name(index[1]);
-  name(index[3]);
-  for (std::size_t c = s.moved; c < s.corners.size(); ++c)
-    name(s.corners[c].after);
-  name(index[2]);
-  name(index[5]);
+  number_new<Coder::kDecodes>(s, index, wedges);
   for (std::size_t c = 0; c < corners.size(); ++c) {
     if (index[c] != kNone) corners[c] = s.wedges[index[c]].wedge;
   }
