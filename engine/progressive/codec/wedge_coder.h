@@ -91,6 +91,10 @@ class WedgeCoder {
                  std::size_t context, Wedge actual, std::uint32_t wedges, std::uint32_t& index,
                  Wedge& wedge);
 
+  template <class Coder>
+  bool code_side(Coder& coder, const ProgressiveMesh& mesh, std::uint32_t i, std::uint32_t side,
+                 const ProgressiveAttributes& built, const ProgressiveAttributes* source,
+                 SplitWedges& s, std::array<std::uint32_t, 6>& index, NewCorners& corners);
   template <bool decodes>
   static void number_new(SplitWedges& s, const std::array<std::uint32_t, 6>& new_corners,
                          std::uint32_t next);
@@ -189,6 +193,57 @@ void WedgeCoder::number_new(SplitWedges& s, const std::array<std::uint32_t, 6>& 
   name(new_corners[5]);
 }
 
+/// Codes the corners of the new face on one side (0: left, 1: right). Returns false if a corner has
+/// a wedge of another vertex.
+template <class Coder>
+bool WedgeCoder::code_side(Coder& coder, const ProgressiveMesh& mesh, std::uint32_t i,
+                           std::uint32_t side, const ProgressiveAttributes& built,
+                           const ProgressiveAttributes* source, SplitWedges& s,
+                           std::array<std::uint32_t, 6>& index, NewCorners& corners) {
+  const VertexSplit& split = mesh.splits()[i];
+  const Vertex child = mesh.child(i);
+  const std::uint32_t e = s.first_face_corner;
+  const std::uint32_t wedges = built.wedge_count(i);
+  const auto actual = [&](std::uint32_t h) {
+    return Coder::kDecodes ? Wedge{} : source->corner_wedges()[h];
+  };
+  const auto corner_at = [&](Halfedge h) { return h.is_valid() ? s.corner(h) : nullptr; };
+  const auto corner_after = [&](Halfedge h) {
+    return h.is_valid() ? s.corner(Mesh::next(h)) : nullptr;
+  };
+  // The corners at the child, the parent and the apex are 0, 1 and 2 of the first face, and 1, 0
+  // and 2 of the second.
+  const std::uint32_t first = 3 * side;
+  const std::uint32_t at_child = first + side;
+  const std::uint32_t at_parent = first + 1 - side;
+  const Halfedge near_parent = split.beyond[side == 0 ? 0 : 3];
+  const Halfedge near_child = split.beyond[side == 0 ? 1 : 2];
+  const SplitCorner* parent_corner = side == 0 ? corner_after(near_parent) : corner_at(near_parent);
+  const SplitCorner* child_corner = side == 0 ? corner_at(near_child) : corner_after(near_child);
+  bool is_as_child = false;
+  if (!code_new(coder, s, kAtChild, child, child_corner, parent_corner, actual(e + at_child),
+                index[at_child], is_as_child))
+    return false;
+  bool is_as_parent = is_as_child;
+  if (!code_new(coder, s, kAtParent, split.parent, parent_corner, child_corner,
+                actual(e + at_parent), index[at_parent], is_as_parent))
+    return false;
+  // The corners at the apex of the faces across the two new sides.
+  const auto before = [&](Halfedge h, bool is_next) {
+    return h.is_valid() ? built.corner_wedges()[(is_next ? Mesh::next(h) : h).index()] : Wedge{};
+  };
+  Wedge on_parent_side = before(near_parent, side == 1);
+  Wedge on_child_side = before(near_child, side == 0);
+  if (!on_parent_side.is_valid()) on_parent_side = on_child_side;
+  if (!on_child_side.is_valid()) on_child_side = on_parent_side;
+  if (is_as_child && !is_as_parent) std::swap(on_parent_side, on_child_side);
+  const std::size_t context = (on_parent_side == on_child_side ? 0U : 1U) +
+                              (is_as_child ? 2U : 0U) + (is_as_parent ? 4U : 0U);
+  const Vertex apex = mesh.mesh().origin(Halfedge(e + first + 2));
+  return code_apex(coder, s, apex, on_parent_side, on_child_side, context, actual(e + first + 2),
+                   wedges, index[first + 2], corners[first + 2]);
+}
+
 template <class Coder>
 std::string_view WedgeCoder::code(Coder& coder, const ProgressiveMesh& mesh, std::uint32_t i,
                                   const ProgressiveAttributes& built,
@@ -200,51 +255,14 @@ std::string_view WedgeCoder::code(Coder& coder, const ProgressiveMesh& mesh, std
   const auto actual = [&](std::uint32_t h) {
     return Coder::kDecodes ? Wedge{} : source->corner_wedges()[h];
   };
-  const auto corner_at = [&](Halfedge h) { return h.is_valid() ? s.corner(h) : nullptr; };
-  const auto corner_after = [&](Halfedge h) {
-    return h.is_valid() ? s.corner(Mesh::next(h)) : nullptr;
-  };
   for (std::size_t c = 0; c < s.corners.size(); ++c) {
     const Vertex v = c < s.moved ? child : split.parent;
     if (!code_old(coder, s, c, v, actual(s.corners[c].corner.index()))) return why;
   }
-  const std::uint32_t e = s.first_face_corner;
   const std::uint32_t wedges = built.wedge_count(i);
   std::array<std::uint32_t, 6> index{kNone, kNone, kNone, kNone, kNone, kNone};
   for (std::uint32_t side = 0; side < (s.is_pair ? 2U : 1U); ++side) {
-    // The corners at the child, the parent and the apex are 0, 1 and 2 of the first face, and 1, 0
-    // and 2 of the second.
-    const std::uint32_t first = 3 * side;
-    const std::uint32_t at_child = first + side;
-    const std::uint32_t at_parent = first + 1 - side;
-    const Halfedge near_parent = split.beyond[side == 0 ? 0 : 3];
-    const Halfedge near_child = split.beyond[side == 0 ? 1 : 2];
-    const SplitCorner* parent_corner =
-        side == 0 ? corner_after(near_parent) : corner_at(near_parent);
-    const SplitCorner* child_corner = side == 0 ? corner_at(near_child) : corner_after(near_child);
-    bool is_as_child = false;
-    if (!code_new(coder, s, kAtChild, child, child_corner, parent_corner, actual(e + at_child),
-                  index[at_child], is_as_child))
-      return why;
-    bool is_as_parent = is_as_child;
-    if (!code_new(coder, s, kAtParent, split.parent, parent_corner, child_corner,
-                  actual(e + at_parent), index[at_parent], is_as_parent))
-      return why;
-    // The corners at the apex of the faces across the two new sides.
-    const auto before = [&](Halfedge h, bool is_next) {
-      return h.is_valid() ? built.corner_wedges()[(is_next ? Mesh::next(h) : h).index()] : Wedge{};
-    };
-    Wedge on_parent_side = before(near_parent, side == 1);
-    Wedge on_child_side = before(near_child, side == 0);
-    if (!on_parent_side.is_valid()) on_parent_side = on_child_side;
-    if (!on_child_side.is_valid()) on_child_side = on_parent_side;
-    if (is_as_child && !is_as_parent) std::swap(on_parent_side, on_child_side);
-    const std::size_t context = (on_parent_side == on_child_side ? 0U : 1U) +
-                                (is_as_child ? 2U : 0U) + (is_as_parent ? 4U : 0U);
-    const Vertex apex = mesh.mesh().origin(Halfedge(e + first + 2));
-    if (!code_apex(coder, s, apex, on_parent_side, on_child_side, context, actual(e + first + 2),
-                   wedges, index[first + 2], corners[first + 2]))
-      return why;
+    if (!code_side(coder, mesh, i, side, built, source, s, index, corners)) return why;
   }
   for (std::uint32_t w = 0; w < s.old_wedges; ++w) {
     if (!s.wedges[w].owner.is_valid()) return "a split leaves a wedge without corners";
