@@ -31,6 +31,11 @@ double longest_coordinate(const Mesh& mesh) {
   return most;
 }
 
+void sort_unique(std::vector<Face>& faces) {
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+}
+
 /// Both directions, which share the lower bound.
 class BothSides {
  public:
@@ -46,6 +51,8 @@ class BothSides {
     Stages stages(options_.progress, has_hints_ ? kHintedWeights : kUnhintedWeights);
     stages.next();
     if (has_hints_) {
+      if (!options_.is_decision) forward_.find_farthest_vertex(options_.progress);
+      if (options_.known_upper <= options_.ratio * lower()) return known();
       skim_both();
     } else {
       for (OneSidedBound* side : {&forward_, &backward_})
@@ -57,12 +64,19 @@ class BothSides {
     }
     stages.next();
     refine();
-    return {.forward = {forward_.lower(), forward_.upper()},
-            .backward = {backward_.lower(), backward_.upper()},
-            .beyond = options_.finds_all ? beyond() : std::vector<Face>{}};
+    HausdorffBounds bounds{.forward = {forward_.lower(), forward_.upper()},
+                           .backward = {backward_.lower(), backward_.upper()},
+                           .beyond = {},
+                           .beyond_of_second = {}};
+    if (options_.finds_all) find_beyond(bounds);
+    return bounds;
   }
 
  private:
+  HausdorffBounds known() const {
+    const DistanceInterval distance{lower(), options_.known_upper};
+    return {.forward = distance, .backward = distance, .beyond = {}, .beyond_of_second = {}};
+  }
   /// Skims both surfaces first. Usually the second tree is then not needed, and for a decision
   /// neither is the first.
   void skim_both() {
@@ -70,13 +84,13 @@ class BothSides {
     Stages stages(progress, kSkimWeights);
     stages.next();
     if (options_.is_decision) {
-      forward_.find_near_vertices(kNearForDecision * options_.enough, progress);
+      const double near = kNearForDecision * options_.enough;
+      forward_.find_near_vertices(near, limits().allowed, progress);
       stages.next();
-      backward_.find_near_vertices(kNearForDecision * options_.enough, progress);
+      backward_.find_near_vertices(near, limits().allowed, progress);
     } else {
-      forward_.find_farthest_vertex(progress);
       stages.next();
-      backward_.find_near_vertices(lower(), progress);
+      backward_.find_near_vertices(lower(), limits().allowed, progress);
     }
     for (OneSidedBound* side : {&forward_, &backward_}) {
       stages.next();
@@ -93,16 +107,16 @@ class BothSides {
     }
   }
   double lower() const { return std::max(forward_.lower(), backward_.lower()); }
-  std::vector<Face> beyond() const {
-    std::vector<Face> faces;
+  void find_beyond(HausdorffBounds& bounds) const {
+    std::vector<Face>& faces = bounds.beyond;
     forward_.visit_beyond([&](const BoundPiece& piece) { faces.push_back(piece.face); });
     backward_.visit_beyond([&](const BoundPiece& piece) {
+      bounds.beyond_of_second.push_back(piece.face);
       faces.insert(faces.end(), piece.near.begin(), piece.near.end());
       if (piece.below.is_valid()) faces.push_back(piece.below);
     });
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    return faces;
+    sort_unique(faces);
+    sort_unique(bounds.beyond_of_second);
   }
   BoundLimits limits() const {
     const double known = options_.is_decision ? 0.0 : options_.ratio * lower();

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,6 +28,9 @@ struct HausdorffBounds {
   /// second, and those near points of the second that are, or may be, farther than `enough` from
   /// the first. Ascending; empty unless `finds_all` is set.
   std::vector<Face> beyond;
+  /// The faces of the second surface that have, or may have, a point farther than `enough` from the
+  /// first. Ascending; empty unless `finds_all` is set.
+  std::vector<Face> beyond_of_second;
 
   /// Returns the larger of the two.
   DistanceInterval two_sided() const;
@@ -39,6 +44,9 @@ struct HausdorffOptions {
   double enough = 0.0;
   /// Also stop when the lower bound exceeds `enough`, for callers that need only this decision.
   bool is_decision = false;
+  /// An upper bound that is known already. Stop if it is at most `ratio` times the distance of the
+  /// farthest vertex.
+  double known_upper = std::numeric_limits<double>::infinity();
   /// Stop after about this many nearest-point queries and return the current bounds.
   std::uint64_t most_queries = 4'000'000;
   /// For a decision: do not stop at the first point beyond `enough`, but find all of them.
@@ -53,6 +61,9 @@ struct HausdorffSide {
   /// For each face, a face of the other surface that is probably near; empty: unknown. With hints
   /// for both surfaces, `skim` settles most faces before any tree is built.
   std::span<const Face> hints{};
+  /// If set, only these faces are measured, not all of the surface; ascending. Pre: there are hints
+  /// for both surfaces.
+  std::optional<std::span<const Face>> only{};
 };
 
 /// Returns bounds for the two-sided distance of two surfaces. They hold for any meshes, and include

@@ -152,14 +152,37 @@ void OneSidedBound::find_farthest_vertex(Progress* progress) {
   near_distance_ = lower_;
 }
 
-void OneSidedBound::find_near_vertices(double distance, Progress* progress) {
+/// Returns whether half of the faces, judged by a few of them, are within `allowed` if their
+/// corners are within `distance`.
+bool OneSidedBound::may_corners_settle(double distance, double allowed) const {
+  std::size_t count = 0;
+  std::size_t settled = 0;
+  for (std::size_t i = 0; i < face_count(); i += face_count() / kProbes + 1) {
+    const std::uint32_t f = face(i).index();
+    const Triangle t{corner(mesh_, f, 0), corner(mesh_, f, 1), corner(mesh_, f, 2)};
+    settled += distance + reach(squared_sides(t)) <= allowed ? 1U : 0U;
+    ++count;
+  }
+  return 2 * settled >= count;
+}
+
+void OneSidedBound::find_near_vertices(double distance, double allowed, Progress* progress) {
   near_distance_ = distance;
   const std::size_t n = mesh_.vertex_count();
   is_near_.assign(n, 0);
+  if (!may_corners_settle(distance, allowed)) return;
+  Array<bool> is_needed;
+  if (only_) {
+    is_needed.assign(n, false);
+    for (const Face f : *only_) {
+      for (std::uint32_t c = 0; c < 3; ++c)
+        is_needed[mesh_.origin(Mesh::halfedge(f, c)).index()] = true;
+    }
+  }
   parallel_chunks(n, kVerticesPerChunk, progress, [&](std::size_t, IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const Vertex v(static_cast<std::uint32_t>(i));
-      if (mesh_.is_isolated(v)) continue;
+      if (mesh_.is_isolated(v) || (only_ && !is_needed[i])) continue;
       const bool is_near = is_near_hint(mesh_.position(v), hint(v, {}), distance * distance);
       is_near_[i] = is_near ? 1 : 0;
     }
@@ -170,6 +193,7 @@ void OneSidedBound::skim_faces(const BoundLimits& limits, Progress* progress) {
   const SkimInput input{.from = mesh_,
                         .to = to_mesh_,
                         .hints = hints_,
+                        .only = only_,
                         .is_near = is_near_,
                         .near = near_distance_,
                         .rounding = rounding_};

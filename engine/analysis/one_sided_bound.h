@@ -49,6 +49,7 @@ class OneSidedBound {
       : mesh_(from.mesh),
         to_mesh_(to.mesh),
         hints_(from.hints),
+        only_(from.only),
         lazy_tree_(to.tree),
         rounding_(rounding) {}
 
@@ -70,8 +71,9 @@ class OneSidedBound {
   void probe();
   /// Finds the largest distance of a vertex. Pre: there are hints.
   void find_farthest_vertex(Progress* progress);
-  /// Finds vertices within `distance`, using hints only.
-  void find_near_vertices(double distance, Progress* progress);
+  /// Finds vertices within `distance`, using hints only; none if most faces are too large to be
+  /// settled by their corners within `allowed`.
+  void find_near_vertices(double distance, double allowed, Progress* progress);
   /// Bounds all faces with `skim`. Pre: there are hints, and one of the two functions above was
   /// called.
   void skim_faces(const BoundLimits& limits, Progress* progress);
@@ -84,6 +86,11 @@ class OneSidedBound {
   void note(const BoundOutcome& outcome);
   Face hint(Vertex v, Face otherwise) const;
   bool is_near_hint(const glm::dvec3& p, Face near, double enough) const;
+  std::size_t face_count() const { return only_ ? only_->size() : mesh_.face_count(); }
+  Face face(std::size_t i) const {
+    return only_ ? (*only_)[i] : Face(static_cast<std::uint32_t>(i));
+  }
+  bool may_corners_settle(double distance, double allowed) const;
   void begin_faces(const BoundLimits& limits, Progress* progress);
   TriangleTree::Nearest query(const glm::dvec3& p, Face hint, const BoundLimits& limits,
                               BoundOutcome& outcome, double off = 0.0) const;
@@ -97,6 +104,7 @@ class OneSidedBound {
   const Mesh& mesh_;
   const Mesh& to_mesh_;
   std::span<const Face> hints_;
+  std::optional<std::span<const Face>> only_;  ///< as HausdorffSide::only
   LazyTree& lazy_tree_;
   const TriangleTree* to_ = nullptr;  ///< null until it is needed
   double rounding_;

@@ -25,6 +25,8 @@ class OverlayWalk {
   /// fraction of the way by which the triangle's corners move toward its middle for the following
   /// calls, so that faces that it only touches do not count.
   double locate(const Triangle& triangle, Face hint, double shrink);
+  /// Returns the face that was located last. Pre: `locate` did not fail.
+  Face located() const { return Mesh::face(start_); }
   /// Returns an upper bound for the distance of any point of the shrunken triangle that was located
   /// last, apart from rounding of the result (1e-15 of the coordinates). Returns infinity if the
   /// walk fails or the bound would exceed `most`. O(faces over the triangle). Pre: `locate` did not

@@ -36,6 +36,18 @@ struct Ball {
   double radius = 0.0;
 };
 
+/// Returns the largest distance of a triangle's corners from another one, which bounds the distance
+/// of all its points, because the distance to a convex set is a convex function. Infinite if it is
+/// more than `allowed`.
+double farthest_corner(const Triangle& t, const Triangle& other, double allowed) {
+  double most = 0.0;
+  for (const glm::dvec3& p : t) {
+    most = std::max(most, squared_distance(p, other));
+    if (most > allowed * allowed) return kUnbounded;
+  }
+  return std::sqrt(most);
+}
+
 /// Returns an upper bound for one face.
 double bound(const Triangle& t, const Mesh& to, Face hint, double allowed, OverlayWalk& walk) {
   // Shrinking the triangle avoids the faces that it only touches. The border that is cut off adds
@@ -50,11 +62,17 @@ double bound(const Triangle& t, const Mesh& to, Face hint, double allowed, Overl
     least = std::sqrt(squared_distance(ball.middle, near)) + ball.radius;
     if (least <= allowed) return least;
   }
+  least = std::min(least, farthest_corner(t, near, allowed));
+  if (least <= allowed) return least;
   for (const double part : kPartForShrinking) {
     const double shrink = std::min(kMostShrink, part * allowed / ball.radius);
     const double height = walk.locate(t, hint, shrink);
     least = std::min(least, height + ball.radius);
     if (least <= allowed || !std::isfinite(height)) return least;
+    if (const Face below = walk.located(); below != hint) {
+      least = std::min(least, farthest_corner(t, triangle(to, below), allowed));
+      if (least <= allowed) return least;
+    }
     const double width = shrink * ball.radius;
     least = std::min(least, walk.bound(allowed - width) + width);
     if (least <= allowed) return least;
@@ -86,7 +104,7 @@ double bound_by_parts(const Triangle& t, const Mesh& to, Face hint, double allow
 
 Skimmed skim(const SkimInput& input, double allowed, Progress* progress) {
   const Mesh& from = input.from;
-  const std::size_t n = from.face_count();
+  const std::size_t n = input.only ? input.only->size() : from.face_count();
   const auto is_near = [&](Face f) {
     for (std::uint32_t c = 0; c < 3; ++c) {
       if (input.is_near[from.origin(Mesh::halfedge(f, c)).index()] == 0) return false;
@@ -101,13 +119,13 @@ Skimmed skim(const SkimInput& input, double allowed, Progress* progress) {
       return computed > 0.0 ? computed * (1.0 + 1e-12) + input.rounding : 0.0;
     };
     for (std::size_t i = range.begin; i < range.end; ++i) {
-      const Face f(static_cast<std::uint32_t>(i));
+      const Face f = input.only ? (*input.only)[i] : Face(static_cast<std::uint32_t>(i));
       const Triangle t = triangle(from, f);
       double upper = kUnbounded;
       if (is_near(f)) upper = certified(input.near + reach(squared_sides(t)));
       if (upper > allowed) {
-        upper = std::min(
-            upper, certified(bound_by_parts(t, input.to, input.hints[i], allowed, walk, kDepth)));
+        upper = std::min(upper, certified(bound_by_parts(t, input.to, input.hints[f.index()],
+                                                         allowed, walk, kDepth)));
       }
       if (upper <= allowed) {
         part.upper = std::max(part.upper, upper);

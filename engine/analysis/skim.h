@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,8 +27,9 @@ struct Skimmed {
 struct SkimInput {
   const Mesh& from;
   const Mesh& to;
-  std::span<const Face> hints;            ///< per face, a face of `to` that is probably near
-  std::span<const std::uint8_t> is_near;  ///< per vertex: 1 if within `near`, 0 if unknown
+  std::span<const Face> hints;                ///< per face, a face of `to` that is probably near
+  std::optional<std::span<const Face>> only;  ///< if set, only these faces count; ascending
+  std::span<const std::uint8_t> is_near;      ///< per vertex: 1 if within `near`, 0 if unknown
   double near = 0.0;
   double rounding = 0.0;  ///< added to computed distances; not to 0, which means equal faces
 };

@@ -310,7 +310,10 @@ std::optional<Rejection> Collapser::check(Halfedge h, const Candidate& candidate
   const bool is_whole = fan_.gather(surface, h, limits_.valence);
   if (!is_ring_ours()) return std::nullopt;
   survey_ring();
-  if (!is_whole) return Rejection::link_condition;
+  if (!is_whole) {
+    outcome_.has_postponed = true;
+    return Rejection::link_condition;
+  }
   context_.policy.will_need(fan_);
   // Coordinates near the limits of float may have overflowed.
   const glm::vec3& p = candidate.position;
@@ -327,10 +330,8 @@ std::optional<Rejection> Collapser::check(Halfedge h, const Candidate& candidate
     cause = Rejection::fold_over;
   }
   if (cause == Fan::kLegal && context_.bound != nullptr) {
-    const Mesh& mesh = surface.mesh();
-    const bool is_near =
-        context_.bound->allows(surface, mesh.origin(h), mesh.target(h), fan_, candidate.position);
-    if (!is_near) cause = Rejection::error_bound;
+    estimate_ = context_.bound->estimate(surface, h, fan_, p);
+    if (!context_.bound->allows(surface, h, fan_, p, estimate_)) cause = Rejection::error_bound;
   }
   if (cause != Fan::kLegal || !guard_) return cause;
   return check_intersections(h, candidate.position);
@@ -381,47 +382,57 @@ bool Collapser::makes_feature_triangle(Halfedge h) const {
   return false;
 }
 
-/// Returns the rank of the next collapse and stores it where later ones look for it.
-std::uint16_t Collapser::take_rank(Halfedge h, float cost) {
-  const Mesh& mesh = context_.surface.mesh();
-  VertexState& kept = state(mesh.target(h));
-  const std::uint32_t of_ends = std::max(kept.rank, state(mesh.origin(h)).rank);
-  const std::uint32_t rank = std::max({BucketQueue::bucket_of(cost), of_ends,
-                                       std::uint32_t{ring_.rank}, std::uint32_t{least_rank_}});
-  if (guard_) least_rank_ = static_cast<std::uint16_t>(rank);
-  for (const Vertex v : fan_.ring())
-    state(v).set_rank(rank);
-  kept.set_rank(rank);
-  return static_cast<std::uint16_t>(rank);
+/// Returns the rank of the next collapse.
+std::uint16_t Collapser::rank(Halfedge h, float cost) const {
+  const Surface& surface = context_.surface;
+  const Mesh& mesh = surface.mesh();
+  const std::uint32_t of_ends =
+      std::max(surface.state(mesh.target(h)).rank, surface.state(mesh.origin(h)).rank);
+  return static_cast<std::uint16_t>(
+      std::max({BucketQueue::bucket_of(cost), of_ends, std::uint32_t{ring_.rank},
+                std::uint32_t{least_rank_}}));
 }
 
 void Collapser::collapse(Halfedge h, const Candidate& candidate, const Appraisal& appraisal) {
-  Surface& surface = context_.surface;
-  const Mesh& mesh = surface.mesh();
-  const Halfedge t = mesh.twin(h);
-  const Vertex removed = mesh.origin(h);
+  const Mesh& mesh = context_.surface.mesh();
   const Vertex kept = mesh.target(h);
-  MESHER_ASSERT(check_collapse(mesh, h).is_legal());
-  outcome_.records.push_back(
-      {h, t, removed, kept, candidate.position, take_rank(h, appraisal.cost)});
-  outcome_.paid += double{candidate.error};
-  queue_.remove(removed);
-  queue_.remove(kept);
-  state(removed).remove(kept);
-  state(kept).set_retreat(appraisal.retreat);
-  context_.policy.collapsing(surface, h, fan_, candidate.position);
-  if (fan_.is_smooth()) {
-    merge_smooth(h, candidate.position);
-  } else {
-    merge_near_feature(h, candidate.position);
-  }
-  if (context_.bound != nullptr) context_.bound->collapsed(removed, kept, candidate.position);
-  if (guard_) guard_->collapsed(surface, fan_);
-  if (context_.samples != nullptr) context_.samples->collapsed(fan_);
-  outcome_.removed_faces += t.is_valid() ? 2 : 1;
+  const CollapseRecord record{h,    mesh.twin(h),       mesh.origin(h),
+                              kept, candidate.position, rank(h, appraisal.cost)};
+  apply({record, candidate.error, appraisal.retreat, estimate_});
   evaluate_fan(kept);
   retry_refused_in_ring();
   if (outcome_.removed_faces > limits_.fresh_after) refresh_ring(kept);
+}
+
+/// Pre: the fan is gathered, and its shape is checked at the step's position.
+void Collapser::apply(const CollapseStep& step) {
+  Surface& surface = context_.surface;
+  const auto& [h, t, removed, kept, position, rank] = step.record;
+  MESHER_ASSERT(check_collapse(surface.mesh(), h).is_legal());
+  outcome_.records.push_back(step.record);
+  outcome_.paid += double{step.error};
+  // The rank is stored where later collapses look for it.
+  for (const Vertex v : fan_.ring())
+    state(v).set_rank(rank);
+  state(kept).set_rank(rank);
+  if (guard_) least_rank_ = static_cast<std::uint16_t>(rank);
+  queue_.remove(removed);
+  queue_.remove(kept);
+  state(removed).remove(kept);
+  state(kept).set_retreat(step.retreat);
+  context_.policy.collapsing(surface, h, fan_, position);
+  if (fan_.is_smooth()) {
+    merge_smooth(h, position);
+  } else {
+    merge_near_feature(h, position);
+  }
+  if (context_.bound != nullptr) {
+    context_.bound->collapsed(removed, kept, position, step.estimate);
+    outcome_.steps.push_back(step);
+  }
+  if (guard_) guard_->collapsed(surface, fan_);
+  if (context_.samples != nullptr) context_.samples->collapsed(fan_);
+  outcome_.removed_faces += t.is_valid() ? 2 : 1;
 }
 
 /// Re-evaluates the edges of the neighbors, whose quadrics the collapse has changed. Those of the

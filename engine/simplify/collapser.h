@@ -71,9 +71,11 @@ struct CollapseOutcome {
   std::uint32_t removed_faces = 0;
   double paid = 0.0;  ///< sum of Candidate::error
   Array<CollapseRecord> records;
+  Array<CollapseStep> steps;  ///< the same collapses; only if there is an error bound
   /// Edges by the cause for which they were refused first.
   std::array<std::uint64_t, kRejections.size()> rejected{};
-  bool meets_bound = false;  ///< an edge was refused because of the error bound
+  bool meets_bound = false;    ///< an edge was refused because of the error bound
+  bool has_postponed = false;  ///< an edge was refused because too many faces would meet
 };
 
 /// Computes the first cost of every edge and the cheapest edge of every vertex. Pre: no edge has a
@@ -111,6 +113,12 @@ class Collapser {
   [[nodiscard]] CollapseOutcome run(std::span<const Vertex> vertices);
   /// Same, after re-evaluating all refused edges.
   [[nodiscard]] CollapseOutcome run_refused(std::span<const Vertex> vertices);
+  /// Repeats the collapses of an earlier run, in their order, except those that the error bound no
+  /// longer allows where it is tight, and those whose surroundings differ because of that. Then
+  /// evaluates the edges where surroundings differ; all other edges count as refused. Pre: no edge
+  /// has a cost yet, all vertices belong to the region, and intersections are not guarded against.
+  /// O(collapses), about a third of the time of finding them.
+  [[nodiscard]] CollapseOutcome repeat(std::span<const CollapseStep> steps);
 
  private:
   /// Properties of the neighbors of an edge that matter to a collapse.
@@ -137,7 +145,11 @@ class Collapser {
   std::optional<Rejection> check_intersections(Halfedge h, const glm::vec3& p);
   Appraisal appraise(Halfedge h, const Candidate& candidate);
   void collapse(Halfedge h, const Candidate& candidate, const Appraisal& appraisal);
-  std::uint16_t take_rank(Halfedge h, float cost);
+  void apply(const CollapseStep& step);
+  void prefetch_ends(const CollapseRecord& record) const;
+  bool can_repeat(const CollapseStep& step, const Array<bool>& differs);
+  void evaluate_differing(const Array<bool>& differs);
+  std::uint16_t rank(Halfedge h, float cost) const;
   bool is_ring_ours() const;
   void survey_ring();
   bool makes_feature_triangle(Halfedge h) const;
@@ -155,6 +167,7 @@ class Collapser {
   std::vector<float> costs_;     ///< scratch of evaluate_fan and refresh_ring
   std::vector<Halfedge> stale_;  ///< scratch of refresh_ring
   RingSurvey ring_;              ///< of the fan; set by the check that precedes a collapse
+  float estimate_ = 0.0F;        ///< of the distance from the input; set by the same check
   std::optional<IntersectionGuard> guard_;
   std::uint16_t least_rank_;
   CollapseOutcome outcome_;

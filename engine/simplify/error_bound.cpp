@@ -11,6 +11,16 @@
 #include "engine/mesh/circulators.h"
 
 namespace mesher::simplify {
+namespace {
+
+// An estimate up to this multiple of the bound is trusted: the surface is then within the bound,
+// because the planes of the new faces overestimate its distance, and so does the sum over
+// collapses.
+constexpr double kTrusted = 1.5;
+// Same for a fine bound, of which runs use only a part.
+constexpr double kTrustedIfFine = 2.5;
+
+}  // namespace
 
 bool is_fine(const Mesh& mesh, double bound) {
   double sum = 0.0;
@@ -23,12 +33,14 @@ bool is_fine(const Mesh& mesh, double bound) {
 
 ErrorBound::ErrorBound(const Mesh& input, double bound, Array<float> shares)
     : input_(input),
-      squared_bound_(bound * bound),
+      bound_(bound),
+      trusted_(simplify::is_fine(input, bound) ? kTrustedIfFine : kTrusted),
       next_(input.vertex_count()),
       shares_(std::move(shares)),
+      estimates_(input.vertex_count(), 0.0F),
       near_(input.vertex_count(), Face(0)) {
   constexpr std::size_t kGrain = 1U << 13U;
-  if (!is_fine(input, bound)) tree_.emplace(input, analysis::TriangleOrder::presorted);
+  if (trusted_ != kTrustedIfFine) tree_.emplace(input, analysis::TriangleOrder::presorted);
   parallel_for_each(next_.size(), kGrain, [&](std::uint32_t v) {
     next_[v] = v;
     if (!input.is_isolated(Vertex(v))) near_[v] = Mesh::face(input.outgoing(Vertex(v)));
@@ -86,14 +98,40 @@ ErrorBound::Near ErrorBound::walk(const glm::dvec3& p, Face from, double squared
   return {hit.face, hit.squared_distance};
 }
 
-bool ErrorBound::allows(const Surface& surface, Vertex removed, Vertex kept, const Fan& fan,
-                        const glm::vec3& p) const {
+float ErrorBound::estimate(const Surface& surface, Halfedge h, const Fan& fan,
+                           const glm::vec3& p) const {
   const Mesh& mesh = surface.mesh();
-  const double share = this->share(removed, kept);
-  const double squared_bound = share * share * squared_bound_;
+  const Vertex removed = mesh.origin(h);
+  const Vertex kept = mesh.target(h);
+  const glm::vec3 from = mesh.position(removed) - p;
+  const glm::vec3 to = mesh.position(kept) - p;
+  float highest = 0.0F;
+  for (std::size_t i = 0; i < fan.size(); ++i) {
+    const glm::vec3 normal = fan.shape(i).normal;
+    highest = std::max({highest, std::abs(glm::dot(normal, from)), std::abs(glm::dot(normal, to))});
+  }
+  return highest + std::max(estimates_[removed.index()], estimates_[kept.index()]);
+}
+
+bool ErrorBound::allows(const Surface& surface, Halfedge h, const Fan& fan, const glm::vec3& p,
+                        float estimate) const {
+  const Vertex removed = surface.mesh().origin(h);
+  const Vertex kept = surface.mesh().target(h);
+  const double bound = share(removed, kept) * bound_;
+  // Heights above planes show neither a boundary that moves in its plane nor a face that turns
+  // over.
+  const bool shows_all = fan.is_closed() && fan.turned_area() == 0.0F;
+  return (shows_all && double{estimate} < trusted_ * bound) ||
+         is_within(bound * bound, surface, h, fan, p);
+}
+
+/// Checks the distance at points. Those of the input come first: they mostly decide.
+bool ErrorBound::is_within(double squared_bound, const Surface& surface, Halfedge h, const Fan& fan,
+                           const glm::vec3& p) const {
+  const Mesh& mesh = surface.mesh();
+  const Vertex removed = mesh.origin(h);
+  const Vertex kept = mesh.target(h);
   const glm::dvec3 center(p);
-  const Near below = walk(center, near_[kept.index()], squared_bound);
-  if (below.squared_distance > squared_bound) return false;
   thread_local std::vector<std::array<glm::dvec3, 3>> faces;
   faces.resize(fan.size());
   for (std::size_t i = 0; i < fan.size(); ++i)
@@ -103,6 +141,8 @@ bool ErrorBound::allows(const Surface& surface, Vertex removed, Vertex kept, con
       !reaches_all(kept, faces, squared_bound, likely)) {
     return false;
   }
+  const Near below = walk(center, near_[kept.index()], squared_bound);
+  if (below.squared_distance > squared_bound) return false;
   Face hint = below.face;
   const auto is_near = [&](const glm::dvec3& q) {
     const Near hit = walk(q, hint, squared_bound);
@@ -138,10 +178,11 @@ bool ErrorBound::reaches_all(Vertex v, std::span<const std::array<glm::dvec3, 3>
   return true;
 }
 
-void ErrorBound::collapsed(Vertex removed, Vertex kept, const glm::vec3& p) {
+void ErrorBound::collapsed(Vertex removed, Vertex kept, const glm::vec3& p, float estimate) {
+  estimates_[kept.index()] = estimate;
   // Joins the two circular lists.
   std::swap(next_[removed.index()], next_[kept.index()]);
-  near_[kept.index()] = walk(p, near_[kept.index()], squared_bound_).face;
+  near_[kept.index()] = walk(p, near_[kept.index()], bound_ * bound_).face;
   if (!shares_.empty()) {
     shares_[kept.index()] = std::min(shares_[removed.index()], shares_[kept.index()]);
   }

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <optional>
 
 #include "engine/analysis/hausdorff.h"
 #include "engine/core/progress.h"
 #include "engine/simplify/error_bound.h"
+#include "engine/simplify/recheck.h"
 
 namespace mesher::simplify {
 namespace {
@@ -36,21 +38,31 @@ constexpr double kDecidedWeights[] = {0.83, 0.13, 0.04};
 /// Share of the remaining progress that a run gets. Two to four runs are usual.
 constexpr double kShareOfRun = 0.35;
 
-analysis::HausdorffBounds bounds_of(const Trace& trace, const analysis::HausdorffOptions& options) {
-  analysis::LazyTree before(trace.before, analysis::TriangleOrder::presorted);
+/// `before`: a tree of the input. `recheck`: if not null, only these faces count.
+analysis::HausdorffBounds bounds_of(const Trace& trace, analysis::LazyTree& before,
+                                    const analysis::HausdorffOptions& options,
+                                    const Recheck* recheck = nullptr) {
   analysis::LazyTree after(trace.after, analysis::TriangleOrder::presorted);
-  return analysis::hausdorff_bounds({trace.before, before, trace.near_before},
-                                    {trace.after, after, trace.near_after}, options);
+  analysis::HausdorffSide input{trace.before, before, trace.near_before};
+  analysis::HausdorffSide result{trace.after, after, trace.near_after};
+  if (recheck != nullptr) {
+    input.only = recheck->before;
+    result.only = recheck->after;
+  }
+  return analysis::hausdorff_bounds(input, result, options);
 }
 
-analysis::HausdorffBounds decide(const Trace& trace, const SimplifyOptions& options,
+analysis::HausdorffBounds decide(const Trace& trace, analysis::LazyTree& before,
+                                 const SimplifyOptions& options, const Recheck* recheck,
                                  std::uint64_t effort = 1) {
   return bounds_of(
-      trace, {.enough = options.max_error,
-              .is_decision = true,
-              .most_queries = effort * (500'000 + 20 * std::uint64_t{trace.before.face_count()}),
-              .finds_all = true,
-              .progress = options.progress});
+      trace, before,
+      {.enough = options.max_error,
+       .is_decision = true,
+       .most_queries = effort * (500'000 + 20 * std::uint64_t{trace.before.face_count()}),
+       .finds_all = true,
+       .progress = options.progress},
+      recheck);
 }
 
 /// Returns `faces` plus the faces of the input that map to the same vertices of the result.
@@ -90,11 +102,14 @@ void tighten(Array<float>& shares, const Trace& trace, std::span<const Face> fac
 
 /// Returns the distance of the surfaces. Separate from the decision, which only finds out whether
 /// the distance is within the bound.
-analysis::DistanceInterval measure(const Trace& trace, const SimplifyOptions& options) {
+analysis::DistanceInterval measure(const Trace& trace, analysis::LazyTree& before,
+                                   double known_upper, const SimplifyOptions& options) {
   if (trace.before.face_count() == 0 || trace.after.face_count() == 0) return {};
-  return bounds_of(trace, {.ratio = kRatioOfMeasured,
-                           .most_queries = trace.before.face_count(),
-                           .progress = options.progress})
+  return bounds_of(trace, before,
+                   {.ratio = kRatioOfMeasured,
+                    .known_upper = known_upper,
+                    .most_queries = trace.before.face_count(),
+                    .progress = options.progress})
       .two_sided();
 }
 
@@ -103,14 +118,21 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 /// Decides whether the result of a run is within the bound. Later runs take more trouble.
-analysis::HausdorffBounds decide_in_run(int run, const Trace& trace,
+/// `earlier`: the run before, if any.
+analysis::HausdorffBounds decide_in_run(int run, const Trace& trace, analysis::LazyTree& before,
+                                        const std::optional<Decided>& earlier,
                                         const SimplifyOptions& options) {
-  analysis::HausdorffBounds bounds = decide(trace, options);
+  std::optional<Recheck> recheck;
+  if (earlier) recheck = faces_to_recheck(trace, *earlier, options.max_error, before);
+  const Recheck* const only = recheck ? &*recheck : nullptr;
+  analysis::HausdorffBounds bounds = decide(trace, before, options, only);
   // No point beyond the bound is known, so the result is worth more work.
   const auto [lower, upper] = bounds.two_sided();
   if (run >= kRunsBeforeEffort && lower <= options.max_error && upper > options.max_error) {
-    bounds = decide(trace, options, kEffort);
+    bounds = decide(trace, before, options, only, kEffort);
   }
+  // Of the other faces only the decision is known.
+  if (recheck) bounds.forward.upper = std::max(bounds.forward.upper, options.max_error);
   return bounds;
 }
 
@@ -122,12 +144,12 @@ void add(SimplifyTimes& total, const SimplifyTimes& run) {
 }
 
 /// A result that is within the bound, with its distance from the input.
-Simplified measured(Simplified&& result, const Trace& trace,
+Simplified measured(Simplified&& result, const Trace& trace, analysis::LazyTree& before,
                     const analysis::HausdorffBounds& bounds, const SimplifyOptions& options,
                     const SimplifyTimes& spent) {
   const auto start = std::chrono::steady_clock::now();
-  const analysis::DistanceInterval distance = measure(trace, options);
   const auto [lower, upper] = bounds.two_sided();
+  const analysis::DistanceInterval distance = measure(trace, before, upper, options);
   result.report.measured_error = std::max(lower, distance.lower);
   result.report.certified_bound = std::min(upper, distance.upper);
   result.report.seconds = spent;
@@ -157,13 +179,14 @@ Simplified simplify_certified(Mesh&& mesh, const SimplifyOptions& options) {
   Stages stages(options.progress, kCertifiedWeights);
   stages.next();
   Trace trace;
-  Simplified result = simplify_unmeasured(std::move(mesh), options, {}, &trace);
+  Simplified result = simplify_unmeasured(std::move(mesh), options, &trace);
   stages.next();
   const auto start = std::chrono::steady_clock::now();
   analysis::DistanceInterval distance;
   if (result.mesh.face_count() > 0) {
     const double ratio = bound_ratio(result.report.faces_before);
-    distance = bounds_of(trace, {.ratio = ratio, .progress = options.progress}).two_sided();
+    analysis::LazyTree before(trace.before, analysis::TriangleOrder::presorted);
+    distance = bounds_of(trace, before, {.ratio = ratio, .progress = options.progress}).two_sided();
   }
   result.report.certified_bound = distance.upper;
   result.report.seconds.measure = seconds_since(start);
@@ -175,7 +198,10 @@ Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
   SimplifyOptions run_options = options;
   const bool is_fine = simplify::is_fine(input, options.max_error);
   run_options.max_error *= is_fine ? kUsedOfFineBound : kUsedOfBound;
-  Array<float> shares;
+  Attempts attempts;
+  Trace trace;
+  analysis::LazyTree before(trace.before, analysis::TriangleOrder::presorted);
+  std::optional<Decided> earlier;
   SimplifyReport spent;
   OpenStages runs(options.progress, kShareOfRun);
   for (int run = 0; run < kMaxRuns; ++run) {
@@ -184,27 +210,27 @@ Simplified simplify_measured(Mesh&& mesh, const SimplifyOptions& options) {
     parts.next();
     CollapseRecorder recorder;
     run_options.observer = options.observer == nullptr ? nullptr : &recorder;
-    Trace trace;
-    Simplified result = simplify_unmeasured(Mesh(input), run_options, shares, &trace);
+    Simplified result = simplify_unmeasured(Mesh(input), run_options, &trace, &attempts);
     parts.next();
     const auto start = std::chrono::steady_clock::now();
     analysis::HausdorffBounds bounds;
     if (input.face_count() > 0 && result.mesh.face_count() > 0)
-      bounds = decide_in_run(run, trace, options);
+      bounds = decide_in_run(run, trace, before, earlier, options);
     add(spent.seconds, result.report.seconds);
     spent.seconds.measure += seconds_since(start);
     if (bounds.two_sided().upper <= options.max_error) {
       parts.next();
       if (options.observer != nullptr) options.observer->collapsed(recorder.records());
-      return measured(std::move(result), trace, bounds, options, spent.seconds);
+      return measured(std::move(result), trace, before, bounds, options, spent.seconds);
     }
     spent.rejected = result.report.rejected;
     if (!is_fine) run_options.max_error = kUsedAfterFailure * options.max_error;
     if (run_options.max_error <= 0.0) break;  // the bound cannot get any tighter
     // Where faces are small, a safety margin costs hardly any extra faces.
-    if (is_fine) bounds.beyond = with_surroundings(trace, bounds.beyond);
-    tighten(shares, trace, bounds.beyond,
+    tighten(attempts.shares, trace,
+            is_fine ? with_surroundings(trace, bounds.beyond) : bounds.beyond,
             kTighter[std::min<std::size_t>(static_cast<std::size_t>(run), kTighter.size() - 1)]);
+    earlier = {std::move(trace.after), std::move(trace.near_after), std::move(bounds)};
   }
   return unchanged(input, options, spent);
 }

@@ -1,17 +1,17 @@
 #pragma once
 
-#include <span>
-
+#include "engine/simplify/attempts.h"
 #include "engine/simplify/simplify.h"
 #include "engine/simplify/trace.h"
 
 namespace mesher::simplify {
 
 /// Simplifies once. Each collapse respects the error bound of the options, if any, but the result
-/// is not measured. `shares`: the fraction of that bound that applies at each vertex, by the ids of
-/// `Trace::before`; empty: all of it. `trace`: filled in if not null.
-Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options,
-                               std::span<const float> shares = {}, Trace* trace = nullptr);
+/// is not measured. `trace`: filled in if not null. `attempts`: if not null, the last run, which is
+/// repeated as far as its shares of the bound allow, and then replaced by this one. Its ids are
+/// those of `Trace::before`.
+Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options, Trace* trace = nullptr,
+                               Attempts* attempts = nullptr);
 
 /// Simplifies once and certifies an upper bound of the distance between input and result.
 Simplified simplify_certified(Mesh&& mesh, const SimplifyOptions& options);

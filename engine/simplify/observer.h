@@ -27,6 +27,14 @@ struct CollapseRecord {
   static constexpr std::uint32_t kRanks = 1U << 13U;
 };
 
+/// A collapse with what is needed to repeat it without computing its cost.
+struct CollapseStep {
+  CollapseRecord record;
+  float error = 0.0F;     ///< Candidate::error
+  float retreat = 0.0F;   ///< Appraisal::retreat
+  float estimate = 0.0F;  ///< of ErrorBound
+};
+
 /// Receives the collapses in an order in which each is legal after those before it. The order does
 /// not depend on the number of threads.
 class CollapseObserver {

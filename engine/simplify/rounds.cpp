@@ -66,19 +66,21 @@ constexpr std::size_t kMostSamples = 1024;
 constexpr double kTrustInPaid = 16.0;
 
 std::unique_ptr<ErrorBound> make_bound(const Mesh& mesh, float scale,
-                                       const SimplifyOptions& options, Array<float> shares) {
+                                       const SimplifyOptions& options, const Attempts* attempts) {
   if (!std::isfinite(options.max_error) || mesh.face_count() == 0) return nullptr;
-  return std::make_unique<ErrorBound>(mesh, double{scale} * options.max_error, std::move(shares));
+  return std::make_unique<ErrorBound>(mesh, double{scale} * options.max_error,
+                                      attempts != nullptr ? attempts->shares : Array<float>{});
 }
 
 }  // namespace
 
 Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, TranslateRecords translate,
-               Array<float> shares)
+               Attempts* attempts)
     : options_(options),
       translate_(std::move(translate)),
       scale_(scale),
-      bound_(make_bound(mesh, scale, options, std::move(shares))),
+      attempts_(attempts),
+      bound_(make_bound(mesh, scale, options, attempts)),
       space_(options.no_intersections ? std::make_unique<GuardedSpace>(mesh.face_count())
                                       : nullptr),
       surface_(std::move(mesh), options),
@@ -96,10 +98,22 @@ Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, Transla
       faces_before_(faces_) {
   for (std::uint32_t v = 0; v < surface_.mesh().vertex_count(); ++v)
     (surface_.mesh().is_isolated(Vertex(v)) ? isolated_ : live_).emplace_back(v);
-  if (faces_to_remove() == 0) return;
-  context_.precision = is_far() ? CostPrecision::guess : CostPrecision::exact;
+  if (faces_to_remove() > 0) begin();
+}
+
+/// Repeats the last attempt, or computes the first costs of all edges.
+void Rounds::begin() {
   check_cancelled(options_.progress);
-  evaluate_all(context_);
+  if (attempts_ == nullptr || attempts_->steps.empty() || space_ != nullptr) {
+    context_.precision = is_far() ? CostPrecision::guess : CostPrecision::exact;
+    return evaluate_all(context_);
+  }
+  context_.precision = CostPrecision::exact;
+  Collapser collapser(context_, {.faces = kNone, .valence = kLargestValence});
+  note(translated(collapser.repeat(attempts_->steps)));
+  drop_removed();
+  rejected_ = attempts_->rejected;
+  meets_bound_ = attempts_->meets_bound;
 }
 
 void Rounds::run(SimplifyReport& report) {
@@ -120,6 +134,11 @@ void Rounds::run(SimplifyReport& report) {
   report.collapses = collapses_;
   report.rejected = rejected_;
   report.estimated_error = error_at_stop_ ? *error_at_stop_ : estimated_error();
+  if (attempts_ != nullptr) {
+    attempts_->steps = std::move(steps_);
+    attempts_->rejected = rejected_;
+    attempts_->meets_bound = meets_bound_;
+  }
 }
 
 /// Returns whether enough halvings remain that the order of current collapses does not matter.
@@ -239,6 +258,7 @@ void Rounds::run_to_the_error() {
       before.restore(surface_.mesh(), live_);
       if (attributes != nullptr) attributes->restore(attributes_before);
       std::tie(faces_, collapses_, paid_, rejected_) = counts;
+      if (bound_) steps_.resize(collapses_);
       error_at_stop_ = error;
       return;
     }
@@ -256,6 +276,7 @@ void Rounds::collapse_to(std::uint32_t faces) {
     }
     tracked_.emplace(surface_, samples_);
     context_.samples = &*tracked_;
+    if (bound_) bound_->distrust_estimates();
   }
   if (faces_ > faces) collapse_region(faces);
 }
@@ -267,7 +288,10 @@ void Rounds::collapse_region(std::uint32_t faces) {
                                  .fresh_after = faces_ > fresh ? faces_ - fresh : 0,
                                  .valence = kUsualValence});
   note(translated(collapser.run(live_)));
-  while (faces_ > faces && try_refused_again(kLargestValence, faces)) {
+  // With an error bound, most edges are refused, and trying them again would take as long as all
+  // the collapses. An edge whose surroundings changed was tried again already.
+  while (faces_ > faces && (!bound_ || has_postponed_) &&
+         try_refused_again(kLargestValence, faces)) {
   }
 }
 
@@ -290,6 +314,7 @@ void Rounds::count_constrained() {
 /// Re-evaluates all refused edges. Returns false if none could be collapsed.
 bool Rounds::try_refused_again(std::size_t valence, std::uint32_t faces) {
   drop_removed();
+  has_postponed_ = false;
   Collapser collapser(context_, {.faces = faces_ - faces, .fresh_after = 0, .valence = valence});
   const CollapseOutcome outcome = translated(collapser.run_refused(live_));
   note(outcome);
@@ -321,6 +346,8 @@ void Rounds::note(const CollapseOutcome& outcome) {
   for (std::size_t i = 0; i < kRejections.size(); ++i)
     rejected_[i] += outcome.rejected[i];
   meets_bound_ |= outcome.meets_bound;
+  has_postponed_ |= outcome.has_postponed;
+  steps_.insert(steps_.end(), outcome.steps.begin(), outcome.steps.end());
 }
 
 void Rounds::drop_removed() {

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "engine/core/array.h"
+#include "engine/simplify/attempts.h"
 #include "engine/simplify/collapser.h"
 #include "engine/simplify/error_bound.h"
 #include "engine/simplify/error_samples.h"
@@ -28,10 +29,10 @@ using TranslateRecords = std::function<void(std::span<CollapseRecord>)>;
 class Rounds {
  public:
   /// `scale`: factor by which the mesh's units were multiplied. `translate`: applied to records
-  /// before the observer sees them, on several threads. `shares`: fractions of the error bound, as
-  /// in ErrorBound.
+  /// before the observer sees them, on several threads. `attempts`: if not null, the shares of the
+  /// error bound and the run to repeat; replaced by this run.
   Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, TranslateRecords translate,
-         Array<float> shares = {});
+         Attempts* attempts = nullptr);
 
   /// Collapses edges down to the target and fills in the corresponding part of the report. Throws
   /// Cancelled.
@@ -53,6 +54,7 @@ class Rounds {
   std::uint32_t faces_to_remove() const {
     return faces_ > options_.target_faces ? faces_ - options_.target_faces : 0;
   }
+  void begin();
   bool is_far() const;
   bool is_last_round() const;
   void run_regions(std::uint32_t round);
@@ -75,6 +77,7 @@ class Rounds {
   const SimplifyOptions& options_;
   TranslateRecords translate_;
   float scale_;
+  Attempts* attempts_;
   std::unique_ptr<ErrorBound> bound_;
   std::unique_ptr<GuardedSpace> space_;
   Surface surface_;
@@ -90,7 +93,9 @@ class Rounds {
   std::uint64_t collapses_ = 0;
   double paid_ = 0.0;
   std::array<std::uint64_t, kRejections.size()> rejected_{};
-  bool meets_bound_ = false;  ///< an edge was refused because of the error bound
+  bool meets_bound_ = false;    ///< an edge was refused because of the error bound
+  bool has_postponed_ = false;  ///< as in CollapseOutcome, since refused edges were last tried
+  Array<CollapseStep> steps_;   ///< only if there is an error bound
   /// Records of collapses that may still be undone; if none, the observer is notified at once.
   std::optional<Array<CollapseRecord>> held_;
   /// Set if the next collapses exceeded `stop_before_error`: the error without them.

@@ -206,8 +206,7 @@ Simplified finish(const Rounds& rounds, const Reordered& order, const Units& uni
 
 namespace {
 
-Simplified run_once(Mesh&& mesh, const SimplifyOptions& options, std::span<const float> shares,
-                    Trace* trace) {
+Simplified run_once(Mesh&& mesh, const SimplifyOptions& options, Trace* trace, Attempts* attempts) {
   Stopwatch watch;
   SimplifyTimes seconds;
   Stages stages(options.progress, kRunWeights);
@@ -228,8 +227,7 @@ Simplified run_once(Mesh&& mesh, const SimplifyOptions& options, std::span<const
     metric = of_faces(*options.metric, order.face_source, units.scale());
     observed.metric = &metric;
   }
-  Rounds rounds(std::move(order.mesh), units.scale(), observed, Translator(order, units),
-                Array<float>(shares.begin(), shares.end()));
+  Rounds rounds(std::move(order.mesh), units.scale(), observed, Translator(order, units), attempts);
   seconds.prepare = watch.lap();
   stages.next("simplifying");
   rounds.run(report);
@@ -248,17 +246,17 @@ Simplified run_once(Mesh&& mesh, const SimplifyOptions& options, std::span<const
 
 }  // namespace
 
-Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options,
-                               std::span<const float> shares, Trace* trace) {
+Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options, Trace* trace,
+                               Attempts* attempts) {
   // An observer also sees the intermediate meshes, so checking only the result is not enough.
   const bool may_look_afterwards = options.no_intersections && options.observer == nullptr;
-  if (!may_look_afterwards) return run_once(std::move(mesh), options, shares, trace);
+  if (!may_look_afterwards) return run_once(std::move(mesh), options, trace, attempts);
   // Mostly no faces intersect, and checking the result is cheaper than checking each collapse.
   SimplifyOptions unguarded = options;
   unguarded.no_intersections = false;
   Stages stages(options.progress, kGuardedWeights);
   stages.next();
-  Simplified free = run_once(Mesh(mesh), unguarded, shares, trace);
+  Simplified free = run_once(Mesh(mesh), unguarded, trace, attempts);
   Stopwatch watch;
   stages.next("looking for intersections");
   const bool must_repeat = has_new_intersections(mesh, free, options.progress);
@@ -266,7 +264,7 @@ Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options,
   if (!must_repeat) return free;
   if (trace != nullptr) *trace = {};
   stages.next();
-  Simplified guarded = run_once(std::move(mesh), options, shares, trace);
+  Simplified guarded = run_once(std::move(mesh), options, trace, attempts);
   guarded.report.seconds += free.report.seconds;
   return guarded;
 }

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "engine/core/array.h"
+#include "engine/simplify/observer.h"
+#include "engine/simplify/report.h"
+
+namespace mesher::simplify {
+
+/// What one run under an error bound leaves for the next, which repeats it with a tighter bound in
+/// places. Ids and positions are those of the run: reordered and scaled.
+struct Attempts {
+  Array<float> shares;        ///< fraction of the bound that applies at each vertex; empty: all
+  Array<CollapseStep> steps;  ///< collapses of the last run; empty: there is nothing to repeat
+  std::array<std::uint64_t, kRejections.size()> rejected{};  ///< refusals of the last run
+  bool meets_bound = false;  ///< the last run refused an edge because of the bound
+};
+
+}  // namespace mesher::simplify
