@@ -17,7 +17,7 @@ namespace {
 /// they check. Distances well below the bound are also quicker to decide.
 constexpr double kUsedOfBound = 0.92;
 /// Same, after a run that exceeded the bound: each run deviates in different places.
-constexpr double kUsedAfterFailure = 0.8;
+constexpr double kUsedAfterFailure = 0.88;
 /// Same, if the bound is fine (`is_fine`): then there are few such points between which a face may
 /// deviate.
 constexpr double kUsedOfFineBound = 0.6;
@@ -25,7 +25,7 @@ constexpr double kUsedOfFineBound = 0.6;
 /// work.
 constexpr double kRatioOfMeasured = 2.0;
 /// Factor for the bound of the next run in places that exceeded it.
-constexpr std::array<float, 3> kTighter{0.6F, 0.45F, 0.3F};  // for the first run, the second, …
+constexpr std::array<float, 4> kTighter{0.85F, 0.6F, 0.45F, 0.3F};  // for the first run, the second, …
 /// After this many runs, an undecided decision gets this many times as many queries.
 constexpr int kRunsBeforeEffort = 4;
 constexpr std::uint64_t kEffort = 16;
