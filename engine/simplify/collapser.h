@@ -115,10 +115,11 @@ class Collapser {
   [[nodiscard]] CollapseOutcome run_refused(std::span<const Vertex> vertices);
   /// Repeats the collapses of an earlier run, in their order, except those that the error bound no
   /// longer allows where it is tight, and those whose surroundings differ because of that. Then
-  /// evaluates the edges where surroundings differ; all other edges count as refused. Pre: no edge
-  /// has a cost yet, all vertices belong to the region, and intersections are not guarded against.
-  /// O(collapses), about a third of the time of finding them.
-  [[nodiscard]] CollapseOutcome repeat(std::span<const CollapseStep> steps);
+  /// evaluates all edges; if the earlier run was exhausted, only those whose surroundings differ,
+  /// because the others would be refused again. Pre: no edge has a cost yet, all vertices belong to
+  /// the region, and intersections are not guarded against. O(collapses), about a third of the time
+  /// of finding them. Throws Cancelled.
+  [[nodiscard]] CollapseOutcome repeat(std::span<const CollapseStep> steps, bool was_exhausted);
 
  private:
   /// Properties of the neighbors of an edge that matter to a collapse.
@@ -148,7 +149,7 @@ class Collapser {
   void apply(const CollapseStep& step);
   void prefetch_ends(const CollapseRecord& record) const;
   bool can_repeat(const CollapseStep& step, const Array<bool>& differs);
-  void evaluate_differing(const Array<bool>& differs);
+  void evaluate_near(const Array<bool>& differs);
   std::uint16_t rank(Halfedge h, float cost) const;
   bool is_ring_ours() const;
   void survey_ring();

@@ -1,4 +1,5 @@
 // The part of Collapser that repeats an earlier run.
+#include "engine/core/progress.h"
 #include "engine/mesh/circulators.h"
 #include "engine/simplify/collapser.h"
 
@@ -6,10 +7,11 @@ namespace mesher::simplify {
 namespace {
 
 constexpr std::size_t kStepsAhead = 6;
+constexpr std::size_t kStepsPerCheck = 4096;
 
 }  // namespace
 
-CollapseOutcome Collapser::repeat(std::span<const CollapseStep> steps) {
+CollapseOutcome Collapser::repeat(std::span<const CollapseStep> steps, bool was_exhausted) {
   outcome_.records.reserve(steps.size());
   outcome_.steps.reserve(steps.size());
   // A face that exists now but not at this point of the earlier run, or the other way around, has
@@ -17,6 +19,7 @@ CollapseOutcome Collapser::repeat(std::span<const CollapseStep> steps) {
   Array<bool> differs;
   differs.assign(context_.surface.mesh().vertex_count(), false);
   for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (i % kStepsPerCheck == 0) check_cancelled(context_.progress);
     if (i + kStepsAhead < steps.size()) prefetch_ends(steps[i + kStepsAhead].record);
     const CollapseStep& step = steps[i];
     if (can_repeat(step, differs)) {
@@ -26,7 +29,8 @@ CollapseOutcome Collapser::repeat(std::span<const CollapseStep> steps) {
       differs[step.record.kept.index()] = true;
     }
   }
-  evaluate_differing(differs);
+  if (!was_exhausted) differs.assign(differs.size(), true);
+  evaluate_near(differs);
   return std::move(outcome_);
 }
 
@@ -52,9 +56,8 @@ bool Collapser::can_repeat(const CollapseStep& step, const Array<bool>& differs)
          bound.allows(surface, h, fan_, position, step.estimate);
 }
 
-/// Evaluates the edges at marked vertices and their neighbors. All others were refused in the same
-/// surroundings before.
-void Collapser::evaluate_differing(const Array<bool>& differs) {
+/// Evaluates the edges at marked vertices and their neighbors. All others count as refused.
+void Collapser::evaluate_near(const Array<bool>& differs) {
   const Surface& surface = context_.surface;
   const Mesh& mesh = surface.mesh();
   for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i) {

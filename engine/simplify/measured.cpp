@@ -25,7 +25,8 @@ constexpr double kUsedOfFineBound = 0.6;
 /// work.
 constexpr double kRatioOfMeasured = 2.0;
 /// Factor for the bound of the next run in places that exceeded it.
-constexpr std::array<float, 4> kTighter{0.85F, 0.6F, 0.45F, 0.3F};  // for the first run, the second, …
+constexpr std::array<float, 4> kTighter{0.85F, 0.6F, 0.45F,
+                                        0.3F};  // for the first run, the second, …
 /// After this many runs, an undecided decision gets this many times as many queries.
 constexpr int kRunsBeforeEffort = 4;
 constexpr std::uint64_t kEffort = 16;

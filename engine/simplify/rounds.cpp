@@ -110,7 +110,7 @@ void Rounds::begin() {
   }
   context_.precision = CostPrecision::exact;
   Collapser collapser(context_, {.faces = kNone, .valence = kLargestValence});
-  note(translated(collapser.repeat(attempts_->steps)));
+  note(translated(collapser.repeat(attempts_->steps, attempts_->is_exhausted)));
   drop_removed();
   rejected_ = attempts_->rejected;
   meets_bound_ = attempts_->meets_bound;
@@ -138,6 +138,7 @@ void Rounds::run(SimplifyReport& report) {
     attempts_->steps = std::move(steps_);
     attempts_->rejected = rejected_;
     attempts_->meets_bound = meets_bound_;
+    attempts_->is_exhausted = faces_to_remove() > 0 && !error_at_stop_;
   }
 }
 
