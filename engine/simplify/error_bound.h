@@ -41,6 +41,19 @@ class ErrorBound {
   /// of `removed`. O(1) expected.
   void collapsed(Vertex removed, Vertex kept, const glm::vec3& p);
 
+  /// What collapses change.
+  struct Saved {
+    Array<std::uint32_t> next;
+    Array<float> shares;
+    Array<Face> near;
+  };
+  Saved save() const { return {next_, shares_, near_}; }
+  void restore(const Saved& saved) {
+    next_ = saved.next;
+    shares_ = saved.shares;
+    near_ = saved.near;
+  }
+
  private:
   /// Returns the fraction of the bound that applies to the merged vertex.
   double share(Vertex removed, Vertex kept) const {

@@ -74,13 +74,12 @@ std::unique_ptr<ErrorBound> make_bound(const Mesh& mesh, float scale,
 }  // namespace
 
 Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, TranslateRecords translate,
-               Array<float> shares)
+               Array<float> shares, Guarding guarding)
     : options_(options),
       translate_(std::move(translate)),
       scale_(scale),
       bound_(make_bound(mesh, scale, options, std::move(shares))),
-      space_(options.no_intersections ? std::make_unique<GuardedSpace>(mesh.face_count())
-                                      : nullptr),
+      guarding_(guarding),
       surface_(std::move(mesh), options),
       samples_(surface_, std::clamp(surface_.mesh().face_count() / kFacesPerSample, kLeastSamples,
                                     kMostSamples)),
@@ -90,13 +89,13 @@ Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, Transla
                .policy = *policy_,
                .queue = queue_,
                .bound = bound_.get(),
-               .space = space_.get(),
                .progress = options.progress},
       faces_(surface_.mesh().face_count()),
       faces_before_(faces_) {
   for (std::uint32_t v = 0; v < surface_.mesh().vertex_count(); ++v)
     (surface_.mesh().is_isolated(Vertex(v)) ? isolated_ : live_).emplace_back(v);
   if (faces_to_remove() == 0) return;
+  if (guarding_ == Guarding::everywhere) guard_all();
   context_.precision = is_far() ? CostPrecision::guess : CostPrecision::exact;
   check_cancelled(options_.progress);
   evaluate_all(context_);
@@ -109,17 +108,26 @@ void Rounds::run(SimplifyReport& report) {
   }
   context_.faces_to_remove = faces_to_remove();
   if (options_.observer != nullptr) options_.observer->expect(faces_to_remove() / 2 + 1);
-  for (std::uint32_t round = 0; !is_last_round(); ++round) {
-    const std::size_t vertices = live_.size();
-    run_regions(round);
-    if ((vertices - live_.size()) * kVerticesPerLeastRound < vertices) break;
+  if (guarding_ == Guarding::where_needed) {
+    run_without_intersections();
+  } else {
+    run_rounds();
+    run_to_the_end();
   }
-  run_to_the_end();
   drop_removed();
   report.reason = reason();
   report.collapses = collapses_;
   report.rejected = rejected_;
   report.estimated_error = error_at_stop_ ? *error_at_stop_ : estimated_error();
+}
+
+/// Collapses in rounds, until a single region is left.
+void Rounds::run_rounds() {
+  for (std::uint32_t round = 0; !is_last_round(); ++round) {
+    const std::size_t vertices = live_.size();
+    run_regions(round);
+    if ((vertices - live_.size()) * kVerticesPerLeastRound < vertices) break;
+  }
 }
 
 /// Returns whether enough halvings remain that the order of current collapses does not matter.
@@ -155,9 +163,13 @@ void Rounds::run_regions(std::uint32_t round) {
   live_ =
       morton_order(surface_.mesh().positions(), live_,
                    {.bits = kBitsOfGrid, .shift = shift - std::floor(shift)}, options_.progress);
-  const std::size_t count = (live_.size() + kRegionVertices - 1) / kRegionVertices;
+  const std::size_t apart = guarding_ == Guarding::where_needed ? move_guarded_last(round) : 0;
+  const std::size_t rest = live_.size() - apart;
+  const std::size_t cuts = (rest + kRegionVertices - 1) / kRegionVertices;
+  const std::size_t count = cuts + (apart > 0 ? 1 : 0);
   const auto region = [&](std::size_t i) -> IndexRange {
-    return {live_.size() * i / count, live_.size() * (i + 1) / count};
+    if (i == cuts) return {rest, live_.size()};
+    return {rest * i / cuts, rest * (i + 1) / cuts};
   };
   // Costs are read several times, so copy them out of the much larger states.
   Array<float> costs(live_.size());
@@ -171,7 +183,7 @@ void Rounds::run_regions(std::uint32_t round) {
     }
   });
   const Share share = this->share(costs);
-  if (space_ != nullptr) {
+  if (guarding_ == Guarding::everywhere) {
     space_->territory.claim(surface_);
     space_->has_regions = true;
   }
@@ -301,8 +313,13 @@ CollapseOutcome Rounds::translated(CollapseOutcome&& outcome) const {
   return std::move(outcome);
 }
 
-void Rounds::tell(std::span<const CollapseRecord> records) const {
-  if (options_.observer != nullptr) options_.observer->collapsed(records);
+void Rounds::tell(std::span<const CollapseRecord> records) {
+  if (options_.observer == nullptr) return;
+  if (untold_) {
+    untold_->insert(untold_->end(), records.begin(), records.end());
+  } else {
+    options_.observer->collapsed(records);
+  }
 }
 
 void Rounds::note(const CollapseOutcome& outcome) {

@@ -13,7 +13,6 @@
 #include "engine/simplify/attribute_field.h"
 #include "engine/simplify/handy_scale.h"
 #include "engine/simplify/measured.h"
-#include "engine/simplify/new_intersections.h"
 #include "engine/simplify/reorder.h"
 #include "engine/simplify/rounds.h"
 
@@ -23,9 +22,6 @@ namespace {
 /// Times of a run's stages: reordering, the first costs, collapsing, finishing. Medians of
 /// simplifying 0.1, 1.4 and 13 million faces to 5 % on two cores.
 constexpr double kRunWeights[] = {0.06, 0.1, 0.82, 0.02};
-/// Times of a run without the guard, of looking for intersections, and of a run with it, which few
-/// models need.
-constexpr double kGuardedWeights[] = {0.95, 0.05, 0.1};
 
 class Stopwatch {
  public:
@@ -206,6 +202,12 @@ Simplified finish(const Rounds& rounds, const Reordered& order, const Units& uni
 
 namespace {
 
+Guarding guarding(const SimplifyOptions& options) {
+  if (!options.no_intersections) return Guarding::none;
+  // An observer also sees the intermediate meshes, so looking the steps over is not enough.
+  return options.observer == nullptr ? Guarding::where_needed : Guarding::everywhere;
+}
+
 Simplified run_once(Mesh&& mesh, const SimplifyOptions& options, std::span<const float> shares,
                     Trace* trace) {
   Stopwatch watch;
@@ -229,7 +231,7 @@ Simplified run_once(Mesh&& mesh, const SimplifyOptions& options, std::span<const
     observed.metric = &metric;
   }
   Rounds rounds(std::move(order.mesh), units.scale(), observed, Translator(order, units),
-                Array<float>(shares.begin(), shares.end()));
+                Array<float>(shares.begin(), shares.end()), guarding(options));
   seconds.prepare = watch.lap();
   stages.next("simplifying");
   rounds.run(report);
@@ -250,25 +252,7 @@ Simplified run_once(Mesh&& mesh, const SimplifyOptions& options, std::span<const
 
 Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options,
                                std::span<const float> shares, Trace* trace) {
-  // An observer also sees the intermediate meshes, so checking only the result is not enough.
-  const bool may_look_afterwards = options.no_intersections && options.observer == nullptr;
-  if (!may_look_afterwards) return run_once(std::move(mesh), options, shares, trace);
-  // Mostly no faces intersect, and checking the result is cheaper than checking each collapse.
-  SimplifyOptions unguarded = options;
-  unguarded.no_intersections = false;
-  Stages stages(options.progress, kGuardedWeights);
-  stages.next();
-  Simplified free = run_once(Mesh(mesh), unguarded, shares, trace);
-  Stopwatch watch;
-  stages.next("looking for intersections");
-  const bool must_repeat = has_new_intersections(mesh, free, options.progress);
-  free.report.seconds.finish += watch.lap();
-  if (!must_repeat) return free;
-  if (trace != nullptr) *trace = {};
-  stages.next();
-  Simplified guarded = run_once(std::move(mesh), options, shares, trace);
-  guarded.report.seconds += free.report.seconds;
-  return guarded;
+  return run_once(std::move(mesh), options, shares, trace);
 }
 
 Simplified simplify(Mesh&& mesh, const SimplifyOptions& options) {
