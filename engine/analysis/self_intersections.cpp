@@ -42,8 +42,8 @@ std::uint32_t spread(std::uint32_t x) {
   return (x | x << 2U) & 0x09249249U;
 }
 
-/// The faces with area, sorted along a Morton curve, and a binary tree of boxes over them.
-/// Neighbors on the curve are siblings.
+/// The faces with area that are not removed, sorted along a Morton curve, and a binary tree of
+/// boxes over them. Neighbors on the curve are siblings.
 class SortedFaces {
  public:
   explicit SortedFaces(const Mesh& mesh) {
@@ -97,19 +97,22 @@ class SortedFaces {
   void sort(const Mesh& mesh) {
     Box all{glm::vec3(std::numeric_limits<float>::max()),
             glm::vec3(std::numeric_limits<float>::lowest())};
-    for (const Vertex v : mesh.origins())
-      all = join(all, {mesh.position(v), mesh.position(v)});
+    for (const Vertex v : mesh.origins()) {
+      if (v.is_valid()) all = join(all, {mesh.position(v), mesh.position(v)});
+    }
     const glm::dvec3 min(all.min);
     const glm::dvec3 size = glm::dvec3(all.max) - min;
     const double scale = 1023.0 / std::max({size.x, size.y, size.z, 0x1p-149});
     order_.resize(mesh.face_count());
     parallel_for_each(mesh.face_count(), 4096, [&](std::uint32_t i) {
+      order_[i] = kLeftOut;
+      if (!mesh.origin(Mesh::halfedge(Face(i))).is_valid()) return;
       const Corners c = corners(mesh, Face(i));
       const Box box = box_of(c);
       const glm::dvec3 middle = 0.5 * (glm::dvec3(box.min) + glm::dvec3(box.max));
       const auto cell = glm::uvec3(scale * (middle - min));
       const std::uint64_t code = spread(cell.x) | spread(cell.y) << 1U | spread(cell.z) << 2U;
-      order_[i] = is_degenerate(exact(c)) ? kLeftOut : code << 32U | i;
+      if (!is_degenerate(exact(c))) order_[i] = code << 32U | i;
     });
     std::erase(order_, kLeftOut);
     std::sort(order_.begin(), order_.end());

@@ -17,7 +17,7 @@ using FacePair = std::array<Face, 2>;
 ///
 /// Faces without area are skipped. They are segments, and each of their points is on a side of a
 /// neighbor, unless the neighbor has no area either. If that side pierces another face, the
-/// neighbor counts.
+/// neighbor counts. Removed faces, which have no corners, are skipped, too.
 ///
 /// O(F log F) expected for meshes whose faces are near few others, O(F^2) in the worst case;
 /// parallel. Needs 100 bytes per face. Throws Cancelled. Pre: positions are finite.

@@ -85,7 +85,9 @@ Collapser::Collapser(CollapseContext& context, const Limits& limits)
 
 CollapseOutcome Collapser::run(std::span<const Vertex> vertices) {
   outcome_.records.reserve(std::min<std::size_t>(vertices.size(), limits_.faces / 2 + 1));
-  if (context_.space != nullptr) {
+  const bool is_any_guarded =
+      std::ranges::any_of(vertices, [&](Vertex v) { return context_.surface.state(v).is_guarded; });
+  if (is_any_guarded) {
     guard_.emplace(context_.surface, *context_.space, limits_.region, vertices);
   }
   fill_queue(vertices);
@@ -186,18 +188,21 @@ void Collapser::collapse_or_requeue(Vertex v) {
   if (BucketQueue::bucket_of(candidate.cost) > bucket + limits_.tolerance) {
     return choose_cheapest_edge(v);
   }
-  const std::optional<Rejection> cause = check(h, candidate);
+  std::optional<Rejection> cause = check(h, candidate);
   if (!cause) return;
   if (*cause == Fan::kLegal) {
     const Appraisal appraisal = appraise(h, candidate);
-    if (BucketQueue::bucket_of(appraisal.cost) <= bucket + limits_.tolerance) {
-      return collapse(h, candidate, appraisal);
+    if (BucketQueue::bucket_of(appraisal.cost) > bucket + limits_.tolerance) {
+      // Requeue at the full cost.
+      surface.set_cost(h, appraisal.cost);
+      return choose_cheapest_edge(v);
     }
-    // Requeue at the full cost.
-    surface.set_cost(h, appraisal.cost);
-  } else {
-    refuse(h, *cause);
+    // Last, because it takes longest.
+    cause = check_intersections(h, candidate.position);
+    if (!cause) return;
+    if (*cause == Fan::kLegal) return collapse(h, candidate, appraisal);
   }
+  refuse(h, *cause);
   choose_cheapest_edge(v);
 }
 
@@ -229,6 +234,7 @@ bool Collapser::remove_one_face(std::span<const Vertex> vertices, float most) {
     if (check(h, candidate) != Fan::kLegal) continue;
     const Appraisal appraisal = appraise(h, candidate);
     if (!(appraisal.cost <= most)) continue;
+    if (check_intersections(h, candidate.position) != Fan::kLegal) continue;
     collapse(h, candidate, appraisal);
     return true;
   }
@@ -299,12 +305,15 @@ void Collapser::refuse(Halfedge h, Rejection cause) {
   if (surface.note_refused(h)) ++outcome_.rejected[static_cast<std::size_t>(cause)];
   outcome_.meets_bound |= cause == Rejection::error_bound;
   surface.set_cost(h, kNever);
+  // A collapse nearby rarely removes an intersection, and checking for it again takes long.
+  const bool is_fresh = outcome_.removed_faces > limits_.fresh_after;
+  if (cause == Rejection::intersection && !is_fresh) return;
   for (const Vertex v : {mesh.origin(h), mesh.target(h)})
     state(v).has_refused = true;
 }
 
-/// Returns why a collapse is not allowed, or Fan::kLegal; returns nothing if the ring crosses the
-/// region's border. Leaves the fan gathered.
+/// Returns why a collapse is not allowed for other reasons than new intersections, or Fan::kLegal;
+/// returns nothing if the ring crosses the region's border. Leaves the fan gathered.
 std::optional<Rejection> Collapser::check(Halfedge h, const Candidate& candidate) {
   const Surface& surface = context_.surface;
   const bool is_whole = fan_.gather(surface, h, limits_.valence);
@@ -333,11 +342,12 @@ std::optional<Rejection> Collapser::check(Halfedge h, const Candidate& candidate
     estimate_ = context_.bound->estimate(surface, h, fan_, p);
     if (!context_.bound->allows(surface, h, fan_, p, estimate_)) cause = Rejection::error_bound;
   }
-  if (cause != Fan::kLegal || !guard_) return cause;
-  return check_intersections(h, candidate.position);
+  return cause;
 }
 
+/// Same, for new intersections. Pre: `check` returned kLegal for this collapse.
 std::optional<Rejection> Collapser::check_intersections(Halfedge h, const glm::vec3& p) {
+  if (!guard_ || !is_near_guarded(h)) return Fan::kLegal;
   const Mesh& mesh = context_.surface.mesh();
   switch (guard_->check(context_.surface, fan_, mesh.origin(h), mesh.target(h), p)) {
     case IntersectionGuard::Verdict::legal:
@@ -358,12 +368,21 @@ bool Collapser::is_ring_ours() const {
   return is_ours;
 }
 
+/// Returns whether the collapse changes faces with a guarded corner. Pre: the ring is surveyed.
+bool Collapser::is_near_guarded(Halfedge h) const {
+  const Surface& surface = context_.surface;
+  const Mesh& mesh = surface.mesh();
+  return ring_.is_guarded || surface.state(mesh.origin(h)).is_guarded ||
+         surface.state(mesh.target(h)).is_guarded;
+}
+
 /// Gathers the properties of the neighbors in one branch-free loop.
 void Collapser::survey_ring() {
   ring_ = {};
   for (const Vertex v : fan_.ring()) {
     const VertexState& s = state(v);
     ring_.has_refused |= s.has_refused;
+    ring_.is_guarded |= s.is_guarded;
     ring_.rank = std::max<std::uint16_t>(ring_.rank, s.rank);
   }
 }
@@ -418,6 +437,7 @@ void Collapser::apply(const CollapseStep& step) {
   if (guard_) least_rank_ = static_cast<std::uint16_t>(rank);
   queue_.remove(removed);
   queue_.remove(kept);
+  state(kept).is_guarded |= state(removed).is_guarded;
   state(removed).remove(kept);
   state(kept).set_retreat(step.retreat);
   context_.policy.collapsing(surface, h, fan_, position);

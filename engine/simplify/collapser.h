@@ -31,7 +31,7 @@ struct CollapseContext {
   std::span<QueueEntry> queue;  ///< by vertex
   ErrorBound* bound = nullptr;
   TrackedSamples* samples = nullptr;  ///< set once a single region is left and costs are measured
-  GuardedSpace* space = nullptr;      ///< null if new intersections are allowed
+  GuardedSpace* space = nullptr;      ///< null if no vertex is guarded
   /// Lowest rank of new collapses. Used with `space` only: each collapse then also ranks at or
   /// above those before it in its region and all those of earlier rounds, because parts that are
   /// far apart on the surface may be close in space.
@@ -125,6 +125,7 @@ class Collapser {
   /// Properties of the neighbors of an edge that matter to a collapse.
   struct RingSurvey {
     bool has_refused = false;  ///< a neighbor has a refused edge
+    bool is_guarded = false;   ///< a neighbor is guarded
     std::uint16_t rank = 0;    ///< highest rank of the neighbors
   };
 
@@ -153,6 +154,7 @@ class Collapser {
   std::uint16_t rank(Halfedge h, float cost) const;
   bool is_ring_ours() const;
   void survey_ring();
+  bool is_near_guarded(Halfedge h) const;
   bool makes_feature_triangle(Halfedge h) const;
   void add_contributions(Face f, float sign);
   void merge(Halfedge h, const glm::vec3& p);

@@ -54,6 +54,23 @@ class ErrorBound {
   /// Returns whether less than the whole bound applies at a vertex.
   bool is_tight(Vertex v) const { return !shares_.empty() && shares_[v.index()] < 1.0F; }
 
+  /// What collapses change.
+  struct Saved {
+    Array<std::uint32_t> next;
+    Array<float> shares;
+    Array<float> estimates;
+    Array<Face> near;
+    double trusted = 0.0;
+  };
+  Saved save() const { return {next_, shares_, estimates_, near_, trusted_}; }
+  void restore(const Saved& saved) {
+    next_ = saved.next;
+    shares_ = saved.shares;
+    estimates_ = saved.estimates;
+    near_ = saved.near;
+    trusted_ = saved.trusted;
+  }
+
  private:
   /// Returns the fraction of the bound that applies to the merged vertex.
   double share(Vertex removed, Vertex kept) const {

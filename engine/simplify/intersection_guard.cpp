@@ -13,6 +13,18 @@
 namespace mesher::simplify {
 namespace {
 
+// Least distance from a plane, in relation to the sizes, that counts as certain. Rounding in float
+// is a hundredth of this.
+constexpr float kSideMargin = 1e-5F;
+// Covers products that underflow.
+constexpr float kLeastDoubt = 1e-30F;
+// A triangle whose area is a smaller fraction of the product of two sides has no certain plane.
+constexpr double kSliver = 1e-6;
+
+double taxicab_length(const glm::dvec3& v) {
+  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
 analysis::ExactTriangle triangle(const Mesh& mesh, Face f) {
   return {mesh.position(mesh.origin(Mesh::halfedge(f, 0))),
           mesh.position(mesh.origin(Mesh::halfedge(f, 1))),
@@ -63,11 +75,21 @@ void IntersectionGuard::place_faces(const Surface& surface, const Fan& fan, cons
   triangles_.resize(fan.size());
   boxes_.resize(fan.size());
   all_ = {p, p};
+  reach_ = 0.0F;
+  ring_.resize(fan.size() + 5);
+  normals_.resize(fan.size() + 4);
   const glm::dvec3 center(p);
   for (std::size_t i = 0; i < fan.size(); ++i) {
     const glm::vec3& a = mesh.position(fan.ring()[i]);
     const glm::vec3& b = mesh.position(fan.ring()[i + 1]);
     triangles_[i] = {center, a, b};
+    const glm::dvec3 to_a = triangles_[i][1] - center;
+    const glm::dvec3 to_b = triangles_[i][2] - center;
+    ring_.set(i, to_a);
+    ring_.set(i + 1, to_b);
+    normals_.set(i, glm::cross(to_a, to_b));
+    for (const glm::dvec3& v : {to_a, to_b})
+      reach_ = std::max(reach_, static_cast<float>(taxicab_length(v)));
     const Box box{glm::min(glm::min(a, b), p), glm::max(glm::max(a, b), p)};
     boxes_[i] = LaneBox(box);
     all_.min = glm::min(all_.min, box.min);
@@ -96,12 +118,12 @@ void IntersectionGuard::flatten(const Fan& fan) {
         &sides_[0].shift, &sides_[1].shift, &sides_[2].shift}) {
     if (numbers->size() < triangles_.size() + 4) numbers->resize(2 * triangles_.size() + 4);
   }
-  reach_ = 0.0F;
+  flat_reach_ = 0.0F;
   is_graph_ = false;
   std::size_t rounds = 0;
-  glm::dvec2 a = flattened(triangles_[0][1]);
+  glm::dvec2 a = flattened(triangles_[0][1] - triangles_[0][0]);
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
-    const glm::dvec2 b = flattened(triangles_[i][2]);
+    const glm::dvec2 b = flattened(triangles_[i][2] - triangles_[i][0]);
     const double turn = a.x * b.y - a.y * b.x;
     if (!(turn > least)) return;
     // Counts crossings from below to above: one per revolution.
@@ -109,50 +131,114 @@ void IntersectionGuard::flatten(const Fan& fan) {
     sides_[0].set(i, b - a, turn);
     sides_[1].set(i, -b, 0.0);
     sides_[2].set(i, a, 0.0);
-    reach_ = std::max(reach_, static_cast<float>(std::abs(b.x) + std::abs(b.y)));
-    reach_ = std::max(reach_, static_cast<float>(std::abs(a.x) + std::abs(a.y)));
+    flat_reach_ = std::max(flat_reach_, static_cast<float>(std::abs(b.x) + std::abs(b.y)));
+    flat_reach_ = std::max(flat_reach_, static_cast<float>(std::abs(a.x) + std::abs(a.y)));
     a = b;
   }
   is_graph_ = rounds <= (fan.is_closed() ? 1U : 0U);
 }
 
+/// `p`: relative to the vertex.
 glm::dvec2 IntersectionGuard::flattened(const glm::dvec3& p) const {
-  const glm::dvec3 q = p - triangles_[0][0];
-  return {glm::dot(q, axes_[0]), glm::dot(q, axes_[1])};
+  return {glm::dot(p, axes_[0]), glm::dot(p, axes_[1])};
 }
 
-/// Returns which of new faces i to i + 3 are certainly separated from a triangle by one of their
-/// sides, in the projection along the mean normal. The plane through that side along the normal
-/// then separates the two in space, and they meet at most in shared corners on that side. Lanes
-/// past the last face are unspecified.
-Int4 IntersectionGuard::find_apart(const Fan& fan, std::size_t i, const FlatTriangle& other) const {
-  // Rounding in float is a hundredth of this.
-  constexpr float kMargin = 1e-5F;
+/// Pre: the fan is placed.
+IntersectionGuard::NearTriangle IntersectionGuard::near_triangle(
+    const analysis::ExactTriangle& t, const std::array<Vertex, 3>& corner) const {
+  NearTriangle result{.corner = corner};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const glm::vec3 p(t[c] - triangles_[0][0]);
+    result.position[c] = p;
+    result.reach = std::max(result.reach, static_cast<float>(taxicab_length(glm::dvec3(p))));
+  }
+  const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+  const double length = taxicab_length(normal);
+  const double of_sides = taxicab_length(t[1] - t[0]) * taxicab_length(t[2] - t[0]);
+  result.normal_length = length > kSliver * of_sides ? static_cast<float>(length)
+                                                     : std::numeric_limits<float>::infinity();
+  result.normal = glm::vec3(normal);
+  result.offset = static_cast<float>(glm::dot(normal, t[0] - triangles_[0][0]));
+  return result;
+}
+
+IntersectionGuard::SharedCorners IntersectionGuard::shared_corners(const Fan& fan, std::size_t i,
+                                                                   const NearTriangle& other) {
   Int4 begins;
   Int4 ends;
   std::memcpy(&begins, &fan.ring()[i], sizeof(begins));
   const std::size_t last = std::min(i + 4, fan.size());
   for (std::size_t lane = 0; lane < 4; ++lane)
     ends[lane] = static_cast<std::int32_t>(fan.ring()[std::min(i + lane + 1, last)].index());
-  const Float4 zero{};
-  const Float4 away = zero - std::numeric_limits<float>::infinity();
-  std::array<Float4, 3> nearest{away, away, away};
-  float reach = reach_;
-  for (std::size_t c = 0; c < 3; ++c)
-    reach = std::max(reach, std::abs(other.x[c]) + std::abs(other.y[c]));
+  SharedCorners shared;
   for (std::size_t c = 0; c < 3; ++c) {
     const Int4 id = Int4{} + static_cast<std::int32_t>(other.corner[c].index());
-    const Int4 is_begin = begins == id;
-    const Int4 is_end = ends == id;
-    const std::array<Int4, 3> is_shared{is_begin | is_end, is_end, is_begin};
-    for (std::size_t side = 0; side < 3; ++side) {
-      const Float4 inside = sides_[side].distances(i, other.x[c], other.y[c]);
-      nearest[side] = greater_of(nearest[side], select(is_shared[side], away, inside));
-    }
+    shared.is_begin[c] = begins == id;
+    shared.is_end[c] = ends == id;
   }
+  return shared;
+}
+
+/// Returns which of new faces i to i + 3 are certainly on one side of the other triangle's plane,
+/// or have it on one side of theirs, except for shared corners. They meet at most there. Lanes past
+/// the last face are unspecified.
+Int4 IntersectionGuard::find_one_sided(std::size_t i, const SharedCorners& shared,
+                                       const NearTriangle& other) const {
+  const Float4 zero{};
+  const Int4 always = zero == zero;
+  const float reach = std::max(reach_, other.reach);
+  const Float4 doubt = normals_.lengths(i) * (zero + kSideMargin * reach) + kLeastDoubt;
+  Int4 is_above = always;
+  Int4 is_below = always;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Float4 distance = normals_.dots(i, other.position[c]);
+    const Int4 is_shared = shared.is_begin[c] | shared.is_end[c];
+    is_above &= is_shared | (distance > doubt);
+    is_below &= is_shared | (distance < -doubt);
+  }
+  const Int4 is_other_aside = is_above | is_below;
+  if (!any(~is_other_aside)) return is_other_aside;
+  const Float4 begins = ring_.dots(i, other.normal) - other.offset;
+  const Float4 ends = ring_.dots(i + 1, other.normal) - other.offset;
+  const Int4 is_begin = shared.is_begin[0] | shared.is_begin[1] | shared.is_begin[2];
+  const Int4 is_end = shared.is_end[0] | shared.is_end[1] | shared.is_end[2];
+  const float other_doubt = kSideMargin * reach * other.normal_length + kLeastDoubt;
+  const Float4 most = zero + other_doubt;
+  if (-other.offset > other_doubt) {
+    return is_other_aside | ((is_begin | (begins > most)) & (is_end | (ends > most)));
+  }
+  if (-other.offset < -other_doubt) {
+    return is_other_aside | ((is_begin | (begins < -most)) & (is_end | (ends < -most)));
+  }
+  return is_other_aside;
+}
+
+/// Returns which of new faces i to i + 3 are certainly separated from a triangle by one of their
+/// sides, in the projection along the mean normal. The plane through that side along the normal
+/// then separates the two in space, and they meet at most in shared corners on that side. Lanes
+/// past the last face are unspecified. Pre: the new faces form a graph.
+Int4 IntersectionGuard::find_apart(std::size_t i, const SharedCorners& shared,
+                                   const NearTriangle& other) const {
+  std::array<glm::vec2, 3> corner;
+  float reach = std::max(flat_reach_, other.reach);
+  for (std::size_t c = 0; c < 3; ++c) {
+    corner[c] = glm::vec2(flattened(glm::dvec3(other.position[c])));
+    reach = std::max(reach, std::abs(corner[c].x) + std::abs(corner[c].y));
+  }
+  const Float4 zero{};
   Int4 is_apart{};
-  for (std::size_t side = 0; side < 3; ++side)
-    is_apart |= nearest[side] < sides_[side].lengths(i) * (zero - kMargin * reach);
+  for (std::size_t side = 0; side < 3; ++side) {
+    const Float4 doubt = sides_[side].lengths(i) * (zero + kSideMargin * reach);
+    Int4 is_outside = zero == zero;
+    for (std::size_t c = 0; c < 3; ++c) {
+      // A shared corner may be on the side.
+      const Int4 is_begin = side == 1 ? Int4{} : shared.is_begin[c];
+      const Int4 is_end = side == 2 ? Int4{} : shared.is_end[c];
+      const Float4 inside = sides_[side].distances(i, corner[c].x, corner[c].y);
+      is_outside &= is_begin | is_end | (inside < -doubt);
+    }
+    is_apart |= is_outside;
+  }
   return is_apart;
 }
 
@@ -199,17 +285,18 @@ bool IntersectionGuard::has_new_pair(const Surface& surface, const Fan& fan) con
 bool IntersectionGuard::has_new_pair(const Surface& surface, const Fan& fan, Face other,
                                      const LaneBox& box) const {
   const Mesh& mesh = surface.mesh();
-  FlatTriangle flat;
+  std::array<Vertex, 3> corner;
   analysis::ExactTriangle t;
   for (std::uint32_t c = 0; c < 3; ++c) {
-    flat.corner[c] = mesh.origin(Mesh::halfedge(other, c));
-    t[c] = mesh.position(flat.corner[c]);
-    const glm::dvec2 q = flattened(t[c]);
-    flat.x[c] = static_cast<float>(q.x);
-    flat.y[c] = static_cast<float>(q.y);
+    corner[c] = mesh.origin(Mesh::halfedge(other, c));
+    t[c] = mesh.position(corner[c]);
   }
+  const NearTriangle near = near_triangle(t, corner);
   for (std::size_t i = 0; i < fan.size(); i += 4) {
-    const Int4 is_apart = is_graph_ ? find_apart(fan, i, flat) : Int4{};
+    const SharedCorners shared = shared_corners(fan, i, near);
+    Int4 is_apart = find_one_sided(i, shared, near);
+    if (is_graph_ && any(~is_apart)) is_apart |= find_apart(i, shared, near);
+    if (!any(~is_apart)) continue;
     for (std::size_t lane = 0; lane < 4 && i + lane < fan.size(); ++lane) {
       const std::size_t k = i + lane;
       if (is_apart[lane] != 0 || !do_overlap(boxes_[k], box)) continue;
@@ -222,8 +309,10 @@ bool IntersectionGuard::has_new_pair(const Surface& surface, const Fan& fan, Fac
 }
 
 void IntersectionGuard::collapsed(const Surface& surface, const Fan& fan) {
-  for (std::size_t i = 0; i < fan.size(); ++i)
-    tree_.move(Mesh::face(fan.spokes()[i]), boxes_[i]);
+  for (const Halfedge spoke : fan.spokes()) {
+    const Face f = Mesh::face(spoke);
+    tree_.move(f, LaneBox(face_box(surface.mesh(), f)));
+  }
   removed_ += 2;
   if (2 * removed_ < tree_.faces().size()) return;
   std::vector<Face> left;

@@ -42,15 +42,48 @@ class IntersectionGuard {
   /// expected. Pre: no face of the fan becomes degenerate.
   Verdict check(const Surface& surface, const Fan& fan, Vertex removed, Vertex kept,
                 const glm::vec3& p);
-  /// Applies the collapse that was last checked. Call after it is done.
+  /// Follows a collapse, checked or not. Call after it is done. O(valence log faces), mostly
+  /// O(valence).
   void collapsed(const Surface& surface, const Fan& fan);
 
  private:
-  /// A triangle projected along the mean normal of the new faces.
-  struct FlatTriangle {
+  /// Vectors in space, as separate coordinates.
+  struct Vectors {
+    std::vector<float> x, y, z;
+
+    void resize(std::size_t size) {
+      for (std::vector<float>* numbers : {&x, &y, &z})
+        numbers->resize(size);
+    }
+    void set(std::size_t i, const glm::dvec3& v) {
+      x[i] = static_cast<float>(v.x);
+      y[i] = static_cast<float>(v.y);
+      z[i] = static_cast<float>(v.z);
+    }
+    /// Returns the dot products of vectors i to i + 3 with `v`.
+    Float4 dots(std::size_t i, const glm::vec3& v) const {
+      return load4(&x[i]) * (Float4{} + v.x) + load4(&y[i]) * (Float4{} + v.y) +
+             load4(&z[i]) * (Float4{} + v.z);
+    }
+    /// Lengths of vectors i to i + 3 in the L1 norm.
+    Float4 lengths(std::size_t i) const {
+      const std::array<Float4, 3> v{load4(&x[i]), load4(&y[i]), load4(&z[i])};
+      return greater_of(v[0], -v[0]) + greater_of(v[1], -v[1]) + greater_of(v[2], -v[2]);
+    }
+  };
+  /// A triangle near the new faces, relative to their vertex.
+  struct NearTriangle {
     std::array<Vertex, 3> corner;
-    std::array<float, 3> x;
-    std::array<float, 3> y;
+    std::array<glm::vec3, 3> position;
+    glm::vec3 normal;            ///< not of unit length
+    float normal_length = 0.0F;  ///< in the L1 norm; infinite if the direction is uncertain
+    float offset = 0.0F;         ///< of the plane, times the length of the normal
+    float reach = 0.0F;          ///< largest L1 distance of a corner from the vertex
+  };
+  /// Which corners of four new faces, other than their vertex, a triangle shares.
+  struct SharedCorners {
+    std::array<Int4, 3> is_begin;
+    std::array<Int4, 3> is_end;
   };
   /// One side of each new face, projected: its direction, and the offset that corrects distances
   /// (the projection of the vertex is the origin).
@@ -78,7 +111,11 @@ class IntersectionGuard {
   void place_faces(const Surface& surface, const Fan& fan, const glm::vec3& p);
   void flatten(const Fan& fan);
   glm::dvec2 flattened(const glm::dvec3& p) const;
-  Int4 find_apart(const Fan& fan, std::size_t i, const FlatTriangle& other) const;
+  NearTriangle near_triangle(const analysis::ExactTriangle& t,
+                             const std::array<Vertex, 3>& corner) const;
+  static SharedCorners shared_corners(const Fan& fan, std::size_t i, const NearTriangle& other);
+  Int4 find_one_sided(std::size_t i, const SharedCorners& shared, const NearTriangle& other) const;
+  Int4 find_apart(std::size_t i, const SharedCorners& shared, const NearTriangle& other) const;
   bool has_new_pair(const Surface& surface, const Fan& fan) const;
   bool has_new_pair(const Surface& surface, const Fan& fan, Face other, const LaneBox& box) const;
 
@@ -90,11 +127,14 @@ class IntersectionGuard {
   std::vector<analysis::ExactTriangle> triangles_;
   std::vector<LaneBox> boxes_;
   Box all_;
+  Vectors ring_;        ///< corners of the new faces, relative to their vertex
+  Vectors normals_;     ///< of the new faces, not of unit length
+  float reach_ = 0.0F;  ///< largest L1 distance of a corner from the vertex
   // The same, projected along their mean normal, where they form a graph over that plane.
   bool is_graph_ = false;
   std::array<glm::dvec3, 2> axes_{};
   std::array<Sides, 3> sides_;
-  float reach_ = 0.0F;  ///< largest L1 distance of a neighbor from the vertex
+  float flat_reach_ = 0.0F;  ///< largest L1 distance of a corner from the vertex
 };
 
 }  // namespace mesher::simplify

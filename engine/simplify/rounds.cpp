@@ -75,14 +75,13 @@ std::unique_ptr<ErrorBound> make_bound(const Mesh& mesh, float scale,
 }  // namespace
 
 Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, TranslateRecords translate,
-               Attempts* attempts)
+               Attempts* attempts, Guarding guarding)
     : options_(options),
       translate_(std::move(translate)),
       scale_(scale),
       attempts_(attempts),
       bound_(make_bound(mesh, scale, options, attempts)),
-      space_(options.no_intersections ? std::make_unique<GuardedSpace>(mesh.face_count())
-                                      : nullptr),
+      guarding_(guarding),
       surface_(std::move(mesh), options),
       samples_(surface_, std::clamp(surface_.mesh().face_count() / kFacesPerSample, kLeastSamples,
                                     kMostSamples)),
@@ -92,7 +91,6 @@ Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, Transla
                .policy = *policy_,
                .queue = queue_,
                .bound = bound_.get(),
-               .space = space_.get(),
                .progress = options.progress},
       faces_(surface_.mesh().face_count()),
       faces_before_(faces_) {
@@ -103,8 +101,9 @@ Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, Transla
 
 /// Repeats the last attempt, or computes the first costs of all edges.
 void Rounds::begin() {
+  if (guarding_ == Guarding::everywhere) guard_all();
   check_cancelled(options_.progress);
-  if (attempts_ == nullptr || attempts_->steps.empty() || space_ != nullptr) {
+  if (attempts_ == nullptr || attempts_->steps.empty() || guarding_ != Guarding::none) {
     context_.precision = is_far() ? CostPrecision::guess : CostPrecision::exact;
     return evaluate_all(context_);
   }
@@ -123,12 +122,12 @@ void Rounds::run(SimplifyReport& report) {
   }
   context_.faces_to_remove = faces_to_remove();
   if (options_.observer != nullptr) options_.observer->expect(faces_to_remove() / 2 + 1);
-  for (std::uint32_t round = 0; !is_last_round(); ++round) {
-    const std::size_t vertices = live_.size();
-    run_regions(round);
-    if ((vertices - live_.size()) * kVerticesPerLeastRound < vertices) break;
+  if (guarding_ == Guarding::where_needed) {
+    run_without_intersections();
+  } else {
+    run_rounds();
+    run_to_the_end();
   }
-  run_to_the_end();
   drop_removed();
   report.reason = reason();
   report.collapses = collapses_;
@@ -139,6 +138,15 @@ void Rounds::run(SimplifyReport& report) {
     attempts_->rejected = rejected_;
     attempts_->meets_bound = meets_bound_;
     attempts_->is_exhausted = faces_to_remove() > 0 && !error_at_stop_;
+  }
+}
+
+/// Collapses in rounds, until a single region is left.
+void Rounds::run_rounds() {
+  for (std::uint32_t round = 0; !is_last_round(); ++round) {
+    const std::size_t vertices = live_.size();
+    run_regions(round);
+    if ((vertices - live_.size()) * kVerticesPerLeastRound < vertices) break;
   }
 }
 
@@ -175,9 +183,13 @@ void Rounds::run_regions(std::uint32_t round) {
   live_ =
       morton_order(surface_.mesh().positions(), live_,
                    {.bits = kBitsOfGrid, .shift = shift - std::floor(shift)}, options_.progress);
-  const std::size_t count = (live_.size() + kRegionVertices - 1) / kRegionVertices;
+  const std::size_t apart = guarding_ == Guarding::where_needed ? move_guarded_last(round) : 0;
+  const std::size_t rest = live_.size() - apart;
+  const std::size_t cuts = (rest + kRegionVertices - 1) / kRegionVertices;
+  const std::size_t count = cuts + (apart > 0 ? 1 : 0);
   const auto region = [&](std::size_t i) -> IndexRange {
-    return {live_.size() * i / count, live_.size() * (i + 1) / count};
+    if (i == cuts) return {rest, live_.size()};
+    return {rest * i / cuts, rest * (i + 1) / cuts};
   };
   // Costs are read several times, so copy them out of the much larger states.
   Array<float> costs(live_.size());
@@ -191,7 +203,7 @@ void Rounds::run_regions(std::uint32_t round) {
     }
   });
   const Share share = this->share(costs);
-  if (space_ != nullptr) {
+  if (guarding_ == Guarding::everywhere) {
     space_->territory.claim(surface_);
     space_->has_regions = true;
   }
@@ -327,8 +339,13 @@ CollapseOutcome Rounds::translated(CollapseOutcome&& outcome) const {
   return std::move(outcome);
 }
 
-void Rounds::tell(std::span<const CollapseRecord> records) const {
-  if (options_.observer != nullptr) options_.observer->collapsed(records);
+void Rounds::tell(std::span<const CollapseRecord> records) {
+  if (options_.observer == nullptr) return;
+  if (untold_) {
+    untold_->insert(untold_->end(), records.begin(), records.end());
+  } else {
+    options_.observer->collapsed(records);
+  }
 }
 
 void Rounds::note(const CollapseOutcome& outcome) {

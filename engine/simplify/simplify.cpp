@@ -13,7 +13,6 @@
 #include "engine/simplify/attribute_field.h"
 #include "engine/simplify/handy_scale.h"
 #include "engine/simplify/measured.h"
-#include "engine/simplify/new_intersections.h"
 #include "engine/simplify/reorder.h"
 #include "engine/simplify/rounds.h"
 
@@ -23,9 +22,6 @@ namespace {
 /// Times of a run's stages: reordering, the first costs, collapsing, finishing. Medians of
 /// simplifying 0.1, 1.4 and 13 million faces to 5 % on two cores.
 constexpr double kRunWeights[] = {0.06, 0.1, 0.82, 0.02};
-/// Times of a run without the guard, of looking for intersections, and of a run with it, which few
-/// models need.
-constexpr double kGuardedWeights[] = {0.95, 0.05, 0.1};
 
 class Stopwatch {
  public:
@@ -206,7 +202,16 @@ Simplified finish(const Rounds& rounds, const Reordered& order, const Units& uni
 
 namespace {
 
-Simplified run_once(Mesh&& mesh, const SimplifyOptions& options, Trace* trace, Attempts* attempts) {
+Guarding guarding(const SimplifyOptions& options) {
+  if (!options.no_intersections) return Guarding::none;
+  // An observer also sees the intermediate meshes, so looking the steps over is not enough.
+  return options.observer == nullptr ? Guarding::where_needed : Guarding::everywhere;
+}
+
+}  // namespace
+
+Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options, Trace* trace,
+                               Attempts* attempts) {
   Stopwatch watch;
   SimplifyTimes seconds;
   Stages stages(options.progress, kRunWeights);
@@ -227,7 +232,8 @@ Simplified run_once(Mesh&& mesh, const SimplifyOptions& options, Trace* trace, A
     metric = of_faces(*options.metric, order.face_source, units.scale());
     observed.metric = &metric;
   }
-  Rounds rounds(std::move(order.mesh), units.scale(), observed, Translator(order, units), attempts);
+  Rounds rounds(std::move(order.mesh), units.scale(), observed, Translator(order, units), attempts,
+                guarding(options));
   seconds.prepare = watch.lap();
   stages.next("simplifying");
   rounds.run(report);
@@ -242,31 +248,6 @@ Simplified run_once(Mesh&& mesh, const SimplifyOptions& options, Trace* trace, A
   report.seconds = seconds;
   result.report = report;
   return result;
-}
-
-}  // namespace
-
-Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options, Trace* trace,
-                               Attempts* attempts) {
-  // An observer also sees the intermediate meshes, so checking only the result is not enough.
-  const bool may_look_afterwards = options.no_intersections && options.observer == nullptr;
-  if (!may_look_afterwards) return run_once(std::move(mesh), options, trace, attempts);
-  // Mostly no faces intersect, and checking the result is cheaper than checking each collapse.
-  SimplifyOptions unguarded = options;
-  unguarded.no_intersections = false;
-  Stages stages(options.progress, kGuardedWeights);
-  stages.next();
-  Simplified free = run_once(Mesh(mesh), unguarded, trace, attempts);
-  Stopwatch watch;
-  stages.next("looking for intersections");
-  const bool must_repeat = has_new_intersections(mesh, free, options.progress);
-  free.report.seconds.finish += watch.lap();
-  if (!must_repeat) return free;
-  if (trace != nullptr) *trace = {};
-  stages.next();
-  Simplified guarded = run_once(std::move(mesh), options, trace, attempts);
-  guarded.report.seconds += free.report.seconds;
-  return guarded;
 }
 
 Simplified simplify(Mesh&& mesh, const SimplifyOptions& options) {

@@ -74,6 +74,7 @@ struct alignas(64) VertexState {
   /// Highest CollapseRecord::rank of the collapses whose one-rings contained the vertex.
   std::uint16_t rank : 13 = 0;
   bool has_refused : 1 = false;  ///< one of its edges was refused because of its surroundings
+  bool is_guarded : 1 = false;   ///< its collapses are checked for new intersections
   std::uint16_t retreat_bits = 0;
   /// How far the surface around has retreated (appraisal.h): 8 significant bits, rounded down.
   float retreat() const { return std::bit_cast<float>(std::uint32_t{retreat_bits} << 16U); }
@@ -269,8 +270,7 @@ class Surface {
   /// Returns what a face adds to the quadrics of its corners, in their order: its plane weighted by
   /// area, and for each feature edge a plane across it, which keeps features in place. O(1).
   std::array<Quadric<float>, 3> contributions(Face f) const;
-  /// Returns the vector across the feature edge of `h` in the plane of its face, as long as the
-  /// edge.
+  /// Returns the vector across the feature edge of `h` in its face's plane, as long as the edge.
   glm::vec3 across(Halfedge h) const;
   bool has_feature(Face f) const {
     const std::uint32_t h = 3 * f.index();

@@ -5,7 +5,20 @@
 namespace mesher::simplify {
 namespace {
 
-/// Returns, for each vertex, the surviving vertex into which it was merged.
+KeptIds find_kept(const Surface& surface) {
+  const Mesh& mesh = surface.mesh();
+  KeptIds kept;
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (!mesh.is_isolated(Vertex(v))) kept.vertices.emplace_back(v);
+  }
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    if (!surface.is_removed(Face(f))) kept.faces.emplace_back(f);
+  }
+  return kept;
+}
+
+}  // namespace
+
 Array<std::uint32_t> find_survivors(const Surface& surface) {
   const std::uint32_t n = surface.mesh().vertex_count();
   Array<std::uint32_t> into(n);
@@ -23,20 +36,6 @@ Array<std::uint32_t> find_survivors(const Surface& surface) {
   }
   return into;
 }
-
-KeptIds find_kept(const Surface& surface) {
-  const Mesh& mesh = surface.mesh();
-  KeptIds kept;
-  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-    if (!mesh.is_isolated(Vertex(v))) kept.vertices.emplace_back(v);
-  }
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-    if (!surface.is_removed(Face(f))) kept.faces.emplace_back(f);
-  }
-  return kept;
-}
-
-}  // namespace
 
 void trace(const Surface& surface, Trace& trace) {
   const Mesh& mesh = surface.mesh();

@@ -17,6 +17,10 @@ struct Trace {
   Array<Face> near_after;   ///< for each face after the run, one before it that is probably near
 };
 
+/// Returns, for each vertex, the one into which it was merged in the end; itself if it is still
+/// there. O(V).
+Array<std::uint32_t> find_survivors(const Surface& surface);
+
 /// Fills in the members for the state after the run. Pre: `before` is set and has the surface's
 /// ids. O(F).
 void trace(const Surface& surface, Trace& trace);

@@ -17,7 +17,7 @@ constexpr float kTrustInPlanes = 8.0F;
 }  // namespace
 
 TrackedSamples::TrackedSamples(const Surface& surface, const ErrorSamples& samples)
-    : samples_(samples), first_(surface.mesh().face_count(), kNone), points_(samples.size()) {
+    : samples_(&samples), first_(surface.mesh().face_count(), kNone), points_(samples.size()) {
   if (samples.size() == 0) return;
   weight_ = kTimesCounted * surface.area_before() / static_cast<double>(samples.size());
   std::vector<Face> faces(samples.size());
@@ -37,7 +37,7 @@ TrackedSamples::TrackedSamples(const Surface& surface, const ErrorSamples& sampl
 void TrackedSamples::find_moved(Face f, const Fan& fan, const glm::vec3& p) {
   const Vec3<Float4> origin = in_all_lanes({0.0F, 0.0F, 0.0F});
   for (std::uint32_t s = first_[f.index()]; s != kNone; s = points_[s].next) {
-    const glm::dvec3& point = samples_.point(s);
+    const glm::dvec3& point = samples_->point(s);
     // Differences in double, so that no precision is lost far from the model's origin.
     const glm::vec3 to_center(glm::dvec3(p) - point);
     const Vec3<Float4> center = in_all_lanes({to_center.x, to_center.y, to_center.z});

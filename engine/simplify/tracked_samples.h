@@ -45,7 +45,7 @@ class TrackedSamples {
 
   void find_moved(Face f, const Fan& fan, const glm::vec3& p);
 
-  const ErrorSamples& samples_;
+  const ErrorSamples* samples_;
   double weight_ = 0.0;               ///< cost of a point's squared distance
   std::vector<std::uint32_t> first_;  ///< first point of each face
   std::vector<TrackedPoint> points_;  ///< by index of the point

@@ -180,6 +180,17 @@ TEST(NoIntersections, NoNewPairsBetweenRegions) {
   });
 }
 
+/// Without an observer, a region of its own collapses the places where pairs appear otherwise.
+TEST(NoIntersections, NoNewPairsBetweenDistantSheets) {
+  const Mesh mesh = built(with_noise(shells(300, 100, 0.002F), 0.0003F, 1)).mesh;
+  const simplify::Simplified free = simplify::simplify(Mesh(mesh), {.target_faces = 20'000});
+  EXPECT_TRUE(simplify::has_new_intersections(mesh, free)) << "this model no longer tests anything";
+  const simplify::Simplified kept =
+      simplify::simplify(Mesh(mesh), {.target_faces = 20'000, .no_intersections = true});
+  EXPECT_FALSE(simplify::has_new_intersections(mesh, kept));
+  EXPECT_EQ(kept.mesh.face_count(), 20'000U);
+}
+
 TEST(NoIntersections, SameBytesForAnyThreadCount) {
   const Mesh mesh = built(with_noise(shells(200, kSanitized ? 30 : 100, 0.02F), 0.001F, 2)).mesh;
   const simplify::SimplifyOptions options{.target_faces = 2'000, .no_intersections = true};
