@@ -140,7 +140,6 @@ class Collapser {
   std::uint16_t take_rank(Halfedge h, float cost);
   bool is_ring_ours() const;
   void survey_ring();
-  bool makes_feature_triangle(Halfedge h) const;
   void add_contributions(Face f, float sign);
   void merge(Halfedge h, const glm::vec3& p);
   void merge_near_feature(Halfedge h, const glm::vec3& p);
