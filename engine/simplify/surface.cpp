@@ -194,7 +194,7 @@ glm::vec3 Surface::across(Halfedge h) const {
 /// sweeps no volume.
 Quadric<float> Surface::across_quadric(Halfedge h) const {
   const glm::vec3 out = across(h);
-  Quadric<float> q = plane_quadric(Vec3<float>{out.x, out.y, out.z}, feature_weight(h));
+  Quadric<float> q = plane_quadric(Vec3<float>{out.x, out.y, out.z}, kFeatureWeight);
   q.g = {};
   return q;
 }

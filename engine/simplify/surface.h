@@ -47,11 +47,10 @@ inline Quadric<float> plane_quadric(const FaceShape& shape) {
   return plane_quadric(Vec3<float>{shape.normal.x, shape.normal.y, shape.normal.z}, shape.area);
 }
 
-/// Weight of a feature edge: large enough that boundaries are straightened last, small enough that
-/// their surroundings still count.
+/// Weight of the plane across a feature edge, relative to a face whose area is the squared length
+/// of the edge: large enough that boundaries are straightened last, small enough that their
+/// surroundings still count.
 inline constexpr float kFeatureWeight = 1.0F;
-/// Weight of a seam that may be crossed, where a texture shows what lies beside its chart.
-inline constexpr float kSeamWeight = 0.25F;
 
 /// A mesh under simplification, with data per face and vertex. Removed faces and vertices leave
 /// holes until the end, so that ids stay valid.
@@ -201,11 +200,6 @@ class Surface {
   /// Returns what a face adds to the quadrics of its corners, in their order: its plane weighted by
   /// area, and for each feature edge a plane across it, which keeps features in place. O(1).
   std::array<Quadric<float>, 3> contributions(Face f) const;
-  /// Returns the weight of the plane across a feature edge, relative to that of a face whose area
-  /// is the squared length of the edge. O(1).
-  float feature_weight(Halfedge h) const {
-    return kind(h) == EdgeKind::seam ? kSeamWeight : kFeatureWeight;
-  }
   /// Returns the vector across the feature edge of `h` in the plane of its face, as long as the
   /// edge.
   glm::vec3 across(Halfedge h) const;
