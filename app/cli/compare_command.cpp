@@ -153,6 +153,8 @@ void add_compare_options(CLI::App& command, CompareArguments& arguments) {
 void run_compare(const InputOptions& first, const InputOptions& second,
                  const CompareArguments& arguments, const CommonOptions& common) {
   if (!arguments.pictures.folder.empty()) check_pictures(arguments.pictures);
+  for (const InputOptions* const input : {&first, &second})
+    check_pose(*input);
   const LoadedModel a = load(first, common);
   LoadedModel b = load(second, common);
   move_origin(b.model, a.model.origin);
@@ -176,7 +178,11 @@ void run_compare(const InputOptions& first, const InputOptions& second,
     found.scenes = compare_scenes(first, second, arguments.samples, line.progress());
     found.pictures = std::move(pictures);
   }
-  if (common.json) return print_json(comparison_json(a, b, arguments, found));
+  if (common.json) {
+    Json json = comparison_json(a, b, arguments, found);
+    if (first.animation) json["pose"] = {{"animation", *first.animation}, {"time_s", first.time_s}};
+    return print_json(json);
+  }
   print_text(found);
 }
 

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <vector>
 
+#include "app/files/paths.h"
 #include "engine/core/error.h"
+#include "engine/io/format.h"
+#include "engine/io/pm_file.h"
 
 namespace mesher::app {
 namespace {
@@ -59,6 +62,15 @@ io::ReadOptions read_options(const InputOptions& input) {
                           .keeps_scene = input.keeps_scene};
   if (input.animation) options.pose = {.animation = *input.animation, .time_s = input.time_s};
   return options;
+}
+
+void check_pose(const InputOptions& input) {
+  if (!input.animation) return;
+  const std::filesystem::path file = find_model(input.model);
+  const io::FormatInfo* const format = io::format_of(file);
+  if (io::is_pm_file(file) || (format != nullptr && !format->has_animations)) {
+    throw UsageError("--animation: " + file.filename().string() + " has no animations");
+  }
 }
 
 std::optional<std::vector<double>> parse_numbers(const std::string& text) {

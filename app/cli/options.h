@@ -53,6 +53,9 @@ struct InputOptions {
 /// Returns the options as those of reading.
 io::ReadOptions read_options(const InputOptions& input);
 
+/// Refuses a pose of a model whose format has none. Throws UsageError.
+void check_pose(const InputOptions& input);
+
 /// How a model is shown: the same arguments for `view` and `render`.
 struct LookOptions {
   render::Settings settings;  ///< those of kRenderOptions

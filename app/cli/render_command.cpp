@@ -86,16 +86,6 @@ Detail open_detail(Session& session, LoadedLevels&& opened, double lod, const Lo
   return detail;
 }
 
-/// Refuses a pose of a model whose format has none.
-void check_pose(const InputOptions& input) {
-  if (!input.animation) return;
-  const std::filesystem::path file = find_model(input.model);
-  const io::FormatInfo* const format = io::format_of(file);
-  if (io::is_pm_file(file) || (format != nullptr && !format->has_animations)) {
-    throw UsageError("--animation: " + file.filename().string() + " has no animations");
-  }
-}
-
 /// Refuses what cannot be drawn or written, before the work starts.
 void check(const std::string& output, const LookOptions& look, const PictureArguments& picture) {
   const Size size = size_of(look);

@@ -263,7 +263,7 @@ class CommandLine {
         ->add_flag("--split-colors", look_.split_colors,
                    "with --lod: color faces by split order, from violet (first) to yellow")
         ->needs(lod);
-    add_pose(command);
+    add_pose(command, "draw a pose");
     add_look(command);
     add_options(*command, kPictureOptions, picture_.options);
     CLI::Option* turntable =
@@ -273,13 +273,15 @@ class CommandLine {
       add_option(*command, option, picture_.turn)->needs(turntable);
   }
 
-  void add_pose(CLI::App* command) {
+  /// `does`: what the command does with the pose.
+  void add_pose(CLI::App* command, const std::string& does) {
     CLI::Option* animation =
         command
             ->add_option_function<std::string>(
                 "--animation", [this](const std::string& name) { input_.animation = name; },
-                "draw a pose of this animation of a glTF: its name or index, from 0; without NAME, "
-                "an error lists the animations")
+                does +
+                    " of this animation of a glTF: its name or index, from 0; without NAME, an "
+                    "error lists the animations")
             ->type_name("NAME")
             ->expected(0, 1);
     command
@@ -389,10 +391,13 @@ class CommandLine {
     CLI::App* command = add_command(
         "compare", "measure how much a model differs from another in shape and look", [this] {
           second_.allow_damaged = input_.allow_damaged;
+          second_.animation = input_.animation;
+          second_.time_s = input_.time_s;
           run_compare(input_, second_, compare_, common_);
         });
     add_batch_input(command);
     command->add_option("SECOND", second_.model, "the other model")->required();
+    add_pose(command, "compare both models in a pose");
     add_compare_options(*command, compare_);
   }
 

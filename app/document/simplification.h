@@ -52,6 +52,6 @@ struct SimplifyOutcome {
 };
 
 inline constexpr const char* kCrossesSeams =
-    "seams of the attributes were crossed, because the target cannot be reached along them";
+    "seams of the attributes were crossed, because that changes less than to keep them";
 
 }  // namespace mesher::app

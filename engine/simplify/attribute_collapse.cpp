@@ -1,6 +1,7 @@
 // The part of AttributeField that follows a collapse.
 #include <algorithm>
 #include <span>
+#include <vector>
 
 #include "engine/simplify/attribute_field.h"
 
@@ -25,6 +26,12 @@ struct AttributeField::Merged {
   Pairs pairs;
   std::array<Values, 2> values;
   std::array<std::uint32_t, 2> source{kNone, kNone};
+  /// Wedges aside whose values change, by a collapse across seams.
+  struct Extended {
+    std::uint32_t wedge;
+    Values values;
+  };
+  std::vector<Extended> extended;
 
   // Where both sides have a wedge in common, the first one counts.
 
@@ -47,6 +54,9 @@ struct AttributeField::Merged {
       after = select(names == lanes_of(pairs.pair[i].target), broadcast<Float4>(values[i][number]),
                      after);
     }
+    for (const Extended& wedge : extended)
+      after =
+          select(names == lanes_of(wedge.wedge), broadcast<Float4>(wedge.values[number]), after);
     return after;
   }
 };
@@ -90,7 +100,29 @@ AttributeField::Merged AttributeField::merged(const Surface& surface, Halfedge h
       result.values[i][j] = value(end, j);
   }
   if (result.pairs.count == 2 && !is_at_end) keep_equal(result);
+  if (surface.allowed_placement(h) == AllowedPlacement::across) {
+    for (const Vertex v : {mesh.origin(h), mesh.target(h)})
+      extend_aside(surface, v, p, result);
+  }
   return result;
+}
+
+/// Extends the wedges of a vertex that are not at the edge to `p`.
+void AttributeField::extend_aside(const Surface& surface, Vertex v, const glm::vec3& p,
+                                  Merged& merged) const {
+  const Mesh& mesh = surface.mesh();
+  if (p == mesh.position(v)) return;
+  const glm::vec3 y = p - mesh.position(v);
+  const Float4 along{y.x, y.y, y.z, 0.0F};
+  for (const std::uint32_t wedge : aside(mesh, v, merged.pairs).all()) {
+    const float* const s = record(wedge);
+    Merged::Extended& extended = merged.extended.emplace_back();
+    extended.wedge = wedge;
+    for (std::size_t j = 0; j < size_; ++j) {
+      const float change = s[0] > 0.0F ? sum_of(load4(s + row(j)) * along) / s[0] : 0.0F;
+      extended.values[j] = value(wedge, j) + change;
+    }
+  }
 }
 
 /// Numbers that agree across a line at both of its ends still do afterward: a seam of the texture
@@ -209,6 +241,13 @@ void AttributeField::collapsing(const Surface& surface, Halfedge h, const Fan& f
       record(wedge)[row(j) + 3] = merged.values[i][j];
     source_[wedge] = merged.source[i];
   }
+  for (const Merged::Extended& extended : merged.extended) {
+    for (std::size_t j = 0; j < size_; ++j)
+      record(extended.wedge)[row(j) + 3] = extended.values[j];
+    source_[extended.wedge] = kNone;
+  }
+  if (surface.allowed_placement(h) == AllowedPlacement::across)
+    has_crossed_seams_.store(true, std::memory_order_relaxed);
 }
 
 }  // namespace mesher::simplify

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <span>
 
@@ -63,6 +64,14 @@ class AttributeField {
     return cost_at_end(surface, h, false);
   }
 
+  /// Returns at which ends an edge may be merged across seams, as far as wedges decide: two wedges
+  /// that become one must get one value. `anywhere`: at both. O(valence).
+  AllowedPlacement ends_across(const Mesh& mesh, Halfedge h) const;
+  /// Same as cost_at_target and cost_at_origin, across seams at the other end. Wedges there that do
+  /// not meet the edge keep their texture where it is: each gets the mean of its faces, extended to
+  /// the merged vertex. O(valence).
+  float cost_at_end_across(const Surface& surface, Halfedge h, bool is_at_target) const;
+
   /// Returns whether a face would turn over in texture space, or lose its area there. Faces without
   /// area there may. Pre: `fan` is that of `h`. O(valence).
   bool flips_texture(const Surface& surface, Halfedge h, const Fan& fan, const glm::vec3& p) const;
@@ -88,6 +97,8 @@ class AttributeField {
     const std::uint32_t source = source_[wedge_[h.index()]];
     return source == kOwn ? own_[h.index()] : source;
   }
+
+  bool has_crossed_seams() const { return has_crossed_seams_.load(std::memory_order_relaxed); }
 
   /// What the corners show.
   struct Saved {
@@ -121,7 +132,16 @@ class AttributeField {
     std::span<const Pair> all() const { return {pair.data(), count}; }
   };
   struct Merged;
+  /// Wedges at an end of an edge that are not at the edge itself.
+  static constexpr std::size_t kMostAside = 8;
+  struct Aside {
+    std::array<std::uint32_t, kMostAside> wedge;
+    std::size_t count = 0;
+    bool is_complete = true;
+    std::span<const std::uint32_t> all() const { return {wedge.data(), count}; }
+  };
 
+  Aside aside(const Mesh& mesh, Vertex v, const Pairs& pairs) const;
   Pairs pairs(const Mesh& mesh, Halfedge h) const;
   std::array<std::array<Pair, 4>, 2> pairs(const std::array<Halfedge, 8>& edges) const;
   /// What is computed of a quadric.
@@ -135,6 +155,8 @@ class AttributeField {
                      Values& to) const;
   Merged merged(const Surface& surface, Halfedge h, const glm::vec3& p) const;
   void keep_equal(Merged& merged) const;
+  float extension_cost(std::uint32_t wedge, const Vec3<float>& y) const;
+  void extend_aside(const Surface& surface, Vertex v, const glm::vec3& p, Merged& merged) const;
   FourWedges wedges(const FourHalfedges& from) const;
   Float4 values(Int4 wedges, std::size_t j) const;
   void load(const Surface& surface, const FourHalfedges& from, FourFaces& to) const;
@@ -158,6 +180,7 @@ class AttributeField {
   static std::size_t row(std::size_t attribute) { return 8 + 4 * attribute; }
   float value(std::uint32_t wedge, std::size_t j) const { return record(wedge)[row(j) + 3]; }
 
+  std::atomic<bool> has_crossed_seams_{false};
   std::size_t size_;
   std::size_t stride_;
   std::vector<std::size_t> texcoords_;  ///< first of two numbers each

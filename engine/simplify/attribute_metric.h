@@ -58,6 +58,7 @@ struct CornerVectors {
   /// The source wedge of each corner: its index in the input if the values are unchanged, otherwise
   /// kNone.
   Array<std::uint32_t> source;
+  bool crosses_seams = false;  ///< a collapse did (SimplifyOptions::crosses_seams)
 
   bool is_empty() const { return source.empty(); }
 };

@@ -18,16 +18,22 @@ struct Choice {
 
 class Choices {
  public:
-  Choices(const Surface& surface, const AttributeField& field, Halfedge h)
-      : surface_(surface), field_(field), h_(h), edge_(surface.edge_quadric(h)) {}
+  Choices(const Surface& surface, const AttributeField& field, Halfedge h, bool is_across)
+      : surface_(surface),
+        field_(field),
+        h_(h),
+        is_across_(is_across),
+        edge_(surface.edge_quadric(h)) {}
 
   Choice at_target() const {
     return {surface_.mesh().position(surface_.mesh().target(h_)), surface_cost(edge_.half),
-            field_.cost_at_target(surface_, h_)};
+            is_across_ ? field_.cost_at_end_across(surface_, h_, true)
+                       : field_.cost_at_target(surface_, h_)};
   }
   Choice at_origin() const {
     return {surface_.mesh().position(surface_.mesh().origin(h_)), surface_cost(edge_.half * -1.0F),
-            field_.cost_at_origin(surface_, h_)};
+            is_across_ ? field_.cost_at_end_across(surface_, h_, false)
+                       : field_.cost_at_origin(surface_, h_)};
   }
   Choice at_end() const {
     const Choice origin = at_origin();
@@ -72,6 +78,7 @@ class Choices {
   const Surface& surface_;
   const AttributeField& field_;
   Halfedge h_;
+  bool is_across_;
   EdgeQuadric<float> edge_;
 };
 
@@ -89,13 +96,23 @@ Choice choose(const Choices& choices, AllowedPlacement allowed, Placement placem
   return choices.best();
 }
 
+/// Returns where two rules both allow a vertex.
+AllowedPlacement both(AllowedPlacement a, AllowedPlacement b) {
+  if (a == AllowedPlacement::anywhere) return b;
+  return b == AllowedPlacement::anywhere || a == b ? a : AllowedPlacement::nowhere;
+}
+
 }  // namespace
 
 Candidate AttributePolicy::evaluate(const Surface& surface, Halfedge h,
                                     AllowedPlacement allowed) const {
-  const Choices choices(surface, field_, h);
-  const bool may_move = allowed == AllowedPlacement::anywhere && placement() == Placement::optimal;
-  const Choice choice = choices.refined(choose(choices, allowed, placement()), may_move);
+  const bool is_across = allowed == AllowedPlacement::across;
+  if (is_across) allowed = both(surface.ends_across(h), field_.ends_across(surface.mesh(), h));
+  if (allowed == AllowedPlacement::nowhere) return {};
+  const Choices choices(surface, field_, h, is_across);
+  const Placement placement = is_across ? Placement::endpoint : this->placement();
+  const bool may_move = allowed == AllowedPlacement::anywhere && placement == Placement::optimal;
+  const Choice choice = choices.refined(choose(choices, allowed, placement), may_move);
   return {choice.total() + choices.tie_break(), choice.surface, choice.position};
 }
 

@@ -257,6 +257,7 @@ SimplifiedModel simplify_model(Mesh&& mesh, const Attributes& attributes,
   const auto run = [&](Mesh&& input, const AttributeMetric* metric) {
     SimplifyOptions run_options = options;
     run_options.metric = metric != nullptr && metric->size > 0 ? metric : nullptr;
+    run_options.crosses_seams = options.target_faces > 0;
     return prunes ? simplify_pruned(std::move(input), run_options)
                   : simplify(std::move(input), run_options);
   };
@@ -273,12 +274,15 @@ SimplifiedModel simplify_model(Mesh&& mesh, const Attributes& attributes,
   mark_seams(marked, attributes);
   const AttributeMetric metric = attribute_metric(mesh, attributes, options.weights());
   result.simplified = run(std::move(marked), &metric);
+  result.crosses_seams = result.simplified.corners.crosses_seams;
   const bool is_stuck = result.simplified.report.reason == StopReason::no_legal_collapse &&
                         result.simplified.report.faces_reached > options.target_faces;
   if (has_lines && options.target_faces > 0 && is_stuck) {
     Simplified across = run(Mesh(mesh), nullptr);
-    result.crosses_seams = across.report.faces_reached < result.simplified.report.faces_reached;
-    if (result.crosses_seams) result.simplified = std::move(across);
+    if (across.report.faces_reached < result.simplified.report.faces_reached) {
+      result.crosses_seams = true;
+      result.simplified = std::move(across);
+    }
   }
   unmark_seams(result.simplified.mesh);
   stages.next();

@@ -328,7 +328,8 @@ std::optional<Rejection> Collapser::check(Halfedge h, const Candidate& candidate
   const glm::vec3& p = candidate.position;
   if (!std::isfinite(p.x + p.y + p.z)) return Rejection::fold_over;
   Rejection cause = fan_.check_topology(surface);
-  if (cause == Fan::kLegal && !fan_.is_smooth() && makes_feature_triangle(h)) {
+  // A loop of three features must not close.
+  if (cause == Fan::kLegal && !fan_.is_smooth() && surface.is_in_loop(h, EdgeKind::feature)) {
     cause = Rejection::crease;
   }
   if (cause == Fan::kLegal) cause = fan_.check_shape(surface, candidate.position);
@@ -385,20 +386,6 @@ void Collapser::survey_ring() {
     ring_.is_guarded |= s.is_guarded;
     ring_.rank = std::max<std::uint16_t>(ring_.rank, s.rank);
   }
-}
-
-/// Returns whether both other sides of a face at a feature edge are features. Such a loop of three
-/// must not collapse.
-bool Collapser::makes_feature_triangle(Halfedge h) const {
-  const Surface& surface = context_.surface;
-  if (!surface.is_feature(h)) return false;
-  for (const Halfedge side : {h, surface.mesh().twin(h)}) {
-    if (side.is_valid() && surface.is_feature(Mesh::next(side)) &&
-        surface.is_feature(Mesh::prev(side))) {
-      return true;
-    }
-  }
-  return false;
 }
 
 /// Returns the rank of the next collapse.

@@ -155,7 +155,6 @@ class Collapser {
   bool is_ring_ours() const;
   void survey_ring();
   bool is_near_guarded(Halfedge h) const;
-  bool makes_feature_triangle(Halfedge h) const;
   void add_contributions(Face f, float sign);
   void merge(Halfedge h, const glm::vec3& p);
   void merge_near_feature(Halfedge h, const glm::vec3& p);

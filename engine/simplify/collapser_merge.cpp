@@ -71,16 +71,23 @@ void Collapser::merge(Halfedge h, const glm::vec3& p) {
   const Halfedge t = mesh.twin(h);
   const Vertex removed = mesh.origin(h);
   const Vertex kept = mesh.target(h);
-  surface.state(kept).constraint = std::max(surface.constraint(kept), surface.constraint(removed));
+  const bool is_across = surface.allowed_placement(h) == AllowedPlacement::across;
+  VertexState& state = surface.state(kept);
+  state.constraint = std::max(state.constraint, surface.constraint(removed));
+  state.constraint_across =
+      std::max(state.constraint_across, surface.state(removed).constraint_across);
+  // Two features may become one at these vertices.
+  std::array<Vertex, 2> opposite;
   if (!fan_.is_smooth()) {
     edit.join_sharpness(h);
     // Two edges become one, which is a feature if either was.
     for (const Halfedge side : {h, t}) {
       if (!side.is_valid()) continue;
-      const bool is_feature =
-          surface.is_feature(Mesh::next(side)) || surface.is_feature(Mesh::prev(side));
+      opposite[side == h ? 0 : 1] = mesh.origin(Mesh::prev(side));
+      const EdgeKind kind =
+          std::max(surface.kind(Mesh::next(side)), surface.kind(Mesh::prev(side)));
       for (const Halfedge inner : {Mesh::next(side), Mesh::prev(side)}) {
-        if (mesh.twin(inner).is_valid()) surface.set_feature(mesh.twin(inner), is_feature);
+        if (mesh.twin(inner).is_valid()) surface.set_kind(mesh.twin(inner), kind);
       }
     }
   }
@@ -95,6 +102,10 @@ void Collapser::merge(Halfedge h, const glm::vec3& p) {
     if (!side.is_valid()) continue;
     for (std::uint32_t c = 0; c < 3; ++c)
       edit.set_origin(Mesh::halfedge(Mesh::face(side), c), {});
+  }
+  if (!is_across) return;
+  for (const Vertex v : {kept, opposite[0], opposite[1]}) {
+    if (v.is_valid()) surface.update_constraint(v);
   }
 }
 

@@ -133,6 +133,9 @@ struct SimplifyOptions {
 
   /// Attributes of the mesh that the default cost counts; null: none. simplify_model sets it.
   const AttributeMetric* metric = nullptr;
+  /// Edges that mark_seams has marked may be crossed where that costs less than to stay on them.
+  /// Only with a metric. simplify_model sets it.
+  bool crosses_seams = false;
 
   /// See AttributeWeights.
   float weight_uv = AttributeWeights{}.texcoord;

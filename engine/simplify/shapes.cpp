@@ -74,6 +74,7 @@ class Reducible {
       SimplifyOptions rules = options_.rules;
       rules.progress = progress;
       rules.metric = metric();
+      rules.crosses_seams = true;
       curve_ = rest.face_count() > 0 ? cost_curve(rest, rules) : CostCurve();
     }
     if (!across || !has_lines_ || std::exchange(is_across_, true)) return;
@@ -171,6 +172,7 @@ class Reducible {
   Simplified simplify_rest(bool marks, SimplifyOptions rules) {
     // Across seams, the sides have no common values.
     rules.metric = marks ? metric() : nullptr;
+    rules.crosses_seams = rules.target_faces > 0;
     return options_.prunes ? simplify_pruned(rest_mesh(marks), rules)
                            : simplify(rest_mesh(marks), rules);
   }
@@ -178,12 +180,14 @@ class Reducible {
   /// As simplify_model, for the rest.
   Simplified simplify_rest(const SimplifyOptions& rules, bool& crosses_seams) {
     Simplified along = simplify_rest(true, rules);
+    crosses_seams = along.corners.crosses_seams;
     const bool is_stuck = along.report.reason == StopReason::no_legal_collapse &&
                           along.report.faces_reached > rules.target_faces;
     if (!is_stuck || !has_seam_marks(rest_mesh(true))) return along;
     Simplified across = simplify_rest(false, rules);
-    crosses_seams = across.report.faces_reached < along.report.faces_reached;
-    return crosses_seams ? std::move(across) : std::move(along);
+    if (across.report.faces_reached >= along.report.faces_reached) return along;
+    crosses_seams = true;
+    return across;
   }
 
   ReducedShape reduce_with_cards(const ShapeTarget& target, SimplifyOptions rules) {

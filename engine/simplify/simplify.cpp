@@ -174,6 +174,7 @@ CornerVectors corner_vectors(const AttributeField& field, std::span<const Face> 
       corners.source.push_back(field.source(h));
     }
   }
+  corners.crosses_seams = field.has_crossed_seams();
   return corners;
 }
 

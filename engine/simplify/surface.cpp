@@ -4,19 +4,37 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
 
 #include "engine/core/parallel.h"
 #include "engine/core/progress.h"
 #include "engine/mesh/circulators.h"
+#include "engine/simplify/seams.h"
 
 namespace mesher::simplify {
 namespace {
 
 constexpr std::size_t kSurfaceGrain = 1U << 12;
 constexpr std::size_t kSurfaceChunk = 1U << 16;
-// Weight of a feature edge, relative to a face whose area is its squared length: large enough that
-// boundaries are straightened last, small enough that their surroundings still count.
-constexpr float kFeatureWeight = 1.0F;
+/// Most feature edges that are counted at a vertex.
+constexpr std::uint8_t kMostFeatures = std::numeric_limits<std::uint8_t>::max();
+
+VertexConstraint constraint_of(int feature_edges) {
+  if (feature_edges == 0) return VertexConstraint::free;
+  return feature_edges == 2 ? VertexConstraint::line : VertexConstraint::corner;
+}
+
+AllowedPlacement placement_of(VertexConstraint from, VertexConstraint to, bool is_feature) {
+  if (from == VertexConstraint::free && to == VertexConstraint::free)
+    return AllowedPlacement::anywhere;
+  if (from == VertexConstraint::free) return AllowedPlacement::at_target;
+  if (to == VertexConstraint::free) return AllowedPlacement::at_origin;
+  if (!is_feature || (from == VertexConstraint::corner && to == VertexConstraint::corner))
+    return AllowedPlacement::nowhere;
+  if (to == VertexConstraint::corner) return AllowedPlacement::at_target;
+  return from == VertexConstraint::corner ? AllowedPlacement::at_origin
+                                          : AllowedPlacement::anywhere;
+}
 
 /// Packs three components of ten bits.
 std::uint32_t pack(const glm::vec3& unit) {
@@ -30,7 +48,8 @@ std::uint32_t pack(const glm::vec3& unit) {
 
 }  // namespace
 
-Surface::Surface(Mesh&& mesh, const SimplifyOptions& options) : mesh_(std::move(mesh)) {
+Surface::Surface(Mesh&& mesh, const SimplifyOptions& options)
+    : mesh_(std::move(mesh)), crosses_seams_(options.crosses_seams && options.metric != nullptr) {
   // The whole mesh will change, so recording ranges would be wasted work.
   mesh_.changes().note_all();
   find_shapes();
@@ -76,19 +95,23 @@ void Surface::find_shapes() {
 void Surface::find_features(const SimplifyOptions& options) {
   const float least_cosine = std::cos(glm::radians(options.crease_angle_deg));
   const bool by_angle = options.crease_angle_deg < 180.0F;
-  const auto is_feature = [&](Halfedge h) {
-    const Halfedge t = mesh_.twin(h);
-    if (!t.is_valid() || mesh_.sharpness(h) > 0.0F) return true;
-    return by_angle &&
-           glm::dot(shape(Mesh::face(h)).normal, shape(Mesh::face(t)).normal) < least_cosine;
+  const auto is_crease = [&](Halfedge h) {
+    return by_angle && glm::dot(shape(Mesh::face(h)).normal,
+                                shape(Mesh::face(mesh_.twin(h))).normal) < least_cosine;
+  };
+  const auto kind = [&](Halfedge h) {
+    if (!mesh_.twin(h).is_valid()) return EdgeKind::feature;
+    if (crosses_seams_ && mesh_.sharpness(h) == kSeamSharpness)
+      return is_crease(h) ? EdgeKind::feature : EdgeKind::seam;
+    return mesh_.sharpness(h) > 0.0F || is_crease(h) ? EdgeKind::feature : EdgeKind::smooth;
   };
   feature_.resize(mesh_.halfedge_count());
   has_features_ =
       parallel_sum<std::uint64_t>(mesh_.halfedge_count(), kSurfaceChunk, [&](IndexRange range) {
         std::uint64_t count = 0;
         for (std::size_t i = range.begin; i < range.end; ++i) {
-          feature_[i] = is_feature(Halfedge(static_cast<std::uint32_t>(i))) ? 1 : 0;
-          count += feature_[i];
+          feature_[i] = kind(Halfedge(static_cast<std::uint32_t>(i)));
+          count += feature_[i] != EdgeKind::smooth ? 1 : 0;
         }
         return count;
       }) > 0;
@@ -101,31 +124,39 @@ void Surface::find_constraints(const SimplifyOptions& options) {
   is_constrained_ = has_features_ || has_own || !mesh_.bow_tie_copies().empty();
   if (!is_constrained_) return;
   // Features are few, so one pass over them replaces a rotation around every vertex.
-  Array<std::uint8_t> features(has_features_ ? mesh_.vertex_count() : 0);
-  std::fill(features.begin(), features.end(), std::uint8_t{0});
-  const auto count = [&](Vertex v) {
-    if (features[v.index()] < 3) ++features[v.index()];
+  struct Met {
+    std::uint8_t all = 0;
+    std::uint8_t seams = 0;
+  };
+  Array<Met> features(has_features_ ? mesh_.vertex_count() : 0);
+  const auto count = [&](Vertex v, bool is_seam) {
+    Met& met = features[v.index()];
+    if (met.all == kMostFeatures) return;
+    ++met.all;
+    if (is_seam) ++met.seams;
   };
   for (std::uint32_t i = 0; i < mesh_.halfedge_count() && has_features_; ++i) {
     const Halfedge h(i);
-    if (feature_[i] == 0 || !(h < mesh_.twin(h))) continue;
-    count(mesh_.origin(h));
-    count(mesh_.target(h));
+    if (!is_feature(h) || !(h < mesh_.twin(h))) continue;
+    for (const Vertex v : {mesh_.origin(h), mesh_.target(h)})
+      count(v, kind(h) == EdgeKind::seam);
   }
   const bool locks = options.boundary == BoundaryRule::lock;
   parallel_for_each(mesh_.vertex_count(), kSurfaceGrain, [&](std::uint32_t i) {
     const Vertex v(i);
-    const int met = has_features_ ? features[i] : 0;
+    const Met met = has_features_ ? features[i] : Met{};
     const bool is_fixed =
-        (has_own && mesh_.sharpness(v) > 0.0F) || (locks && met > 0 && mesh_.is_boundary(v));
-    if (is_fixed || met == 1 || met > 2) {
-      vertices_[i].constraint = VertexConstraint::corner;
-    } else if (met == 2) {
-      vertices_[i].constraint = VertexConstraint::line;
-    }
+        (has_own && mesh_.sharpness(v) > 0.0F) || (locks && met.all > 0 && mesh_.is_boundary(v));
+    const auto constraint = [&](int edges) {
+      return is_fixed ? VertexConstraint::corner : constraint_of(edges);
+    };
+    vertices_[i].constraint = constraint(met.all);
+    vertices_[i].constraint_across = constraint(met.all - met.seams);
   });
-  for (const BowTieCopy& copy : mesh_.bow_tie_copies())
-    vertices_[copy.v.index()].constraint = VertexConstraint::corner;
+  for (const BowTieCopy& copy : mesh_.bow_tie_copies()) {
+    VertexState& fixed = vertices_[copy.v.index()];
+    fixed.constraint = fixed.constraint_across = VertexConstraint::corner;
+  }
 }
 
 void Surface::find_states() {
@@ -184,14 +215,34 @@ std::array<Quadric<float>, 3> Surface::contributions(Face f) const {
 
 AllowedPlacement Surface::constrained_placement(Halfedge h, VertexConstraint from,
                                                 VertexConstraint to) const {
-  if (from == VertexConstraint::free) return AllowedPlacement::at_target;
-  if (to == VertexConstraint::free) return AllowedPlacement::at_origin;
-  if (!is_feature(h) || (from == VertexConstraint::corner && to == VertexConstraint::corner)) {
-    return AllowedPlacement::nowhere;
+  const AllowedPlacement along = placement_of(from, to, is_feature(h));
+  if (!crosses_seams_) return along;
+  const bool must_cross = along == AllowedPlacement::nowhere || is_in_loop(h, EdgeKind::seam);
+  return must_cross && ends_across(h) != AllowedPlacement::nowhere ? AllowedPlacement::across
+                                                                   : along;
+}
+
+AllowedPlacement Surface::ends_across(Halfedge h) const {
+  return placement_of(state(mesh_.origin(h)).constraint_across,
+                      state(mesh_.target(h)).constraint_across, kind(h) == EdgeKind::feature);
+}
+
+bool Surface::is_in_loop(Halfedge h, EdgeKind least) const {
+  if (kind(h) < least) return false;
+  for (const Halfedge side : {h, mesh_.twin(h)}) {
+    if (side.is_valid() && kind(Mesh::next(side)) >= least && kind(Mesh::prev(side)) >= least)
+      return true;
   }
-  if (to == VertexConstraint::corner) return AllowedPlacement::at_target;
-  return from == VertexConstraint::corner ? AllowedPlacement::at_origin
-                                          : AllowedPlacement::anywhere;
+  return false;
+}
+
+void Surface::update_constraint(Vertex v) {
+  int features = 0;
+  for (const Halfedge h : halfedges_around(mesh_, v)) {
+    features += is_feature(h) ? 1 : 0;
+    features += mesh_.twin(Mesh::prev(h)).is_valid() ? 0 : 1;
+  }
+  state(v).constraint = std::max(constraint_of(features), state(v).constraint_across);
 }
 
 EdgeQuadric<Float8> Surface::edge_quadrics(const std::array<Halfedge, 8>& edges) const {

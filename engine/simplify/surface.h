@@ -1,10 +1,8 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <limits>
 #include <utility>
 
 #include "engine/core/array.h"
@@ -12,90 +10,9 @@
 #include "engine/mesh/mesh.h"
 #include "engine/simplify/options.h"
 #include "engine/simplify/quadric.h"
+#include "engine/simplify/surface_state.h"
 
 namespace mesher::simplify {
-
-/// How a vertex may move.
-enum class VertexConstraint : std::uint8_t {
-  free,  ///< anywhere: it has no feature edge
-  line,  ///< along its two feature edges
-  /// Fixed: it has one, three or more feature edges, a sharpness of its own, is a copy of a bow-tie
-  /// vertex, or is locked.
-  corner,
-};
-
-/// Where the merged vertex of an edge may be placed.
-enum class AllowedPlacement : std::uint8_t { anywhere, at_origin, at_target, nowhere };
-
-/// Unit normal and area of a face; a zero normal if it has no area. Loaded as four floats.
-struct alignas(16) FaceShape {
-  glm::vec3 normal{0.0F};
-  float area = 0.0F;
-
-  Vec3<float> area_vector() const { return {normal.x * area, normal.y * area, normal.z * area}; }
-};
-
-/// Four face shapes at once.
-struct ShapeLanes {
-  Vec3<Float4> normal;
-  Float4 area;
-};
-
-/// Cost of an edge that must not be merged.
-inline constexpr float kNever = std::numeric_limits<float>::infinity();
-
-/// Data kept per face: half a cache line. The costs of its half-edges are the last known ones of
-/// their edges. An edge stores its cost at one of its two half-edges, whose origin owns the edge.
-/// The other one has kNever; both have it if the edge is refused or must not be merged.
-struct alignas(32) FaceState {
-  static constexpr bool kLeftUninitialized = true;  ///< written in parallel, then read
-
-  FaceShape shape;
-  std::array<float, 3> cost{kNever, kNever, kNever};
-  std::uint32_t first_normal = 0;  ///< normal in the input, packed
-};
-
-/// Data kept per vertex: a cache line, because most of it is needed whenever a vertex is visited.
-/// The quadric and a copy of the position, twelve floats, are loaded as three times four.
-///
-/// `cost` and `best` describe the cheapest edge that the vertex owns, so the queue has one entry
-/// per vertex.
-struct alignas(64) VertexState {
-  static constexpr bool kLeftUninitialized = true;  ///< written in parallel, then read
-  static constexpr std::uint32_t kGone = (1U << 30U) - 1;
-
-  Quadric<float> quadric{};
-  Vec3<float> position{};
-  float cost = kNever;  ///< of `best` when it was chosen
-  Halfedge best;        ///< cheapest half-edge out of the vertex; if removed: see merged_into
-  /// The only region that may change the vertex; kGone: removed. Regions around read this word.
-  std::uint32_t region : 30 = 0;
-  VertexConstraint constraint : 2 = VertexConstraint::free;
-  /// Highest CollapseRecord::rank of the collapses whose one-rings contained the vertex.
-  std::uint16_t rank : 13 = 0;
-  bool has_refused : 1 = false;  ///< one of its edges was refused because of its surroundings
-  bool is_guarded : 1 = false;   ///< its collapses are checked for new intersections
-  std::uint16_t retreat_bits = 0;
-  /// How far the surface around has retreated (appraisal.h): 8 significant bits, rounded down.
-  float retreat() const { return std::bit_cast<float>(std::uint32_t{retreat_bits} << 16U); }
-  void set_retreat(float d) { retreat_bits = std::bit_cast<std::uint32_t>(d) >> 16U & 0xFFFFU; }
-  void set_region(std::uint32_t new_region) { region = new_region & kGone; }
-  void set_rank(std::uint32_t new_rank) { rank = new_rank & 0x1FFFU; }
-  /// The vertex into which a removed vertex was merged.
-  Vertex merged_into() const { return Vertex(best.index()); }
-  void remove(Vertex into) {
-    region = kGone;
-    best = Halfedge(into.index());
-  }
-};
-
-/// Several vertex states at once.
-template <class F>
-struct StateLanes {
-  Quadric<F> quadric;
-  Vec3<F> position;
-};
-static_assert(sizeof(FaceState) == 32 && sizeof(VertexState) == 64);
 
 template <class F>
 struct UnitAndArea {
@@ -129,6 +46,11 @@ inline QuadricRows plane_rows(Float4 n) {
 inline Quadric<float> plane_quadric(const FaceShape& shape) {
   return plane_quadric(Vec3<float>{shape.normal.x, shape.normal.y, shape.normal.z}, shape.area);
 }
+
+/// Weight of the plane across a feature edge, relative to a face whose area is the squared length
+/// of the edge: large enough that boundaries are straightened last, small enough that their
+/// surroundings still count.
+inline constexpr float kFeatureWeight = 1.0F;
 
 /// A mesh under simplification, with data per face and vertex. Removed faces and vertices leave
 /// holes until the end, so that ids stay valid.
@@ -199,7 +121,11 @@ class Surface {
   /// Returns the last known cost of the edge of `h` if the origin of `h` owns the edge; otherwise
   /// kNever. O(1).
   float cost(Halfedge h) const { return faces_[Mesh::face(h).index()].cost[Mesh::corner(h)]; }
-  bool is_feature(Halfedge h) const { return has_features_ && feature_[h.index()] != 0; }
+  EdgeKind kind(Halfedge h) const { return has_features_ ? feature_[h.index()] : EdgeKind::smooth; }
+  bool is_feature(Halfedge h) const { return kind(h) != EdgeKind::smooth; }
+  /// Returns whether the edge of `h` and both other sides of a face at it are at least of a kind.
+  /// O(1).
+  bool is_in_loop(Halfedge h, EdgeKind least) const;
   /// Returns the area of the input mesh.
   double area_before() const { return area_before_; }
   /// Returns whether any vertex may be constrained.
@@ -213,6 +139,8 @@ class Surface {
       return AllowedPlacement::anywhere;
     return constrained_placement(h, from, to);
   }
+  /// Returns at which ends an edge may be merged across seams; `anywhere`: at both. O(1).
+  AllowedPlacement ends_across(Halfedge h) const;
   /// O(1).
   Vec3<float> midpoint(Halfedge h) const {
     const Vec3<float>& from = state(mesh_.origin(h)).position;
@@ -243,7 +171,9 @@ class Surface {
   void set_shape(Face f, Float4 shape) { store4(&faces_[f.index()].shape.normal.x, shape); }
   /// Notes that an edge was refused. Returns false if it, or one merged into it, was before. O(1).
   bool note_refused(Halfedge h);
-  void set_feature(Halfedge h, bool is) { feature_[h.index()] = is ? 1 : 0; }
+  void set_kind(Halfedge h, EdgeKind kind) { feature_[h.index()] = kind; }
+  /// Finds the constraint of a vertex again, after a collapse across seams. O(valence).
+  void update_constraint(Vertex v);
   /// Moves a vertex and clears its quadric.
   void move_and_clear_quadric(Vertex v, const glm::vec3& p) {
     state(v).quadric = {};
@@ -274,7 +204,7 @@ class Surface {
   glm::vec3 across(Halfedge h) const;
   bool has_feature(Face f) const {
     const std::uint32_t h = 3 * f.index();
-    return has_features_ && (feature_[h] | feature_[h + 1] | feature_[h + 2]) != 0;
+    return is_feature(Halfedge(h)) || is_feature(Halfedge(h + 1)) || is_feature(Halfedge(h + 2));
   }
 
  private:
@@ -290,11 +220,12 @@ class Surface {
   Mesh mesh_;
   bool has_features_ = false;    ///< edges
   bool is_constrained_ = false;  ///< vertices: features, own sharpness, bow ties
+  bool crosses_seams_ = false;
   double area_before_ = 0.0;
   Array<FaceState> faces_;
   Array<VertexState> vertices_;
   Array<std::uint8_t> refused_;  ///< of each face: a bit per half-edge whose edge was refused
-  Array<std::uint8_t> feature_;
+  Array<EdgeKind> feature_;
 };
 
 }  // namespace mesher::simplify

@@ -1,4 +1,4 @@
-// Tests `compare`: measures of the look, and pictures.
+// Tests `compare`: measures of the look, pictures, and poses.
 #include <cmath>
 #include <filesystem>
 #include <glm/geometric.hpp>
@@ -8,6 +8,7 @@
 #include "app/cli/compare_pictures.h"
 #include "engine/io/png.h"
 #include "tests/app/program_test.h"
+#include "tests/support/gltf_document.h"
 
 namespace mesher::test {
 namespace {
@@ -160,6 +161,34 @@ TEST_F(CompareCommand, OutputIsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(outputs[0], outputs[1]);
   EXPECT_EQ(outputs[0], outputs[2]);
   EXPECT_EQ(images[0].rgba, images[1].rgba);
+}
+
+TEST_F(CompareCommand, AnimationPosesBothModels) {
+  // Two squares that grow along y by 3 and by 5 within a second.
+  const auto growing = [](float factor) {
+    GltfDocument document;
+    document.floats(kSquareCorners, "VEC3", 3);
+    document.indices(kSquareIndices);
+    document.floats({0, 1}, "SCALAR", 1);
+    document.floats({1, 1, 1, 1, factor, 1}, "VEC3", 3);
+    return document.text(
+        R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
+        "animations":[{"channels":[{"sampler":0,"target":{"node":0,"path":"scale"}}],
+        "samplers":[{"input":2,"output":3}]}])");
+  };
+  folder_.write("a.gltf", growing(3.0F));
+  folder_.write("b.gltf", growing(5.0F));
+  const auto farthest = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"compare", "a.gltf", "b.gltf", "--samples", "500"});
+    return mesher_json(arguments)["certified_max"]["lower"].get<double>();
+  };
+  EXPECT_EQ(farthest({}), 0.0);
+  EXPECT_EQ(farthest({"--animation", "0"}), 0.0);
+  EXPECT_NEAR(farthest({"--animation", "0", "--time", "0.5"}), 1.0, 1e-6);
+  EXPECT_NEAR(farthest({"--animation", "0", "--time", "1"}), 2.0, 1e-6);
+  const Finished refused = mesher({"compare", "a.gltf", "cube", "--animation", "0"});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_TRUE(holds(refused.err, "has no animations")) << refused.err;
 }
 
 TEST_F(CompareCommand, PicturesAreRefusedWithReason) {
