@@ -315,6 +315,7 @@ void OneSidedBound::split_up(const BoundPiece& whole, int splits, const BoundLim
     // Smaller pieces cannot be distinguished.
     if (piece.upper <= limits.allowed || longest_side <= rounding_) {
       outcome.upper = std::max(outcome.upper, piece.upper);
+      if (piece.upper > limits.beyond) outcome.beyond.push_back(piece);
       --size;
       continue;
     }

@@ -14,9 +14,10 @@ namespace mesher::simplify {
 struct Attempts {
   Array<float> shares;        ///< fraction of the bound that applies at each vertex; empty: all
   Array<CollapseStep> steps;  ///< collapses of the last run; empty: there is nothing to repeat
-  std::array<std::uint64_t, kRejections.size()> rejected{};  ///< refusals of the last run
-  bool meets_bound = false;   ///< the last run refused an edge because of the bound
-  bool is_exhausted = false;  ///< the last run ended because it had refused all remaining edges
+  std::array<std::uint64_t, kRejections.size()> rejected{};  ///< refusals so far
+  Array<std::uint8_t> refused;  ///< Surface::refused after the last run, so that none counts twice
+  bool meets_bound = false;     ///< the last run refused an edge because of the bound
+  bool is_exhausted = false;    ///< the last run ended because it had refused all remaining edges
 };
 
 }  // namespace mesher::simplify

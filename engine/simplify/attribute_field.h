@@ -105,12 +105,14 @@ class AttributeField {
     Array<std::uint32_t> wedge;
     Array<float> records;
     Array<std::uint32_t> source;
+    bool has_crossed_seams = false;
   };
-  Saved save() const { return {wedge_, records_, source_}; }
+  Saved save() const { return {wedge_, records_, source_, has_crossed_seams()}; }
   void restore(const Saved& saved) {
     wedge_ = saved.wedge;
     records_ = saved.records;
     source_ = saved.source;
+    has_crossed_seams_.store(saved.has_crossed_seams, std::memory_order_relaxed);
   }
 
  private:

@@ -20,6 +20,14 @@ constexpr float kMostForOneFace = 16.0F;
 // Maximum number of edges re-evaluated at a vertex, so that hubs stay cheap.
 constexpr std::size_t kFreshSpokes = 64;
 
+/// Returns whether merging the edge would close a loop of three features. Seams count, unless the
+/// edge is merged across them.
+bool is_in_feature_loop(const Surface& surface, Halfedge h) {
+  if (!surface.is_in_loop(h, EdgeKind::seam)) return false;
+  return surface.allowed_placement(h) != AllowedPlacement::across ||
+         surface.is_in_loop(h, EdgeKind::feature);
+}
+
 /// Calls `visit` for the half-edges out of `v`, at most `limit` of them.
 template <class Visit>
 void visit_spokes(const Mesh& mesh, Vertex v, std::size_t limit, const Visit& visit) {
@@ -307,7 +315,10 @@ void Collapser::refuse(Halfedge h, Rejection cause) {
   surface.set_cost(h, kNever);
   // A collapse nearby rarely removes an intersection, and checking for it again takes long.
   const bool is_fresh = outcome_.removed_faces > limits_.fresh_after;
-  if (cause == Rejection::intersection && !is_fresh) return;
+  if (cause == Rejection::intersection && !is_fresh) {
+    outcome_.has_postponed = true;
+    return;
+  }
   for (const Vertex v : {mesh.origin(h), mesh.target(h)})
     state(v).has_refused = true;
 }
@@ -329,7 +340,7 @@ std::optional<Rejection> Collapser::check(Halfedge h, const Candidate& candidate
   if (!std::isfinite(p.x + p.y + p.z)) return Rejection::fold_over;
   Rejection cause = fan_.check_topology(surface);
   // A loop of three features must not close.
-  if (cause == Fan::kLegal && !fan_.is_smooth() && surface.is_in_loop(h, EdgeKind::feature)) {
+  if (cause == Fan::kLegal && !fan_.is_smooth() && is_in_feature_loop(surface, h)) {
     cause = Rejection::crease;
   }
   if (cause == Fan::kLegal) cause = fan_.check_shape(surface, candidate.position);

@@ -74,8 +74,10 @@ struct CollapseOutcome {
   Array<CollapseStep> steps;  ///< the same collapses; only if there is an error bound
   /// Edges by the cause for which they were refused first.
   std::array<std::uint64_t, kRejections.size()> rejected{};
-  bool meets_bound = false;    ///< an edge was refused because of the error bound
-  bool has_postponed = false;  ///< an edge was refused because too many faces would meet
+  bool meets_bound = false;  ///< an edge was refused because of the error bound
+  /// An edge was refused because too many faces would meet, or because of an intersection that is
+  /// not looked for again after each collapse nearby.
+  bool has_postponed = false;
 };
 
 /// Computes the first cost of every edge and the cheapest edge of every vertex. Pre: no edge has a
@@ -114,11 +116,11 @@ class Collapser {
   /// Same, after re-evaluating all refused edges.
   [[nodiscard]] CollapseOutcome run_refused(std::span<const Vertex> vertices);
   /// Repeats the collapses of an earlier run, in their order, except those that the error bound no
-  /// longer allows where it is tight, and those whose surroundings differ because of that. Then
-  /// evaluates all edges; if the earlier run was exhausted, only those whose surroundings differ,
-  /// because the others would be refused again. Pre: no edge has a cost yet, all vertices belong to
-  /// the region, and intersections are not guarded against. O(collapses), about a third of the time
-  /// of finding them. Throws Cancelled.
+  /// longer allows where it is tight, and those whose surroundings differ because of that. If the
+  /// earlier run was exhausted, evaluates the edges whose surroundings differ, because the others
+  /// would be refused again; otherwise all edges are left to `evaluate_all`. Pre: no edge has a
+  /// cost yet, all vertices belong to the region, and intersections are not guarded against.
+  /// O(collapses), on one thread about a third of the time of finding them. Throws Cancelled.
   [[nodiscard]] CollapseOutcome repeat(std::span<const CollapseStep> steps, bool was_exhausted);
 
  private:

@@ -29,8 +29,7 @@ CollapseOutcome Collapser::repeat(std::span<const CollapseStep> steps, bool was_
       differs[step.record.kept.index()] = true;
     }
   }
-  if (!was_exhausted) differs.assign(differs.size(), true);
-  evaluate_near(differs);
+  if (was_exhausted) evaluate_near(differs);
   return std::move(outcome_);
 }
 
@@ -62,6 +61,7 @@ void Collapser::evaluate_near(const Array<bool>& differs) {
   const Mesh& mesh = surface.mesh();
   for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i) {
     const Vertex v(i);
+    if (i % kStepsPerCheck == 0) check_cancelled(context_.progress);
     if (mesh.is_isolated(v)) continue;
     state(v).has_refused = true;
     bool is_near = differs[i];

@@ -30,6 +30,7 @@ class CollapsePolicy {
   virtual ~CollapsePolicy() = default;
 
   /// Returns cost and placement. Pre: `allowed` is surface.allowed_placement(h), and not nowhere.
+  /// It is `across` only if the policy follows attributes.
   virtual Candidate evaluate(const Surface& surface, Halfedge h,
                              AllowedPlacement allowed) const = 0;
 
@@ -61,11 +62,19 @@ class CollapsePolicy {
   virtual void will_need(const Mesh& mesh, Halfedge h) const;
   virtual void will_need(const Fan& fan) const;
 
+  /// Returns whether costs depend on earlier collapses otherwise than through the surface and the
+  /// attributes. Such a run cannot be taken back in part.
+  virtual bool has_history() const { return false; }
+
   /// Returns the attributes that the policy follows, or null.
   virtual AttributeField* attributes() { return nullptr; }
 };
 
-/// Returns the policy selected by the options. Only the default one counts their metric.
+/// Returns whether the policy selected by the options counts their metric: only the default one
+/// does.
+bool follows_attributes(const SimplifyOptions& options);
+
+/// Returns the policy selected by the options.
 std::unique_ptr<CollapsePolicy> make_policy(const SimplifyOptions& options, const Surface& surface);
 
 /// Position of a merged vertex, as an offset from the edge's midpoint and in model space. At an end

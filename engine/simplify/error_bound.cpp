@@ -34,13 +34,14 @@ bool is_fine(const Mesh& mesh, double bound) {
 ErrorBound::ErrorBound(const Mesh& input, double bound, Array<float> shares)
     : input_(input),
       bound_(bound),
-      trusted_(simplify::is_fine(input, bound) ? kTrustedIfFine : kTrusted),
       next_(input.vertex_count()),
       shares_(std::move(shares)),
       estimates_(input.vertex_count(), 0.0F),
       near_(input.vertex_count(), Face(0)) {
   constexpr std::size_t kGrain = 1U << 13U;
-  if (trusted_ != kTrustedIfFine) tree_.emplace(input, analysis::TriangleOrder::presorted);
+  const bool is_fine = simplify::is_fine(input, bound);
+  trusted_ = is_fine ? kTrustedIfFine : kTrusted;
+  if (!is_fine) tree_.emplace(input, analysis::TriangleOrder::presorted);
   parallel_for_each(next_.size(), kGrain, [&](std::uint32_t v) {
     next_[v] = v;
     if (!input.is_isolated(Vertex(v))) near_[v] = Mesh::face(input.outgoing(Vertex(v)));

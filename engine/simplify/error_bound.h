@@ -95,7 +95,7 @@ class ErrorBound {
   Mesh input_;
   std::optional<analysis::TriangleTree> tree_;
   double bound_;
-  double trusted_;             ///< multiple of the bound up to which an estimate is trusted
+  double trusted_ = 0.0;       ///< multiple of the bound up to which an estimate is trusted
   Array<std::uint32_t> next_;  ///< circular list of the input vertices that a vertex represents
   Array<float> shares_;        ///< fraction of the bound, lowest over the vertices represented
   Array<float> estimates_;     ///< of the distance from the input, by vertex

@@ -145,6 +145,7 @@ class AccumulatedPolicy : public CollapsePolicy {
   }
 
   bool costs_are_errors() const override { return true; }
+  bool has_history() const override { return true; }
 
   Candidate evaluate(const Surface& surface, Halfedge h, AllowedPlacement allowed) const override {
     const Mesh& mesh = surface.mesh();
@@ -222,6 +223,10 @@ class AccumulatedPolicy : public CollapsePolicy {
 
 }  // namespace
 
+bool follows_attributes(const SimplifyOptions& options) {
+  return counts_attributes(options) && options.metric != nullptr && options.metric->size > 0;
+}
+
 std::unique_ptr<CollapsePolicy> make_policy(const SimplifyOptions& options,
                                             const Surface& surface) {
   const Placement placement = options.placement;
@@ -237,7 +242,7 @@ std::unique_ptr<CollapsePolicy> make_policy(const SimplifyOptions& options,
     case CostPolicy::quadric:
       break;
   }
-  if (options.metric != nullptr && options.metric->size > 0) {
+  if (follows_attributes(options)) {
     return std::make_unique<AttributePolicy>(placement, surface, *options.metric);
   }
   return std::make_unique<QuadricPolicy>(placement);

@@ -79,12 +79,14 @@ std::optional<Recheck> faces_to_recheck(const Trace& now, const Decided& earlier
   if (area_of_changes > kMostOfArea * area_of_all) return std::nullopt;
   Array<bool> is_near;  // by face of the input
   is_near.assign(now.before.face_count(), false);
-  std::vector<Face> found = earlier.bounds.beyond;
+  for (const Face f : earlier.bounds.beyond)
+    is_near[f.index()] = true;
+  std::vector<Face> found;
   for (const auto& [middle, radius] : changes) {
+    found.clear();
     before.get().within(middle, radius * radius, kNone, found);
     for (const Face f : found)
       is_near[f.index()] = true;
-    found.clear();
   }
   for (const Face f : earlier.bounds.beyond_of_second) {
     const std::uint32_t same = index_now[earlier.ids[f.index()].index()];

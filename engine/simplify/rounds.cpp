@@ -96,23 +96,33 @@ Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, Transla
       faces_before_(faces_) {
   for (std::uint32_t v = 0; v < surface_.mesh().vertex_count(); ++v)
     (surface_.mesh().is_isolated(Vertex(v)) ? isolated_ : live_).emplace_back(v);
-  if (faces_to_remove() > 0) begin();
-}
-
-/// Repeats the last attempt, or computes the first costs of all edges.
-void Rounds::begin() {
+  if (faces_to_remove() == 0) return;
+  if (guarding_ == Guarding::where_needed && policy_->has_history()) {
+    guarding_ = Guarding::everywhere;
+  }
   if (guarding_ == Guarding::everywhere) guard_all();
   check_cancelled(options_.progress);
-  if (attempts_ == nullptr || attempts_->steps.empty() || guarding_ != Guarding::none) {
-    context_.precision = is_far() ? CostPrecision::guess : CostPrecision::exact;
-    return evaluate_all(context_);
-  }
+  if (repeats()) return;
+  context_.precision = is_far() ? CostPrecision::guess : CostPrecision::exact;
+  evaluate_all(context_);
+}
+
+/// Returns whether there is an attempt to repeat. New intersections are those that the start does
+/// not have, so a run that must not make any starts with the input.
+bool Rounds::repeats() const {
+  return attempts_ != nullptr && !attempts_->steps.empty() && guarding_ == Guarding::none;
+}
+
+void Rounds::repeat_last_attempt() {
+  surface_.set_refused(std::move(attempts_->refused));
+  rejected_ = attempts_->rejected;
+  meets_bound_ = attempts_->meets_bound;
   context_.precision = CostPrecision::exact;
   Collapser collapser(context_, {.faces = kNone, .valence = kLargestValence});
   note(translated(collapser.repeat(attempts_->steps, attempts_->is_exhausted)));
+  attempts_->steps = {};
   drop_removed();
-  rejected_ = attempts_->rejected;
-  meets_bound_ = attempts_->meets_bound;
+  if (!attempts_->is_exhausted) evaluate_all(context_);
 }
 
 void Rounds::run(SimplifyReport& report) {
@@ -122,6 +132,7 @@ void Rounds::run(SimplifyReport& report) {
   }
   context_.faces_to_remove = faces_to_remove();
   if (options_.observer != nullptr) options_.observer->expect(faces_to_remove() / 2 + 1);
+  if (repeats()) repeat_last_attempt();
   if (guarding_ == Guarding::where_needed) {
     run_without_intersections();
   } else {
@@ -136,6 +147,7 @@ void Rounds::run(SimplifyReport& report) {
   if (attempts_ != nullptr) {
     attempts_->steps = std::move(steps_);
     attempts_->rejected = rejected_;
+    attempts_->refused = surface_.refused();
     attempts_->meets_bound = meets_bound_;
     attempts_->is_exhausted = faces_to_remove() > 0 && !error_at_stop_;
   }

@@ -83,7 +83,8 @@ class Rounds {
     std::uint32_t removed_faces;
   };
 
-  void begin();
+  bool repeats() const;
+  void repeat_last_attempt();
   void run_rounds();
   void run_without_intersections();
   std::vector<analysis::FacePair> find_pairs(const Saved& start, const Surface& surface) const;

@@ -9,6 +9,7 @@
 #include "engine/core/parallel.h"
 #include "engine/core/progress.h"
 #include "engine/mesh/circulators.h"
+#include "engine/simplify/cost_policy.h"
 #include "engine/simplify/seams.h"
 
 namespace mesher::simplify {
@@ -49,7 +50,7 @@ std::uint32_t pack(const glm::vec3& unit) {
 }  // namespace
 
 Surface::Surface(Mesh&& mesh, const SimplifyOptions& options)
-    : mesh_(std::move(mesh)), crosses_seams_(options.crosses_seams && options.metric != nullptr) {
+    : mesh_(std::move(mesh)), crosses_seams_(options.crosses_seams && follows_attributes(options)) {
   // The whole mesh will change, so recording ranges would be wasted work.
   mesh_.changes().note_all();
   find_shapes();

@@ -169,6 +169,9 @@ class Surface {
 
   // Changes by a collapse, besides those to the mesh itself.
   void set_shape(Face f, Float4 shape) { store4(&faces_[f.index()].shape.normal.x, shape); }
+  /// Returns a bit per half-edge of each face: whether its edge was refused.
+  const Array<std::uint8_t>& refused() const { return refused_; }
+  void set_refused(Array<std::uint8_t>&& refused) { refused_ = std::move(refused); }
   /// Notes that an edge was refused. Returns false if it, or one merged into it, was before. O(1).
   bool note_refused(Halfedge h);
   void set_kind(Halfedge h, EdgeKind kind) { feature_[h.index()] = kind; }

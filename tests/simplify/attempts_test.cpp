@@ -188,6 +188,20 @@ TEST(Recheck, CoversAllFacesWhoseDistanceChanged) {
   EXPECT_EQ(some.beyond_of_second, all.beyond_of_second);
 }
 
+TEST(Recheck, KeepsFacesBeyondTheBoundIfNothingChanged) {
+  const Mesh mesh = bumpy_sheet();
+  simplify::Attempts attempts;
+  const Attempt run = attempt(mesh, attempts);
+  const analysis::HausdorffBounds bounds = decided(run);
+  ASSERT_FALSE(bounds.beyond.empty());
+  analysis::LazyTree before(run.trace.before);
+  const std::optional<simplify::Recheck> recheck = simplify::faces_to_recheck(
+      run.trace, {Mesh(run.trace.after), run.trace.near_after, bounds}, kBound, before);
+  ASSERT_TRUE(recheck.has_value());
+  EXPECT_EQ(recheck->before, bounds.beyond);
+  EXPECT_EQ(recheck->after, bounds.beyond_of_second);
+}
+
 TEST(Recheck, GivesUpIfEverythingChanged) {
   const Mesh mesh = bumpy_sheet();
   simplify::Attempts attempts;

@@ -79,6 +79,21 @@ TEST(CrossSeams, IsTheLastResortOnAPlane) {
   EXPECT_FALSE(Checkerboard().simplified(100).crosses_seams);
 }
 
+TEST(CrossSeams, LockedBoundariesStayForEveryCost) {
+  const Checkerboard sheet;
+  for (const auto& [cost, text] : simplify::kCostPolicies) {
+    const SimplifiedModel model = simplify::simplify_model(
+        Mesh(sheet.mesh), sheet.attributes,
+        {.target_faces = 20, .cost = cost, .boundary = simplify::BoundaryRule::lock});
+    const Mesh& mesh = model.simplified.mesh;
+    EXPECT_TRUE(validate(mesh).empty());
+    std::uint32_t on_boundary = 0;
+    for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
+      on_boundary += mesh.is_boundary(Vertex(v)) ? 1U : 0U;
+    EXPECT_EQ(on_boundary, 4 * Checkerboard::kSide) << text.key;
+  }
+}
+
 TEST(CrossSeams, NeverWithoutATarget) {
   EXPECT_FALSE(Checkerboard().simplified(0).crosses_seams);
 }
