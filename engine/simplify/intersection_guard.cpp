@@ -185,11 +185,10 @@ IntersectionGuard::SharedCorners IntersectionGuard::shared_corners(const Fan& fa
 Int4 IntersectionGuard::find_one_sided(std::size_t i, const SharedCorners& shared,
                                        const NearTriangle& other) const {
   const Float4 zero{};
-  const Int4 always = zero == zero;
   const float reach = std::max(reach_, other.reach);
   const Float4 doubt = normals_.lengths(i) * (zero + kSideMargin * reach) + kLeastDoubt;
-  Int4 is_above = always;
-  Int4 is_below = always;
+  Int4 is_above = kAlways;
+  Int4 is_below = kAlways;
   for (std::size_t c = 0; c < 3; ++c) {
     const Float4 distance = normals_.dots(i, other.position[c]);
     const Int4 is_shared = shared.is_begin[c] | shared.is_end[c];
@@ -229,7 +228,7 @@ Int4 IntersectionGuard::find_apart(std::size_t i, const SharedCorners& shared,
   Int4 is_apart{};
   for (std::size_t side = 0; side < 3; ++side) {
     const Float4 doubt = sides_[side].lengths(i) * (zero + kSideMargin * reach);
-    Int4 is_outside = zero == zero;
+    Int4 is_outside = kAlways;
     for (std::size_t c = 0; c < 3; ++c) {
       // A shared corner may be on the side.
       const Int4 is_begin = side == 1 ? Int4{} : shared.is_begin[c];

@@ -104,6 +104,9 @@ inline Float4 to_float(Int4 lanes) {
   return __builtin_convertvector(lanes, Float4);
 }
 
+/// The condition that holds in every lane.
+inline constexpr Int4 kAlways{-1, -1, -1, -1};
+
 /// Returns whether the condition holds in any lane.
 inline bool any(Int4 condition) {
   using Long2 = std::int64_t __attribute__((vector_size(16)));
