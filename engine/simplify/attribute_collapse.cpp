@@ -114,7 +114,8 @@ void AttributeField::extend_aside(const Surface& surface, Vertex v, const glm::v
   if (p == mesh.position(v)) return;
   const glm::vec3 y = p - mesh.position(v);
   const Float4 along{y.x, y.y, y.z, 0.0F};
-  for (const std::uint32_t wedge : aside(mesh, v, merged.pairs).all()) {
+  const Aside beside = aside(mesh, v, merged.pairs);
+  for (const std::uint32_t wedge : beside.all()) {
     const float* const s = record(wedge);
     Merged::Extended& extended = merged.extended.emplace_back();
     extended.wedge = wedge;

@@ -57,7 +57,8 @@ float AttributeField::cost_at_end_across(const Surface& surface, Halfedge h,
   const Vec3<float> y = is_at_target ? edge : edge * -1.0F;
   const Vertex moving = is_at_target ? mesh.origin(h) : mesh.target(h);
   float cost = cost_at_end(surface, h, is_at_target);
-  for (const std::uint32_t wedge : aside(mesh, moving, pairs(mesh, h)).all())
+  const Aside beside = aside(mesh, moving, pairs(mesh, h));
+  for (const std::uint32_t wedge : beside.all())
     cost += extension_cost(wedge, y);
   return cost;
 }
