@@ -71,8 +71,8 @@ class OneSidedBound {
   void probe();
   /// Finds the largest distance of a vertex. Pre: there are hints.
   void find_farthest_vertex(Progress* progress);
-  /// Finds vertices within `distance`, using hints only; none if most faces are too large to be
-  /// settled by their corners within `allowed`.
+  /// Finds vertices within `distance`, using hints only. Looks at no vertex if most faces are
+  /// too large for their corners to settle them within `allowed`.
   void find_near_vertices(double distance, double allowed, Progress* progress);
   /// Bounds all faces with `skim`. Pre: there are hints, and one of the two functions above was
   /// called.

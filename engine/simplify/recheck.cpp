@@ -1,10 +1,12 @@
 #include "engine/simplify/recheck.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+
+#include "engine/analysis/surface_point.h"
+#include "engine/analysis/triangle_reach.h"
 
 namespace mesher::simplify {
 namespace {
@@ -16,22 +18,15 @@ constexpr double kReachMargin = 1.0 + 1e-6;
 /// of the input is near a change.
 constexpr double kMostOfArea = 4.0;
 
-using Triangle = std::array<glm::vec3, 3>;
-
-Triangle triangle_of(const Mesh& mesh, Face f) {
-  Triangle corners;
-  for (std::uint32_t c = 0; c < 3; ++c)
-    corners[c] = mesh.position(mesh.origin(Mesh::halfedge(f, c)));
-  return corners;
-}
+using analysis::Triangle;
 
 /// A ball around a triangle, large enough to contain all points within `distance`.
 struct Surroundings {
   Surroundings(const Triangle& triangle, double distance) {
-    for (const glm::vec3& corner : triangle)
-      middle += glm::dvec3(corner) / 3.0;
-    for (const glm::vec3& corner : triangle)
-      radius = std::max(radius, glm::distance(middle, glm::dvec3(corner)));
+    for (const glm::dvec3& corner : triangle)
+      middle += corner / 3.0;
+    for (const glm::dvec3& corner : triangle)
+      radius = std::max(radius, glm::distance(middle, corner));
     radius = kReachMargin * (radius + distance);
   }
   double disc() const { return std::numbers::pi * radius * radius; }
@@ -41,7 +36,7 @@ struct Surroundings {
 };
 
 double area(const Triangle& t) {
-  return 0.5 * double{glm::length(glm::cross(t[1] - t[0], t[2] - t[0]))};
+  return 0.5 * glm::length(glm::cross(t[1] - t[0], t[2] - t[0]));
 }
 
 std::vector<Face> faces_where(const Array<bool>& values, bool value) {
@@ -66,10 +61,10 @@ std::optional<Recheck> faces_to_recheck(const Trace& now, const Decided& earlier
   double area_of_all = 0.0;
   double area_of_changes = 0.0;
   for (std::uint32_t f = 0; f < earlier.ids.size(); ++f) {
-    const Triangle triangle = triangle_of(earlier.after, Face(f));
+    const Triangle triangle = analysis::corners_of(earlier.after, Face(f));
     area_of_all += area(triangle);
     const std::uint32_t same = index_now[earlier.ids[f].index()];
-    if (same != kNone && triangle_of(now.after, Face(same)) == triangle) {
+    if (same != kNone && analysis::corners_of(now.after, Face(same)) == triangle) {
       is_same[same] = true;
     } else {
       changes.emplace_back(triangle, distance);

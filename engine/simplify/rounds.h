@@ -62,9 +62,6 @@ class Rounds {
     double part;  ///< fraction of the vertices at or below that cost that may be collapsed
   };
 
-  std::uint32_t faces_to_remove() const {
-    return faces_ > options_.target_faces ? faces_ - options_.target_faces : 0;
-  }
   /// What the work changes.
   struct Saved {
     Surface surface;
@@ -83,6 +80,9 @@ class Rounds {
     std::uint32_t removed_faces;
   };
 
+  std::uint32_t faces_to_remove() const {
+    return faces_ > options_.target_faces ? faces_ - options_.target_faces : 0;
+  }
   bool repeats() const;
   void repeat_last_attempt();
   void run_rounds();
