@@ -9,6 +9,7 @@
 #include "engine/analysis/surface_point.h"
 #include "engine/core/parallel.h"
 #include "engine/mesh/statistics.h"
+#include "engine/simplify/joint_places.h"
 
 namespace mesher::simplify {
 namespace {
@@ -16,6 +17,7 @@ namespace {
 constexpr std::size_t kMetricGrain = std::size_t{1} << 12;
 // A difference of 1 in normals or colors, as a share of the diagonal.
 constexpr double kShareOfDiagonal = 0.01;
+constexpr std::size_t kSizeOfPlace = 3;
 
 /// Returns the length on the surface that one unit of the texture coordinates covers on average; 0
 /// if they cover nothing.
@@ -102,6 +104,11 @@ AttributeMetric attribute_metric(const Mesh& mesh, const Attributes& attributes,
                                  const AttributeWeights& weights) {
   AttributeMetric metric;
   choose_layers(mesh, attributes, weights, metric);
+  std::vector<glm::dvec3> joints;
+  if (weights.joint > 0.0F && metric.size + kSizeOfPlace <= AttributeMetric::kMost) {
+    joints = joint_places(mesh, attributes);
+    if (!joints.empty()) metric.size += kSizeOfPlace;
+  }
   if (metric.size == 0) return metric;
   const std::size_t wedges = attributes.layers.front().count();
   metric.values.resize(metric.size * wedges);
@@ -116,6 +123,9 @@ AttributeMetric attribute_metric(const Mesh& mesh, const Attributes& attributes,
           *to++ = std::isfinite(x) ? x : 0.0F;
         }
       }
+      if (joints.empty()) continue;
+      for (int k = 0; k < 3; ++k)
+        *to++ = static_cast<float>(double{weights.joint} * joints[w][k]);
     }
   });
   metric.of_corner.resize(mesh.halfedge_count());

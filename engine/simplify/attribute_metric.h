@@ -18,22 +18,25 @@ namespace mesher::simplify {
 ///    moves as far. (A slide is a difference times the mean size of the model per unit of texture.)
 ///  - Normals and colors: 1 counts a difference of one radian, or between black and full intensity,
 ///    like a distance of a hundredth of the diagonal.
+///  - Joints: 1 counts a point that follows another part of the model like one that moves there
+///    (joint_places).
 struct AttributeWeights {
   float texcoord = 0.3F;
   float normal = 0.2F;
   float color = 0.5F;
+  float joint = 0.05F;
 
   friend bool operator==(const AttributeWeights&, const AttributeWeights&) = default;
 };
 
 /// The attributes of a mesh as vectors that are measured in its own unit of length, so that their
-/// squared differences add to squared distances. Texture coordinates, normals and colors count;
-/// what belongs to bones does not.
+/// squared differences add to squared distances. Texture coordinates, normals and colors count. So
+/// do joints, by three numbers that belong to no layer.
 struct AttributeMetric {
   /// Most numbers per vector. Further attributes are left out.
   static constexpr std::size_t kMost = 16;
 
-  /// A layer that counts.
+  /// A layer whose values count.
   struct Layer {
     std::size_t index;  ///< in Attributes::layers
     double factor;      ///< from its values to lengths

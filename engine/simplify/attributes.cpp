@@ -11,6 +11,7 @@
 #include "engine/analysis/surface_point.h"
 #include "engine/core/parallel.h"
 #include "engine/mesh/circulators.h"
+#include "engine/mesh/joints.h"
 #include "engine/mesh/wedges.h"
 #include "engine/simplify/attribute_metric.h"
 #include "engine/simplify/prune.h"
@@ -80,6 +81,38 @@ class Blend {
   AttributeLayer& to_;
 };
 
+/// Sets the joints of corners to those of points of the input's surface.
+class JointBlend {
+ public:
+  JointBlend(const SeamTest& seams, std::span<const AttributeLayer> from,
+             std::span<const JointSet> sets, std::span<AttributeLayer> to)
+      : seams_(seams), from_(from), sets_(sets), to_(to) {}
+
+  void operator()(const NearPoint& point, std::size_t i) {
+    sum_.clear();
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      const double share = point.weights[static_cast<int>(c)];
+      const std::size_t wedge = seams_.wedge(Mesh::halfedge(point.face, c)).index();
+      if (share == 1.0) return copy(wedge, i);
+      if (share > 0.0) sum_.add(from_, sets_, wedge, share);
+    }
+    if (!sum_.store(to_, sets_, i)) copy(seams_.wedge(Mesh::halfedge(point.face, 0)).index(), i);
+  }
+  void copy(std::size_t wedge, std::size_t i) const {
+    for (const JointSet& set : sets_) {
+      for (const std::size_t layer : {set.joints, set.weights})
+        std::ranges::copy(from_[layer].value(wedge), to_[layer].value(i).begin());
+    }
+  }
+
+ private:
+  const SeamTest& seams_;
+  std::span<const AttributeLayer> from_;
+  std::span<const JointSet> sets_;
+  std::span<AttributeLayer> to_;
+  JointSum sum_;
+};
+
 /// Returns the groups of faces that were those of the input.
 Attributes carried_groups(const Attributes& attributes, std::span<const Face> face_source) {
   Attributes carried;
@@ -106,7 +139,8 @@ class Carrier {
         result_(result),
         face_source_(face_source),
         followed_(followed),
-        progress_(progress) {}
+        progress_(progress),
+        joints_(joint_sets(input.attributes.layers)) {}
 
   Attributes run() {
     Stages stages(progress_, {0.7, 0.3});
@@ -170,7 +204,7 @@ class Carrier {
         set_face_normals(to);
         continue;
       }
-      if (set_followed(i, from, to)) continue;
+      if (set_followed(i, from, to) || is_joint_layer(i)) continue;
       const Blend blend(seams_, from, to);
       parallel_chunks(point_.size(), kCarryGrain, progress_, [&](std::size_t, IndexRange range) {
         for (std::size_t h = range.begin; h < range.end; ++h) {
@@ -178,13 +212,34 @@ class Carrier {
         }
       });
     }
+    if (!joints_.empty()) set_joints(stream.layers);
     return stream;
   }
 
+  bool is_joint_layer(std::size_t index) const {
+    return std::ranges::any_of(
+        joints_, [&](const JointSet& set) { return set.joints == index || set.weights == index; });
+  }
+
+  void set_joints(std::span<AttributeLayer> to) const {
+    parallel_chunks(point_.size(), kCarryGrain, progress_, [&](std::size_t, IndexRange range) {
+      JointBlend blend(seams_, input_.attributes.layers, joints_, to);
+      for (std::size_t h = range.begin; h < range.end; ++h) {
+        const std::uint32_t kept = kept_wedge(h);
+        kept == kNone ? blend(point_[h], h) : blend.copy(kept, h);
+      }
+    });
+  }
+
+  /// Returns the wedge of the input that a corner kept; kNone if it did not.
+  std::uint32_t kept_wedge(std::size_t h) const {
+    return followed_ == nullptr ? kNone : followed_->corners.source[h];
+  }
   /// Copies the value of a corner that kept its wedge. Returns false if it did not.
   bool keep(const AttributeLayer& from, std::size_t h, AttributeLayer& to) const {
-    if (followed_ == nullptr || followed_->corners.source[h] == kNone) return false;
-    std::ranges::copy(from.value(followed_->corners.source[h]), to.value(h).begin());
+    const std::uint32_t kept = kept_wedge(h);
+    if (kept == kNone) return false;
+    std::ranges::copy(from.value(kept), to.value(h).begin());
     return true;
   }
 
@@ -247,6 +302,7 @@ class Carrier {
   std::span<const Face> face_source_;
   const Followed* followed_;
   Progress* progress_;
+  std::vector<JointSet> joints_;
   Array<NearPoint> point_;  ///< per corner of the result
 };
 

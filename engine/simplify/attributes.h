@@ -20,8 +20,9 @@ struct Attributed {
 ///
 /// The value of a corner is that of the nearest point of the input that is reached from the source
 /// of its face without crossing a seam, so both sides of a seam stay apart. Numbers are blended by
-/// barycentric coordinates; normals and tangents have unit length again; bones and integers come
-/// from the nearest corner. If most edges of the input separate normals, as with a normal per face,
+/// barycentric coordinates; normals and tangents have unit length again; joints are those of all
+/// three corners, as many as there is room for (JointSum); other integers come from the nearest
+/// corner. If most edges of the input separate normals, as with a normal per face,
 /// the result has a normal per face, too. Groups follow their faces. A vertex that has not moved
 /// keeps its values, bit for bit.
 ///

@@ -141,7 +141,10 @@ struct SimplifyOptions {
   float weight_uv = AttributeWeights{}.texcoord;
   float weight_normal = AttributeWeights{}.normal;
   float weight_color = AttributeWeights{}.color;
-  AttributeWeights weights() const { return {weight_uv, weight_normal, weight_color}; }
+  float weight_joint = AttributeWeights{}.joint;
+  AttributeWeights weights() const {
+    return {weight_uv, weight_normal, weight_color, weight_joint};
+  }
 
   ResultOrder order = ResultOrder::input;
   CollapseObserver* observer = nullptr;  ///< told of every collapse
@@ -203,6 +206,14 @@ inline constexpr std::array kSimplifyRules{
         .help = "how much colors count: 1 weighs black against white like a hundredth of the "
                 "diagonal",
         .member = &SimplifyOptions::weight_color,
+        .most = kMostWeight,
+        .applies = counts_attributes},
+    Option<SimplifyOptions>{
+        .key = "weight-joint",
+        .label = "weight joint",
+        .help = "how much the joints of a skin count: 1 weighs a point that follows another part "
+                "of the model like one that moves there",
+        .member = &SimplifyOptions::weight_joint,
         .most = kMostWeight,
         .applies = counts_attributes},
     Option<SimplifyOptions>{.key = "no-intersections",

@@ -1,10 +1,12 @@
 #include "engine/subdivide/attributes.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
 #include "engine/core/parallel.h"
+#include "engine/mesh/joints.h"
 #include "engine/mesh/normals.h"
 #include "engine/mesh/wedges.h"
 #include "engine/subdivide/charts.h"
@@ -47,6 +49,30 @@ AttributeLayer split_layer(const AttributeLayer& corner, Progress* progress) {
   for_each_child_corner(corner.count(), progress, [&](std::size_t a, std::size_t b, std::size_t c) {
     store_mean(child, c, corner, a, b);
   });
+  return child;
+}
+
+/// Splits the layers of joints. The joints of a middle are those of both ends, with half of their
+/// weights.
+std::vector<AttributeLayer> split_joints(const std::vector<AttributeLayer>& corner,
+                                         Progress* progress) {
+  if (corner.empty()) return {};
+  std::vector<AttributeLayer> child;
+  for (const AttributeLayer& layer : corner)
+    child.emplace_back(layer.type(), 4 * layer.count());
+  const std::vector<JointSet> sets = joint_sets(corner);
+  for_each_child_corner(corner.front().count(), progress,
+                        [&](std::size_t a, std::size_t b, std::size_t c) {
+                          thread_local JointSum sum;
+                          sum.clear();
+                          if (a != b) {
+                            sum.add(corner, sets, a, 0.5);
+                            sum.add(corner, sets, b, 0.5);
+                          }
+                          if (a != b && sum.store(child, sets, c)) return;
+                          for (std::size_t i = 0; i < corner.size(); ++i)
+                            std::ranges::copy(corner[i].value(a), child[i].value(c).begin());
+                        });
   return child;
 }
 
@@ -105,30 +131,45 @@ void compute_normals(const Mesh& mesh, AttributeLayer& layer) {
 /// Attributes of one level with values per corner.
 struct CornerLevel {
   std::vector<AttributeLayer> blended;  ///< smooth layers are empty: they need no level
+  std::vector<AttributeLayer> joints;   ///< those of joint_sets
   Array<std::uint32_t> source;  ///< wedge that the other layers are copied from; may be empty
   Array<std::uint32_t> group;
 };
+
+/// Returns which layers are those of joint_sets.
+std::vector<bool> joint_layers(const Attributes& attributes) {
+  std::vector<bool> are(attributes.layers.size(), false);
+  for (const JointSet& set : joint_sets(attributes.layers))
+    are[set.joints] = are[set.weights] = true;
+  return are;
+}
 
 CornerLevel corner_level(const Mesh& mesh, const Attributes& attributes,
                          const SubdivideOptions& options) {
   CornerLevel level;
   const std::size_t corners = mesh.halfedge_count();
-  bool has_copied = false;
-  for (const AttributeLayer& layer : attributes.layers) {
-    if (is_dropped(layer)) continue;
-    if (!can_blend(layer.type())) {
-      has_copied = true;
-      continue;
-    }
-    if (is_smooth(layer, options)) {
-      level.blended.emplace_back(layer.type(), 0);
-      continue;
-    }
-    AttributeLayer& spread = level.blended.emplace_back(layer.type(), corners);
+  const auto spread = [&](const AttributeLayer& layer) {
+    AttributeLayer by_corner(layer.type(), corners);
     parallel_for_each(corners, kAttributeGrain, [&](std::uint32_t h) {
       const Wedge w = attributes.wedge(mesh.origins(), Halfedge(h));
-      std::ranges::copy(layer.value(w.index()), spread.value(h).begin());
+      std::ranges::copy(layer.value(w.index()), by_corner.value(h).begin());
     });
+    return by_corner;
+  };
+  const std::vector<bool> is_joint = joint_layers(attributes);
+  bool has_copied = false;
+  for (std::size_t i = 0; i < attributes.layers.size(); ++i) {
+    const AttributeLayer& layer = attributes.layers[i];
+    if (is_dropped(layer)) continue;
+    if (is_joint[i]) {
+      level.joints.push_back(spread(layer));
+    } else if (!can_blend(layer.type())) {
+      has_copied = true;
+    } else if (is_smooth(layer, options)) {
+      level.blended.emplace_back(layer.type(), 0);
+    } else {
+      level.blended.push_back(spread(layer));
+    }
   }
   if (has_copied) {
     level.source.resize(corners);
@@ -151,6 +192,7 @@ CornerLevel refined(const CornerLevel& coarse, Progress* progress) {
       fine.blended.push_back(split_layer(layer, progress));
     }
   }
+  fine.joints = split_joints(coarse.joints, progress);
   stages.next();
   fine.source = split_ids(coarse.source, progress,
                           [](std::uint32_t a, std::uint32_t b) { return std::min(a, b); });
@@ -163,12 +205,16 @@ std::vector<AttributeStream> to_streams(const Attributes& attributes, CornerLeve
                                         std::size_t corners) {
   std::vector<AttributeStream> streams(2);
   streams[0].layers = std::move(level.blended);
+  std::ranges::move(level.joints, std::back_inserter(streams[0].layers));
   streams[0].index.resize(corners);
   parallel_for_each(corners, kAttributeGrain, [&](std::uint32_t h) { streams[0].index[h] = h; });
   if (level.source.empty()) return streams;
   streams[1].index = std::move(level.source);
-  for (const AttributeLayer& layer : attributes.layers) {
-    if (!is_dropped(layer) && !can_blend(layer.type())) streams[1].layers.push_back(layer);
+  const std::vector<bool> is_joint = joint_layers(attributes);
+  for (std::size_t i = 0; i < attributes.layers.size(); ++i) {
+    const AttributeLayer& layer = attributes.layers[i];
+    if (!is_dropped(layer) && !is_joint[i] && !can_blend(layer.type()))
+      streams[1].layers.push_back(layer);
   }
   return streams;
 }

@@ -360,29 +360,67 @@ TEST(CarryAttributes, NormalsAndTangentsHaveUnitLength) {
   }
 }
 
-TEST(CarryAttributes, BonesAreNeverBlended) {
-  Sheet sheet;
-  Attributes attributes;
+/// Layers of a sheet: its left part follows joints 3 and 9, its right part joints 4 and 8.
+std::vector<AttributeLayer> two_parts(const Mesh& mesh, ComponentType weights) {
   std::vector<AttributeLayer> layers;
   layers.emplace_back(AttributeType{AttributeKind::joints, "JOINTS_0", 4, ComponentType::u8},
-                      sheet.mesh.halfedge_count());
-  layers.emplace_back(AttributeType{AttributeKind::weights, "WEIGHTS_0", 4, ComponentType::f32},
-                      sheet.mesh.halfedge_count());
-  for (std::uint32_t h = 0; h < sheet.mesh.halfedge_count(); ++h) {
-    const bool is_left = sheet.mesh.position(sheet.mesh.origin(Halfedge(h))).x < 6.0F;
+                      mesh.halfedge_count());
+  layers.emplace_back(
+      AttributeType{AttributeKind::weights, "WEIGHTS_0", 4, weights, weights != ComponentType::f32},
+      mesh.halfedge_count());
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+    const bool is_left = mesh.position(mesh.origin(Halfedge(h))).x < 6.0F;
     store(layers[0], h, is_left ? AttributeValue{3, 9, 0, 0} : AttributeValue{4, 8, 0, 0});
-    store(layers[1], h,
-          is_left ? AttributeValue{0.75, 0.25, 0, 0} : AttributeValue{0.5, 0.5, 0, 0});
+    store(layers[1], h, is_left ? AttributeValue{0.8, 0.2, 0, 0} : AttributeValue{0.4, 0.6, 0, 0});
   }
-  set_corner_layers(sheet.mesh, attributes, std::move(layers));
-  const SimplifiedModel model = simplify_model(Mesh(sheet.mesh), attributes, {.target_faces = 30});
-  expect_valid_model(model);
-  const AttributeLayer& joints = *model.attributes.find("JOINTS_0");
-  const AttributeLayer& weights = *model.attributes.find("WEIGHTS_0");
-  for (std::size_t w = 0; w < joints.count(); ++w) {
-    const bool is_left = load(joints, w)[0] == 3.0;
-    EXPECT_EQ(load(joints, w), (is_left ? AttributeValue{3, 9, 0, 0} : AttributeValue{4, 8, 0, 0}));
-    EXPECT_EQ(load(weights, w)[0], is_left ? 0.75 : 0.5) << "weights belong to their bones";
+  return layers;
+}
+
+TEST(CarryAttributes, WeightsBelongToTheirJoints) {
+  for (const ComponentType type : {ComponentType::f32, ComponentType::u8}) {
+    Sheet sheet;
+    Attributes attributes;
+    set_corner_layers(sheet.mesh, attributes, two_parts(sheet.mesh, type));
+    const SimplifiedModel model =
+        simplify_model(Mesh(sheet.mesh), attributes, {.target_faces = 30, .weight_joint = 0.0F});
+    expect_valid_model(model);
+    const AttributeLayer& joints = *model.attributes.find("JOINTS_0");
+    const AttributeLayer& weights = *model.attributes.find("WEIGHTS_0");
+    for (std::size_t w = 0; w < joints.count(); ++w) {
+      std::array<double, 10> of_joint{};
+      double sum = 0.0;
+      for (std::size_t c = 0; c < 4; ++c) {
+        of_joint.at(static_cast<std::size_t>(load(joints, w)[c])) += load(weights, w)[c];
+        sum += load(weights, w)[c];
+      }
+      EXPECT_NEAR(sum, 1.0, 1e-6);
+      // Any blend of the two parts has these proportions.
+      EXPECT_NEAR(of_joint[9], 0.25 * of_joint[3], 0.01);
+      EXPECT_NEAR(of_joint[8], 1.5 * of_joint[4], 0.01);
+    }
+  }
+}
+
+TEST(CarryAttributes, JointsAreBlendedWhereAVertexIsNew) {
+  const Mesh mesh = built(torus(24, 18)).mesh;
+  Attributes attributes;
+  std::vector<AttributeLayer> layers = two_parts(mesh, ComponentType::f32);
+  for (std::uint32_t h = 0; h < mesh.halfedge_count(); ++h) {
+    const glm::vec3 p = mesh.position(mesh.origin(Halfedge(h)));
+    const double share = 0.5 + 0.25 * double{p.x} / double{bounding_box(mesh).max.x};
+    store(layers[0], h, {3, 4, 0, 0});
+    store(layers[1], h, {share, 1.0 - share, 0, 0});
+  }
+  set_corner_layers(mesh, attributes, std::move(layers));
+  const SimplifiedModel model = simplify_model(Mesh(mesh), attributes, {.target_faces = 200});
+  const Mesh& result = model.simplified.mesh;
+  for (std::uint32_t v = 0; v < result.vertex_count(); ++v) {
+    const double x = double{result.position(Vertex(v)).x} / double{bounding_box(mesh).max.x};
+    const AttributeValue joints = load(*model.attributes.find("JOINTS_0"), v);
+    const AttributeValue weights = load(*model.attributes.find("WEIGHTS_0"), v);
+    const double share = joints[0] == 3.0 ? weights[0] : weights[1];
+    // The vertex may lie off the surface by a little.
+    EXPECT_NEAR(share, 0.5 + 0.25 * x, 0.015);
   }
 }
 

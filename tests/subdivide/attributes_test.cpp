@@ -158,25 +158,55 @@ TEST(SubdivideAttributes, EmptyAttributesStayEmpty) {
   EXPECT_TRUE(subdivided(two_triangles(), {}, 3).is_empty());
 }
 
-TEST(SubdivideAttributes, BonesComeFromOneEnd) {
-  const Mesh mesh = two_triangles();
+/// Attributes by which each vertex v follows joint 10 + v alone.
+Attributes one_joint_each(const Mesh& mesh, std::uint8_t components, ComponentType weights) {
   Attributes attributes;
   attributes.layers.emplace_back(
-      AttributeType{AttributeKind::joints, "JOINTS_0", 1, ComponentType::u8}, mesh.vertex_count());
-  attributes.layers.emplace_back(
-      AttributeType{AttributeKind::weights, "WEIGHTS_0", 1, ComponentType::f32},
+      AttributeType{AttributeKind::joints, "JOINTS_0", components, ComponentType::u8},
       mesh.vertex_count());
+  attributes.layers.emplace_back(AttributeType{AttributeKind::weights, "WEIGHTS_0", components,
+                                               weights, weights != ComponentType::f32},
+                                 mesh.vertex_count());
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
     store(attributes.layers[0], v, {10.0 + v, 0, 0, 0});
-    store(attributes.layers[1], v, {0.5 + 0.125 * v, 0, 0, 0});
+    store(attributes.layers[1], v, {1.0, 0, 0, 0});
   }
-  const Mesh fine = subdivide::subdivide(mesh, {.levels = 2}).mesh;
-  const Attributes carried = subdivide::subdivide_attributes(mesh, attributes, fine, {.levels = 2});
+  return attributes;
+}
+
+TEST(SubdivideAttributes, JointsComeFromBothEnds) {
+  const Mesh mesh = two_triangles();
+  const Attributes attributes = one_joint_each(mesh, 4, ComponentType::f32);
+  const subdivide::SubdivideOptions options{.levels = 2, .scheme = subdivide::Scheme::midpoint};
+  const Mesh fine = subdivide::subdivide(mesh, options).mesh;
+  const Attributes carried = subdivide::subdivide_attributes(mesh, attributes, fine, options);
   EXPECT_TRUE(validate(fine, carried).empty());
   ASSERT_EQ(carried.layers.size(), 2U);
-  for (std::size_t w = 0; w < carried.layers[0].count(); ++w) {
-    const double bone = load(carried.layers[0], w)[0];
-    EXPECT_EQ(load(carried.layers[1], w)[0], 0.5 + 0.125 * (bone - 10.0));
+  ASSERT_EQ(carried.layers[0].count(), fine.vertex_count()) << "both sides of an edge agree";
+  for (std::uint32_t v = 0; v < fine.vertex_count(); ++v) {
+    const AttributeValue joints = load(carried.layers[0], v);
+    const AttributeValue weights = load(carried.layers[1], v);
+    glm::vec3 p(0.0F);
+    for (std::size_t c = 0; c < 4; ++c) {
+      if (weights[c] > 0.0) {
+        const Vertex corner(static_cast<std::uint32_t>(joints[c] - 10.0));
+        p += static_cast<float>(weights[c]) * mesh.position(corner);
+      }
+    }
+    EXPECT_EQ(p, fine.position(Vertex(v)));
+  }
+}
+
+TEST(SubdivideAttributes, WeightsKeepTheirSumWhereJointsAreDropped) {
+  const Mesh mesh = two_triangles();
+  for (const ComponentType type : {ComponentType::f32, ComponentType::u8}) {
+    const Attributes attributes = one_joint_each(mesh, 1, type);
+    const Mesh fine = subdivide::subdivide(mesh, {.levels = 2}).mesh;
+    const Attributes carried =
+        subdivide::subdivide_attributes(mesh, attributes, fine, {.levels = 2});
+    EXPECT_TRUE(validate(fine, carried).empty());
+    for (std::size_t w = 0; w < carried.layers[1].count(); ++w)
+      EXPECT_EQ(load(carried.layers[1], w)[0], 1.0);
   }
 }
 

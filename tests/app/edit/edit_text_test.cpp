@@ -96,10 +96,11 @@ TEST(EditText, RefusesBadText) {
       {"simplify cost=cheap", "simplify: 'cheap' is not a value of cost"},
       {"simplify scheme=loop",
        "simplify: unknown option 'scheme'; it takes cost, placement, boundary, crease-angle, seed, "
-       "weight-uv, weight-normal, weight-color, no-intersections, max-error, mesh"},
+       "weight-uv, weight-normal, weight-color, weight-joint, no-intersections, max-error, mesh"},
       {"simplify_to face=4",
        "simplify_to: unknown option 'face'; it takes cost, placement, boundary, crease-angle, "
-       "seed, weight-uv, weight-normal, weight-color, no-intersections, max-error, mesh, faces"},
+       "seed, weight-uv, weight-normal, weight-color, weight-joint, no-intersections, max-error, "
+       "mesh, faces"},
       {"clear_all_creases by=1", "clear_all_creases: unknown option 'by'; it takes none"},
       {"subdivide limit=maybe", "subdivide: 'maybe' is not a value of limit"},
       {"set_sharpness to=-1", "set_sharpness: '-1' is not a value of to"},
