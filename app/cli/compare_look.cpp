@@ -106,10 +106,21 @@ std::string texture_text(const analysis::LookDeviation& look, double diagonal) {
                      text(percentile<95>), text(most), percent_text(100.0 * look.texture_covered));
 }
 
+/// Returns a number that tells images apart, also those of different models.
+std::uint64_t key_of(const EncodedImage& image) {
+  const std::hash<std::string_view> hash;
+  return image.bytes == nullptr ? hash(image.name) : hash(*image.bytes);
+}
+
 }  // namespace
 
 std::vector<analysis::FaceTexture> face_textures(const Model& model) {
   std::vector<analysis::FaceTexture> textures;
+  std::vector<std::uint64_t> keys;
+  if (model.materials != nullptr) {
+    for (const EncodedImage& image : model.materials->images)
+      keys.push_back(key_of(image));
+  }
   for (const FaceGroup& group : model.attributes.groups) {
     analysis::FaceTexture& texture = textures.emplace_back();
     if (model.materials == nullptr || group.material >= model.materials->materials.size()) continue;
@@ -119,6 +130,7 @@ std::vector<analysis::FaceTexture> face_textures(const Model& model) {
     texture.texels = glm::dvec2(analysis::FaceTexture::kNominal);
     if (base.image < model.materials->images.size()) {
       const EncodedImage& image = model.materials->images[base.image];
+      texture.image = keys[base.image];
       if (image.bytes != nullptr) {
         const io::ImageHeader header = io::read_image_header(*image.bytes);
         if (header.width > 0 && header.height > 0) texture.texels = {header.width, header.height};
@@ -153,6 +165,11 @@ void add_look(Json& json, const analysis::LookDeviation& look, double diagonal) 
   }
   if (look.stretch) json["uv_stretch"] = stretch_json(*look.stretch);
   if (look.flipped) json["flipped_uvs"] = flipped_json(*look.flipped);
+  if (look.overlap) {
+    json["uv_overlap_percent"] = {{"first", 100.0 * look.overlap->original},
+                                  {"second", 100.0 * look.overlap->second},
+                                  {"new", 100.0 * look.overlap->added}};
+  }
   if (look.colors) {
     const Figures figures{{"mean", mean}, {"p95", percentile<95>}, {"max", most}};
     json["color_difference"] = {{"cie76", figures_json(look.colors->cie76, figures)},
@@ -191,6 +208,12 @@ std::vector<std::pair<std::string, std::string>> rows_of(const analysis::LookDev
   if (look.flipped) {
     rows.emplace_back("flipped UVs", fmt::format("{} of {}", count_text(look.flipped->flipped),
                                                  count_text(look.flipped->compared, "face")));
+  }
+  if (look.overlap) {
+    rows.emplace_back("UV overlap", fmt::format("{} of the texture, before {}, new {}",
+                                                percent_text(100.0 * look.overlap->second),
+                                                percent_text(100.0 * look.overlap->original),
+                                                percent_text(100.0 * look.overlap->added)));
   }
   if (look.colors) {
     rows.emplace_back(

@@ -15,6 +15,7 @@ namespace mesher::analysis {
 struct FaceTexture {
   std::uint32_t set = 0;        ///< of the texture coordinates: TEXCOORD_<set>
   glm::dvec2 texels{kNominal};  ///< per unit of the texture coordinates
+  std::uint64_t image = 0;      ///< equal numbers: the same image
 
   /// The size of a texture that is unknown.
   static constexpr double kNominal = 1024.0;

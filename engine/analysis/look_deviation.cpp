@@ -60,6 +60,10 @@ void leave_out_empty(LookDeviation& look) {
     look.not_measured.push_back(
         {"UV stretch", "no faces near each other have texture coordinates with an area"});
   }
+  if (!look.overlap->is_measured) {
+    look.overlap.reset();
+    look.not_measured.push_back({"UV overlap", "the second model covers no texture"});
+  }
   if (look.flipped->compared == 0) {
     look.flipped.reset();
     look.not_measured.push_back(
@@ -83,6 +87,8 @@ void measure_texture(const MatchedSurfaces& both, LookDeviation& look, Progress*
   check_cancelled(progress);
   look.stretch = uv_stretch(both.a, both.b, both.backward);
   look.flipped = flipped_uvs(both.a, both.tree_a, both.b);
+  check_cancelled(progress);
+  look.overlap = uv_overlap(both.a, both.b, progress);
   leave_out_empty(look);
 }
 

@@ -8,6 +8,7 @@
 #include "engine/analysis/attributed_surface.h"
 #include "engine/analysis/flipped_uvs.h"
 #include "engine/analysis/spread.h"
+#include "engine/analysis/uv_overlap.h"
 #include "engine/analysis/uv_stretch.h"
 #include "engine/core/progress.h"
 
@@ -38,6 +39,7 @@ struct LookDeviation {
   std::optional<TwoSidedSpread> uv_slide;  ///< in texels
   std::optional<UvStretch> stretch;        ///< of the second surface
   std::optional<FlippedUvs> flipped;       ///< faces of the second surface
+  std::optional<UvOverlap> overlap;
   struct Colors {
     TwoSidedSpread cie76;
     TwoSidedSpread ciede2000;

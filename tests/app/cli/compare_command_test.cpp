@@ -84,6 +84,8 @@ TEST_F(CompareCommand, SlideIsInTexelsOfUnknownTexture) {
               100.0 * 8.0 / 1024.0 / std::sqrt(2.0), 1e-3);
   EXPECT_NEAR(json["uv_stretch"]["l2"].get<double>(), 1.0, 1e-4);
   EXPECT_EQ(json["flipped_uvs"]["faces"], 0);
+  for (const char* part : {"first", "second", "new"})
+    EXPECT_EQ(json["uv_overlap_percent"][part], 0.0);
   EXPECT_EQ(json["normal_deviation_deg"]["two_sided"]["max"], 0.0);
   EXPECT_EQ(json["normal_deviation_deg"]["first_normals"], "faces");
   EXPECT_FALSE(json.contains("color_difference"));
