@@ -91,6 +91,13 @@ SimplifyReport face_report(const simplify::SimplifiedModel& result) {
 
 }  // namespace
 
+void check_weights(const AttributeWeights& weights) {
+  for (const float weight : {weights.texcoord, weights.normal, weights.color, weights.joint}) {
+    if (!(weight >= 0.0F && std::isfinite(weight)))
+      throw UsageError("simplify: a weight is below 0 or no number");
+  }
+}
+
 Asset Asset::simplify(const SimplifyOptions& options, SimplifyReport* report) const {
   check_options(options);
   Watch watch(options.progress);

@@ -26,6 +26,7 @@ struct ProgressiveOptions {
   Placement placement = Placement::optimal;        ///< where the merged vertex is placed
   BoundaryRule boundary = BoundaryRule::preserve;  ///< how boundary edges are simplified
   float crease_angle_deg = 180.0F;  ///< edges whose face normals differ by more are creases, too
+  AttributeWeights weights{};       ///< Pre: each is 0 or more
   ProgressCallback progress{};      ///< may be empty
 };
 

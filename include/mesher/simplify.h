@@ -35,6 +35,15 @@ enum class BoundaryRule {
   lock,      ///< no boundary vertex moves or is removed
 };
 
+/// How much attributes count against the shape: a difference times its weight counts like a
+/// distance. 0: not at all. Only CostPolicy::quadric counts attributes.
+struct AttributeWeights {
+  float texcoord = 0.3F;  ///< how far a texture slides over the surface
+  float normal = 0.2F;    ///< 1: a radian counts like a hundredth of the diagonal
+  float color = 0.5F;     ///< 1: black against white counts like a hundredth of the diagonal
+  float joint = 0.05F;    ///< how far apart the parts are that a vertex follows by its skin
+};
+
 /// One edge collapse. All numbers are those of the input, and are never reused.
 struct EdgeCollapse {
   std::uint32_t removed = 0;        ///< the vertex that is gone
@@ -56,7 +65,8 @@ struct SimplifyOptions {
   BoundaryRule boundary = BoundaryRule::preserve;  ///< how boundary edges are simplified
   /// Edges whose face normals differ by more are creases, too, in degrees. 180: only tagged ones.
   float crease_angle_deg = 180.0F;
-  std::uint64_t seed = 1;  ///< of the random policy
+  AttributeWeights weights{};  ///< Pre: each is 0 or more
+  std::uint64_t seed = 1;      ///< of the random policy
   /// Refuse collapses that make two faces intersect.
   bool no_intersections = false;
   /// Remove whole parts that are smaller than the error. Pre: no `max_error` and no `collapsed`.

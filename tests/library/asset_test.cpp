@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 #include <mesher/asset.h>
 #include <mesher/error.h>
+#include <mesher/progressive_mesh.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -162,6 +164,40 @@ TEST(Asset, RefusesContradictoryOptions) {
   EXPECT_THROW(simplify({.max_error = 0.0}), UsageError);
   EXPECT_THROW(simplify({.max_error = 0.1, .prune = true}), UsageError);
   EXPECT_THROW(simplify({.prune = true, .collapsed = [](auto) {}}), UsageError);
+  EXPECT_THROW(simplify({.weights = {.texcoord = -1.0F}}), UsageError);
+  EXPECT_THROW(simplify({.weights = {.joint = std::nanf("")}}), UsageError);
+  EXPECT_THROW(ProgressiveMesh(asset, {.weights = {.color = -0.5F}}), UsageError);
+}
+
+TEST(Asset, WeightsDecideWhatIsKept) {
+  // A flat sheet whose texture bends at x = 4.
+  std::string obj;
+  for (int y = 0; y <= 8; ++y) {
+    for (int x = 0; x <= 8; ++x) {
+      obj += "v " + std::to_string(x) + " " + std::to_string(y) + " 0\n";
+      obj += "vt " + std::to_string(x < 4 ? 0.1 * x : 0.4 + 0.15 * (x - 4)) + " " +
+             std::to_string(0.125 * y) + "\n";
+    }
+  }
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 8; ++x) {
+      const auto corner = [&](int i, int j) {
+        const std::string v = std::to_string(9 * j + i + 1);
+        return " " + v + "/" + v;
+      };
+      obj += "f" + corner(x, y) + corner(x + 1, y) + corner(x + 1, y + 1) + "\n";
+      obj += "f" + corner(x, y) + corner(x + 1, y + 1) + corner(x, y + 1) + "\n";
+    }
+  }
+  const test::TempFolder folder;
+  folder.write("sheet.obj", obj);
+  const Asset sheet = Asset::load(folder / "sheet.obj");
+  const auto keeps_the_bend = [&](const AttributeWeights& weights) {
+    const Asset small = sheet.simplify({.target_faces = 4, .weights = weights});
+    return std::ranges::any_of(small.positions(), [](const auto& p) { return p[0] == 4.0F; });
+  };
+  EXPECT_TRUE(keeps_the_bend({}));
+  EXPECT_FALSE(keeps_the_bend({.texcoord = 0.0F}));
 }
 
 TEST(Asset, MaxErrorBoundsTheComparison) {

@@ -92,8 +92,7 @@ std::string reference_page() {
          "with them.\n";
   write_table(
       page, "Simplification",
-      "`simplify`, `progressive` and `lods` take these options; so does the Simplify panel. The "
-      "weights do not matter to `progressive`, whose files hold no attributes.",
+      "`simplify`, `progressive` and `lods` take these options; so does the Simplify panel.",
       simplify::kSimplifyRules);
   write_table(page, "Subdivision", "`subdivide` and the Subdivide panel take these options.",
               subdivide::kSubdivideRules);
