@@ -21,7 +21,6 @@
 #include "engine/io/losses.h"
 #include "engine/mesh/normals.h"
 #include "engine/progressive/build.h"
-#include "engine/simplify/attributes.h"
 
 namespace mesher::app {
 namespace {

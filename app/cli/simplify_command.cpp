@@ -18,11 +18,11 @@
 #include "engine/io/format.h"
 #include "engine/io/losses.h"
 #include "engine/io/write.h"
-#include "engine/simplify/attributes.h"
 #include "engine/simplify/cards.h"
 #include "engine/simplify/prune.h"
 #include "engine/simplify/shapes.h"
 #include "engine/simplify/simplify.h"
+#include "engine/simplify/simplify_model.h"
 
 namespace mesher::app {
 namespace {

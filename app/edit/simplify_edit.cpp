@@ -12,8 +12,8 @@
 #include "app/edit/model_edit.h"
 #include "engine/core/text.h"
 #include "engine/scene/placed.h"
-#include "engine/simplify/attributes.h"
 #include "engine/simplify/simplify.h"
+#include "engine/simplify/simplify_model.h"
 
 namespace mesher::app {
 namespace {

@@ -6,8 +6,8 @@
 #include "engine/library/asset_data.h"
 #include "engine/library/simplify_rules.h"
 #include "engine/library/watch.h"
-#include "engine/simplify/attributes.h"
 #include "engine/simplify/observer.h"
+#include "engine/simplify/simplify_model.h"
 
 namespace mesher {
 namespace {

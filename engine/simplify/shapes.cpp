@@ -10,10 +10,11 @@
 #include "engine/core/progress.h"
 #include "engine/mesh/parts.h"
 #include "engine/mesh/statistics.h"
-#include "engine/simplify/attributes.h"
 #include "engine/simplify/budget.h"
+#include "engine/simplify/carry_attributes.h"
 #include "engine/simplify/prune.h"
 #include "engine/simplify/reorder.h"
+#include "engine/simplify/simplify_model.h"
 
 namespace mesher::simplify {
 namespace {

@@ -12,7 +12,6 @@
 #include "engine/io/gltf_scene.h"
 #include "engine/io/gltf_uses.h"
 #include "engine/mesh/mesh_editor.h"
-#include "engine/simplify/attributes.h"
 #include "tests/support/gltf_scene_file.h"
 #include "tests/support/temp_folder.h"
 

@@ -9,7 +9,7 @@
 #include "engine/core/parallel.h"
 #include "engine/mesh/wedges.h"
 #include "engine/progressive/build.h"
-#include "engine/simplify/attributes.h"
+#include "engine/simplify/carry_attributes.h"
 #include "tests/progressive/charts.h"
 #include "tests/progressive/checks.h"
 #include "tests/support/attributes.h"

@@ -6,7 +6,7 @@
 #include "engine/mesh/corner_attributes.h"
 #include "engine/mesh/validate.h"
 #include "engine/mesh/wedges.h"
-#include "engine/simplify/attributes.h"
+#include "engine/simplify/simplify_model.h"
 #include "tests/support/attributes.h"
 #include "tests/support/meshes.h"
 

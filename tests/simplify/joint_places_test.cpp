@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/mesh/wedges.h"
-#include "engine/simplify/attributes.h"
+#include "engine/simplify/simplify_model.h"
 #include "tests/support/attributes.h"
 #include "tests/support/meshes.h"
 

@@ -8,7 +8,7 @@
 #include "engine/analysis/distance.h"
 #include "engine/core/parallel.h"
 #include "engine/mesh/corner_attributes.h"
-#include "engine/simplify/attributes.h"
+#include "engine/simplify/simplify_model.h"
 #include "tests/support/meshes.h"
 
 namespace mesher::test {

@@ -1,4 +1,4 @@
-#include "engine/simplify/attributes.h"
+#include "engine/simplify/carry_attributes.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,7 @@
 #include "engine/mesh/corner_attributes.h"
 #include "engine/mesh/normals.h"
 #include "engine/mesh/wedges.h"
+#include "engine/simplify/simplify_model.h"
 #include "tests/support/attributes.h"
 #include "tests/support/meshes.h"
 

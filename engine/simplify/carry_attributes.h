@@ -5,7 +5,6 @@
 #include "engine/core/progress.h"
 #include "engine/mesh/attributes.h"
 #include "engine/mesh/mesh.h"
-#include "engine/simplify/seams.h"
 #include "engine/simplify/simplify.h"
 
 namespace mesher::simplify {
@@ -15,6 +14,9 @@ struct Attributed {
   const Mesh& mesh;
   const Attributes& attributes;
 };
+
+/// Returns the groups of faces that were those of the input, and no values.
+Attributes carried_groups(const Attributes& attributes, std::span<const Face> face_source);
 
 /// Returns the attributes of a simplified mesh.
 ///
@@ -35,22 +37,5 @@ Attributes carry_attributes(const Attributed& input, const Mesh& result,
 /// simplification found.
 Attributes carry_attributes(const Attributed& input, const Simplified& result,
                             const AttributeMetric& metric, Progress* progress = nullptr);
-
-/// A simplified mesh with its attributes.
-struct SimplifiedModel {
-  Simplified simplified;
-  Attributes attributes;
-  /// Seams were crossed, because that cost less or no other collapse was left.
-  bool crosses_seams = false;
-};
-
-/// Simplifies a mesh with its attributes: along seams as `mark_seams` describes, or across them
-/// where that costs less (SimplifyOptions::crosses_seams), if there is a target number of faces. A
-/// target that is still out of reach is simplified without seams and without a metric. `prunes` as
-/// in simplify_pruned; the preconditions are those of `simplify` and simplify_pruned. Without
-/// attributes this is `simplify`. The last resort takes twice the time. Keeps one copy of a mesh
-/// with attributes. Throws Cancelled.
-[[nodiscard]] SimplifiedModel simplify_model(Mesh&& mesh, const Attributes& attributes,
-                                             const SimplifyOptions& options, bool prunes = false);
 
 }  // namespace mesher::simplify

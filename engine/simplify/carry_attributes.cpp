@@ -1,4 +1,4 @@
-#include "engine/simplify/attributes.h"
+#include "engine/simplify/carry_attributes.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,6 @@
 #include "engine/mesh/joints.h"
 #include "engine/mesh/wedges.h"
 #include "engine/simplify/attribute_metric.h"
-#include "engine/simplify/prune.h"
 #include "engine/simplify/seams.h"
 #include "engine/simplify/surface_walk.h"
 
@@ -22,8 +21,6 @@ namespace mesher::simplify {
 namespace {
 
 constexpr std::size_t kCarryGrain = std::size_t{1} << 10;
-/// Times of simplifying, and of carrying attributes over.
-constexpr double kModelWeights[] = {0.8, 0.2};
 
 glm::dvec3 vector_of(const AttributeValue& value) {
   return {value[0], value[1], value[2]};
@@ -112,17 +109,6 @@ class JointBlend {
   std::span<AttributeLayer> to_;
   JointSum sum_;
 };
-
-/// Returns the groups of faces that were those of the input.
-Attributes carried_groups(const Attributes& attributes, std::span<const Face> face_source) {
-  Attributes carried;
-  carried.groups = attributes.groups;
-  if (attributes.group.empty()) return carried;
-  carried.group.resize(face_source.size());
-  for (std::size_t f = 0; f < face_source.size(); ++f)
-    carried.group[f] = attributes.group[face_source[f].index()];
-  return carried;
-}
 
 /// The attributes that a simplification followed.
 struct Followed {
@@ -308,43 +294,14 @@ class Carrier {
 
 }  // namespace
 
-SimplifiedModel simplify_model(Mesh&& mesh, const Attributes& attributes,
-                               const SimplifyOptions& options, bool prunes) {
-  const auto run = [&](Mesh&& input, const AttributeMetric* metric) {
-    SimplifyOptions run_options = options;
-    run_options.metric = metric != nullptr && metric->size > 0 ? metric : nullptr;
-    run_options.crosses_seams = options.target_faces > 0;
-    return prunes ? simplify_pruned(std::move(input), run_options)
-                  : simplify(std::move(input), run_options);
-  };
-  SimplifiedModel result;
-  const bool has_lines = may_have_lines(attributes);
-  if (attributes.layers.empty() && !has_lines) {
-    result.simplified = run(std::move(mesh), nullptr);
-    result.attributes = carried_groups(attributes, result.simplified.face_source);
-    return result;
-  }
-  Stages stages(options.progress, kModelWeights);
-  stages.next();
-  Mesh marked(mesh);
-  mark_seams(marked, attributes);
-  const AttributeMetric metric = attribute_metric(mesh, attributes, options.weights());
-  result.simplified = run(std::move(marked), &metric);
-  result.crosses_seams = result.simplified.corners.crosses_seams;
-  const bool is_stuck = result.simplified.report.reason == StopReason::no_legal_collapse &&
-                        result.simplified.report.faces_reached > options.target_faces;
-  if (has_lines && options.target_faces > 0 && is_stuck) {
-    Simplified across = run(Mesh(mesh), nullptr);
-    if (across.report.faces_reached < result.simplified.report.faces_reached) {
-      result.crosses_seams = true;
-      result.simplified = std::move(across);
-    }
-  }
-  unmark_seams(result.simplified.mesh);
-  stages.next();
-  result.attributes =
-      carry_attributes({mesh, attributes}, result.simplified, metric, options.progress);
-  return result;
+Attributes carried_groups(const Attributes& attributes, std::span<const Face> face_source) {
+  Attributes carried;
+  carried.groups = attributes.groups;
+  if (attributes.group.empty()) return carried;
+  carried.group.resize(face_source.size());
+  for (std::size_t f = 0; f < face_source.size(); ++f)
+    carried.group[f] = attributes.group[face_source[f].index()];
+  return carried;
 }
 
 Attributes carry_attributes(const Attributed& input, const Simplified& result,
