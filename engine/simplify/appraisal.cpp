@@ -87,12 +87,14 @@ Appraisal appraise(const Surface& surface, Halfedge h, const Fan& fan, const Can
   const Mesh& mesh = surface.mesh();
   const Vertex from = mesh.origin(h);
   const Vertex to = mesh.target(h);
-  Appraisal result{candidate.cost + fan.turned_area() * fan.turned_area(),
-                   std::max(surface.state(from).retreat(), surface.state(to).retreat())};
+  const float turned = fan.turned_area() * fan.turned_area();
+  const float retreat = std::max(surface.state(from).retreat(), surface.state(to).retreat());
+  Appraisal result{candidate.cost + turned, retreat, candidate.cost};
   if (!is_pointed(surface, from) && !is_pointed(surface, to)) return result;
   result.retreat += DistanceMoved(surface, h, fan, candidate.position).find();
   const float worth = result.retreat * result.retreat;
-  result.cost += worth * worth;
+  result.left_behind += worth * worth;
+  result.cost = result.left_behind + turned;
   return result;
 }
 

@@ -10,6 +10,9 @@ namespace mesher::simplify {
 struct Appraisal {
   float cost = kNever;   ///< area times squared distance, as Candidate::cost
   float retreat = 0.0F;  ///< the VertexState::retreat of the merged vertex
+  /// The part of the cost that estimates how far points of the input are left behind: all but the
+  /// penalty of turned faces. Points that are measured replace it.
+  float left_behind = kNever;
 };
 
 /// Returns the candidate's cost plus penalties for two kinds of damage. Both penalties are an area
@@ -22,7 +25,7 @@ struct Appraisal {
 ///    to the old faces. The earlier retreat of the ends is added to `d`, so removing a part in many
 ///    small steps costs as much as removing it at once. A part that sticks out by `d` counts as an
 ///    area of `d * d`, so the penalty is `d` to the fourth power.
-///  - Faces that turn or fold (Fan::turned_area). The penalty is the square of their area.
+///  - Faces that turn or fold (Fan::turned_area). The penalty is the square of their compact area.
 ///
 /// Pre: `fan` is gathered for `h` and its shape is checked at the candidate's position. O(valence).
 Appraisal appraise(const Surface& surface, Halfedge h, const Fan& fan, const Candidate& candidate);

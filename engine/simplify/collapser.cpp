@@ -216,10 +216,11 @@ void Collapser::collapse_or_requeue(Vertex v) {
 
 /// Pre: `check` returned kLegal for this collapse.
 Appraisal Collapser::appraise(Halfedge h, const Candidate& candidate) {
-  if (!context_.policy.costs_are_errors()) return {candidate.cost, 0.0F};
+  if (!context_.policy.costs_are_errors()) return {candidate.cost, 0.0F, candidate.cost};
   Appraisal appraisal = simplify::appraise(context_.surface, h, fan_, candidate);
   if (context_.samples != nullptr) {
-    appraisal.cost += context_.samples->correction(context_.surface, h, fan_, candidate);
+    appraisal.cost += context_.samples->correction(context_.surface, h, fan_, candidate.position,
+                                                   appraisal.left_behind);
   }
   return appraisal;
 }

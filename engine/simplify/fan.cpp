@@ -25,9 +25,27 @@ constexpr float kLeastAspect = 1e-5F;
 // Padding past the last face, for whole lanes.
 constexpr std::size_t kLanes = 16;
 
+/// The normal and the compact area of a face.
+struct Side {
+  glm::vec3 normal;
+  float area;
+};
+
+Side side_of(const Surface& surface, Face f) {
+  const Mesh& mesh = surface.mesh();
+  const auto squared_side = [&](std::uint32_t corner) {
+    const Halfedge h = Mesh::halfedge(f, corner);
+    const glm::vec3 side = mesh.position(mesh.target(h)) - mesh.position(mesh.origin(h));
+    return glm::dot(side, side);
+  };
+  const float longest = std::max({squared_side(0), squared_side(1), squared_side(2)});
+  const FaceShape& shape = surface.shape(f);
+  return {shape.normal, compact_area(shape.area, longest)};
+}
+
 /// Returns the area over which two adjacent faces are folded together: that of the smaller one, or
 /// 0.
-float folded_area(const FaceShape& a, const FaceShape& b) {
+float folded_area(const Side& a, const Side& b) {
   return glm::dot(a.normal, b.normal) < kFoldedCosine ? std::min(a.area, b.area) : 0.0F;
 }
 
@@ -76,7 +94,7 @@ void Fan::reserve(std::size_t faces) {
   spokes_.resize(faces + kLanes);
   ring_.resize(faces + kLanes);
   for (std::vector<float>* numbers :
-       {&x_, &y_, &z_, &area_, &neighbor_x_, &neighbor_y_, &neighbor_z_})
+       {&x_, &y_, &z_, &area_, &compact_area_, &neighbor_x_, &neighbor_y_, &neighbor_z_})
     numbers->resize(faces + kLanes, 0.0F);
 }
 
@@ -270,7 +288,9 @@ Rejection Fan::check_shape(const Surface& surface, const glm::vec3& p) {
     const Int4 is_turned_at_last = (dot(after.unit, block.original) < limit) &
                                    ~(dot(block.before.normal, block.original) < limit);
     const Int4 is_turned = ((step < all(kTurnedCosine)) | is_turned_at_last) & has_area;
-    turned = turned + select(is_turned & is_in_fan(i), after.area, all(0.0F));
+    const Float4 compact = compact_area(after.area, longest);
+    store4(&compact_area_[i + 1], compact);
+    turned = turned + select(is_turned & is_in_fan(i), compact, all(0.0F));
     // Adjacent faces within the block; pairs across blocks follow below.
     const auto onward = [](Float4 v) { return __builtin_shufflevector(v, v, 1, 2, 3, 3); };
     const Vec3<Float4> next{onward(after.unit.x), onward(after.unit.y), onward(after.unit.z)};
@@ -284,6 +304,7 @@ Rejection Fan::check_shape(const Surface& surface, const glm::vec3& p) {
   y_[0] = y_[size_];
   z_[0] = z_[size_];
   area_[0] = area_[size_];
+  compact_area_[0] = compact_area_[size_];
   bool may_fold = any(is_folded);
   for (std::size_t i = is_closed_ ? 0 : 4; i < size_; i += 4)
     may_fold |= glm::dot(shape(i).normal, shape_before(i).normal) < kFoldedCosine;
@@ -310,8 +331,9 @@ float Fan::folded_area_after(const Surface& surface) const {
   float area = 0.0F;
   for (std::size_t i = 0; i < size_; ++i) {
     const Halfedge beyond = mesh.twin(Mesh::next(spokes_[i]));
-    if (beyond.is_valid()) area += folded_area(shape(i), surface.shape(Mesh::face(beyond)));
-    if (is_closed_ || i > 0) area += folded_area(shape(i), shape_before(i));
+    const Side side{shape(i).normal, compact_area_[i + 1]};
+    if (beyond.is_valid()) area += folded_area(side, side_of(surface, Mesh::face(beyond)));
+    if (is_closed_ || i > 0) area += folded_area(side, {shape_before(i).normal, compact_area_[i]});
   }
   return area;
 }
@@ -322,7 +344,7 @@ float Fan::folded_area_before(const Surface& surface) const {
   const auto add = [&](Halfedge h) {
     const Halfedge t = mesh.twin(h);
     if (!t.is_valid()) return;
-    area += folded_area(surface.shape(Mesh::face(h)), surface.shape(Mesh::face(t)));
+    area += folded_area(side_of(surface, Mesh::face(h)), side_of(surface, Mesh::face(t)));
   };
   for (const Halfedge spoke : spokes()) {
     add(Mesh::next(spoke));

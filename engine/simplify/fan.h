@@ -13,6 +13,17 @@
 
 namespace mesher::simplify {
 
+/// Returns the area of the equilateral triangle that is as high as a face over its longest side. A
+/// face that turns moves no farther than this height, so a sliver that turns is less harmful than
+/// its area suggests.
+template <class F>
+F compact_area(const F& area, const F& squared_longest_side) {
+  constexpr float kFourBySquareRootOfThree = 2.3094011F;
+  const F tiny = broadcast<F>(1e-30F);
+  return area * (area / greater_of(squared_longest_side, tiny)) *
+         broadcast<F>(kFourBySquareRootOfThree);
+}
+
 /// The faces around the merged vertex of an edge: those of both stars except the one or two at the
 /// edge, counterclockwise, from one boundary to the other or all the way around. Stored as arrays,
 /// in groups of four faces, and reused from edge to edge so that nothing is allocated.
@@ -46,9 +57,9 @@ class Fan {
   /// degenerate. Smaller turns and folds are not refused but penalized: see turned_area.
   /// O(valence). Pre: gathered.
   Rejection check_shape(const Surface& surface, const glm::vec3& p);
-  /// Returns the area, found by `check_shape`, of the faces that turn far (by more than 78 degrees,
-  /// or past a right angle to their normal in the input), plus four times the newly folded area
-  /// between adjacent faces.
+  /// Returns the compact area (see `compact_area`), found by `check_shape`, of the faces that turn
+  /// far (by more than 78 degrees, or past a right angle to their normal in the input), plus four
+  /// times the newly folded one between adjacent faces.
   float turned_area() const { return turned_area_; }
 
   /// Returns the positions of the first neighbors of faces i to i + 3; called with i + 1, those of
@@ -101,7 +112,7 @@ class Fan {
   std::vector<Halfedge> spokes_;
   std::vector<Vertex> ring_;
   // By face, shifted by one from spokes_: slot 0 repeats the last face.
-  std::vector<float> x_, y_, z_, area_;
+  std::vector<float> x_, y_, z_, area_, compact_area_;
   std::vector<float> neighbor_x_, neighbor_y_, neighbor_z_;  ///< see four_positions
 };
 

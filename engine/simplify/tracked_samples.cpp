@@ -58,21 +58,21 @@ void TrackedSamples::find_moved(Face f, const Fan& fan, const glm::vec3& p) {
 }
 
 float TrackedSamples::correction(const Surface& surface, Halfedge h, const Fan& fan,
-                                 const Candidate& candidate) {
+                                 const glm::vec3& p, float estimate) {
   moved_.clear();
   before_ = 0.0;
-  find_moved(Mesh::face(h), fan, candidate.position);
+  find_moved(Mesh::face(h), fan, p);
   if (const Halfedge t = surface.mesh().twin(h); t.is_valid()) {
-    find_moved(Mesh::face(t), fan, candidate.position);
+    find_moved(Mesh::face(t), fan, p);
   }
   for (const Halfedge spoke : fan.spokes())
-    find_moved(Mesh::face(spoke), fan, candidate.position);
+    find_moved(Mesh::face(spoke), fan, p);
   double after = 0.0;
   for (const Moved& moved : moved_)
     after += double{moved.squared_distance};
   const auto count = static_cast<float>(moved_.size());
   const auto measured = static_cast<float>(std::max(weight_ * (after - before_), 0.0));
-  return count / (count + kTrustInPlanes) * (measured - candidate.cost);
+  return count / (count + kTrustInPlanes) * (measured - estimate);
 }
 
 void TrackedSamples::collapsed(const Fan& fan) {

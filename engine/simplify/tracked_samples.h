@@ -23,11 +23,12 @@ class TrackedSamples {
   /// the number of threads.
   TrackedSamples(const Surface& surface, const ErrorSamples& samples);
 
-  /// Returns the correction that moves the cost of merging the fan's edge at the candidate's
-  /// position toward the cost measured at the points around; the more points, the larger their
-  /// weight. Never makes the cost negative. Pre: `fan` is gathered for `h` and its shape is checked
-  /// there. O(points around times valence).
-  float correction(const Surface& surface, Halfedge h, const Fan& fan, const Candidate& candidate);
+  /// Returns the correction that moves an estimated cost of merging the fan's edge at `p` toward
+  /// the cost measured at the points around; the more points, the larger their weight. Never makes
+  /// the cost negative. Pre: `fan` is gathered for `h` and its shape is checked there. O(points
+  /// around times valence).
+  float correction(const Surface& surface, Halfedge h, const Fan& fan, const glm::vec3& p,
+                   float estimate);
 
   /// Applies the collapse for which `correction` was last called.
   void collapsed(const Fan& fan);

@@ -28,7 +28,7 @@ Asked ask(simplify::TrackedSamples& tracked, const simplify::Surface& surface, H
   asked.candidate = {cost, cost, p};
   EXPECT_TRUE(asked.fan.gather(surface, h, 64));
   asked.fan.check_shape(surface, p);
-  asked.correction = tracked.correction(surface, h, asked.fan, asked.candidate);
+  asked.correction = tracked.correction(surface, h, asked.fan, p, cost);
   return asked;
 }
 
