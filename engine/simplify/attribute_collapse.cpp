@@ -101,16 +101,18 @@ AttributeField::Merged AttributeField::merged(const Surface& surface, Halfedge h
   }
   if (result.pairs.count == 2 && !is_at_end) keep_equal(result);
   if (surface.allowed_placement(h) == AllowedPlacement::across) {
-    for (const Vertex v : {mesh.origin(h), mesh.target(h)})
-      extend_aside(surface, v, p, result);
+    for (const bool is_target : {false, true})
+      extend_aside(surface, h, is_target, p, result);
   }
   return result;
 }
 
-/// Extends the wedges of a vertex that are not at the edge to `p`.
-void AttributeField::extend_aside(const Surface& surface, Vertex v, const glm::vec3& p,
-                                  Merged& merged) const {
+/// Extends the wedges of an end of `h` that are not at the edge to `p`. Where a seam of the texture
+/// alone separates them from the edge, they get the other numbers of the merged vertex.
+void AttributeField::extend_aside(const Surface& surface, Halfedge h, bool is_target,
+                                  const glm::vec3& p, Merged& merged) const {
   const Mesh& mesh = surface.mesh();
+  const Vertex v = is_target ? mesh.target(h) : mesh.origin(h);
   if (p == mesh.position(v)) return;
   const glm::vec3 y = p - mesh.position(v);
   const Float4 along{y.x, y.y, y.z, 0.0F};
@@ -123,7 +125,22 @@ void AttributeField::extend_aside(const Surface& surface, Vertex v, const glm::v
       const float change = s[0] > 0.0F ? sum_of(load4(s + row(j)) * along) / s[0] : 0.0F;
       extended.values[j] = value(wedge, j) + change;
     }
+    for (std::size_t i = 0; i < merged.pairs.count; ++i) {
+      const Pair& pair = merged.pairs.pair[i];
+      if (!differ_in_texture_only(wedge, is_target ? pair.target : pair.origin)) continue;
+      for (std::size_t j = 0; j < size_; ++j) {
+        if (!is_texcoord_[j]) extended.values[j] = merged.values[i][j];
+      }
+      break;
+    }
   }
+}
+
+bool AttributeField::differ_in_texture_only(std::uint32_t a, std::uint32_t b) const {
+  for (std::size_t j = 0; j < size_; ++j) {
+    if (!is_texcoord_[j] && value(a, j) != value(b, j)) return false;
+  }
+  return true;
 }
 
 /// Numbers that agree across a line at both of its ends still do afterward: a seam of the texture

@@ -34,19 +34,43 @@ AllowedPlacement AttributeField::ends_across(const Mesh& mesh, Halfedge h) const
   return left.target == right.target ? AllowedPlacement::at_target : AllowedPlacement::anywhere;
 }
 
-/// Returns how far the faces of a wedge disagree about its values where its vertex moves by `y`:
-/// areas times squared differences.
-float AttributeField::extension_cost(std::uint32_t wedge, const Vec3<float>& y) const {
+/// Returns how far the faces of a wedge disagree about its values where its vertex moves: areas
+/// times squared differences, as a quadric of the way.
+Quadric<float> AttributeField::extension(std::uint32_t wedge) const {
   const float* const s = record(wedge);
-  if (!(s[0] > 0.0F)) return 0.0F;
-  const Quadric<float> q{s[1], s[2], s[3], s[4], s[5], s[6], {}};
-  const Float4 along{y.x, y.y, y.z, 0.0F};
-  float cost = dot(y, q.times(y));
+  if (!(s[0] > 0.0F)) return {};
+  Quadric<float> q{s[1], s[2], s[3], s[4], s[5], s[6], {}};
   for (std::size_t j = 0; j < size_; ++j) {
-    const float change = sum_of(load4(s + row(j)) * along);
-    cost -= change * change / s[0];
+    const float* const g = s + row(j);
+    const Vec3<float> w = Vec3<float>{g[0], g[1], g[2]} * (1.0F / s[0]);
+    q.xx -= w.x * g[0];
+    q.xy -= w.x * g[1];
+    q.xz -= w.x * g[2];
+    q.yy -= w.y * g[1];
+    q.yz -= w.y * g[2];
+    q.zz -= w.z * g[2];
   }
-  return std::max(cost, 0.0F);
+  return q;
+}
+
+AttributeQuadric<float> AttributeField::quadric_across(const Surface& surface, Halfedge h) const {
+  const Mesh& mesh = surface.mesh();
+  AttributeQuadric<float> sum = quadric(surface, h);
+  const Pairs sides = pairs(mesh, h);
+  const Vec3<float> half =
+      (surface.state(mesh.target(h)).position - surface.state(mesh.origin(h)).position) * 0.5F;
+  for (const bool is_at_target : {false, true}) {
+    const Vec3<float> end = is_at_target ? half : half * -1.0F;  // seen from the midpoint
+    const Aside beside = aside(mesh, is_at_target ? mesh.target(h) : mesh.origin(h), sides);
+    for (const std::uint32_t wedge : beside.all()) {
+      const Quadric<float> q = extension(wedge);
+      const Vec3<float> at_end = q.times(end);
+      sum.a = sum.a + q;
+      sum.linear = sum.linear + at_end;
+      sum.constant += dot(end, at_end);
+    }
+  }
+  return sum;
 }
 
 float AttributeField::cost_at_end_across(const Surface& surface, Halfedge h,
@@ -59,7 +83,7 @@ float AttributeField::cost_at_end_across(const Surface& surface, Halfedge h,
   float cost = cost_at_end(surface, h, is_at_target);
   const Aside beside = aside(mesh, moving, pairs(mesh, h));
   for (const std::uint32_t wedge : beside.all())
-    cost += extension_cost(wedge, y);
+    cost += std::max(dot(y, extension(wedge).times(y)), 0.0F);
   return cost;
 }
 

@@ -60,7 +60,9 @@ struct Headers {
 AttributeField::AttributeField(const Surface& surface, const AttributeMetric& metric)
     : size_(metric.size), stride_(row(metric.size)) {
   for (const AttributeMetric::Layer& layer : metric.layers) {
-    if (layer.is_texcoord) texcoords_.push_back(layer.first);
+    if (!layer.is_texcoord) continue;
+    texcoords_.push_back(layer.first);
+    is_texcoord_.at(layer.first) = is_texcoord_.at(layer.first + 1) = true;
   }
   find_wedges(surface, metric);
   find_sums(surface);

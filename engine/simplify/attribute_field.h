@@ -71,6 +71,8 @@ class AttributeField {
   /// not meet the edge keep their texture where it is: each gets the mean of its faces, extended to
   /// the merged vertex. O(valence).
   float cost_at_end_across(const Surface& surface, Halfedge h, bool is_at_target) const;
+  /// Same as `quadric`, across seams at both ends. Pre: ends_across allows both. O(valence).
+  AttributeQuadric<float> quadric_across(const Surface& surface, Halfedge h) const;
 
   /// Returns whether a face would turn over in texture space, or lose its area there. Faces without
   /// area there may. Pre: `fan` is that of `h`. O(valence).
@@ -157,8 +159,10 @@ class AttributeField {
                      Values& to) const;
   Merged merged(const Surface& surface, Halfedge h, const glm::vec3& p) const;
   void keep_equal(Merged& merged) const;
-  float extension_cost(std::uint32_t wedge, const Vec3<float>& y) const;
-  void extend_aside(const Surface& surface, Vertex v, const glm::vec3& p, Merged& merged) const;
+  Quadric<float> extension(std::uint32_t wedge) const;
+  void extend_aside(const Surface& surface, Halfedge h, bool is_target, const glm::vec3& p,
+                    Merged& merged) const;
+  bool differ_in_texture_only(std::uint32_t a, std::uint32_t b) const;
   FourWedges wedges(const FourHalfedges& from) const;
   Float4 values(Int4 wedges, std::size_t j) const;
   void load(const Surface& surface, const FourHalfedges& from, FourFaces& to) const;
@@ -186,10 +190,11 @@ class AttributeField {
   std::size_t size_;
   std::size_t stride_;
   std::vector<std::size_t> texcoords_;  ///< first of two numbers each
-  Array<std::uint32_t> wedge_;          ///< per half-edge
-  Array<float> records_;                ///< per wedge
-  Array<std::uint32_t> source_;         ///< per wedge: that of its corners, kNone or kOwn
-  Array<std::uint32_t> own_;  ///< per half-edge: its wedge in the metric; empty if never kOwn
+  std::array<bool, kMost> is_texcoord_{};
+  Array<std::uint32_t> wedge_;   ///< per half-edge
+  Array<float> records_;         ///< per wedge
+  Array<std::uint32_t> source_;  ///< per wedge: that of its corners, kNone or kOwn
+  Array<std::uint32_t> own_;     ///< per half-edge: its wedge in the metric; empty if never kOwn
 };
 
 }  // namespace mesher::simplify

@@ -42,7 +42,8 @@ class Choices {
   }
   Choice at_midpoint() const { return at({0.0F, 0.0F, 0.0F}, field_.quadric(surface_, h_)); }
   Choice best() const {
-    const AttributeQuadric<float> attributes = field_.quadric(surface_, h_);
+    const AttributeQuadric<float> attributes =
+        is_across_ ? field_.quadric_across(surface_, h_) : field_.quadric(surface_, h_);
     EdgeQuadric<float> sum = edge_;
     sum.both = sum.both + attributes.a;
     sum.linear = sum.linear + attributes.linear;
@@ -110,7 +111,9 @@ Candidate AttributePolicy::evaluate(const Surface& surface, Halfedge h,
   if (is_across) allowed = both(surface.ends_across(h), field_.ends_across(surface.mesh(), h));
   if (allowed == AllowedPlacement::nowhere) return {};
   const Choices choices(surface, field_, h, is_across);
-  const Placement placement = is_across ? Placement::endpoint : this->placement();
+  // Across a seam that is not free, the exact values at an end are worth more than the best place.
+  const bool keeps_end = is_across && !surface.seams_are_free();
+  const Placement placement = keeps_end ? Placement::endpoint : this->placement();
   const bool may_move = allowed == AllowedPlacement::anywhere && placement == Placement::optimal;
   const Choice choice = choices.refined(choose(choices, allowed, placement), may_move);
   return {choice.total() + choices.tie_break(), choice.surface, choice.position};

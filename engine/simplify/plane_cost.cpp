@@ -35,7 +35,7 @@ std::optional<StarCost> star_cost(const Surface& surface, Vertex v, Vertex other
     add(face.normal, face.area);
     if (!has_features) continue;
     for (const Halfedge side : {h, Mesh::prev(h)}) {
-      if (surface.is_feature(side)) add(surface.across(side), kFeatureWeight);
+      if (surface.is_feature(side)) add(surface.across(side), surface.feature_weight(side));
     }
   }
   return sum;

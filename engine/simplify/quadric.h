@@ -59,7 +59,7 @@ Quadric<F> plane_quadric(const Vec3<F>& n, F weight) {
 /// Damping of directions in which the quadric is weak, as a fraction of its trace. `best_offset`
 /// pulls toward the midpoint by this much, so that the vertex stays in the middle in flat and
 /// straight neighborhoods, where the quadric leaves directions free.
-inline constexpr float kPlacementDamping = 1e-4F;
+inline constexpr float kPlacementDamping = 8e-5F;
 /// Tie-break: weight of the squared edge length times the area around it, so that the shorter of
 /// two equally good edges goes first. It corresponds to a distance of 3e-7 of the edge length, the
 /// resolution of single precision, so it does not compete with real errors.

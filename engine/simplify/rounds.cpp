@@ -57,6 +57,9 @@ constexpr double kErrorMargin = 4.0;
 constexpr std::uint32_t kFewFaces = 256;
 // With fewer faces, points of the input are tracked and costs are measured at them.
 constexpr std::uint32_t kTrackedFaces = 512;
+// With fewer faces than this fraction of the input, seams are free: most collapses left have to
+// cross them, so their full price would only order the collapses by length.
+constexpr std::uint32_t kFacesPerFreeSeams = 8;
 // Number of faces per sample for measuring the distance from the input, within limits.
 constexpr std::size_t kFacesPerSample = 16;
 constexpr std::size_t kLeastSamples = 256;
@@ -108,9 +111,11 @@ Rounds::Rounds(Mesh&& mesh, float scale, const SimplifyOptions& options, Transla
 }
 
 /// Returns whether there is an attempt to repeat. New intersections are those that the start does
-/// not have, so a run that must not make any starts with the input.
+/// not have, so a run that must not make any starts with the input. So does one that frees seams,
+/// because a step does not say whether they were free.
 bool Rounds::repeats() const {
-  return attempts_ != nullptr && !attempts_->steps.empty() && guarding_ == Guarding::none;
+  return attempts_ != nullptr && !attempts_->steps.empty() && guarding_ == Guarding::none &&
+         !surface_.can_free_seams();
 }
 
 void Rounds::repeat_last_attempt() {
@@ -294,6 +299,8 @@ void Rounds::run_to_the_error() {
 
 /// Collapses down to this many faces, or as few as legal.
 void Rounds::collapse_to(std::uint32_t faces) {
+  const std::uint32_t free_below = faces_before_ / kFacesPerFreeSeams;
+  if (free_below > kTrackedFaces) free_seams_below(free_below, faces);
   if (!tracked_ && faces < kTrackedFaces && policy_->costs_are_errors()) {
     if (faces_ > kTrackedFaces) {
       collapse_region(kTrackedFaces);
@@ -303,7 +310,17 @@ void Rounds::collapse_to(std::uint32_t faces) {
     context_.samples = &*tracked_;
     if (bound_) bound_->distrust_estimates();
   }
+  if (free_below <= kTrackedFaces) free_seams_below(free_below, faces);
   if (faces_ > faces) collapse_region(faces);
+}
+
+/// Frees the seams once fewer faces than `limit` are left, if `faces` are wanted.
+void Rounds::free_seams_below(std::uint32_t limit, std::uint32_t faces) {
+  if (faces >= limit || !surface_.can_free_seams()) return;
+  if (faces_ > limit) collapse_region(limit);
+  drop_removed();
+  surface_.free_seams();
+  evaluate_all(context_);
 }
 
 /// Same, in a single region.

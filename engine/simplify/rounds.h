@@ -103,6 +103,7 @@ class Rounds {
   void run_to_the_error();
   std::uint32_t next_step(double error) const;
   void collapse_to(std::uint32_t faces);
+  void free_seams_below(std::uint32_t limit, std::uint32_t faces);
   void collapse_region(std::uint32_t faces);
   void count_constrained();
   bool try_refused_again(std::size_t valence, std::uint32_t faces);

@@ -107,15 +107,27 @@ void Surface::find_features(const SimplifyOptions& options) {
     return mesh_.sharpness(h) > 0.0F || is_crease(h) ? EdgeKind::feature : EdgeKind::smooth;
   };
   feature_.resize(mesh_.halfedge_count());
-  has_features_ =
-      parallel_sum<std::uint64_t>(mesh_.halfedge_count(), kSurfaceChunk, [&](IndexRange range) {
-        std::uint64_t count = 0;
+  struct Counts {
+    std::uint64_t features = 0;
+    std::uint64_t seams = 0;
+    Counts& operator+=(const Counts& by) {
+      features += by.features;
+      seams += by.seams;
+      return *this;
+    }
+  };
+  const auto counts =
+      parallel_sum<Counts>(mesh_.halfedge_count(), kSurfaceChunk, [&](IndexRange range) {
+        Counts sum;
         for (std::size_t i = range.begin; i < range.end; ++i) {
           feature_[i] = kind(Halfedge(static_cast<std::uint32_t>(i)));
-          count += feature_[i] != EdgeKind::smooth ? 1 : 0;
+          sum.features += feature_[i] != EdgeKind::smooth ? 1 : 0;
+          sum.seams += feature_[i] == EdgeKind::seam ? 1 : 0;
         }
-        return count;
-      }) > 0;
+        return sum;
+      });
+  has_features_ = counts.features > 0;
+  has_seams_ = counts.seams > 0;
   // Most scans are smooth and closed, so nothing is stored for them.
   if (!has_features_) feature_ = {};
 }
@@ -195,7 +207,7 @@ glm::vec3 Surface::across(Halfedge h) const {
 /// sweeps no volume.
 Quadric<float> Surface::across_quadric(Halfedge h) const {
   const glm::vec3 out = across(h);
-  Quadric<float> q = plane_quadric(Vec3<float>{out.x, out.y, out.z}, kFeatureWeight);
+  Quadric<float> q = plane_quadric(Vec3<float>{out.x, out.y, out.z}, feature_weight(h));
   q.g = {};
   return q;
 }
@@ -235,6 +247,27 @@ bool Surface::is_in_loop(Halfedge h, EdgeKind least) const {
       return true;
   }
   return false;
+}
+
+void Surface::free_seams() {
+  seam_weight_ = kFreeSeamWeight;
+  for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
+    VertexState& s = vertices_[v];
+    if (s.region == VertexState::kGone) continue;
+    s.quadric = {};
+    s.best = {};
+    s.cost = kNever;
+  }
+  for (std::uint32_t i = 0; i < mesh_.face_count(); ++i) {
+    const Face f(i);
+    if (is_removed(f)) continue;
+    faces_[i].cost = {kNever, kNever, kNever};
+    const std::array<Quadric<float>, 3> added = contributions(f);
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      Quadric<float>& sum = state(mesh_.origin(Mesh::halfedge(f, c))).quadric;
+      sum = sum + added[c];
+    }
+  }
 }
 
 void Surface::update_constraint(Vertex v) {

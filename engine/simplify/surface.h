@@ -51,6 +51,8 @@ inline Quadric<float> plane_quadric(const FaceShape& shape) {
 /// of the edge: large enough that boundaries are straightened last, small enough that their
 /// surroundings still count.
 inline constexpr float kFeatureWeight = 1.0F;
+/// Same, of seams that are free: along a straight seam still costs less than across.
+inline constexpr float kFreeSeamWeight = 0.1F;
 
 /// A mesh under simplification, with data per face and vertex. Removed faces and vertices leave
 /// holes until the end, so that ids stay valid.
@@ -123,6 +125,10 @@ class Surface {
   float cost(Halfedge h) const { return faces_[Mesh::face(h).index()].cost[Mesh::corner(h)]; }
   EdgeKind kind(Halfedge h) const { return has_features_ ? feature_[h.index()] : EdgeKind::smooth; }
   bool is_feature(Halfedge h) const { return kind(h) != EdgeKind::smooth; }
+  /// Returns the weight of the planes across a feature edge.
+  float feature_weight(Halfedge h) const {
+    return kind(h) == EdgeKind::seam ? seam_weight_ : kFeatureWeight;
+  }
   /// Returns whether the edge of `h` and both other sides of a face at it are at least of a kind.
   /// O(1).
   bool is_in_loop(Halfedge h, EdgeKind least) const;
@@ -139,6 +145,12 @@ class Surface {
       return AllowedPlacement::anywhere;
     return constrained_placement(h, from, to);
   }
+  /// Returns whether there are seams that collapses may cross, at their full price.
+  bool can_free_seams() const { return has_seams_ && !seams_are_free(); }
+  bool seams_are_free() const { return seam_weight_ < kFeatureWeight; }
+  /// From now on, planes across seams count less, and a collapse across one may place its vertex
+  /// anywhere. Forgets all costs. Pre: can_free_seams(). O(F).
+  void free_seams();
   /// Returns at which ends an edge may be merged across seams; `anywhere`: at both. O(1).
   AllowedPlacement ends_across(Halfedge h) const;
   /// O(1).
@@ -224,6 +236,8 @@ class Surface {
   bool has_features_ = false;    ///< edges
   bool is_constrained_ = false;  ///< vertices: features, own sharpness, bow ties
   bool crosses_seams_ = false;
+  bool has_seams_ = false;  ///< EdgeKind::seam
+  float seam_weight_ = kFeatureWeight;
   double area_before_ = 0.0;
   Array<FaceState> faces_;
   Array<VertexState> vertices_;

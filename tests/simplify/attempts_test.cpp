@@ -79,7 +79,7 @@ TEST(Attempts, RepeatUnderATighterBoundChangesThatPlaceOnly) {
   const Mesh mesh = bumpy_sheet();
   simplify::Attempts attempts;
   const Attempt first = attempt(mesh, attempts);
-  const glm::vec3 center = mesh.position(Vertex(30 * 61 + 30));
+  const glm::vec3 center = mesh.position(Vertex(10 * 61 + 10));
   tighten_near(attempts, first.trace.before, center, 8.0F, 0.1F);
   simplify::CollapseRecorder recorder;
   const Attempt second = attempt(mesh, attempts, &recorder);
@@ -96,10 +96,11 @@ TEST(Attempts, RepeatUnderATighterBoundChangesThatPlaceOnly) {
     return count;
   };
   EXPECT_GT(faces_near(second.result.mesh, 8.0F), 2 * faces_near(first.result.mesh, 8.0F));
+  // What is not repeated reaches as far as the merged vertices around did.
   const std::uint32_t far_before =
-      first.result.mesh.face_count() - faces_near(first.result.mesh, 16.0F);
+      first.result.mesh.face_count() - faces_near(first.result.mesh, 35.0F);
   const std::uint32_t far_after =
-      second.result.mesh.face_count() - faces_near(second.result.mesh, 16.0F);
+      second.result.mesh.face_count() - faces_near(second.result.mesh, 35.0F);
   EXPECT_EQ(far_after, far_before);
   // Each collapse is legal after those before it, and together they give the result.
   const Mesh replayed = replay(Mesh(mesh), recorder.records(), [](const Mesh&, std::size_t) {});
