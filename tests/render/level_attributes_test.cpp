@@ -141,8 +141,9 @@ TEST_F(LevelAttributesTest, ShadersAgreeWithTheCppFormula) {
     for (const Look look : kMovingLooks) {
       const Image image = levels.draw(mirror, looking(look, time));
       const Image expected = draw_by_formula(levels, device(), look, time);
-      // The checker has sharp edges, where a rounding error shows.
-      EXPECT_LE(pixels_off(image, expected, 2), look == Look::uv_checker ? 60U : 8U)
+      // The checker has sharp edges, where a rounding error shows. In a thin face, one of the
+      // position turns the normal by up to 3 of 255.
+      EXPECT_LE(pixels_off(image, expected, 3), look == Look::uv_checker ? 60U : 8U)
           << static_cast<int>(look);
       EXPECT_GT(pixels_off(image, levels.draw(mirror, looking(look)), 2), 300U)
           << static_cast<int>(look);
