@@ -58,6 +58,7 @@ std::vector<AttributeLayer> split_joints(const std::vector<AttributeLayer>& corn
                                          Progress* progress) {
   if (corner.empty()) return {};
   std::vector<AttributeLayer> child;
+  child.reserve(corner.size());
   for (const AttributeLayer& layer : corner)
     child.emplace_back(layer.type(), 4 * layer.count());
   const std::vector<JointSet> sets = joint_sets(corner);
