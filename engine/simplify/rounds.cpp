@@ -297,6 +297,15 @@ void Rounds::run_to_the_error() {
   }
 }
 
+/// Frees the seams once fewer faces than `limit` are left, if `faces` are wanted.
+void Rounds::free_seams_below(std::uint32_t limit, std::uint32_t faces) {
+  if (faces >= limit || !surface_.can_free_seams()) return;
+  if (faces_ > limit) collapse_region(limit);
+  drop_removed();
+  surface_.free_seams();
+  evaluate_all(context_);
+}
+
 /// Collapses down to this many faces, or as few as legal.
 void Rounds::collapse_to(std::uint32_t faces) {
   const std::uint32_t free_below = faces_before_ / kFacesPerFreeSeams;
@@ -312,15 +321,6 @@ void Rounds::collapse_to(std::uint32_t faces) {
   }
   if (free_below <= kTrackedFaces) free_seams_below(free_below, faces);
   if (faces_ > faces) collapse_region(faces);
-}
-
-/// Frees the seams once fewer faces than `limit` are left, if `faces` are wanted.
-void Rounds::free_seams_below(std::uint32_t limit, std::uint32_t faces) {
-  if (faces >= limit || !surface_.can_free_seams()) return;
-  if (faces_ > limit) collapse_region(limit);
-  drop_removed();
-  surface_.free_seams();
-  evaluate_all(context_);
 }
 
 /// Same, in a single region.

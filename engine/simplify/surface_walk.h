@@ -50,8 +50,8 @@ class WalkRescue {
   /// Pre: the mesh has faces. O(F).
   WalkRescue(const Mesh& mesh, const Lines& lines);
 
-  /// Returns a face of the same chart that is much closer to `p` than the end of a walk. Returns
-  /// nothing if all are about as far away. Lines separate charts. O(log F) expected.
+  /// If a walk ended much farther from `p` than the nearest face, returns a face of the same chart
+  /// that is nearer; otherwise nothing. Lines separate charts. O(log F) expected.
   std::optional<Face> nearer(const NearPoint& end, const glm::dvec3& p) const;
 
  private:
