@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "engine/core/array.h"
 #include "engine/simplify/observer.h"
+#include "engine/simplify/reorder.h"
 #include "engine/simplify/report.h"
 
 namespace mesher::simplify {
@@ -12,6 +14,7 @@ namespace mesher::simplify {
 /// What one run under an error bound leaves for the next, which repeats it with a tighter bound in
 /// places. Ids and positions are those of the run: reordered and scaled.
 struct Attempts {
+  std::optional<Reordered> order;  ///< the input as the runs process it, once one has begun
   Array<float> shares;        ///< fraction of the bound that applies at each vertex; empty: all
   Array<CollapseStep> steps;  ///< collapses of the last run; empty: there is nothing to repeat
   std::array<std::uint64_t, kRejections.size()> rejected{};  ///< refusals so far

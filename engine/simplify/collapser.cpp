@@ -6,7 +6,6 @@
 #include "engine/core/parallel.h"
 #include "engine/core/progress.h"
 #include "engine/mesh/circulators.h"
-#include "engine/mesh/collapse.h"
 
 namespace mesher::simplify {
 
@@ -416,42 +415,10 @@ void Collapser::collapse(Halfedge h, const Candidate& candidate, const Appraisal
   const Vertex kept = mesh.target(h);
   const CollapseRecord record{h,    mesh.twin(h),       mesh.origin(h),
                               kept, candidate.position, rank(h, appraisal.cost)};
-  apply({record, candidate.error, appraisal.retreat, estimate_});
+  apply({record, candidate.error, appraisal.retreat, estimate_, {}});
   evaluate_fan(kept);
   retry_refused_in_ring();
   if (outcome_.removed_faces > limits_.fresh_after) refresh_ring(kept);
-}
-
-/// Pre: the fan is gathered, and its shape is checked at the step's position.
-void Collapser::apply(const CollapseStep& step) {
-  Surface& surface = context_.surface;
-  const auto& [h, t, removed, kept, position, rank] = step.record;
-  MESHER_ASSERT(check_collapse(surface.mesh(), h).is_legal());
-  outcome_.records.push_back(step.record);
-  outcome_.paid += double{step.error};
-  // The rank is stored where later collapses look for it.
-  for (const Vertex v : fan_.ring())
-    state(v).set_rank(rank);
-  state(kept).set_rank(rank);
-  if (guard_) least_rank_ = static_cast<std::uint16_t>(rank);
-  queue_.remove(removed);
-  queue_.remove(kept);
-  state(kept).is_guarded |= state(removed).is_guarded;
-  state(removed).remove(kept);
-  state(kept).set_retreat(step.retreat);
-  context_.policy.collapsing(surface, h, fan_, position);
-  if (fan_.is_smooth()) {
-    merge_smooth(h, position);
-  } else {
-    merge_near_feature(h, position);
-  }
-  if (context_.bound != nullptr) {
-    context_.bound->collapsed(removed, kept, position, step.estimate);
-    outcome_.steps.push_back(step);
-  }
-  if (guard_) guard_->collapsed(surface, fan_);
-  if (context_.samples != nullptr) context_.samples->collapsed(fan_);
-  outcome_.removed_faces += t.is_valid() ? 2 : 1;
 }
 
 /// Re-evaluates the edges of the neighbors, whose quadrics the collapse has changed. Those of the

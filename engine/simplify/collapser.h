@@ -149,9 +149,11 @@ class Collapser {
   std::optional<Rejection> check_intersections(Halfedge h, const glm::vec3& p);
   Appraisal appraise(Halfedge h, const Candidate& candidate);
   void collapse(Halfedge h, const Candidate& candidate, const Appraisal& appraisal);
-  void apply(const CollapseStep& step);
+  void apply(CollapseStep step);
+  void note(const CollapseStep& step);
   void prefetch_ends(const CollapseRecord& record) const;
   bool can_repeat(const CollapseStep& step, const Array<bool>& differs);
+  void apply_again(const CollapseStep& step);
   void evaluate_near(const Array<bool>& differs);
   std::uint16_t rank(Halfedge h, float cost) const;
   bool is_ring_ours() const;

@@ -2,10 +2,51 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/mesh/collapse.h"
 #include "engine/mesh/mesh_editor.h"
 #include "engine/simplify/collapser.h"
 
 namespace mesher::simplify {
+
+/// Pre: the fan is gathered, and its shape is checked at the step's position.
+void Collapser::apply(CollapseStep step) {
+  Surface& surface = context_.surface;
+  const auto& [h, t, removed, kept, position, rank] = step.record;
+  MESHER_ASSERT(check_collapse(surface.mesh(), h).is_legal());
+  note(step);
+  context_.policy.collapsing(surface, h, fan_, position);
+  if (fan_.is_smooth()) {
+    merge_smooth(h, position);
+  } else {
+    merge_near_feature(h, position);
+  }
+  if (context_.bound != nullptr) {
+    step.near = context_.bound->near_merged(kept, position);
+    step.is_plain = ErrorBound::covers_all(fan_);
+    context_.bound->collapsed(step);
+    outcome_.steps.push_back(step);
+  }
+  if (guard_) guard_->collapsed(surface, fan_);
+  if (context_.samples != nullptr) context_.samples->collapsed(fan_);
+}
+
+/// Does the bookkeeping of a collapse that is about to be done.
+void Collapser::note(const CollapseStep& step) {
+  const auto& [h, t, removed, kept, position, rank] = step.record;
+  outcome_.records.push_back(step.record);
+  outcome_.paid += double{step.error};
+  outcome_.removed_faces += t.is_valid() ? 2 : 1;
+  // The rank is stored where later collapses look for it.
+  for (const Vertex v : fan_.ring())
+    state(v).set_rank(rank);
+  state(kept).set_rank(rank);
+  if (guard_) least_rank_ = static_cast<std::uint16_t>(rank);
+  queue_.remove(removed);
+  queue_.remove(kept);
+  state(kept).is_guarded |= state(removed).is_guarded;
+  state(removed).remove(kept);
+  state(kept).set_retreat(step.retreat);
+}
 
 /// Adds (+1) or removes (-1) the face's quadric at its three corners.
 void Collapser::add_contributions(Face f, float sign) {

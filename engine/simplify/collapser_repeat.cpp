@@ -23,12 +23,13 @@ CollapseOutcome Collapser::repeat(std::span<const CollapseStep> steps, bool was_
     if (i + kStepsAhead < steps.size()) prefetch_ends(steps[i + kStepsAhead].record);
     const CollapseStep& step = steps[i];
     if (can_repeat(step, differs)) {
-      apply(step);
+      apply_again(step);
     } else {
       differs[step.record.removed.index()] = true;
       differs[step.record.kept.index()] = true;
     }
   }
+  context_.surface.recompute();
   if (was_exhausted) evaluate_near(differs);
   return std::move(outcome_);
 }
@@ -41,7 +42,7 @@ void Collapser::prefetch_ends(const CollapseRecord& record) const {
   if (record.twin.is_valid()) surface.will_need(record.twin);
 }
 
-/// Leaves the fan gathered and its shape checked if the answer is yes.
+/// Leaves the fan gathered if the answer is yes.
 bool Collapser::can_repeat(const CollapseStep& step, const Array<bool>& differs) {
   const Surface& surface = context_.surface;
   const auto& [h, t, removed, kept, position, rank] = step.record;
@@ -49,10 +50,24 @@ bool Collapser::can_repeat(const CollapseStep& step, const Array<bool>& differs)
   if (is_different(removed) || is_different(kept)) return false;
   fan_.gather(surface, h, limits_.valence);
   if (std::ranges::any_of(fan_.ring(), is_different)) return false;
-  fan_.check_shape(surface, position);
   const ErrorBound& bound = *context_.bound;
   return !(bound.is_tight(removed) || bound.is_tight(kept)) ||
-         bound.allows(surface, h, fan_, position, step.estimate);
+         bound.allows_again(surface, fan_, step);
+}
+
+/// Changes the mesh only, and leaves shapes and quadrics to `Surface::recompute`, unless the policy
+/// needs them on the way.
+void Collapser::apply_again(const CollapseStep& step) {
+  Surface& surface = context_.surface;
+  if (context_.policy.attributes() != nullptr || context_.policy.has_history()) {
+    fan_.check_shape(surface, step.record.position);
+    return apply(step);
+  }
+  note(step);
+  merge(step.record.halfedge, step.record.position);
+  surface.move_and_clear_quadric(step.record.kept, step.record.position);
+  context_.bound->collapsed(step);
+  outcome_.steps.push_back(step);
 }
 
 /// Evaluates the edges at marked vertices and their neighbors. All others count as refused.

@@ -116,14 +116,18 @@ float ErrorBound::estimate(const Surface& surface, Halfedge h, const Fan& fan,
 
 bool ErrorBound::allows(const Surface& surface, Halfedge h, const Fan& fan, const glm::vec3& p,
                         float estimate) const {
-  const Vertex removed = surface.mesh().origin(h);
-  const Vertex kept = surface.mesh().target(h);
-  const double bound = share(removed, kept) * bound_;
-  // Heights above planes show neither a boundary that moves in its plane nor a face that turns
-  // over.
-  const bool shows_all = fan.is_closed() && fan.turned_area() == 0.0F;
-  return (shows_all && double{estimate} < trusted_ * bound) ||
+  const Mesh& mesh = surface.mesh();
+  const double bound = share(mesh.origin(h), mesh.target(h)) * bound_;
+  return (covers_all(fan) && double{estimate} < trusted_ * bound) ||
          is_within(bound * bound, surface, h, fan, p);
+}
+
+bool ErrorBound::allows_again(const Surface& surface, const Fan& fan,
+                              const CollapseStep& step) const {
+  const CollapseRecord& record = step.record;
+  const double bound = share(record.removed, record.kept) * bound_;
+  return (step.is_plain && double{step.estimate} < trusted_ * bound) ||
+         is_within(bound * bound, surface, record.halfedge, fan, record.position);
 }
 
 /// Checks the distance at points. Those of the input come first: they mostly decide.
@@ -179,14 +183,18 @@ bool ErrorBound::reaches_all(Vertex v, std::span<const std::array<glm::dvec3, 3>
   return true;
 }
 
-void ErrorBound::collapsed(Vertex removed, Vertex kept, const glm::vec3& p, float estimate) {
-  estimates_[kept.index()] = estimate;
+Face ErrorBound::near_merged(Vertex kept, const glm::vec3& p) const {
+  return walk(p, near_[kept.index()], bound_ * bound_).face;
+}
+
+void ErrorBound::collapsed(const CollapseStep& step) {
+  const std::uint32_t removed = step.record.removed.index();
+  const std::uint32_t kept = step.record.kept.index();
+  estimates_[kept] = step.estimate;
+  near_[kept] = step.near;
   // Joins the two circular lists.
-  std::swap(next_[removed.index()], next_[kept.index()]);
-  near_[kept.index()] = walk(p, near_[kept.index()], bound_ * bound_).face;
-  if (!shares_.empty()) {
-    shares_[kept.index()] = std::min(shares_[removed.index()], shares_[kept.index()]);
-  }
+  std::swap(next_[removed], next_[kept]);
+  if (!shares_.empty()) shares_[kept] = std::min(shares_[removed], shares_[kept]);
 }
 
 }  // namespace mesher::simplify

@@ -10,6 +10,7 @@
 #include "engine/core/array.h"
 #include "engine/mesh/mesh.h"
 #include "engine/simplify/fan.h"
+#include "engine/simplify/observer.h"
 #include "engine/simplify/surface.h"
 
 namespace mesher::simplify {
@@ -45,9 +46,16 @@ class ErrorBound {
   /// points are checked. Pre: as for `estimate`.
   bool allows(const Surface& surface, Halfedge h, const Fan& fan, const glm::vec3& p,
               float estimate) const;
-  /// Records that `removed` was merged into `kept`, now at `p`: `kept` also represents the vertices
-  /// of `removed`. O(1) expected.
-  void collapsed(Vertex removed, Vertex kept, const glm::vec3& p, float estimate);
+  /// Same, for a step of an earlier run. Looks at positions only, not at shapes. Pre: `fan` is
+  /// gathered for its edge.
+  bool allows_again(const Surface& surface, const Fan& fan, const CollapseStep& step) const;
+  /// Returns whether heights above planes show all that a collapse changes: neither a boundary that
+  /// moves in its plane nor a face that turns over. Pre: as for `estimate`.
+  static bool covers_all(const Fan& fan) { return fan.is_closed() && fan.turned_area() == 0.0F; }
+  /// Returns a face of the input that is probably near the merged vertex at `p`. O(1) expected.
+  Face near_merged(Vertex kept, const glm::vec3& p) const;
+  /// Records a collapse: its vertex also represents the vertices of the removed one. O(1).
+  void collapsed(const CollapseStep& step);
   /// Stops trusting estimates: from now on, points are always checked. For the last collapses,
   /// which are few and large.
   void distrust_estimates() { trusted_ = 0.0; }

@@ -15,12 +15,12 @@ namespace {
 
 /// Fraction of the bound that collapses may use. The rest covers deviations between the points that
 /// they check. Distances well below the bound are also quicker to decide.
-constexpr double kUsedOfBound = 0.92;
+constexpr double kUsedOfBound = 0.86;
 /// Same, after a run that exceeded the bound: each run deviates in different places.
-constexpr double kUsedAfterFailure = 0.88;
+constexpr double kUsedAfterFailure = 0.82;
 /// Same, if the bound is fine (`is_fine`): then there are few such points between which a face may
 /// deviate.
-constexpr double kUsedOfFineBound = 0.6;
+constexpr double kUsedOfFineBound = 0.56;
 /// Target ratio of the reported distance's upper to its lower bound, unless that takes too much
 /// work.
 constexpr double kRatioOfMeasured = 2.0;

@@ -33,6 +33,8 @@ struct CollapseStep {
   float error = 0.0F;     ///< Candidate::error
   float retreat = 0.0F;   ///< Appraisal::retreat
   float estimate = 0.0F;  ///< of ErrorBound
+  Face near;              ///< of the input, near the merged vertex; of ErrorBound
+  bool is_plain = false;  ///< the estimate covers all changes: ErrorBound::covers_all
 };
 
 /// Receives the collapses in an order in which each is legal after those before it. The order does

@@ -72,22 +72,26 @@ bool Surface::note_refused(Halfedge h) {
   return is_new;
 }
 
+/// Returns the shape of the face's current corners.
+FaceShape Surface::shape_of(Face f) const {
+  const auto corner = [&](std::uint32_t c) {
+    const glm::vec3& p = mesh_.position(mesh_.origin(Mesh::halfedge(f, c)));
+    return Vec3<float>{p.x, p.y, p.z};
+  };
+  const auto [unit, area] = unit_and_area(corner(1) - corner(0), corner(2) - corner(0));
+  return {{unit.x, unit.y, unit.z}, area};
+}
+
 void Surface::find_shapes() {
   faces_.resize(mesh_.face_count());
   refused_.resize(mesh_.face_count());
   area_before_ = parallel_sum<double>(mesh_.face_count(), kSurfaceGrain, [&](IndexRange range) {
     double sum = 0.0;
     for (std::size_t f = range.begin; f < range.end; ++f) {
-      const auto corner = [&](std::size_t c) {
-        const Halfedge h(static_cast<std::uint32_t>(3 * f + c));
-        const glm::vec3& p = mesh_.position(mesh_.origin(h));
-        return Vec3<float>{p.x, p.y, p.z};
-      };
-      const auto [unit, area] = unit_and_area(corner(1) - corner(0), corner(2) - corner(0));
-      const FaceShape shape{{unit.x, unit.y, unit.z}, area};
+      const FaceShape shape = shape_of(Face(static_cast<std::uint32_t>(f)));
       faces_[f] = {.shape = shape, .first_normal = pack(shape.normal)};
       refused_[f] = 0;
-      sum += double{area};
+      sum += double{shape.area};
     }
     return sum;
   });
@@ -251,17 +255,31 @@ bool Surface::is_in_loop(Halfedge h, EdgeKind least) const {
 
 void Surface::free_seams() {
   seam_weight_ = kFreeSeamWeight;
-  for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
-    VertexState& s = vertices_[v];
+  for (VertexState& s : vertices_) {
     if (s.region == VertexState::kGone) continue;
-    s.quadric = {};
     s.best = {};
     s.cost = kNever;
+  }
+  for (FaceState& face : faces_)
+    face.cost = {kNever, kNever, kNever};
+  sum_quadrics();
+}
+
+void Surface::recompute() {
+  parallel_for_each(mesh_.face_count(), kSurfaceGrain, [&](std::uint32_t i) {
+    if (!is_removed(Face(i))) faces_[i].shape = shape_of(Face(i));
+  });
+  sum_quadrics();
+}
+
+/// Computes the quadrics from the shapes.
+void Surface::sum_quadrics() {
+  for (VertexState& s : vertices_) {
+    if (s.region != VertexState::kGone) s.quadric = {};
   }
   for (std::uint32_t i = 0; i < mesh_.face_count(); ++i) {
     const Face f(i);
     if (is_removed(f)) continue;
-    faces_[i].cost = {kNever, kNever, kNever};
     const std::array<Quadric<float>, 3> added = contributions(f);
     for (std::uint32_t c = 0; c < 3; ++c) {
       Quadric<float>& sum = state(mesh_.origin(Mesh::halfedge(f, c))).quadric;

@@ -215,6 +215,8 @@ class Surface {
   /// Returns what a face adds to the quadrics of its corners, in their order: its plane weighted by
   /// area, and for each feature edge a plane across it, which keeps features in place. O(1).
   std::array<Quadric<float>, 3> contributions(Face f) const;
+  /// Computes all shapes and quadrics again, after collapses that changed the mesh only. O(F).
+  void recompute();
   /// Returns the vector across the feature edge of `h` in its face's plane, as long as the edge.
   glm::vec3 across(Halfedge h) const;
   bool has_feature(Face f) const {
@@ -227,6 +229,8 @@ class Surface {
                                          VertexConstraint to) const;
   Quadric<float> across_quadric(Halfedge h) const;
   void add_features(Halfedge h);
+  FaceShape shape_of(Face f) const;
+  void sum_quadrics();
   void find_shapes();
   void find_features(const SimplifyOptions& options);
   void find_states();
