@@ -211,8 +211,8 @@ void OneSidedBound::measure_vertices(const BoundLimits& limits, Progress* progre
   Array<bool> is_needed;
   if (unclear_) {
     is_needed.assign(n, false);
-    for (const auto& [face, upper] : *unclear_) {
-      for (std::uint32_t c = 0; c < 3; ++c)
+    for (const auto& [face, upper, part] : *unclear_) {
+      for (std::uint32_t c = 0; c < 3 && !part; ++c)
         is_needed[mesh_.origin(Mesh::halfedge(face, c)).index()] = true;
     }
   }
@@ -232,12 +232,27 @@ void OneSidedBound::measure_vertices(const BoundLimits& limits, Progress* progre
     note(outcome);
 }
 
-BoundPiece OneSidedBound::piece_of(std::uint32_t face) const {
+/// Returns a part of a face, and measures its corners.
+BoundPiece OneSidedBound::piece_of(Face face, const Triangle& part, const BoundLimits& limits,
+                                   BoundOutcome& outcome) const {
   BoundPiece piece;
-  piece.face = Face(face);
+  piece.face = face;
+  piece.corners = part;
+  Face near = hints_[face.index()];
+  for (std::size_t c = 0; c < 3; ++c) {
+    const TriangleTree::Nearest hit = query(part[c], near, limits, outcome, rounding_);
+    piece.distance[c] = hit.squared_distance;
+    piece.near[c] = near = hit.face;
+  }
+  return piece;
+}
+
+BoundPiece OneSidedBound::piece_of(Face face) const {
+  BoundPiece piece;
+  piece.face = face;
   for (std::uint32_t c = 0; c < 3; ++c) {
-    const std::uint32_t v = mesh_.origin(Mesh::halfedge(Face(face), c)).index();
-    piece.corners[c] = corner(mesh_, face, c);
+    const std::uint32_t v = mesh_.origin(Mesh::halfedge(face, c)).index();
+    piece.corners[c] = corner(mesh_, face.index(), c);
     piece.distance[c] = distance_[v];
     piece.near[c] = near_[v];
   }
@@ -383,7 +398,10 @@ void OneSidedBound::begin_faces(const BoundLimits& limits, Progress* progress) {
       if (face.upper <= limits.allowed) {
         outcomes[chunk].upper = std::max(outcomes[chunk].upper, face.upper);
       } else {
-        split_up(piece_of(face.face.index()), kSplitsOfFace, limits, outcomes[chunk]);
+        const BoundPiece piece = face.part
+                                     ? piece_of(face.face, *face.part, limits, outcomes[chunk])
+                                     : piece_of(face.face);
+        split_up(piece, kSplitsOfFace, limits, outcomes[chunk]);
       }
     }
   });

@@ -99,7 +99,9 @@ class OneSidedBound {
   double bound_by_triangles(const BoundPiece& piece, double least) const;
   void split_up(const BoundPiece& piece, int splits, const BoundLimits& limits,
                 BoundOutcome& outcome) const;
-  BoundPiece piece_of(std::uint32_t face) const;
+  BoundPiece piece_of(Face face) const;
+  BoundPiece piece_of(Face face, const Triangle& part, const BoundLimits& limits,
+                      BoundOutcome& outcome) const;
 
   const Mesh& mesh_;
   const Mesh& to_mesh_;

@@ -14,7 +14,8 @@ namespace mesher::analysis {
 namespace {
 
 constexpr std::size_t kSkimmedFacesPerChunk = 4096;
-constexpr int kDepth = 3;
+/// Faces are split only if more than this multiple of the rounding is allowed.
+constexpr double kLeastForParts = 16.0;
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 Triangle triangle(const Mesh& mesh, Face f) {
@@ -80,25 +81,81 @@ double bound(const Triangle& t, const Mesh& to, Face hint, double allowed, Overl
   return least;
 }
 
-/// The same, but splits the face if the bound is too large. If the surface is folded or flipped
-/// somewhere, most parts avoid that spot, and the others are small.
-double bound_by_parts(const Triangle& t, const Mesh& to, Face hint, double allowed,
-                      OverlayWalk& walk, int depth) {
-  const double whole = bound(t, to, hint, allowed, walk);
-  if (whole <= allowed || depth == 0) return whole;
+std::array<Triangle, 4> quarters(const Triangle& t) {
   const std::array<glm::dvec3, 3> middle{0.5 * (t[1] + t[2]), 0.5 * (t[2] + t[0]),
                                          0.5 * (t[0] + t[1])};
-  const std::array<Triangle, 4> parts{{{t[0], middle[2], middle[1]},
-                                       {middle[2], t[1], middle[0]},
-                                       {middle[1], middle[0], t[2]},
-                                       {middle[0], middle[1], middle[2]}}};
-  double most = 0.0;
-  for (const Triangle& part : parts) {
-    most = std::max(most, bound_by_parts(part, to, hint, allowed, walk, depth - 1));
-    if (most > allowed) return whole;
-  }
-  return most;
+  return {{{t[0], middle[2], middle[1]},
+           {middle[2], t[1], middle[0]},
+           {middle[1], middle[0], t[2]},
+           {middle[0], middle[1], middle[2]}}};
 }
+
+/// The parts of a face that are not settled.
+class Parts {
+ public:
+  struct Part {
+    Triangle corners;
+    double upper = kUnbounded;
+  };
+
+  /// Starts with a whole face and an upper bound for it.
+  void begin(const Triangle& face, double upper) {
+    parts_.assign(1, {face, upper});
+    is_whole_ = true;
+    upper_ = 0.0;
+  }
+
+  /// Splits the parts again and again. If the other surface is folded or flipped along a line, this
+  /// settles the parts off that line.
+  void split(const Mesh& to, Face hint, double allowed, OverlayWalk& walk) {
+    for (int level = 0; level < kDepth && parts_.size() <= kMostParts; ++level) {
+      next_.clear();
+      const std::size_t splits = split_once(to, hint, allowed, walk);
+      const bool is_in_vain = is_whole_ && next_.size() == kQuarters;
+      if (splits == 0 || is_in_vain) return;
+      is_whole_ = false;
+      std::swap(parts_, next_);
+    }
+  }
+
+  std::span<const Part> parts() const { return parts_; }
+  bool is_whole() const { return is_whole_; }
+  /// Returns the upper bound for the settled parts.
+  double upper() const { return upper_; }
+
+ private:
+  static constexpr int kDepth = 6;
+  static constexpr std::size_t kMostParts = 48;
+  static constexpr std::size_t kQuarters = 4;
+  /// Parts smaller than this, relative to the allowed distance, are left to the branch and bound.
+  static constexpr double kLeastRadius = 3.0;
+
+  /// Writes the parts that are left to `next_`. Returns how many were split.
+  std::size_t split_once(const Mesh& to, Face hint, double allowed, OverlayWalk& walk) {
+    std::size_t splits = 0;
+    for (const Part& part : parts_) {
+      if (Ball(part.corners).radius < kLeastRadius * allowed) {
+        next_.push_back(part);
+        continue;
+      }
+      ++splits;
+      for (const Triangle& quarter : quarters(part.corners)) {
+        const double upper = std::min(part.upper, bound(quarter, to, hint, allowed, walk));
+        if (upper > allowed) {
+          next_.push_back({quarter, upper});
+        } else {
+          upper_ = std::max(upper_, upper);
+        }
+      }
+    }
+    return splits;
+  }
+
+  std::vector<Part> parts_;
+  std::vector<Part> next_;
+  bool is_whole_ = true;
+  double upper_ = 0.0;
+};
 
 }  // namespace
 
@@ -114,6 +171,7 @@ Skimmed skim(const SkimInput& input, double allowed, Progress* progress) {
   std::vector<Skimmed> parts(chunk_count(n, kSkimmedFacesPerChunk));
   parallel_chunks(n, kSkimmedFacesPerChunk, progress, [&](std::size_t chunk, IndexRange range) {
     OverlayWalk walk(input.to);
+    Parts left;
     Skimmed& part = parts[chunk];
     const auto certified = [&](double computed) {
       return computed > 0.0 ? computed * (1.0 + 1e-12) + input.rounding : 0.0;
@@ -121,17 +179,24 @@ Skimmed skim(const SkimInput& input, double allowed, Progress* progress) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const Face f = input.only ? (*input.only)[i] : Face(static_cast<std::uint32_t>(i));
       const Triangle t = triangle(from, f);
+      const Face hint = input.hints[f.index()];
       double upper = kUnbounded;
       if (is_near(f)) upper = certified(input.near + reach(squared_sides(t)));
       if (upper > allowed) {
-        upper = std::min(upper, certified(bound_by_parts(t, input.to, input.hints[f.index()],
-                                                         allowed, walk, kDepth)));
+        upper = std::min(upper, certified(bound(t, input.to, hint, allowed, walk)));
       }
       if (upper <= allowed) {
         part.upper = std::max(part.upper, upper);
-      } else {
-        part.unclear.push_back({f, upper});
+        continue;
       }
+      left.begin(t, upper);
+      // The corners of parts are rounded.
+      if (allowed > kLeastForParts * input.rounding) left.split(input.to, hint, allowed, walk);
+      part.upper = std::max(part.upper, certified(left.upper()));
+      for (const auto& [corners, most] : left.parts())
+        part.unclear.push_back({.face = f,
+                                .upper = certified(most),
+                                .part = left.is_whole() ? std::nullopt : std::optional(corners)});
     }
   });
   Skimmed all;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/analysis/triangle_reach.h"
 #include "engine/core/progress.h"
 #include "engine/mesh/mesh.h"
 
@@ -13,14 +14,15 @@ namespace mesher::analysis {
 
 /// The result of a first, cheap pass over the faces of a surface.
 struct Skimmed {
-  /// A face that may be farther away than allowed.
+  /// A part of a face that may be farther away than allowed.
   struct Unclear {
     Face face;
     double upper = std::numeric_limits<double>::infinity();  ///< upper bound; infinite: unknown
+    std::optional<Triangle> part;                            ///< no value: the whole face
   };
 
-  double upper = 0.0;            ///< upper bound for all other faces
-  std::vector<Unclear> unclear;  ///< ascending
+  double upper = 0.0;            ///< upper bound for all other points
+  std::vector<Unclear> unclear;  ///< by face, ascending
 };
 
 /// The surfaces and what is known of their distance.
@@ -36,9 +38,9 @@ struct SkimInput {
 
 /// Returns bounds for the distance of each face of a surface from another surface, without a search
 /// tree. It uses the distances of the corners if they are known, then the distance of the face's
-/// middle from its hint, then OverlayWalk. The nearer the hints, the fewer faces remain unclear.
-/// O(F) if the surfaces are near each other; parallel, the same for any number of threads. Throws
-/// Cancelled.
+/// middle from its hint, then OverlayWalk. A face that this does not settle is split; only its
+/// parts that are not settled either remain. The nearer the hints, the fewer remain. O(F) if the
+/// surfaces are near each other; parallel, the same for any number of threads. Throws Cancelled.
 Skimmed skim(const SkimInput& input, double allowed, Progress* progress);
 
 }  // namespace mesher::analysis
