@@ -21,7 +21,6 @@ void Collapser::apply(CollapseStep step) {
     merge_near_feature(h, position);
   }
   if (context_.bound != nullptr) {
-    step.near = context_.bound->near_merged(kept, position);
     step.is_plain = ErrorBound::covers_all(fan_);
     context_.bound->collapsed(step);
     outcome_.steps.push_back(step);

@@ -36,16 +36,12 @@ ErrorBound::ErrorBound(const Mesh& input, double bound, Array<float> shares)
       bound_(bound),
       next_(input.vertex_count()),
       shares_(std::move(shares)),
-      estimates_(input.vertex_count(), 0.0F),
-      near_(input.vertex_count(), Face(0)) {
+      estimates_(input.vertex_count(), 0.0F) {
   constexpr std::size_t kGrain = 1U << 13U;
   const bool is_fine = simplify::is_fine(input, bound);
   trusted_ = is_fine ? kTrustedIfFine : kTrusted;
   if (!is_fine) tree_.emplace(input, analysis::TriangleOrder::presorted);
-  parallel_for_each(next_.size(), kGrain, [&](std::uint32_t v) {
-    next_[v] = v;
-    if (!input.is_isolated(Vertex(v))) near_[v] = Mesh::face(input.outgoing(Vertex(v)));
-  });
+  parallel_for_each(next_.size(), kGrain, [&](std::uint32_t v) { next_[v] = v; });
 }
 
 double ErrorBound::squared_distance_to(const glm::dvec3& p, Face f) const {
@@ -146,7 +142,8 @@ bool ErrorBound::is_within(double squared_bound, const Surface& surface, Halfedg
       !reaches_all(kept, faces, squared_bound, likely)) {
     return false;
   }
-  const Near below = walk(center, near_[kept.index()], squared_bound);
+  // The vertex moved little, so a face at its place in the input is near.
+  const Near below = walk(center, Mesh::face(input_.outgoing(kept)), squared_bound);
   if (below.squared_distance > squared_bound) return false;
   Face hint = below.face;
   const auto is_near = [&](const glm::dvec3& q) {
@@ -183,15 +180,10 @@ bool ErrorBound::reaches_all(Vertex v, std::span<const std::array<glm::dvec3, 3>
   return true;
 }
 
-Face ErrorBound::near_merged(Vertex kept, const glm::vec3& p) const {
-  return walk(p, near_[kept.index()], bound_ * bound_).face;
-}
-
 void ErrorBound::collapsed(const CollapseStep& step) {
   const std::uint32_t removed = step.record.removed.index();
   const std::uint32_t kept = step.record.kept.index();
   estimates_[kept] = step.estimate;
-  near_[kept] = step.near;
   // Joins the two circular lists.
   std::swap(next_[removed], next_[kept]);
   if (!shares_.empty()) shares_[kept] = std::min(shares_[removed], shares_[kept]);

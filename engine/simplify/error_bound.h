@@ -24,8 +24,8 @@ bool is_fine(const Mesh& mesh, double bound);
 /// From input to surface: each vertex represents the input vertices merged into it, and its new
 /// faces must pass within the bound of each of them. From surface to input: the new vertex and the
 /// midpoints of its edges and faces must lie within the bound of the input. A walk from face to
-/// face checks this, starting at a face that was near before. If the walk finds no face within the
-/// bound, a tree decides; if the bound is fine, the collapse is refused instead, because a near
+/// face checks this, starting where the vertex was in the input. If the walk finds no face within
+/// the bound, a tree decides; if the bound is fine, the collapse is refused instead, because a near
 /// face is then unlikely. Between these points the surface may exceed the bound slightly, so a
 /// certified bound has to be measured at the end.
 ///
@@ -52,8 +52,6 @@ class ErrorBound {
   /// Returns whether heights above planes show all that a collapse changes: neither a boundary that
   /// moves in its plane nor a face that turns over. Pre: as for `estimate`.
   static bool covers_all(const Fan& fan) { return fan.is_closed() && fan.turned_area() == 0.0F; }
-  /// Returns a face of the input that is probably near the merged vertex at `p`. O(1) expected.
-  Face near_merged(Vertex kept, const glm::vec3& p) const;
   /// Records a collapse: its vertex also represents the vertices of the removed one. O(1).
   void collapsed(const CollapseStep& step);
   /// Stops trusting estimates: from now on, points are always checked. For the last collapses,
@@ -67,15 +65,13 @@ class ErrorBound {
     Array<std::uint32_t> next;
     Array<float> shares;
     Array<float> estimates;
-    Array<Face> near;
     double trusted = 0.0;
   };
-  Saved save() const { return {next_, shares_, estimates_, near_, trusted_}; }
+  Saved save() const { return {next_, shares_, estimates_, trusted_}; }
   void restore(const Saved& saved) {
     next_ = saved.next;
     shares_ = saved.shares;
     estimates_ = saved.estimates;
-    near_ = saved.near;
     trusted_ = saved.trusted;
   }
 
@@ -107,7 +103,6 @@ class ErrorBound {
   Array<std::uint32_t> next_;  ///< circular list of the input vertices that a vertex represents
   Array<float> shares_;        ///< fraction of the bound, lowest over the vertices represented
   Array<float> estimates_;     ///< of the distance from the input, by vertex
-  Array<Face> near_;           ///< of the input: within the bound of the vertex, or probably near
 };
 
 }  // namespace mesher::simplify

@@ -33,7 +33,6 @@ struct CollapseStep {
   float error = 0.0F;     ///< Candidate::error
   float retreat = 0.0F;   ///< Appraisal::retreat
   float estimate = 0.0F;  ///< of ErrorBound
-  Face near;              ///< of the input, near the merged vertex; of ErrorBound
   bool is_plain = false;  ///< the estimate covers all changes: ErrorBound::covers_all
 };
 
