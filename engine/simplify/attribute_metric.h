@@ -24,7 +24,7 @@ struct AttributeWeights {
   float texcoord = 0.3F;
   float normal = 0.2F;
   float color = 0.5F;
-  float joint = 0.05F;
+  float joint = 0.03F;
 
   friend bool operator==(const AttributeWeights&, const AttributeWeights&) = default;
 };

@@ -41,7 +41,7 @@ struct AttributeWeights {
   float texcoord = 0.3F;  ///< how far a texture slides over the surface
   float normal = 0.2F;    ///< 1: a radian counts like a hundredth of the diagonal
   float color = 0.5F;     ///< 1: black against white counts like a hundredth of the diagonal
-  float joint = 0.05F;    ///< how far apart the parts are that a vertex follows by its skin
+  float joint = 0.03F;    ///< how far apart the parts are that a vertex follows by its skin
 };
 
 /// One edge collapse. All numbers are those of the input, and are never reused.
