@@ -212,7 +212,8 @@ void OneSidedBound::measure_vertices(const BoundLimits& limits, Progress* progre
   if (unclear_) {
     is_needed.assign(n, false);
     for (const auto& [face, upper, part] : *unclear_) {
-      for (std::uint32_t c = 0; c < 3 && !part; ++c)
+      if (part) continue;  // `begin_faces` measures its corners
+      for (std::uint32_t c = 0; c < 3; ++c)
         is_needed[mesh_.origin(Mesh::halfedge(face, c)).index()] = true;
     }
   }

@@ -12,11 +12,12 @@
 namespace mesher::simplify {
 
 /// What one run under an error bound leaves for the next, which repeats it with a tighter bound in
-/// places. Ids and positions are those of the run: reordered and scaled.
+/// places. Ids are those of the run, which processes the input in `order`.
 struct Attempts {
-  std::optional<Reordered> order;  ///< the input as the runs process it, once one has begun
-  Array<float> shares;        ///< fraction of the bound that applies at each vertex; empty: all
-  Array<CollapseStep> steps;  ///< collapses of the last run; empty: there is nothing to repeat
+  std::optional<Reordered> order;  ///< the sorted input, not scaled; no value before the first run
+  Array<float> shares;  ///< fraction of the bound that applies at each vertex; empty: all
+  Array<CollapseStep>
+      steps;  ///< of the last run, in scaled units; empty: there is nothing to repeat
   std::array<std::uint64_t, kRejections.size()> rejected{};  ///< refusals so far
   Array<std::uint8_t> refused;  ///< Surface::refused after the last run, so that none counts twice
   bool meets_bound = false;     ///< the last run refused an edge because of the bound

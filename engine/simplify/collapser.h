@@ -120,7 +120,7 @@ class Collapser {
   /// earlier run was exhausted, evaluates the edges whose surroundings differ, because the others
   /// would be refused again; otherwise all edges are left to `evaluate_all`. Pre: no edge has a
   /// cost yet, all vertices belong to the region, and intersections are not guarded against.
-  /// O(collapses), on one thread about a third of the time of finding them. Throws Cancelled.
+  /// O(collapses), on one thread a sixth to a third of the time of finding them. Throws Cancelled.
   [[nodiscard]] CollapseOutcome repeat(std::span<const CollapseStep> steps, bool was_exhausted);
 
  private:

@@ -12,7 +12,6 @@ namespace mesher::simplify {
 void Collapser::apply(CollapseStep step) {
   Surface& surface = context_.surface;
   const auto& [h, t, removed, kept, position, rank] = step.record;
-  MESHER_ASSERT(check_collapse(surface.mesh(), h).is_legal());
   note(step);
   context_.policy.collapsing(surface, h, fan_, position);
   if (fan_.is_smooth()) {
@@ -32,6 +31,7 @@ void Collapser::apply(CollapseStep step) {
 /// Does the bookkeeping of a collapse that is about to be done.
 void Collapser::note(const CollapseStep& step) {
   const auto& [h, t, removed, kept, position, rank] = step.record;
+  MESHER_ASSERT(check_collapse(context_.surface.mesh(), h).is_legal());
   outcome_.records.push_back(step.record);
   outcome_.paid += double{step.error};
   outcome_.removed_faces += t.is_valid() ? 2 : 1;

@@ -142,7 +142,7 @@ bool ErrorBound::is_within(double squared_bound, const Surface& surface, Halfedg
       !reaches_all(kept, faces, squared_bound, likely)) {
     return false;
   }
-  // The vertex moved little, so a face at its place in the input is near.
+  // A face at the vertex's place in the input is mostly near.
   const Near below = walk(center, Mesh::face(input_.outgoing(kept)), squared_bound);
   if (below.squared_distance > squared_bound) return false;
   Face hint = below.face;

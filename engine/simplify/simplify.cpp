@@ -204,7 +204,7 @@ Simplified finish(const Rounds& rounds, const Reordered& order, const Units& uni
 namespace {
 
 /// Returns the input in the order in which it is processed. A later attempt has it already.
-Reordered in_order(const Mesh& mesh, const SimplifyOptions& options, Attempts* attempts) {
+Reordered sorted_input(const Mesh& mesh, const SimplifyOptions& options, Attempts* attempts) {
   if (attempts == nullptr) return reorder_by_position(mesh, options.progress);
   if (!attempts->order) attempts->order = reorder_by_position(mesh, options.progress);
   return *attempts->order;
@@ -230,7 +230,7 @@ Simplified simplify_unmeasured(Mesh&& mesh, const SimplifyOptions& options, Trac
   SimplifyReport report{.faces_before = mesh.face_count(),
                         .faces_asked = options.target_faces,
                         .vertices_before = mesh.vertex_count()};
-  Reordered order = in_order(mesh, options, attempts);
+  Reordered order = sorted_input(mesh, options, attempts);
   mesh = Mesh{};
   stages.next();
   if (trace != nullptr) trace->before = order.mesh;
