@@ -1,10 +1,13 @@
 #include "engine/analysis/self_intersections.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <glm/common.hpp>
 #include <limits>
 
+#include "engine/analysis/eight_faces.h"
+#include "engine/analysis/fan_graph.h"
 #include "engine/analysis/triangle_pair.h"
 #include "engine/core/array.h"
 #include "engine/core/parallel.h"
@@ -13,26 +16,8 @@
 namespace mesher::analysis {
 namespace {
 
-using Corners = std::array<glm::vec3, 3>;
-
-ExactTriangle exact(const Corners& corners) {
-  return {corners[0], corners[1], corners[2]};
-}
-
-Box box_of(const Corners& c) {
-  return {glm::min(glm::min(c[0], c[1]), c[2]), glm::max(glm::max(c[0], c[1]), c[2])};
-}
-
 Box join(const Box& a, const Box& b) {
   return {glm::min(a.min, b.min), glm::max(a.max, b.max)};
-}
-
-bool do_overlap(const Box& a, const Box& b) {
-  // Combines the six comparisons without branches, which would be unpredictable.
-  return (static_cast<unsigned>(a.min.x <= b.max.x) & static_cast<unsigned>(b.min.x <= a.max.x) &
-          static_cast<unsigned>(a.min.y <= b.max.y) & static_cast<unsigned>(b.min.y <= a.max.y) &
-          static_cast<unsigned>(a.min.z <= b.max.z) & static_cast<unsigned>(b.min.z <= a.max.z)) !=
-         0;
 }
 
 std::uint32_t spread(std::uint32_t x) {
@@ -42,22 +27,24 @@ std::uint32_t spread(std::uint32_t x) {
   return (x | x << 2U) & 0x09249249U;
 }
 
-/// The faces with area that are not removed, sorted along a Morton curve, and a binary tree of
-/// boxes over them. Neighbors on the curve are siblings.
+/// The faces with area that are not removed, sorted along a Morton curve in leaves of eight, and a
+/// tree of boxes over the leaves. Neighbors on the curve are siblings.
 class SortedFaces {
  public:
   explicit SortedFaces(const Mesh& mesh) {
     sort(mesh);
-    corners_.resize(order_.size());
-    boxes_.resize(order_.size());
-    parallel_for_each(order_.size(), 4096, [&](std::uint32_t i) {
-      corners_[i] = corners(mesh, Face(static_cast<std::uint32_t>(order_[i])));
-      boxes_[i] = box_of(corners_[i]);
+    const Array<std::uint8_t> is_graph = find_graphs(mesh);
+    leaves_.resize(chunk_count(order_.size(), kLeafFaces));
+    parallel_for_each(leaves_.size(), 512, [&](std::uint32_t leaf) {
+      const auto [begin, end] = faces(leaf);
+      leaves_[leaf].clear();
+      for (std::size_t i = begin; i < end; ++i)
+        leaves_[leaf].set(i - begin, mesh, face(i), is_graph);
     });
     build_tree();
   }
 
-  std::size_t leaf_count() const { return levels_.empty() ? 0 : levels_.front().size(); }
+  std::size_t leaf_count() const { return leaves_.size(); }
 
   /// Calls `visit(face, face)` for each intersecting pair whose earlier face on the curve is in the
   /// leaf.
@@ -67,32 +54,32 @@ class SortedFaces {
       std::size_t level;
       std::size_t index;
     };
-    std::array<Node, 2 * std::numeric_limits<std::size_t>::digits> stack;
+    std::array<Node, kFanOut * std::numeric_limits<std::size_t>::digits> stack;
     std::size_t size = 0;
     stack[size++] = {levels_.size() - 1, 0};
-    const Box& box = levels_.front()[leaf];
+    const Box& box = leaves_[leaf].boxes().all();
     while (size > 0) {
       const auto [level, index] = stack[--size];
-      const bool is_before = ((index + 1) << level) <= leaf;
-      if (is_before || !do_overlap(levels_[level][index], box)) continue;
-      if (level == 0) {
-        visit_leaves(leaf, index, visit);
-        continue;
+      // Children before the leaf have had their turn.
+      const std::size_t own = leaf >> (kBitsOfFanOut * level);
+      std::uint32_t near = levels_[level][index].overlapping(box);
+      if (own > kFanOut * index) near &= ~0U << (own - kFanOut * index);
+      for (; near != 0; near &= near - 1) {
+        const std::size_t child =
+            kFanOut * index + static_cast<std::size_t>(std::countr_zero(near));
+        if (level == 0) {
+          visit_leaves(leaf, child, visit);
+        } else {
+          stack[size++] = {level - 1, child};
+        }
       }
-      if (2 * index + 1 < levels_[level - 1].size()) stack[size++] = {level - 1, 2 * index + 1};
-      stack[size++] = {level - 1, 2 * index};
     }
   }
 
  private:
-  static constexpr std::size_t kLeafFaces = 8;
-
-  static Corners corners(const Mesh& mesh, Face f) {
-    Corners result;
-    for (std::uint32_t c = 0; c < 3; ++c)
-      result[c] = mesh.position(mesh.origin(Mesh::halfedge(f, c)));
-    return result;
-  }
+  static constexpr std::size_t kLeafFaces = EightFaces::kFaces;
+  static constexpr std::size_t kBitsOfFanOut = 3;
+  static constexpr std::size_t kFanOut = std::size_t{1} << kBitsOfFanOut;
 
   void sort(const Mesh& mesh) {
     Box all{glm::vec3(std::numeric_limits<float>::max()),
@@ -107,34 +94,35 @@ class SortedFaces {
     parallel_for_each(mesh.face_count(), 4096, [&](std::uint32_t i) {
       order_[i] = kLeftOut;
       if (!mesh.origin(Mesh::halfedge(Face(i))).is_valid()) return;
-      const Corners c = corners(mesh, Face(i));
-      const Box box = box_of(c);
-      const glm::dvec3 middle = 0.5 * (glm::dvec3(box.min) + glm::dvec3(box.max));
+      const ExactTriangle t = exact_triangle(mesh, Face(i));
+      const glm::dvec3 middle =
+          0.5 * (glm::min(glm::min(t[0], t[1]), t[2]) + glm::max(glm::max(t[0], t[1]), t[2]));
       const auto cell = glm::uvec3(scale * (middle - min));
       const std::uint64_t code = spread(cell.x) | spread(cell.y) << 1U | spread(cell.z) << 2U;
-      if (!is_degenerate(exact(c))) order_[i] = code << 32U | i;
+      if (!is_degenerate(t)) order_[i] = code << 32U | i;
     });
     std::erase(order_, kLeftOut);
     std::sort(order_.begin(), order_.end());
   }
 
   void build_tree() {
-    if (order_.empty()) return;
-    levels_.emplace_back(chunk_count(order_.size(), kLeafFaces));
-    parallel_for_each(leaf_count(), 1024, [&](std::uint32_t leaf) {
-      const auto [begin, end] = faces(leaf);
-      Box box = boxes_[begin];
-      for (std::size_t i = begin + 1; i < end; ++i)
-        box = join(box, boxes_[i]);
-      levels_.front()[leaf] = box;
-    });
+    if (leaves_.empty()) return;
+    levels_.push_back(
+        groups_of(leaves_.size(), [&](std::size_t leaf) { return leaves_[leaf].boxes().all(); }));
     while (levels_.back().size() > 1) {
-      const Array<Box>& below = levels_.back();
-      Array<Box> level(chunk_count(below.size(), 2));
-      for (std::size_t i = 0; i < level.size(); ++i)
-        level[i] = join(below[2 * i], below[std::min(2 * i + 1, below.size() - 1)]);
-      levels_.push_back(std::move(level));
+      const Array<EightBoxes>& below = levels_.back();
+      levels_.push_back(groups_of(below.size(), [&](std::size_t i) { return below[i].all(); }));
     }
+  }
+
+  template <class BoxOf>
+  static Array<EightBoxes> groups_of(std::size_t count, const BoxOf& box_of) {
+    Array<EightBoxes> groups(chunk_count(count, kFanOut));
+    for (EightBoxes& group : groups)
+      group.clear();
+    for (std::size_t i = 0; i < count; ++i)
+      groups[i / kFanOut].set(i % kFanOut, box_of(i));
+    return groups;
   }
 
   IndexRange faces(std::size_t leaf) const {
@@ -144,22 +132,27 @@ class SortedFaces {
 
   template <class Visit>
   void visit_leaves(std::size_t leaf, std::size_t other, const Visit& visit) const {
-    for (std::size_t i = faces(leaf).begin; i < faces(leaf).end; ++i) {
-      const Box& box = boxes_[i];
-      if (!do_overlap(box, levels_.front()[other])) continue;
-      for (std::size_t k = std::max(i + 1, faces(other).begin); k < faces(other).end; ++k) {
-        if (!do_overlap(box, boxes_[k])) continue;
-        if (do_intersect(exact(corners_[i]), exact(corners_[k]))) visit(face(i), face(k));
+    const EightFaces& ours = leaves_[leaf];
+    const EightFaces& theirs = leaves_[other];
+    for (std::uint32_t near = ours.boxes().overlapping(theirs.boxes().all()); near != 0;
+         near &= near - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(near));
+      std::uint32_t bits = theirs.may_intersect(ours, i);
+      // In the same leaf, each pair counts at its first face.
+      if (leaf == other) bits &= ~1U << i;
+      for (; bits != 0; bits &= bits - 1) {
+        const auto k = static_cast<std::size_t>(std::countr_zero(bits));
+        if (do_intersect(ours.triangle(i), theirs.triangle(k)))
+          visit(face(kLeafFaces * leaf + i), face(kLeafFaces * other + k));
       }
     }
   }
 
   static constexpr std::uint64_t kLeftOut = ~std::uint64_t{0};
 
-  Array<std::uint64_t> order_;      ///< Morton code in the upper half, face in the lower
-  Array<Corners> corners_;          ///< in the order of order_
-  Array<Box> boxes_;                ///< in the order of order_
-  std::vector<Array<Box>> levels_;  ///< from leaves to the root
+  Array<std::uint64_t> order_;             ///< Morton code in the upper half, face in the lower
+  Array<EightFaces> leaves_;               ///< in the order of order_
+  std::vector<Array<EightBoxes>> levels_;  ///< boxes of the leaves, of eight leaves each, ...
 };
 
 constexpr std::size_t kLeavesPerChunk = 128;

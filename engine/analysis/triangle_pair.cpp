@@ -157,6 +157,12 @@ ExactTriangle turned(const ExactTriangle& t, std::size_t first) {
 
 }  // namespace
 
+ExactTriangle exact_triangle(const Mesh& mesh, Face f) {
+  return {mesh.position(mesh.origin(Mesh::halfedge(f, 0))),
+          mesh.position(mesh.origin(Mesh::halfedge(f, 1))),
+          mesh.position(mesh.origin(Mesh::halfedge(f, 2)))};
+}
+
 bool is_degenerate(const ExactTriangle& t) {
   return orientation_without(t, 0) == 0 && orientation_without(t, 1) == 0 &&
          orientation_without(t, 2) == 0;
@@ -181,6 +187,10 @@ bool do_intersect(const ExactTriangle& a, const ExactTriangle& b) {
     return ExactTriangle{t[i], t[k], t[3 - i - k]};
   };
   return is_folded(edge_first(a, in_a[0], in_a[1]), edge_first(b, in_b[0], in_b[1]));
+}
+
+bool do_areas_intersect(const ExactTriangle& a, const ExactTriangle& b) {
+  return !is_degenerate(a) && !is_degenerate(b) && do_intersect(a, b);
 }
 
 }  // namespace mesher::analysis

@@ -3,11 +3,16 @@
 #include <array>
 #include <glm/vec3.hpp>
 
+#include "engine/mesh/mesh.h"
+
 namespace mesher::analysis {
 
 /// A triangle. Each coordinate is the value of a finite float, stored as a double because the
 /// predicates compute in double.
 using ExactTriangle = std::array<glm::dvec3, 3>;
+
+/// Returns the triangle of a face. O(1). Pre: the face is not removed.
+ExactTriangle exact_triangle(const Mesh& mesh, Face f);
 
 /// Returns whether the corners are collinear (or fewer than three points). Exact. O(1).
 bool is_degenerate(const ExactTriangle& t);
@@ -24,5 +29,8 @@ bool is_degenerate(const ExactTriangle& t);
 /// - Two: whether they overlap, one folded onto the other.
 /// - Three: always.
 bool do_intersect(const ExactTriangle& a, const ExactTriangle& b);
+
+/// Same, for any triangles: one that is degenerate intersects none.
+bool do_areas_intersect(const ExactTriangle& a, const ExactTriangle& b);
 
 }  // namespace mesher::analysis

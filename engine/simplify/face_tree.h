@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "engine/core/array.h"
+#include "engine/core/lanes.h"
 #include "engine/mesh/ids.h"
 #include "engine/mesh/statistics.h"
-#include "engine/simplify/lanes.h"
 #include "engine/simplify/surface.h"
 
 namespace mesher::simplify {

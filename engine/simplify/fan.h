@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/core/lanes.h"
 #include "engine/mesh/mesh.h"
-#include "engine/simplify/lanes.h"
 #include "engine/simplify/report.h"
 #include "engine/simplify/surface.h"
 

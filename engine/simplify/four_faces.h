@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "engine/core/lanes.h"
 #include "engine/mesh/mesh.h"
 #include "engine/simplify/attribute_metric.h"
-#include "engine/simplify/lanes.h"
 
 namespace mesher::simplify {
 

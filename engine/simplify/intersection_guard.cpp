@@ -25,20 +25,13 @@ double taxicab_length(const glm::dvec3& v) {
   return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
 
-analysis::ExactTriangle triangle(const Mesh& mesh, Face f) {
-  return {mesh.position(mesh.origin(Mesh::halfedge(f, 0))),
-          mesh.position(mesh.origin(Mesh::halfedge(f, 1))),
-          mesh.position(mesh.origin(Mesh::halfedge(f, 2)))};
-}
-
 /// Returns whether the changed pair intersects and did not before. Pre: `changed` is not
 /// degenerate.
 bool is_new_pair(const analysis::ExactTriangle& changed, const analysis::ExactTriangle& other,
                  const analysis::ExactTriangle& before,
                  const analysis::ExactTriangle& other_before) {
-  if (!analysis::do_intersect(changed, other)) return false;
-  return analysis::is_degenerate(before) || analysis::is_degenerate(other_before) ||
-         !analysis::do_intersect(before, other_before);
+  return analysis::do_intersect(changed, other) &&
+         !analysis::do_areas_intersect(before, other_before);
 }
 
 /// Returns the faces whose corners all belong to the region, in the order of their vertices.
@@ -271,8 +264,9 @@ bool IntersectionGuard::has_new_pair(const Surface& surface, const Fan& fan) con
   for (std::size_t i = 0; i < fan.size(); ++i) {
     for (std::size_t k = i + 1; k < fan.size(); ++k) {
       if (!do_overlap(boxes_[i], boxes_[k])) continue;
-      if (is_new_pair(triangles_[i], triangles_[k], triangle(mesh, Mesh::face(fan.spokes()[i])),
-                      triangle(mesh, Mesh::face(fan.spokes()[k])))) {
+      if (is_new_pair(triangles_[i], triangles_[k],
+                      analysis::exact_triangle(mesh, Mesh::face(fan.spokes()[i])),
+                      analysis::exact_triangle(mesh, Mesh::face(fan.spokes()[k])))) {
         return true;
       }
     }
@@ -300,7 +294,8 @@ bool IntersectionGuard::has_new_pair(const Surface& surface, const Fan& fan, Fac
       const std::size_t k = i + lane;
       if (is_apart[lane] != 0 || !do_overlap(boxes_[k], box)) continue;
       if (analysis::is_degenerate(t)) return false;
-      const analysis::ExactTriangle before = triangle(mesh, Mesh::face(fan.spokes()[k]));
+      const analysis::ExactTriangle before =
+          analysis::exact_triangle(mesh, Mesh::face(fan.spokes()[k]));
       if (is_new_pair(triangles_[k], t, before, t)) return true;
     }
   }

@@ -8,15 +8,8 @@ namespace mesher::simplify {
 namespace {
 
 bool did_intersect(const Mesh& before, Face f, Face g) {
-  const auto triangle = [&](Face face) -> analysis::ExactTriangle {
-    const auto corner = [&](std::uint32_t c) {
-      return glm::dvec3(before.position(before.origin(Mesh::halfedge(face, c))));
-    };
-    return {corner(0), corner(1), corner(2)};
-  };
-  const analysis::ExactTriangle a = triangle(f);
-  const analysis::ExactTriangle b = triangle(g);
-  return !analysis::is_degenerate(a) && !analysis::is_degenerate(b) && analysis::do_intersect(a, b);
+  return analysis::do_areas_intersect(analysis::exact_triangle(before, f),
+                                      analysis::exact_triangle(before, g));
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include <glm/vec3.hpp>
 #include <limits>
 
+#include "engine/core/lanes.h"
 #include "engine/mesh/mesh.h"
-#include "engine/simplify/lanes.h"
 #include "engine/simplify/quadric.h"
 
 namespace mesher::simplify {

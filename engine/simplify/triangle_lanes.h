@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/simplify/lanes.h"
+#include "engine/core/lanes.h"
 
 namespace mesher::simplify {
 

@@ -11,20 +11,14 @@
 namespace mesher::test {
 namespace {
 
-analysis::ExactTriangle triangle(const Mesh& mesh, std::uint32_t f) {
-  analysis::ExactTriangle t;
-  for (std::uint32_t c = 0; c < 3; ++c)
-    t[c] = mesh.position(mesh.origin(Mesh::halfedge(Face(f), c)));
-  return t;
-}
-
 std::vector<analysis::FacePair> by_brute_force(const Mesh& mesh) {
   std::vector<analysis::FacePair> pairs;
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-    if (analysis::is_degenerate(triangle(mesh, f))) continue;
+    if (analysis::is_degenerate(analysis::exact_triangle(mesh, Face(f)))) continue;
     for (std::uint32_t g = f + 1; g < mesh.face_count(); ++g) {
-      if (analysis::is_degenerate(triangle(mesh, g))) continue;
-      if (analysis::do_intersect(triangle(mesh, f), triangle(mesh, g)))
+      if (analysis::is_degenerate(analysis::exact_triangle(mesh, Face(g)))) continue;
+      if (analysis::do_intersect(analysis::exact_triangle(mesh, Face(f)),
+                                 analysis::exact_triangle(mesh, Face(g))))
         pairs.push_back({Face(f), Face(g)});
     }
   }
@@ -115,6 +109,27 @@ TEST(SelfIntersections, AgreeWithBruteForceOnRandomSoups) {
   for (std::uint32_t seed = 0; seed < 500; ++seed) {
     const Mesh mesh = built(random_soup(seed)).mesh;
     ASSERT_EQ(analysis::self_intersections(mesh), by_brute_force(mesh)) << seed;
+  }
+}
+
+TEST(SelfIntersections, AgreeWithBruteForceOnCrumpledGrids) {
+  for (const float size : {0.02F, 0.2F, 1.0F, 5.0F}) {
+    for (std::uint32_t seed = 0; seed < 8; ++seed) {
+      Soup soup = grid(12);
+      std::mt19937 random(seed);
+      for (glm::vec3& p : soup.positions) {
+        for (int axis = 0; axis < 3; ++axis)
+          p[axis] += size * (static_cast<float>(random() % 1001U) / 1000.0F - 0.5F);
+      }
+      const Mesh mesh = built(std::move(soup)).mesh;
+      const auto pairs = analysis::self_intersections(mesh);
+      ASSERT_EQ(pairs, by_brute_force(mesh)) << size << ' ' << seed;
+      if (size < 0.1F) {
+        EXPECT_TRUE(pairs.empty()) << seed;
+      } else if (size > 4.0F) {
+        EXPECT_FALSE(pairs.empty()) << size << ' ' << seed;
+      }
+    }
   }
 }
 

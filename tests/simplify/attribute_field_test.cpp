@@ -104,7 +104,7 @@ TEST(AttributeField, EightEdgesHaveTheCostsOfEach) {
   std::array<Halfedge, 8> edges;
   for (std::uint32_t lane = 0; lane < 8; ++lane)
     edges[lane] = Halfedge(11 * lane);
-  const simplify::EdgeQuadric<simplify::Float8> shapes = surface.edge_quadrics(edges);
+  const simplify::EdgeQuadric<Float8> shapes = surface.edge_quadrics(edges);
   const auto eight = field.quadrics(edges, shapes.half);
   for (std::size_t lane = 0; lane < 8; ++lane) {
     const auto one = field.quadric(surface, edges[lane]);

@@ -11,7 +11,7 @@
 namespace mesher::test {
 namespace {
 
-using V = simplify::Vec3<float>;
+using V = Vec3<float>;
 
 class Random {
  public:
@@ -20,7 +20,7 @@ class Random {
   V vector() { return {number(), number(), number()}; }
   V unit() {
     const V v = vector();
-    return v * (1.0F / std::sqrt(simplify::dot(v, v)));
+    return v * (1.0F / std::sqrt(dot(v, v)));
   }
 
  private:
@@ -57,10 +57,10 @@ TEST(Quadric, EqualsTheSumOfAreasTimesSquaredDistances) {
     // The ends are half an edge before and after the midpoint, and planes pass through them.
     double expected = 0.0;
     for (const Plane& p : from) {
-      expected += double(p.area) * std::pow(double(simplify::dot(p.normal, y + edge * 0.5F)), 2);
+      expected += double(p.area) * std::pow(double(dot(p.normal, y + edge * 0.5F)), 2);
     }
     for (const Plane& p : to) {
-      expected += double(p.area) * std::pow(double(simplify::dot(p.normal, y - edge * 0.5F)), 2);
+      expected += double(p.area) * std::pow(double(dot(p.normal, y - edge * 0.5F)), 2);
     }
     EXPECT_NEAR(double(q.cost(y)), expected, 1e-5 * (1.0 + expected));
   }
@@ -74,17 +74,17 @@ TEST(Quadric, LanesMatchTheScalarResultBitwise) {
     const V edge = random.vector() * 3.0F;
     const V shared = random.vector();
     const simplify::EdgeQuadric<float> one(sum(from), sum(to), shared, edge);
-    const auto wide = [](float x) { return simplify::broadcast<simplify::Float8>(x); };
+    const auto wide = [](float x) { return broadcast<Float8>(x); };
     const auto wide_vector = [&](const V& v) {
-      return simplify::Vec3<simplify::Float8>{wide(v.x), wide(v.y), wide(v.z)};
+      return Vec3<Float8>{wide(v.x), wide(v.y), wide(v.z)};
     };
     const auto wide_quadric = [&](const simplify::Quadric<float>& q) {
-      return simplify::Quadric<simplify::Float8>{
-          wide(q.xx), wide(q.xy), wide(q.xz), wide(q.yy), wide(q.yz), wide(q.zz), wide_vector(q.g)};
+      return simplify::Quadric<Float8>{wide(q.xx), wide(q.xy), wide(q.xz),      wide(q.yy),
+                                       wide(q.yz), wide(q.zz), wide_vector(q.g)};
     };
-    const simplify::EdgeQuadric<simplify::Float8> eight(
-        wide_quadric(sum(from)), wide_quadric(sum(to)), wide_vector(shared), wide_vector(edge));
-    const simplify::Float8 costs = eight.ranked_cost(simplify::best_offset(eight));
+    const simplify::EdgeQuadric<Float8> eight(wide_quadric(sum(from)), wide_quadric(sum(to)),
+                                              wide_vector(shared), wide_vector(edge));
+    const Float8 costs = eight.ranked_cost(simplify::best_offset(eight));
     const float expected = one.ranked_cost(simplify::best_offset(one));
     for (int lane = 0; lane < 4; ++lane) {
       EXPECT_EQ(costs.low[lane], expected);
@@ -99,10 +99,10 @@ TEST(Quadric, RowsGiveTheSameSums) {
     const V n = random.unit();
     const simplify::FaceShape shape{{n.x, n.y, n.z}, 0.7F};
     simplify::VertexState state{};
-    const simplify::QuadricRows rows = simplify::plane_rows(simplify::load4(&shape.normal.x));
-    simplify::store4(&state.quadric.xx, rows.a);
-    simplify::store4(&state.quadric.xx + 4, rows.b);
-    simplify::store4(&state.quadric.xx + 8, rows.c);
+    const simplify::QuadricRows rows = simplify::plane_rows(load4(&shape.normal.x));
+    store4(&state.quadric.xx, rows.a);
+    store4(&state.quadric.xx + 4, rows.b);
+    store4(&state.quadric.xx + 8, rows.c);
     const simplify::Quadric<float> q = simplify::plane_quadric(shape);
     EXPECT_EQ(state.quadric.xx, q.xx);
     EXPECT_EQ(state.quadric.xy, q.xy);
@@ -143,14 +143,14 @@ TEST(BestOffset, IsNoWorseThanTheMidpointAndKeepsTheVolume) {
     for (std::vector<Plane>& side : planes) {
       for (int i = 0; i < 6; ++i) {
         V n = V{0.2F * random.number(), 0.2F * random.number(), 1.0F};
-        side.push_back({n * (1.0F / std::sqrt(simplify::dot(n, n))), 0.5F});
+        side.push_back({n * (1.0F / std::sqrt(dot(n, n))), 0.5F});
       }
     }
     const V edge{1.0F, 0.3F * random.number(), 0.05F * random.number()};
     const simplify::EdgeQuadric<float> q(sum(planes[0]), sum(planes[1]), V{}, edge);
     const V y = simplify::best_offset(q);
-    EXPECT_LE(simplify::dot(y, y), simplify::dot(q.half, q.half) * 1.0001F);
-    const float missed = std::abs(simplify::dot(q.both.g, y) - q.volume);
+    EXPECT_LE(dot(y, y), dot(q.half, q.half) * 1.0001F);
+    const float missed = std::abs(dot(q.both.g, y) - q.volume);
     kept += missed < 1e-3F ? 1 : 0;
   }
   EXPECT_GT(kept, 450) << "all except the few that the ball clamps";
@@ -161,14 +161,14 @@ TEST(BestOffset, StaysAtTheMidpointWhenUnconstrained) {
   const std::vector<Plane> flat(6, Plane{{0, 0, 1}, 1.0F});
   const simplify::EdgeQuadric<float> on_plane(sum(flat), sum(flat), V{0, 0, 2}, {0.3F, 0.4F, 0.0F});
   const V y = simplify::best_offset(on_plane);
-  EXPECT_NEAR(std::sqrt(simplify::dot(y, y)), 0.0F, 1e-6F);
+  EXPECT_NEAR(std::sqrt(dot(y, y)), 0.0F, 1e-6F);
   // A straight crease along x. The vertex could slide along it but must not.
   std::vector<Plane> crease(3, Plane{{0, 0, 1}, 1.0F});
   crease.insert(crease.end(), 3, Plane{{0, 1, 0}, 1.0F});
   const simplify::EdgeQuadric<float> on_crease(sum(crease), sum(crease), V{0, 1, 1},
                                                {1.0F, 0.0F, 0.0F});
   const V z = simplify::best_offset(on_crease);
-  EXPECT_NEAR(std::sqrt(simplify::dot(z, z)), 0.0F, 1e-6F);
+  EXPECT_NEAR(std::sqrt(dot(z, z)), 0.0F, 1e-6F);
 }
 
 TEST(BestOffset, IsFiniteForAnyInput) {
@@ -188,7 +188,7 @@ TEST(BestOffset, IsFiniteForAnyInput) {
     const simplify::EdgeQuadric<float> q(sum(from), sum(to), shared, edge);
     const V y = simplify::best_offset(q);
     EXPECT_TRUE(std::isfinite(y.x) && std::isfinite(y.y) && std::isfinite(y.z));
-    EXPECT_TRUE(simplify::dot(y, y) <= simplify::dot(q.half, q.half) * 1.0001F + 1e-37F);
+    EXPECT_TRUE(dot(y, y) <= dot(q.half, q.half) * 1.0001F + 1e-37F);
     EXPECT_GE(q.ranked_cost(y), 0.0F);
   }
 }

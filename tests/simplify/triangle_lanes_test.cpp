@@ -15,10 +15,9 @@ namespace {
 using Triangle = std::array<glm::dvec3, 3>;
 
 /// Squared distances to four triangles, one per lane.
-simplify::Float4 squared_distances_of(const glm::dvec3& p,
-                                      const std::array<Triangle, 4>& triangles) {
+Float4 squared_distances_of(const glm::dvec3& p, const std::array<Triangle, 4>& triangles) {
   simplify::TriangleLanes lanes{};
-  const auto set = [](simplify::Vec3<simplify::Float4>& to, std::size_t lane, const glm::dvec3& v) {
+  const auto set = [](Vec3<Float4>& to, std::size_t lane, const glm::dvec3& v) {
     simplify::set_lane(to, lane,
                        {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
   };
@@ -27,7 +26,7 @@ simplify::Float4 squared_distances_of(const glm::dvec3& p,
     set(lanes.b, lane, triangles[lane][1]);
     set(lanes.c, lane, triangles[lane][2]);
   }
-  simplify::Vec3<simplify::Float4> point{};
+  Vec3<Float4> point{};
   for (std::size_t lane = 0; lane < 4; ++lane)
     set(point, lane, p);
   return simplify::squared_distances(point, lanes);
@@ -55,7 +54,7 @@ TEST(TriangleLanes, AgreeWithDoublePrecision) {
     const std::array<Triangle, 4> four{random.triangle(), random.triangle(), random.triangle(),
                                        random.needle()};
     const glm::dvec3 p = random.point();
-    const simplify::Float4 found = squared_distances_of(p, four);
+    const Float4 found = squared_distances_of(p, four);
     for (std::size_t lane = 0; lane < 4; ++lane)
       ASSERT_NEAR(double{found[lane]}, analysis::squared_distance(p, four[lane]), 2e-5) << i;
   }
@@ -71,7 +70,7 @@ TEST(TriangleLanes, PointOnTheTriangleHasZeroDistance) {
 TEST(TriangleLanes, ZeroAreaTriangleMeasuresToItsSides) {
   const Triangle line{glm::dvec3(0, 0, 0), glm::dvec3(2, 0, 0), glm::dvec3(1, 0, 0)};
   const Triangle dot{glm::dvec3(1, 1, 1), glm::dvec3(1, 1, 1), glm::dvec3(1, 1, 1)};
-  const simplify::Float4 found = squared_distances_of({1, 3, 0}, {line, dot, line, dot});
+  const Float4 found = squared_distances_of({1, 3, 0}, {line, dot, line, dot});
   EXPECT_FLOAT_EQ(found[0], 9.0F);
   EXPECT_FLOAT_EQ(found[1], 5.0F);
   EXPECT_FLOAT_EQ(simplify::least_of(found), 5.0F);

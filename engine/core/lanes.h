@@ -9,7 +9,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace mesher::simplify {
+namespace mesher {
 
 /// Four floats processed at once. Each lane rounds like a single float, so a formula written once
 /// for `float`, `Float4` and `Float8` yields the same bits for all.
@@ -115,6 +115,20 @@ inline bool any(Int4 condition) {
   return (halves[0] | halves[1]) != 0;
 }
 
+/// Returns a bit for each lane in which the condition holds, the first lane's lowest.
+inline std::uint32_t bits_of(Int4 condition) {
+#if defined(__SSE__)
+  Float4 lanes;
+  __builtin_memcpy(&lanes, &condition, sizeof lanes);
+  return static_cast<std::uint32_t>(_mm_movemask_ps(lanes));
+#else
+  std::uint32_t bits = 0;
+  for (std::uint32_t lane = 0; lane < 4; ++lane)
+    bits |= condition[lane] != 0 ? 1U << lane : 0U;
+  return bits;
+#endif
+}
+
 inline Float4 load4(const float* from) {
   Float4 lanes;
   __builtin_memcpy(&lanes, from, sizeof lanes);
@@ -158,4 +172,4 @@ Vec3<F> cross(const Vec3<F>& a, const Vec3<F>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-}  // namespace mesher::simplify
+}  // namespace mesher
