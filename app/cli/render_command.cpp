@@ -245,7 +245,10 @@ void run_render(const InputOptions& input, const std::string& output, const Look
   check_pose(input);
   check(output, look, picture);
   if (!detail.faces && !detail.lod) {
-    LoadedModel loaded = load(input, common);
+    // As in the window, with all attributes. A pose is taken from the file, not from the scene.
+    InputOptions shown = input;
+    shown.keeps_scene = !input.animation;
+    LoadedModel loaded = load(shown, common);
     check_faces(loaded);
     return draw(std::move(loaded), output, look, picture, common);
   }

@@ -2,6 +2,7 @@
 #include "app/cli/render_command.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/io/png.h"
@@ -230,6 +231,54 @@ std::string rising_square() {
       R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
       "animations":[{"name":"Rise","channels":[{"sampler":0,"target":{"node":0,"path":"scale"}}],
       "samplers":[{"input":2,"output":3}]},{"channels":[],"samplers":[]}])");
+}
+
+/// A glTF of a square whose normals, two sets of texture coordinates and tangents are the same at
+/// all corners, with a material that uses map.png. `texture`: the member of the material.
+std::string mapped_square(const std::string& texture, float handedness) {
+  GltfDocument document;
+  document.floats(kSquareCorners, "VEC3", 3);
+  document.indices(kSquareIndices);
+  const auto four_times = [](const std::vector<float>& value) {
+    std::vector<float> all;
+    for (int i = 0; i < 4; ++i)
+      all.insert(all.end(), value.begin(), value.end());
+    return all;
+  };
+  document.floats(four_times({0, 0, 1}), "VEC3", 3);
+  document.floats(four_times({0.25F, 0.5F}), "VEC2", 2);
+  document.floats(four_times({0.75F, 0.5F}), "VEC2", 2);
+  document.floats(four_times({1, 0, 0, handedness}), "VEC4", 4);
+  return document.text(
+      R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":2,
+      "TEXCOORD_0":3,"TEXCOORD_1":4,"TANGENT":5},"indices":1,"material":0}]}],
+      "images":[{"uri":"map.png"}],"samplers":[{"magFilter":9728,"minFilter":9728}],
+      "textures":[{"source":0,"sampler":0}],"materials":[{)" +
+      texture + "}]");
+}
+
+TEST_F(RenderCommand, AllTextureCoordinatesAndTangentsCount) {
+  const auto draw = [&](const std::string& texture, float handedness) {
+    folder_.write("m.gltf", mapped_square(texture, handedness));
+    return picture({"m.gltf", "--look", "material", "--view", "front"});
+  };
+  const auto middle = [](const Image& image) {
+    const std::size_t at = 4 * (image.height / 2 * std::size_t{image.width} + image.width / 2);
+    return std::array{int(image.rgba[at]), int(image.rgba[at + 1])};
+  };
+  // Red on the left, green on the right.
+  io::write_png(folder_ / "map.png", {2, 1, {255, 0, 0, 255, 0, 255, 0, 255}});
+  const auto base = [](const std::string& set) {
+    return R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":)" + set + "}}";
+  };
+  const auto [red, no_green] = middle(draw(base("0"), 1));
+  const auto [no_red, green] = middle(draw(base("1"), 1));
+  EXPECT_GT(red, no_green + 50);
+  EXPECT_GT(green, no_red + 50);
+  // A normal map that leans down turns around with the bitangent.
+  io::write_png(folder_ / "map.png", {1, 1, {128, 60, 220, 255}});
+  const std::string normal = R"("normalTexture":{"index":0})";
+  EXPECT_GT(difference(draw(normal, 1), draw(normal, -1)), 5.0);
 }
 
 TEST_F(RenderCommand, AnimationPosesTheModel) {
