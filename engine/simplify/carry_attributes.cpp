@@ -14,6 +14,7 @@
 #include "engine/mesh/joints.h"
 #include "engine/mesh/wedges.h"
 #include "engine/simplify/attribute_metric.h"
+#include "engine/simplify/carry_tangents.h"
 #include "engine/simplify/seams.h"
 #include "engine/simplify/surface_walk.h"
 
@@ -199,6 +200,7 @@ class Carrier {
       });
     }
     if (!joints_.empty()) set_joints(stream.layers);
+    if (result_.face_count() < input_.mesh.face_count()) rebuild_tangents(input_, result_, stream);
     return stream;
   }
 

@@ -24,9 +24,10 @@ Attributes carried_groups(const Attributes& attributes, std::span<const Face> fa
 /// of its face without crossing a seam, so both sides of a seam stay apart. Numbers are blended by
 /// barycentric coordinates; normals and tangents have unit length again; joints are those of all
 /// three corners, as many as there is room for (JointSum); other integers come from the nearest
-/// corner. If most edges of the input separate normals, as with a normal per face,
-/// the result has a normal per face, too. Groups follow their faces. A vertex that has not moved
-/// keeps its values, bit for bit.
+/// corner. Tangents that followed from the normals and the texture coordinates follow from those of
+/// the result (carry_tangents.h). If most edges of the input separate normals, as with a normal per
+/// face, the result has a normal per face, too. Groups follow their faces. A vertex that has not
+/// moved keeps its other values, bit for bit.
 ///
 /// `face_source` is the face of the input that each face of the result was. O(F) in the result,
 /// with a short walk per wedge; parallel. Throws Cancelled.
