@@ -71,6 +71,12 @@ Model clay_of(const Model& model) {
   return clay;
 }
 
+/// The boxes of pictures of two models.
+struct Boxes {
+  Box framed;  ///< what the pictures show
+  Box drawn;   ///< contains both models
+};
+
 /// A model that is drawn from one direction after another.
 class Drawn {
  public:
@@ -85,9 +91,10 @@ class Drawn {
       say(loaded.file.filename().string() + ": " + line);
   }
 
-  Image picture(const ViewAngles& angles, const Box& box) {
+  Image picture(const ViewAngles& angles, const Boxes& boxes) {
+    scene_->camera.fit_depth(boxes.drawn);
     scene_->camera.set_angles(glm::radians(angles.yaw_deg), glm::radians(angles.pitch_deg));
-    scene_->camera.frame(box, session_.view.aspect());
+    scene_->camera.frame(boxes.framed, session_.view.aspect());
     return draw_picture(*scene_, {.is_transparent = true}, nullptr);
   }
 
@@ -136,14 +143,14 @@ void write_png_into(Files& files, const std::filesystem::path& file, const Image
   writer.finish();
 }
 
-LookDifference compare_look(const std::string& look, Drawn& a, Drawn& b, const Box& box,
+LookDifference compare_look(const std::string& look, Drawn& a, Drawn& b, const Boxes& boxes,
                             const PictureComparison& options, Files& files, Progress* progress) {
   LookDifference result{.look = look, .views = {}};
   const std::vector<ViewAngles> angles = view_angles(options.views);
   for (std::size_t i = 0; i < angles.size(); ++i) {
     report(progress, static_cast<float>(i) / static_cast<float>(angles.size()));
-    const Image first = a.picture(angles[i], box);
-    const Image second = b.picture(angles[i], box);
+    const Image first = a.picture(angles[i], boxes);
+    const Image second = b.picture(angles[i], boxes);
     const std::string name = fmt::format("{}_{:02}.png", look, i);
     write_png_into(files, std::filesystem::path(options.folder) / name,
                    side_by_side(first, second));
@@ -228,7 +235,8 @@ void check_pictures(const PictureComparison& options) {
 PictureDifferences compare_pictures(const LoadedModel& a, const LoadedModel& b,
                                     const PictureComparison& options, Progress* progress) {
   PictureDifferences pictures{picture_size_of(options), options.folder, {}};
-  const Box& box = a.statistics.box;
+  Boxes boxes{.framed = a.statistics.box, .drawn = a.statistics.box};
+  extend(boxes.drawn, b.statistics.box, glm::dmat4(1.0));
   const bool has_textured = has_colors(a.model) || has_colors(b.model);
   Stages stages(progress, {has_textured ? 1.0 : 0.0, 1.0});
   Files files;
@@ -237,12 +245,12 @@ PictureDifferences compare_pictures(const LoadedModel& a, const LoadedModel& b,
     Drawn first(a.model, a, options, render::Look::base_color);
     Drawn second(b.model, b, options, render::Look::base_color);
     pictures.looks.push_back(
-        compare_look("textured", first, second, box, options, files, progress));
+        compare_look("textured", first, second, boxes, options, files, progress));
   }
   stages.next("drawing clay");
   Drawn first(clay_of(a.model), a, options, render::Look::material);
   Drawn second(clay_of(b.model), b, options, render::Look::material);
-  pictures.looks.push_back(compare_look("clay", first, second, box, options, files, progress));
+  pictures.looks.push_back(compare_look("clay", first, second, boxes, options, files, progress));
   seal(progress);
   io::AtomicFile::commit_all(files, io::Flush::later);
   return pictures;

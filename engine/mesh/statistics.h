@@ -17,6 +17,7 @@ namespace mesher {
 struct Box {
   glm::vec3 min{1.0F};
   glm::vec3 max{-1.0F};
+  friend bool operator==(const Box&, const Box&) = default;
   bool is_empty() const { return min.x > max.x; }
   glm::dvec3 center() const { return 0.5 * (glm::dvec3(min) + glm::dvec3(max)); }
   /// Returns the length of the diagonal, 0 if empty. In double, because the square of a float may

@@ -185,7 +185,7 @@ ViewTransform Camera::transform(double aspect, const Box& box) const {
   }
   result.offset = glm::vec3(offset);
 
-  const DepthRange range = depth_range(*this, box);
+  const DepthRange range = depth_range(*this, depth_.value_or(box));
   if (orthographic_) {
     const double depth = range.far - range.near;
     result.depth_scale = static_cast<float>(1.0 / depth);

@@ -3,6 +3,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "engine/mesh/statistics.h"
 
@@ -96,11 +97,16 @@ class Camera {
   /// Makes `point` the pivot. The eye moves with it at the same distance.
   void recenter(const glm::dvec3& point) { pivot_ = point; }
 
+  /// From now on, near and far planes are fitted to this box, whatever is drawn. Faces at one place
+  /// then hide one another alike in pictures of similar models. Pre: the box contains all of them.
+  void fit_depth(const Box& box) { depth_ = box; }
+
   /// Returns the ray of all points under the cursor.
   Ray pick_ray(const Cursor& cursor) const;
   /// Returns the projection to a window of that size: the inverse of pick_ray.
   WindowProjection places(const glm::dvec2& window) const;
-  /// Returns the transform with near and far planes fitted to `box`. `aspect` is width / height.
+  /// Returns the transform with near and far planes fitted to `box`, or to that of fit_depth.
+  /// `aspect` is width / height.
   ViewTransform transform(double aspect, const Box& box) const;
 
   friend bool operator==(const Camera&, const Camera&) = default;
@@ -113,6 +119,7 @@ class Camera {
   double yaw_ = 0.0;
   double pitch_ = 0.0;
   bool orthographic_ = false;
+  std::optional<Box> depth_;
 };
 
 }  // namespace mesher::render

@@ -252,5 +252,24 @@ TEST(Camera, InsideTheModelTheNearPlaneIsInFrontOfTheEye) {
   EXPECT_LE(near, 0.01F);
 }
 
+TEST(Camera, DepthsOfSimilarModelsAreEqualIfFittedToOneBox) {
+  const Box small{glm::vec3(-1), glm::vec3(1)};
+  const Box large{glm::vec3(-1.5F), glm::vec3(1.01F)};
+  const auto depths = [&](const render::Camera& camera, const Box& box) {
+    const render::ViewTransform transform = camera.transform(1.5, box);
+    return std::pair(transform.depth_scale, transform.depth_offset);
+  };
+  for (const bool orthographic : {false, true}) {
+    render::Camera camera;
+    camera.set_orthographic(orthographic);
+    camera.frame(small, 1.5);
+    EXPECT_NE(depths(camera, small), depths(camera, large));
+    const auto expected = depths(camera, large);
+    camera.fit_depth(large);
+    EXPECT_EQ(depths(camera, small), expected);
+    EXPECT_EQ(depths(camera, large), expected);
+  }
+}
+
 }  // namespace
 }  // namespace mesher::render
