@@ -6,17 +6,10 @@
 #include <limits>
 
 #include "engine/analysis/sample_values.h"
+#include "engine/mesh/unit_vector.h"
 
 namespace mesher::analysis {
-namespace {
-
-/// Returns a vector of unit length; zero if it has no direction.
-glm::dvec3 unit_or_zero(const glm::dvec3& v) {
-  const double length = glm::length(v);
-  return length > 0.0 && std::isfinite(length) ? v / length : glm::dvec3(0.0);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 ShadingNormals::ShadingNormals(const AttributedSurface& surface)
     : surface_(surface), layer_(surface.attributes.find(normal_type().name)) {

@@ -6,18 +6,13 @@
 
 #include "engine/core/parallel.h"
 #include "engine/mesh/circulators.h"
+#include "engine/mesh/unit_vector.h"
 
 namespace mesher {
 namespace {
 
 constexpr std::size_t kNormalsGrain = 4096;
 constexpr float kPi = 3.14159265F;
-
-// Double throughout: squared lengths of a model 1e-6 units across fall below the range of floats.
-glm::dvec3 unit_or_zero(const glm::dvec3& v) {
-  const double length = glm::length(v);
-  return length > 0.0 ? v / length : glm::dvec3(0.0);
-}
 
 glm::dvec3 cross_at(const Mesh& mesh, Halfedge h) {
   const glm::dvec3 at = mesh.position(mesh.origin(h));

@@ -10,17 +10,12 @@
 
 #include "engine/core/parallel.h"
 #include "engine/mesh/circulators.h"
+#include "engine/mesh/unit_vector.h"
 
 namespace mesher {
 namespace {
 
 constexpr std::size_t kTangentGrain = 1024;
-
-/// Returns the length-1 vector, or zero if it has no direction.
-glm::dvec3 unit_or_zero(const glm::dvec3& v) {
-  const double length = glm::length(v);
-  return length > 0.0 ? v / length : glm::dvec3(0.0);
-}
 
 /// Returns the part of a vector that is perpendicular to a normal, with length 1.
 glm::dvec3 along_plane(const glm::dvec3& v, const glm::dvec3& normal) {
@@ -117,7 +112,7 @@ class Tangents {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Halfedge before = i > 0 ? corners[i - 1] : corners.back();
       if (!is_border(before, corners[i])) continue;
-      std::ranges::rotate(corners, corners.begin() + static_cast<std::ptrdiff_t>(i));
+      std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(i), corners.end());
       return;
     }
   }

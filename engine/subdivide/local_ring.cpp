@@ -7,6 +7,7 @@
 
 #include "engine/core/assert.h"
 #include "engine/mesh/circulators.h"
+#include "engine/mesh/unit_vector.h"
 #include "engine/subdivide/sharp_masks.h"
 #include "engine/subdivide/sharpness.h"
 
@@ -18,11 +19,6 @@ constexpr int kStepsToConverge = 64;
 // Enough for a ring of up to a dozen neighbors to lie in its tangent plane. More steps would hurt:
 // at a dart, the ring shrinks faster in one direction than in the other and degenerates to a line.
 constexpr int kStepsToFlatten = 24;
-
-glm::dvec3 unit_or_zero(const glm::dvec3& v) {
-  const double length = glm::length(v);
-  return length > 0.0 ? v / length : glm::dvec3(0.0);
-}
 
 }  // namespace
 
