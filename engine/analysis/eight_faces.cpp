@@ -13,8 +13,9 @@ namespace {
 // Bounds the rounding of a distance from a plane through a corner, in relation to the lengths of
 // two sides and the distance from that corner. The true factor is below 8 units of 2^-24.
 constexpr float kRoundingOfDistance = 2e-6F;
-// Covers products that underflow.
+// Covers products that underflow: those of a distance, and those of a normal.
 constexpr float kUnderflow = 1e-30F;
+constexpr float kUnderflowOfNormal = 1e-43F;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 float taxicab(const glm::vec3& v) {
   return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
@@ -61,7 +62,8 @@ void EightFaces::set(std::size_t lane, const Mesh& mesh, Face f,
   }
   boxes_.set(lane, {glm::min(glm::min(p[0], p[1]), p[2]), glm::max(glm::max(p[0], p[1]), p[2])});
   normals_.set(lane, glm::cross(p[1] - p[0], p[2] - p[0]));
-  doubts_[lane] = kRoundingOfDistance * taxicab(p[1] - p[0]) * taxicab(p[2] - p[0]);
+  doubts_[lane] =
+      kRoundingOfDistance * taxicab(p[1] - p[0]) * taxicab(p[2] - p[0]) + kUnderflowOfNormal;
 }
 
 ExactTriangle EightFaces::triangle(std::size_t lane) const {

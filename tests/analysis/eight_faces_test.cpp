@@ -93,6 +93,30 @@ TEST(EightFaces, MissNoPairAtTheEndsOfTheFloatRange) {
   }
 }
 
+TEST(EightFaces, MissNoPairOfTinyAndHugeFaces) {
+  std::mt19937 random(3);
+  const auto vector = [&] {
+    const auto number = [&] { return static_cast<double>(random() % 2001U) / 1000.0 - 1.0; };
+    return glm::dvec3(number(), number(), number());
+  };
+  std::size_t open = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const double tiny = i % 2 == 0 ? 3e-23 : 1e-22;
+    const std::array<glm::dvec3, 3> t{tiny * vector(), tiny * vector(), tiny * vector()};
+    // The large face pierces the tiny one with its first corner.
+    const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]) / (tiny * tiny);
+    const glm::dvec3 corner = (t[0] + t[1] + t[2]) / 3.0 - 0.1 * tiny * normal;
+    Soup soup;
+    for (const glm::dvec3& p : {t[0], t[1], t[2], corner, 1e20 * (normal + 0.3 * vector()),
+                                1e20 * (normal + 0.3 * vector())}) {
+      soup.corners.push_back(static_cast<std::uint32_t>(soup.positions.size()));
+      soup.positions.emplace_back(p);
+    }
+    open += count_open(built(std::move(soup)).mesh);
+  }
+  EXPECT_GT(open, 1000U);
+}
+
 TEST(EightFaces, MissNoPairOfSheetsFarFromTheOrigin) {
   // Far from the origin, sheets one unit in the last place apart.
   Soup soup = join(grid(4), grid(4));
